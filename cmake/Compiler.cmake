@@ -1,0 +1,40 @@
+# Flags for every target. No -ffast-math and no contraction: pictures are the same bits on every machine.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-Og -g -D_GLIBCXX_ASSERTIONS")
+
+# -fno-math-errno only lets sqrt be one instruction; values are untouched.
+add_compile_options(-ffp-contract=off -fno-math-errno)
+
+set(PIXELSCOPE_WARNINGS -Wall -Wextra -Wconversion -Wshadow)
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  list(APPEND PIXELSCOPE_WARNINGS -Wno-sign-conversion)  # part of -Wconversion in clang, not in GCC
+endif()
+if(PIXELSCOPE_WERROR)
+  list(APPEND PIXELSCOPE_WARNINGS -Werror)
+endif()
+
+if(PIXELSCOPE_SANITIZE)
+  add_compile_options(-fsanitize=${PIXELSCOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${PIXELSCOPE_SANITIZE} -fno-sanitize-recover=all)
+endif()
+
+if(PIXELSCOPE_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "The fuzz targets need clang; use `cmake --preset fuzz`.")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
+if(PIXELSCOPE_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(PIXELSCOPE_CCACHE ccache)
+  if(PIXELSCOPE_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${PIXELSCOPE_CCACHE})
+  endif()
+endif()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)

@@ -1,0 +1,29 @@
+# Writes lessons_table.h: the lessons, found as the folders of chapters/ that hold a lesson.md. It defines two lists in
+# the order of the folders' names, to be used with a macro of one argument:
+#   PS_LESSONS(X)           X(folder) for each lesson
+#   PS_LESSON_LISTINGS(X)   X(folder) for each lesson that also has a listing.cpp
+
+file(GLOB lessons CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/chapters ${CMAKE_SOURCE_DIR}/chapters/*/lesson.md)
+file(GLOB listings CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/chapters ${CMAKE_SOURCE_DIR}/chapters/*/listing.cpp)
+list(SORT lessons)
+
+set(all_lessons "")
+set(all_listings "")
+foreach(lesson ${lessons})
+  get_filename_component(folder ${lesson} DIRECTORY)
+  if(NOT folder MATCHES "^[a-z][a-z0-9_]*$")
+    message(FATAL_ERROR "chapters/${folder}: a lesson's folder is named in snake_case (a-z, 0-9, _)")
+  endif()
+  string(APPEND all_lessons " X(${folder})")
+  if("${folder}/listing.cpp" IN_LIST listings)
+    string(APPEND all_listings " X(${folder})")
+  endif()
+endforeach()
+
+set(PIXELSCOPE_LESSONS_INCLUDE ${CMAKE_BINARY_DIR}/generated/chapters)
+file(CONFIGURE OUTPUT ${PIXELSCOPE_LESSONS_INCLUDE}/lessons_table.h @ONLY CONTENT [[
+// Written by cmake/Lessons.cmake from the folders of chapters/.
+#pragma once
+#define PS_LESSONS(X)@all_lessons@
+#define PS_LESSON_LISTINGS(X)@all_listings@
+]])

@@ -1,0 +1,27 @@
+# Third-party libraries. A missing one stops the configuration; the scripts app/run and tests/run install them all.
+
+find_package(Threads REQUIRED)
+find_package(glm CONFIG REQUIRED)
+find_package(fmt CONFIG REQUIRED)
+find_package(nlohmann_json CONFIG REQUIRED)
+find_package(tinyobjloader CONFIG REQUIRED)
+find_package(hwy CONFIG REQUIRED)
+find_package(CLI11 CONFIG REQUIRED)
+
+find_path(PIXELSCOPE_STB stb/stb_image.h)  # included as <stb/stb_image.h>, only inside core/image
+if(NOT PIXELSCOPE_STB)
+  message(FATAL_ERROR "stb_image.h was not found; on Debian it is in libstb-dev.")
+endif()
+
+if(PIXELSCOPE_GUI)
+  find_package(PkgConfig REQUIRED)
+  find_package(SDL2 CONFIG REQUIRED)
+  find_package(Freetype REQUIRED)
+  pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+  pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+endif()
+
+if(PIXELSCOPE_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(rapidcheck CONFIG REQUIRED)
+endif()

@@ -1,0 +1,50 @@
+# Targets from folders: adding a source file never needs an edit here. A folder without sources gives no target (a
+# program) or an empty one (a library), so everything may link it at once.
+
+# ps_sources(VAR FOLDER): every .cpp under FOLDER, looked up again at each build.
+function(ps_sources variable folder)
+  file(GLOB_RECURSE found CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
+  set(${variable} ${found} PARENT_SCOPE)
+endfunction()
+
+# ps_library(NAME SOURCE...): a static library, or an interface library while there are no sources.
+function(ps_library name)
+  if(ARGN)
+    add_library(${name} STATIC ${ARGN})
+    target_compile_options(${name} PRIVATE ${PIXELSCOPE_WARNINGS})
+  else()
+    add_library(${name} INTERFACE)
+  endif()
+endfunction()
+
+# ps_program(NAME SOURCE...): a program in bin/, or nothing while there are no sources.
+function(ps_program name)
+  if(ARGN)
+    add_executable(${name} ${ARGN})
+    target_compile_options(${name} PRIVATE ${PIXELSCOPE_WARNINGS})
+  endif()
+endfunction()
+
+# ps_link and ps_include: as target_link_libraries and target_include_directories, for targets that may be absent or
+# empty.
+function(ps_scope name given result)
+  get_target_property(type ${name} TYPE)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    set(given INTERFACE)
+  endif()
+  set(${result} ${given} PARENT_SCOPE)
+endfunction()
+
+function(ps_link name scope)
+  if(TARGET ${name})
+    ps_scope(${name} ${scope} scope)
+    target_link_libraries(${name} ${scope} ${ARGN})
+  endif()
+endfunction()
+
+function(ps_include name scope)
+  if(TARGET ${name})
+    ps_scope(${name} ${scope} scope)
+    target_include_directories(${name} ${scope} ${ARGN})
+  endif()
+endfunction()

@@ -1,0 +1,10 @@
+// main() of every test program: runs the tests from the source folder, wherever it was started.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  std::filesystem::current_path(PIXELSCOPE_SOURCE_DIR);
+  return RUN_ALL_TESTS();
+}
