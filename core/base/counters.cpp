@@ -1,0 +1,43 @@
+#include "base/counters.h"
+
+namespace ps {
+namespace {
+
+struct CounterName {
+  std::string_view key;
+  std::string_view label;
+};
+
+constexpr std::array<CounterName, counter_count> names{{
+    {"eye-rays", "eye rays"},
+    {"shadow-rays", "shadow rays"},
+    {"reflection-rays", "reflection rays"},
+    {"sphere-tests", "ray-sphere tests"},
+    {"triangle-tests", "ray-triangle tests"},
+    {"node-visits", "accelerator nodes visited"},
+    {"shading-calls", "shading calls"},
+    {"light-samples", "lights evaluated"},
+    {"texel-reads", "texels read"},
+    {"triangles-in", "triangles in"},
+    {"objects-culled", "objects outside the view"},
+    {"triangles-backfacing", "back faces culled"},
+    {"triangles-clipped-away", "triangles clipped away"},
+    {"triangles-split", "triangles split by a plane"},
+    {"triangles-degenerate", "zero-area triangles"},
+    {"triangles-drawn", "triangles drawn"},
+    {"coverage-tests", "coverage tests"},
+    {"fragments", "fragments"},
+    {"depth-tests", "depth tests"},
+    {"depth-failures", "fragments hidden"},
+    {"attributes-interpolated", "scalars interpolated"},
+    {"pixels-written", "pixels written"},
+    {"lines-drawn", "lines drawn"},
+    {"nan-pixels", "NaN pixels"},
+}};
+
+}  // namespace
+
+std::string_view counter_key(Counter counter) { return names[static_cast<std::size_t>(counter)].key; }
+std::string_view counter_label(Counter counter) { return names[static_cast<std::size_t>(counter)].label; }
+
+}  // namespace ps

@@ -1,0 +1,55 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace ps {
+
+/// Work that the renderers count. Counts never depend on the number of threads.
+enum class Counter {
+  eye_rays,
+  shadow_rays,
+  reflection_rays,
+  sphere_tests,
+  triangle_tests,
+  node_visits,
+  shading_calls,
+  light_samples,
+  texel_reads,
+  triangles_in,    ///< triangles that entered the rasterizer, after tessellation
+  objects_culled,  ///< instances dropped whole by their bounding sphere
+  triangles_backfacing,
+  triangles_clipped_away,  ///< wholly outside one clipping plane
+  triangles_split,         ///< cut by a clipping plane
+  triangles_degenerate,    ///< zero area, drawn as nothing
+  triangles_drawn,         ///< after clipping, sent to coverage
+  coverage_tests,          ///< sample positions tested against edges
+  fragments,               ///< covered samples
+  depth_tests,
+  depth_failures,
+  attributes_interpolated,  ///< single scalars interpolated across a triangle
+  pixels_written,
+  lines_drawn,
+  nan_pixels,
+  count_
+};
+
+inline constexpr std::size_t counter_count = static_cast<std::size_t>(Counter::count_);
+
+/// Key for files ("shadow-rays") and label for people ("shadow rays").
+std::string_view counter_key(Counter counter);
+std::string_view counter_label(Counter counter);
+
+/// One number for each Counter.
+struct Counters {
+  std::array<std::uint64_t, counter_count> values{};
+  std::uint64_t& operator[](Counter c) { return values[static_cast<std::size_t>(c)]; }
+  std::uint64_t operator[](Counter c) const { return values[static_cast<std::size_t>(c)]; }
+  Counters& operator+=(const Counters& other) {
+    for (std::size_t i = 0; i < counter_count; ++i) values[i] += other.values[i];
+    return *this;
+  }
+  bool operator==(const Counters&) const = default;
+};
+
+}  // namespace ps

@@ -1,0 +1,182 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "math/vec.h"
+#include "render/frame.h"
+#include "scene/light.h"
+
+namespace ps {
+
+/// Typed events that kernels report about one pixel. Numbers are those the kernel computed with, widened to double
+/// without loss. Positions and directions are in world space unless a member says otherwise. `PixelId` names an object
+/// and a triangle of it.
+
+enum class RayKind { eye, shadow, reflection };
+
+/// A ray is about to be traced. Its tests, hit and shading follow as its children.
+struct RayEvent {
+  RayKind kind = RayKind::eye;
+  Vec3d origin{0, 0, 0};
+  Vec3d direction{0, 0, 0};  ///< as used, not normalised
+  double t_min = 0, t_max = 0;
+  int depth = 0;     ///< 0 for the eye ray, +1 for each bounce
+  double share = 1;  ///< how much of what this ray returns reaches the pixel
+};
+
+struct NodeEvent {
+  int node = 0;
+  int level = 0;
+  Vec3d low{0, 0, 0}, high{0, 0, 0};
+  bool entered = false;
+};
+
+enum class TestOutcome {
+  accepted,      ///< nearest so far
+  missed,        ///< no real root, or outside the triangle
+  before_range,  ///< every intersection lies at or before t_min
+  beyond_range,  ///< every intersection lies at or beyond t_max
+  farther,       ///< a nearer hit is known already
+  tie_lost,      ///< same t as the nearest so far, which has the lower index
+  parallel,      ///< the ray runs in the triangle's plane
+  degenerate     ///< zero-area triangle
+};
+
+struct SphereTestEvent {
+  PixelId id;
+  TestOutcome outcome = TestOutcome::missed;
+  double discriminant = 0;
+  std::optional<std::array<double, 2>> roots;  ///< absent when the discriminant is negative; nearer root first
+};
+
+struct TriangleTestEvent {
+  PixelId id;
+  TestOutcome outcome = TestOutcome::missed;
+  std::string rejected_by;  ///< "weight of corner 1 is negative"; empty when accepted
+  std::optional<std::array<double, 3>> weights;
+  std::optional<double> t;
+};
+
+struct HitEvent {
+  PixelId id;
+  double t = 0;
+  Vec3d point{0, 0, 0};
+  Vec3d geometric_normal{0, 0, 0};
+  Vec3d shading_normal{0, 0, 0};
+  std::array<double, 3> weights{};  ///< barycentric; zeros on a sphere
+  Vec2d uv{0, 0};
+  bool back_face = false;
+};
+
+/// The ray left the scene.
+struct MissEvent {
+  Vec3d background{0, 0, 0};
+};
+
+struct Texel {
+  int x = 0, y = 0, level = 0;
+  double weight = 0;
+  Vec3d colour{0, 0, 0};
+};
+
+struct TextureEvent {
+  int texture = 0;
+  Vec2d uv{0, 0};
+  double level = 0;  ///< continuous level of detail that was asked for
+  std::vector<Texel> texels;
+  Vec3d result{0, 0, 0};
+};
+
+struct LightEvent {
+  int light = 0;
+  LightKind kind = LightKind::ambient;
+  Vec3d to_light{0, 0, 0};           ///< L, not normalised; in the shading space of the renderer
+  double n_dot_l = 0;                ///< cosine after dividing by both lengths
+  double r_dot_v = 0;                ///< cosine of the highlight's angle (R.V or N.H)
+  double diffuse = 0, specular = 0;  ///< intensities added, before the light's colour
+  std::optional<PixelId> blocker;    ///< what stands between; then both intensities are 0
+  bool below_horizon = false;        ///< N.L <= 0: no diffuse light
+};
+
+/// Local colour of a surface point: light times colour.
+struct ShadeEvent {
+  Vec3d surface{0, 0, 0};  ///< the material's colour after texturing
+  Vec3d light{0, 0, 0};    ///< sum over the lights, as it multiplies `surface`
+  Vec3d extra{0, 0, 0};    ///< what is added with a colour of its own (separate ambient or specular colours)
+  Vec3d local{0, 0, 0};
+};
+
+struct ReflectionEvent {
+  double reflective = 0;
+  Vec3d local{0, 0, 0}, reflected{0, 0, 0}, result{0, 0, 0};
+};
+
+enum class RejectReason {
+  outside_view,  ///< bounding sphere outside a clipping plane
+  clipped_near,
+  clipped_side,
+  clipped_far,
+  back_face,
+  zero_area,
+  not_covered,   ///< its box touched the pixel, its area did not
+  behind_camera  ///< clipping is off and it could not be projected
+};
+
+/// A triangle that never became a fragment of this pixel, though it could have.
+struct RejectEvent {
+  PixelId id;
+  RejectReason reason = RejectReason::not_covered;
+  std::string detail;  ///< "left plane", "edge 1"; may be empty
+  std::optional<std::array<double, 3>> edges;
+};
+
+/// A covered sample of one triangle, from coverage to depth test.
+struct FragmentEvent {
+  PixelId id;
+  std::array<Vec2d, 3> corners{};        ///< canvas, pixels from the top left
+  std::array<double, 3> corner_depth{};  ///< camera-space z of the corners
+  std::array<double, 3> edges{};         ///< edge function values at the sample; positive = inside
+  std::array<bool, 3> tie_owned{};       ///< edge passes exactly through the sample and this triangle owns it
+  std::array<double, 3> weights_2d{};    ///< screen-space barycentric weights
+  std::array<double, 3> weights{};       ///< perspective-correct weights
+  double z = 0, inverse_z = 0;
+  enum class Depth { passed, failed, off } depth = Depth::off;
+  double depth_stored = 0, depth_new = 0;  ///< in the stored depth value; meaningless when off
+  bool back_face = false;
+  int clipped_into = 1;  ///< number of triangles that clipping made of the original
+};
+
+/// A fragment that passed wrote the pixel.
+struct WriteEvent {
+  PixelId id;
+  Vec3d before{0, 0, 0}, shaded{0, 0, 0}, after{0, 0, 0};
+};
+
+/// A line or an outline wrote the pixel.
+struct LineEvent {
+  PixelId id;
+  Vec2d from{0, 0}, to{0, 0};  ///< canvas, pixels from the top left
+  int step = 0;                ///< index along the walk
+  Vec3d colour{0, 0, 0};
+};
+
+/// The finished pixel. The last event of every story.
+struct PixelEvent {
+  Vec3d linear{0, 0, 0};
+  std::array<int, 3> display{};
+};
+
+using EventData =
+    std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent, TextureEvent, LightEvent,
+                 ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent, WriteEvent, LineEvent, PixelEvent>;
+
+/// One event with its place in the tree: `parent` is the index of the event it belongs to, -1 at the top.
+struct Event {
+  int parent = -1;
+  EventData data;
+};
+
+}  // namespace ps

@@ -1,0 +1,30 @@
+#include "options/rows.h"
+
+namespace ps::rows {
+
+std::vector<Option> display_rows() {
+  return {
+      real<&Settings::exposure>({.key = "exposure",
+                                 .label = "Exposure",
+                                 .help = {"Linear colours are multiplied by this before display.", "CGPP 15.3.2",
+                                          "Values above 1 clip to white."},
+                                 .effect = OptionEffect::display},
+                                1e-3, 1e3, OptionScale::logarithmic),
+      real<&Settings::gamma>({.key = "gamma",
+                              .label = "Gamma",
+                              .help = {"Displayed value = linear value to the power 1 / gamma.", "CGPP 15.3.2",
+                                       "The book's colours are display values already: gamma 1."},
+                              .effect = OptionEffect::display},
+                             0.1, 5, OptionScale::linear),
+      choice<&Settings::colour_depth>(
+          {.key = "colour-depth",
+           .label = "Colour depth",
+           .help = {"How many bits a displayed pixel has.", "CGFS ch. 1", "Few bits show bands in smooth shades."},
+           .effect = OptionEffect::display},
+          {{"24", "24 bits", "8 for each of red, green and blue."},
+           {"16", "16 bits", "5 red, 6 green, 5 blue."},
+           {"15", "15 bits", "5 for each."}}),
+  };
+}
+
+}  // namespace ps::rows

@@ -1,0 +1,72 @@
+#include "options/rows.h"
+
+namespace ps::rows {
+namespace {
+
+Reason needs_filling(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  if (s.draw != Draw::filled) return "needs draw = filled";
+  return {};
+}
+
+Reason needs_lines(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  if (s.draw != Draw::wireframe && !t.canvas_items) return "needs draw = wireframe or a scene with lines";
+  return {};
+}
+
+Reason needs_spheres(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  if (!t.spheres) return "the scene has no spheres";
+  return {};
+}
+
+}  // namespace
+
+std::vector<Option> drawing_rows() {
+  return {
+      choice<&Settings::draw>({.key = "draw",
+                               .label = "Draw",
+                               .help = {"What is drawn of each triangle.", "CGFS ch. 6 and 7", ""},
+                               .inactive = needs_fragments},
+                              {{"filled", "filled", "All pixels that it covers."},
+                               {"wireframe", "wireframe", "Its three edges."},
+                               {"points", "points", "Its three corners."}}),
+      choice<&Settings::line_algorithm>(
+          {.key = "line-algorithm",
+           .label = "Line algorithm",
+           .help = {"How a line becomes pixels.", "CGFS ch. 6; LAB 3",
+                    "Walking x alone leaves gaps in steep lines; walking y alone, in flat ones."},
+           .inactive = needs_lines},
+          {{"general", "general", "Walks along the longer side."},
+           {"y-of-x", "y = f(x) alone", "One pixel for each column: steep lines have gaps."},
+           {"x-of-y", "x = f(y) alone", "One pixel for each row: flat lines have gaps."},
+           {"interpolate", "Interpolate", "All steps from one interpolation over the longer side."},
+           {"bresenham", "Bresenham", "Integers only: the error decides when to step sideways."}}),
+      integer<&Settings::subpixel_bits>(
+          {.key = "subpixel-bits",
+           .label = "Sub-pixel bits",
+           .help = {"Corners are rounded to 1 / 2^bits of a pixel before the edges are computed in exact integers.",
+                    "CGPP 15.6; Direct3D 11 uses 8", "With 0 bits corners jump to whole pixels and edges shift."},
+           .inactive = needs_filling},
+          0, 12, "bits"),
+      choice<&Settings::fill_rule>(
+          {.key = "fill-rule",
+           .label = "Fill rule",
+           .help = {"Who owns a sample that lies exactly on an edge.", "CGPP 15.6.4.4",
+                    "Inclusive draws shared edges twice, exclusive leaves cracks."},
+           .inactive = needs_filling},
+          {{"top-left", "top-left", "The triangle for which the edge is a top or a left one: each pixel once."},
+           {"inclusive", "inclusive", "Both triangles, as in the book's scanlines."},
+           {"exclusive", "exclusive", "Neither."}}),
+      real<&Settings::tessellation>(
+          {.key = "tessellation",
+           .label = "Tessellation error",
+           .help = {"Spheres are made of triangles whose outline strays from the true one by at most this much.",
+                    "LAB 7; CGFS ch. 10", "Large values show corners on round outlines; small ones cost triangles."},
+           .inactive = needs_spheres},
+          0.05, 50, OptionScale::logarithmic, "px"),
+  };
+}
+
+}  // namespace ps::rows

@@ -1,0 +1,61 @@
+#include "options/rows.h"
+
+namespace ps::rows {
+namespace {
+
+Reason needs_traced_spheres(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_rays(s, t)) return reason;
+  if (!t.spheres) return "the scene has no spheres";
+  return {};
+}
+
+Reason needs_traced_triangles(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_rays(s, t)) return reason;
+  if (!t.triangles) return "the scene has no triangles";
+  return {};
+}
+
+Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_traced_triangles(s, t)) return reason;
+  if (s.triangle_test != TriangleTest::moeller_trumbore) return "needs triangle-test = moeller-trumbore";
+  return {};
+}
+
+}  // namespace
+
+std::vector<Option> intersection_rows() {
+  return {
+      choice<&Settings::precision>({.key = "precision",
+                                    .label = "Precision",
+                                    .help = {"The arithmetic of the whole renderer.", "stability of the book's scene",
+                                             "Float needs care near surfaces and far from the origin; double is the "
+                                             "reference."}},
+                                   {{"float", "float (32 bits)", "About 7 digits; what fast renderers use."},
+                                    {"double", "double (64 bits)", "About 16 digits; slower."}}),
+      choice<&Settings::sphere_test>(
+          {.key = "sphere-test",
+           .label = "Sphere test",
+           .help = {"How the quadratic equation of ray and sphere is solved.",
+                    "CGFS ch. 2; Haines et al., Ray Tracing Gems 7",
+                    "The textbook form loses all digits for spheres 4000 radii away: 42 % wrong answers."},
+           .inactive = needs_traced_spheres},
+          {{"robust", "robust", "Discriminant from the remainder vector, roots without cancellation."},
+           {"quadratic", "textbook quadratic", "b^2 - 4ac, as in the book."}}),
+      choice<&Settings::triangle_test>(
+          {.key = "triangle-test",
+           .label = "Triangle test",
+           .help = {"How ray and triangle are intersected.", "CGPP 15.4.3; Woop et al., JCGT 2013",
+                    "Moeller-Trumbore misses one ray in ten that is aimed exactly at a shared edge."},
+           .inactive = needs_traced_triangles},
+          {{"watertight", "watertight", "Sheared edge functions: neighbours agree on every edge."},
+           {"moeller-trumbore", "Moeller-Trumbore", "Cramer's rule on the barycentric equations."}}),
+      real<&Settings::triangle_epsilon>({.key = "triangle-epsilon",
+                                         .label = "Triangle epsilon",
+                                         .help = {"Determinants up to this size count as parallel.", "CGPP 15.4.3",
+                                                  "An absolute epsilon makes small triangles vanish."},
+                                         .inactive = needs_moeller_trumbore},
+                                        0, 1, OptionScale::logarithmic),
+  };
+}
+
+}  // namespace ps::rows

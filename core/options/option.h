@@ -1,0 +1,74 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "options/settings.h"
+#include "scene/scene.h"
+
+namespace ps {
+
+/// One value of an enumerated option.
+struct Choice {
+  std::string_view key;    ///< for files and the command line: "depth-buffer"
+  std::string_view label;  ///< for people: "depth buffer"
+  std::string_view help;   ///< one sentence
+};
+
+/// Three short texts that make the tooltip.
+struct OptionHelp {
+  std::string_view what;    ///< what it does
+  std::string_view source;  ///< "CGFS ch. 4"
+  std::string_view fails;   ///< how it fails, or what it costs
+};
+
+enum class OptionKind { boolean, integer, real, choice };
+enum class OptionScale { linear, logarithmic };
+/// What a change can touch: lets a front end keep a picture when only its display changes.
+enum class OptionEffect { picture, display, speed };
+
+/// Values in the form that all kinds share: booleans 0/1, choices by index, integers and reals as they are.
+using OptionNumber = double;
+
+/// One row of the option table: everything that panels, command line, scene files, sweeps, permalinks, the help sheet
+/// and tests need to know about one member of Settings.
+struct Option {
+  std::string_view key;    ///< unique, in kebab-case
+  std::string_view label;  ///< unique within its group
+  std::string_view group;
+  OptionKind kind = OptionKind::boolean;
+  OptionHelp help;
+  std::vector<Choice> choices;              ///< kind choice only, in the order of the enum
+  double minimum = 0, maximum = 0;          ///< integer and real only, both inclusive
+  OptionScale scale = OptionScale::linear;  ///< how a slider or a sweep should step
+  std::string_view unit;                    ///< "px", "samples", ...; may be empty
+  OptionEffect effect = OptionEffect::picture;
+  OptionNumber (*get)(const Settings&) = nullptr;
+  void (*set)(Settings&, OptionNumber) = nullptr;  ///< takes only values that are valid for the row
+  /// Why the option cannot act with these settings and this scene ("needs a texture"), or nothing if it can.
+  std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
+
+  OptionNumber default_value() const { return get(Settings{}); }
+};
+
+/// All options, grouped, in the order in which panels show them.
+std::span<const Option> option_table();
+/// The row with this key, or nullptr.
+const Option* find_option(std::string_view key);
+
+/// The value as text that parse_option reads back exactly: "on", "3", "0.001", "depth-buffer".
+std::string option_text(const Option& option, const Settings& settings);
+/// Sets the option from text. Throws InputError naming the key, what was found and what is allowed.
+void parse_option(const Option& option, std::string_view text, Settings& settings);
+/// Sets "key=value". Throws InputError for an unknown key, naming the nearest known one.
+void parse_assignment(std::string_view assignment, Settings& settings);
+/// Only the options that differ from the defaults, as "key=value" in table order.
+std::vector<std::string> changed_options(const Settings& settings);
+/// Why the option cannot act now, or nothing.
+std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
+                                                const SceneTraits& traits);
+
+}  // namespace ps

@@ -1,0 +1,105 @@
+#pragma once
+#include <initializer_list>
+
+#include "options/option.h"
+
+/// Helpers for writing rows of the option table. Each group has a file with one function that returns its rows;
+/// table.cpp puts them in order.
+
+namespace ps::rows {
+
+template <auto Member>
+OptionNumber get_member(const Settings& settings) {
+  return static_cast<OptionNumber>(settings.*Member);
+}
+
+template <auto Member>
+void set_member(Settings& settings, OptionNumber value) {
+  using Value = std::remove_reference_t<decltype(settings.*Member)>;
+  if constexpr (std::is_same_v<Value, bool>)
+    settings.*Member = value != 0;
+  else if constexpr (std::is_enum_v<Value>)
+    settings.*Member = static_cast<Value>(static_cast<int>(value));
+  else
+    settings.*Member = static_cast<Value>(value);
+}
+
+/// What all kinds of rows share. `inactive` may be nullptr: the option can always act.
+struct Names {
+  std::string_view key, label;
+  OptionHelp help;
+  std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
+  OptionEffect effect = OptionEffect::picture;
+};
+
+template <auto Member>
+Option row(const Names& names, OptionKind kind) {
+  Option option;
+  option.key = names.key;
+  option.label = names.label;
+  option.help = names.help;
+  option.inactive = names.inactive;
+  option.effect = names.effect;
+  option.kind = kind;
+  option.get = &get_member<Member>;
+  option.set = &set_member<Member>;
+  return option;
+}
+
+template <auto Member>
+Option toggle(const Names& names) {
+  return row<Member>(names, OptionKind::boolean);
+}
+
+template <auto Member>
+Option choice(const Names& names, std::initializer_list<Choice> choices) {
+  Option option = row<Member>(names, OptionKind::choice);
+  option.choices = choices;
+  option.maximum = static_cast<double>(option.choices.size()) - 1;
+  return option;
+}
+
+template <auto Member>
+Option integer(const Names& names, int minimum, int maximum, std::string_view unit = {}) {
+  Option option = row<Member>(names, OptionKind::integer);
+  option.minimum = minimum;
+  option.maximum = maximum;
+  option.unit = unit;
+  return option;
+}
+
+template <auto Member>
+Option real(const Names& names, double minimum, double maximum, OptionScale scale, std::string_view unit = {}) {
+  Option option = row<Member>(names, OptionKind::real);
+  option.minimum = minimum;
+  option.maximum = maximum;
+  option.scale = scale;
+  option.unit = unit;
+  return option;
+}
+
+using Reason = std::optional<std::string_view>;
+
+/// Reasons used by several groups.
+inline Reason needs_rays(const Settings& s, const SceneTraits&) {
+  if (s.renderer != Renderer::ray_tracer) return "only the ray tracer uses it";
+  return {};
+}
+inline Reason needs_fragments(const Settings& s, const SceneTraits&) {
+  if (s.renderer != Renderer::rasterizer) return "only the rasterizer uses it";
+  return {};
+}
+
+std::vector<Option> renderer_rows();
+std::vector<Option> camera_rows();
+std::vector<Option> visibility_rows();
+std::vector<Option> drawing_rows();
+std::vector<Option> shading_rows();
+std::vector<Option> texture_rows();
+std::vector<Option> shadow_rows();
+std::vector<Option> reflection_rows();
+std::vector<Option> intersection_rows();
+std::vector<Option> speed_rows();
+std::vector<Option> display_rows();
+
+}  // namespace ps::rows

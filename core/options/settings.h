@@ -1,0 +1,94 @@
+#pragma once
+
+namespace ps {
+
+enum class Renderer { ray_tracer, rasterizer };
+enum class SamplePosition { centre, corner };
+enum class Projection { perspective, orthographic };
+enum class ViewportFit { height, width, stretch };
+enum class FieldOfViewSpan { edges, centres };
+enum class Clipping { full, near_only, none };
+enum class Visibility { depth_buffer, painter, draw_order };
+enum class DepthValue { inverse_z, z, distance };
+enum class FillRule { top_left, inclusive, exclusive };
+enum class Draw { filled, wireframe, points };
+enum class LineAlgorithm { general, y_of_x, x_of_y, interpolate, bresenham };
+enum class Shading { phong, gouraud, flat };
+enum class Normals { vertex, triangle };
+enum class NormalTransform { inverse_transpose, model };
+enum class Highlight { phong, blinn_phong };
+enum class Interpolation { perspective, affine };
+enum class TextureFilter { trilinear, mipmap, bilinear, nearest };
+enum class TextureWrap { repeat, clamp, mirror };
+enum class Shadows { traced, none };
+enum class SelfHit { offset, epsilon, normal_bump };
+enum class EpsilonUnit { ray_parameter, distance };
+enum class Accelerator { bvh, none };
+enum class TriangleTest { watertight, moeller_trumbore };
+enum class SphereTest { robust, quadratic };
+enum class Precision { float32, float64 };
+enum class Simd { automatic, off, sse4, avx2, avx512 };
+enum class ColourDepth { bits24, bits16, bits15 };
+
+/// Every technique that can be chosen, as a plain value. Each member has one row in the option table
+/// (options/option.h), which holds its key, label, range and help; the defaults stand here and nowhere else.
+struct Settings {
+  Renderer renderer = Renderer::ray_tracer;
+
+  SamplePosition sample_position = SamplePosition::centre;
+
+  Projection projection = Projection::perspective;
+  ViewportFit viewport_fit = ViewportFit::height;
+  FieldOfViewSpan field_of_view_span = FieldOfViewSpan::edges;
+  double near = 1;    ///< in units of projection_plane_d for rays (the book's t_min = 1), world units for clipping
+  double far = 1e30;  ///< same units; anything beyond is not seen
+
+  Clipping clipping = Clipping::full;
+  bool backface_culling = true;
+  Visibility visibility = Visibility::depth_buffer;
+  DepthValue depth_value = DepthValue::inverse_z;
+
+  int subpixel_bits = 8;
+  FillRule fill_rule = FillRule::top_left;
+  Draw draw = Draw::filled;
+  LineAlgorithm line_algorithm = LineAlgorithm::general;
+  double tessellation = 0.5;  ///< largest chord error of a tessellated sphere, in pixels
+
+  Shading shading = Shading::phong;
+  Normals normals = Normals::vertex;
+  bool renormalise = true;
+  NormalTransform normal_transform = NormalTransform::inverse_transpose;
+  bool lighting = true;
+  bool specular = true;
+  Highlight highlight = Highlight::phong;
+  Interpolation interpolation = Interpolation::perspective;
+
+  bool textures = true;
+  TextureFilter texture_filter = TextureFilter::trilinear;
+  double mip_bias = 0;
+  TextureWrap texture_wrap = TextureWrap::repeat;
+
+  Shadows shadows = Shadows::traced;
+  SelfHit self_hit = SelfHit::offset;
+  double shadow_epsilon = 0.001;
+  double reflection_epsilon = 0.001;
+  EpsilonUnit epsilon_unit = EpsilonUnit::ray_parameter;
+  bool shadow_any_hit = true;
+  int reflection_depth = 3;
+
+  Accelerator accelerator = Accelerator::bvh;
+  TriangleTest triangle_test = TriangleTest::watertight;
+  double triangle_epsilon = 0;
+  SphereTest sphere_test = SphereTest::robust;
+  Precision precision = Precision::float32;
+  int threads = 0;  ///< 0 = one per processor
+  Simd simd = Simd::automatic;
+
+  ColourDepth colour_depth = ColourDepth::bits24;
+  double exposure = 1;
+  double gamma = 1;
+
+  bool operator==(const Settings&) const = default;
+};
+
+}  // namespace ps

@@ -1,0 +1,115 @@
+#include "options/rows.h"
+
+namespace ps::rows {
+namespace {
+
+Reason needs_lighting(const Settings& s, const SceneTraits& t) {
+  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  if (!t.casting_lights) return "the scene has no point or directional light";
+  if (!s.lighting) return "needs lighting = on";
+  return {};
+}
+
+Reason needs_lit_fragments(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  return needs_lighting(s, t);
+}
+
+Reason needs_vertex_normals(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_lighting(s, t)) return reason;
+  if (s.renderer == Renderer::rasterizer && t.spheres) return {};
+  if (!t.vertex_normals) return "no model of the scene has vertex normals";
+  return {};
+}
+
+Reason needs_interpolated_normals(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_vertex_normals(s, t)) return reason;
+  if (s.normals != Normals::vertex) return "needs normals = vertex";
+  if (s.renderer == Renderer::rasterizer && s.shading != Shading::phong) return "needs shading = phong";
+  return {};
+}
+
+Reason needs_highlights(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_lighting(s, t)) return reason;
+  if (!t.specular) return "no material of the scene shines";
+  return {};
+}
+
+Reason needs_visible_highlights(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_highlights(s, t)) return reason;
+  if (!s.specular) return "needs specular = on";
+  return {};
+}
+
+Reason needs_lights(const Settings&, const SceneTraits&) { return {}; }
+
+Reason needs_attributes(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  if (s.draw != Draw::filled) return "needs draw = filled";
+  return {};
+}
+
+}  // namespace
+
+std::vector<Option> shading_rows() {
+  return {
+      toggle<&Settings::lighting>({.key = "lighting",
+                                   .label = "Lighting",
+                                   .help = {"Off: every surface shows its own colour.", "CGFS ch. 2 against ch. 3",
+                                            "Without light, shapes look flat."},
+                                   .inactive = needs_lights}),
+      choice<&Settings::shading>(
+          {.key = "shading",
+           .label = "Shading",
+           .help = {"Where the illumination equation is evaluated on a triangle.", "CGFS ch. 13",
+                    "Gouraud misses highlights that fall between the corners; flat shows the facets."},
+           .inactive = needs_lit_fragments},
+          {{"phong", "Phong", "At every pixel, with interpolated normals."},
+           {"gouraud", "Gouraud", "At the corners; the light is interpolated."},
+           {"flat", "flat", "Once, in the middle of the triangle."}}),
+      choice<&Settings::normals>(
+          {.key = "normals",
+           .label = "Normals",
+           .help = {"Which way the surface is said to face.", "CGFS ch. 13",
+                    "Triangle normals show facets; vertex normals hide them but not the outline."},
+           .inactive = needs_vertex_normals},
+          {{"vertex", "of the vertices", "Given by the model, interpolated between corners."},
+           {"triangle", "of the triangle", "Perpendicular to it."}}),
+      toggle<&Settings::renormalise>({.key = "renormalise",
+                                      .label = "Renormalise",
+                                      .help = {"Brings interpolated normals back to length 1.", "CGFS ch. 13",
+                                               "Without it the shortened normal weakens highlights between corners."},
+                                      .inactive = needs_interpolated_normals}),
+      choice<&Settings::normal_transform>(
+          {.key = "normal-transform",
+           .label = "Normal transform",
+           .help =
+               {"How normals follow a model's transform.", "LAB 7; OCT",
+                "Under unequal scales the model matrix tilts normals: up to 44 levels of shading error at scale 2."},
+           .inactive = needs_vertex_normals},
+          {{"inverse-transpose", "inverse transpose", "Stays perpendicular to the surface."},
+           {"model", "model matrix", "As positions are transformed; wrong under unequal scales."}}),
+      toggle<&Settings::specular>({.key = "specular",
+                                   .label = "Highlights",
+                                   .help = {"Adds the mirror-like reflection of the lights.", "CGFS ch. 3", ""},
+                                   .inactive = needs_highlights}),
+      choice<&Settings::highlight>(
+          {.key = "highlight",
+           .label = "Highlight model",
+           .help = {"Which angle the highlight depends on.", "CGFS ch. 3; OCT",
+                    "The same exponent gives a wider highlight with N.H than with R.V."},
+           .inactive = needs_visible_highlights},
+          {{"phong", "R.V (Phong)", "Between the mirrored light and the viewer."},
+           {"blinn-phong", "N.H (Blinn-Phong)", "Between the normal and the middle of light and viewer."}}),
+      choice<&Settings::interpolation>(
+          {.key = "interpolation",
+           .label = "Interpolation",
+           .help = {"How values at the corners spread across a triangle.", "CGFS ch. 12 and 14; LAB 6",
+                    "Affine textures bend and swim along the triangle's diagonal."},
+           .inactive = needs_attributes},
+          {{"perspective", "perspective-correct", "value/z and 1/z are linear on the screen; one division a pixel."},
+           {"affine", "affine", "The value itself is taken to be linear on the screen."}}),
+  };
+}
+
+}  // namespace ps::rows

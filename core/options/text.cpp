@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "options/option.h"
+
+namespace ps {
+namespace {
+
+/// Number of single-letter edits between two words (Levenshtein).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substitution = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substitution});
+    }
+  }
+  return row.back();
+}
+
+std::string allowed_values(const Option& option) {
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return "on or off";
+  case OptionKind::integer:
+    return fmt::format("a whole number from {} to {}", option.minimum, option.maximum);
+  case OptionKind::real:
+    return fmt::format("a number from {} to {}", option.minimum, option.maximum);
+  case OptionKind::choice: {
+    std::string text = "one of";
+    for (const Choice& choice : option.choices) text += fmt::format(" {}", choice.key);
+    return text;
+  }
+  }
+  return {};
+}
+
+[[noreturn]] void reject(const Option& option, std::string_view text) {
+  throw InputError(fmt::format("option {}: found '{}', expected {}", option.key, text, allowed_values(option)));
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+}  // namespace
+
+const Option* find_option(std::string_view key) {
+  const auto table = option_table();
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.key == key; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string option_text(const Option& option, const Settings& settings) {
+  const OptionNumber value = option.get(settings);
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return value != 0 ? "on" : "off";
+  case OptionKind::integer:
+    return fmt::format("{}", static_cast<long long>(value));
+  case OptionKind::real:
+    return fmt::format("{}", value);
+  case OptionKind::choice:
+    return std::string(option.choices.at(static_cast<std::size_t>(value)).key);
+  }
+  return {};
+}
+
+void parse_option(const Option& option, std::string_view text, Settings& settings) {
+  if (option.kind == OptionKind::boolean) {
+    if (text == "on" || text == "true" || text == "1") return option.set(settings, 1);
+    if (text == "off" || text == "false" || text == "0") return option.set(settings, 0);
+    reject(option, text);
+  }
+  if (option.kind == OptionKind::choice) {
+    for (std::size_t i = 0; i < option.choices.size(); ++i)
+      if (option.choices[i].key == text) return option.set(settings, static_cast<double>(i));
+    reject(option, text);
+  }
+  const auto value = parse_number(text);
+  if (!value || *value < option.minimum || *value > option.maximum) reject(option, text);
+  if (option.kind == OptionKind::integer && std::floor(*value) != *value) reject(option, text);
+  option.set(settings, *value);
+}
+
+void parse_assignment(std::string_view assignment, Settings& settings) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos) throw InputError(fmt::format("found '{}', expected KEY=VALUE", assignment));
+  const std::string_view key = assignment.substr(0, equals);
+  if (const Option* option = find_option(key)) return parse_option(*option, assignment.substr(equals + 1), settings);
+  const auto table = option_table();
+  const auto nearest = std::min_element(table.begin(), table.end(), [&](const Option& a, const Option& b) {
+    return edit_distance(a.key, key) < edit_distance(b.key, key);
+  });
+  throw InputError(fmt::format("unknown option '{}'; did you mean '{}'?", key, nearest->key));
+}
+
+std::vector<std::string> changed_options(const Settings& settings) {
+  std::vector<std::string> changed;
+  for (const Option& option : option_table())
+    if (option.get(settings) != option.default_value())
+      changed.push_back(fmt::format("{}={}", option.key, option_text(option, settings)));
+  return changed;
+}
+
+std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
+                                                const SceneTraits& traits) {
+  return option.inactive ? option.inactive(settings, traits) : std::nullopt;
+}
+
+}  // namespace ps

@@ -1,0 +1,62 @@
+#include "options/rows.h"
+
+namespace ps::rows {
+namespace {
+
+Reason needs_texture(const Settings& s, const SceneTraits& t) {
+  if (!t.textures) return "the scene has no texture";
+  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  return {};
+}
+
+Reason needs_textures_on(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_texture(s, t)) return reason;
+  if (!s.textures) return "needs textures = on";
+  return {};
+}
+
+Reason needs_mipmaps(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_textures_on(s, t)) return reason;
+  if (s.renderer == Renderer::ray_tracer) return "rays have no footprint: they read the finest level";
+  if (s.texture_filter != TextureFilter::trilinear && s.texture_filter != TextureFilter::mipmap)
+    return "needs texture-filter = mipmap or trilinear";
+  return {};
+}
+
+}  // namespace
+
+std::vector<Option> texture_rows() {
+  return {
+      toggle<&Settings::textures>({.key = "textures",
+                                   .label = "Textures",
+                                   .help = {"Surfaces wear their pictures.", "CGFS ch. 14", ""},
+                                   .inactive = needs_texture}),
+      choice<&Settings::texture_filter>(
+          {.key = "texture-filter",
+           .label = "Filter",
+           .help = {"How the texture is read between and across its texels.", "CGFS ch. 14",
+                    "Nearest shows blocks near by and sparkles far away; mipmaps blur at grazing angles. Rays read "
+                    "the finest level, so for them the last three look like bilinear."},
+           .inactive = needs_textures_on},
+          {{"trilinear", "trilinear", "Bilinear in the two nearest mip levels, mixed."},
+           {"mipmap", "mipmap", "Bilinear in the nearest mip level."},
+           {"bilinear", "bilinear", "The four texels around the point, weighted."},
+           {"nearest", "nearest", "The texel that holds the point."}}),
+      real<&Settings::mip_bias>(
+          {.key = "mip-bias",
+           .label = "Mip bias",
+           .help = {"Added to the level of detail.", "CGFS ch. 14",
+                    "Negative: sharper, with sparkle. Positive: blurred. -0.5 has the least error."},
+           .inactive = needs_mipmaps},
+          -4, 4, OptionScale::linear, "levels"),
+      choice<&Settings::texture_wrap>({.key = "texture-wrap",
+                                       .label = "Wrap",
+                                       .help = {"What lies beyond the texture's border.", "CGFS ch. 14", ""},
+                                       .inactive = needs_textures_on},
+                                      {{"repeat", "repeat", "The picture again."},
+                                       {"clamp", "clamp", "Its border texels."},
+                                       {"mirror", "mirror", "The picture mirrored."}}),
+  };
+}
+
+}  // namespace ps::rows

@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <cstring>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace ps {
+
+/// Exactly what a product was made from: scene revisions and setting values, in a fixed order.
+class Key {
+ public:
+  explicit Key(std::string_view product) : product_(product) {}
+  Key& add(std::uint64_t value) {
+    parts_.push_back(value);
+    return *this;
+  }
+  Key& add(double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    return add(bits);
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum> Key& add(Enum value) { return add(static_cast<std::uint64_t>(value)); }
+  const std::string& product() const { return product_; }
+  bool operator==(const Key&) const = default;
+
+ private:
+  std::string product_;
+  std::vector<std::uint64_t> parts_;
+};
+
+/// Products that renderers derive from a scene before drawing it: accelerators, mip chains, tessellations. Built when
+/// first asked for, kept while their Key stays the same; of each product the last few keys are kept. Safe to use from
+/// several threads; two threads that ask for the same missing product may both build it.
+class Prepared {
+ public:
+  /// The product for `key`, made by `build()` (which returns a T) if it is not there yet.
+  template <class T, class Build>
+  std::shared_ptr<const T> get(const Key& key, Build&& build) {
+    if (auto found = find(key)) return std::static_pointer_cast<const T>(found);
+    auto made = std::make_shared<const T>(build());
+    keep(key, made);
+    return made;
+  }
+  void clear();
+
+ private:
+  struct Entry {
+    Key key;
+    std::shared_ptr<const void> value;
+  };
+  std::shared_ptr<const void> find(const Key& key);
+  void keep(const Key& key, std::shared_ptr<const void> value);
+
+  std::mutex mutex_;
+  std::list<Entry> entries_;  // most recently used first
+};
+
+}  // namespace ps

@@ -1,0 +1,35 @@
+#pragma once
+#include "base/progress.h"
+#include "inspect/story.h"
+#include "options/settings.h"
+#include "render/frame.h"
+#include "render/prepared.h"
+#include "render/view.h"
+#include "scene/scene.h"
+
+namespace ps {
+
+/// Renders the scene as `settings` ask, with the renderer that they name. The result does not depend on the number of
+/// threads, on the SIMD target, or on what `prepared` already holds. Throws InputError for a size outside
+/// 1..max_image_pixels and Cancelled when `progress` is asked to stop.
+Frame render(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+             Prepared& prepared, Progress& progress);
+
+/// The same, for callers who want only a picture.
+Frame render(const Scene& scene, const View& view, const Settings& settings);
+
+/// Repeats the work of the renderer for one pixel (array position) and reports it. The pixel must lie in the view.
+PixelStory inspect(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
+                   Progress& progress);
+
+/// The renderers behind the two functions above; each lives in its own folder.
+Frame render_traced(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                    Prepared& prepared, Progress& progress);
+Frame render_rasterized(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                        Prepared& prepared, Progress& progress);
+PixelStory inspect_traced(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
+                          Prepared& prepared, Progress& progress);
+PixelStory inspect_rasterized(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
+                              Prepared& prepared, Progress& progress);
+
+}  // namespace ps

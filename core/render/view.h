@@ -1,0 +1,14 @@
+#pragma once
+#include "scene/camera.h"
+
+namespace ps {
+
+/// What is looked at: a camera and the size of the picture in pixels.
+struct View {
+  Camera camera;
+  int width = 600;
+  int height = 600;
+  bool operator==(const View&) const = default;
+};
+
+}  // namespace ps

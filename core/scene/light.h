@@ -1,0 +1,18 @@
+#pragma once
+#include "math/vec.h"
+
+namespace ps {
+
+enum class LightKind { ambient, point, directional };
+
+/// A light of CGFS ch. 3. Display-referred: intensities that add up to 1 cannot overexpose.
+struct Light {
+  LightKind kind = LightKind::ambient;
+  double intensity = 1;
+  Vec3d colour{1, 1, 1};     ///< white in the book
+  Vec3d position{0, 0, 0};   ///< world space; point lights only
+  Vec3d direction{0, 1, 0};  ///< from the scene towards the light, not normalised; directional lights only
+  bool operator==(const Light&) const = default;
+};
+
+}  // namespace ps

@@ -1,0 +1,21 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "math/vec.h"
+
+namespace ps {
+
+/// What a surface does with light. Colours are linear, 1.0 = the book's 255.
+struct Material {
+  std::string name;
+  Vec3d colour{1, 1, 1};
+  std::optional<double> specular;        ///< exponent of the highlight; absent = matte (the book's -1)
+  double reflective = 0;                 ///< share of reflected light, 0..1
+  std::optional<Vec3d> specular_colour;  ///< absent: the highlight takes `colour`, as in the book's equation
+  std::optional<Vec3d> ambient_colour;   ///< absent: ambient light takes `colour`
+  int texture = -1;  ///< index into Scene::textures; its texels are multiplied by `colour`; -1 = none
+  bool operator==(const Material&) const = default;
+};
+
+}  // namespace ps

@@ -1,0 +1,71 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+
+namespace ps {
+namespace {
+
+void note_material(const Material& material, SceneTraits& traits) {
+  traits.reflective = traits.reflective || material.reflective > 0;
+  traits.specular = traits.specular || material.specular.has_value();
+  traits.textures = traits.textures || material.texture >= 0;
+}
+
+}  // namespace
+
+SceneTraits scene_traits(const Scene& scene) {
+  SceneTraits traits;
+  const auto& materials = *scene.materials;
+  for (const Object& object : scene.geometry->objects) {
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+      traits.spheres = true;
+      note_material(materials.at(sphere->material), traits);
+      continue;
+    }
+    const auto& instance = std::get<Instance>(object.shape);
+    const Mesh& mesh = *scene.geometry->meshes.at(instance.mesh);
+    traits.triangles = traits.triangles || !mesh.triangles.empty();
+    traits.vertex_normals = traits.vertex_normals || !mesh.normals.empty();
+    if (instance.material) {
+      note_material(materials.at(*instance.material), traits);
+    } else {
+      for (const auto slot : mesh.materials) note_material(materials.at(slot), traits);
+    }
+  }
+  traits.casting_lights = std::any_of(scene.lights->begin(), scene.lights->end(),
+                                      [](const Light& light) { return light.kind != LightKind::ambient; });
+  traits.canvas_items = !scene.canvas_items->empty();
+  return traits;
+}
+
+const Material& material_of(const Scene& scene, int object, int triangle) {
+  const Object& thing = scene.geometry->objects.at(static_cast<std::size_t>(object));
+  if (const auto* sphere = std::get_if<Sphere>(&thing.shape)) return scene.materials->at(sphere->material);
+  const auto& instance = std::get<Instance>(thing.shape);
+  if (instance.material) return scene.materials->at(*instance.material);
+  const Mesh& mesh = *scene.geometry->meshes.at(instance.mesh);
+  return scene.materials->at(mesh.materials.at(mesh.triangles.at(static_cast<std::size_t>(triangle)).material));
+}
+
+BoundingSphere bounding_sphere(const Mesh& mesh) {
+  if (mesh.positions.empty()) return {};
+  Vec3d low = mesh.positions.front();
+  Vec3d high = low;
+  for (const Vec3d& p : mesh.positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  }
+  BoundingSphere sphere{(low + high) * 0.5, 0};
+  for (const Vec3d& p : mesh.positions) {
+    const Vec3d offset = p - sphere.centre;
+    sphere.radius = std::max(sphere.radius, std::sqrt(dot(offset, offset)));
+  }
+  return sphere;
+}
+
+}  // namespace ps

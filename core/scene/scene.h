@@ -1,0 +1,61 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/canvas_item.h"
+#include "scene/light.h"
+#include "scene/material.h"
+#include "scene/mesh.h"
+#include "scene/object.h"
+#include "scene/part.h"
+#include "scene/texture.h"
+
+namespace ps {
+
+/// What is where: read by accelerators, tessellation and projection, never by shading alone.
+struct Geometry {
+  std::vector<std::shared_ptr<const Mesh>> meshes;
+  std::vector<Object> objects;
+};
+
+/// Everything that is drawn, as an immutable value whose unchanged parts are shared between copies. World coordinates
+/// keep their source's own numbers.
+struct Scene {
+  std::string name;         ///< "cgfs/reflections", or the file's path
+  std::string title;        ///< for people; from the file, else the name
+  std::string description;  ///< one or two sentences for the scene list; may be empty
+  int canvas_width = 600;   ///< the size used when none is asked for
+  int canvas_height = 600;
+  Camera camera;
+  Vec3d background{1, 1, 1};
+  Part<Geometry> geometry;
+  Part<std::vector<Light>> lights;
+  Part<std::vector<Material>> materials;
+  Part<std::vector<Texture>> textures;
+  Part<std::vector<CanvasItem>> canvas_items;
+  /// Option settings that the scene file asks for, as key and value, in the file's order.
+  std::vector<std::pair<std::string, std::string>> settings;
+  /// The pixel worth a first click at the canvas size, or (-1, -1).
+  Vec2i telling_pixel{-1, -1};
+};
+
+/// Which features a scene can use at all; options that need an absent feature are greyed, and renderers skip them.
+struct SceneTraits {
+  bool spheres = false;
+  bool triangles = false;
+  bool vertex_normals = false;
+  bool textures = false;
+  bool reflective = false;
+  bool specular = false;
+  bool casting_lights = false;  ///< a point or directional light
+  bool canvas_items = false;
+};
+SceneTraits scene_traits(const Scene& scene);
+
+/// The material of triangle `triangle` of object `object` (or of the sphere).
+const Material& material_of(const Scene& scene, int object, int triangle);
+
+}  // namespace ps
