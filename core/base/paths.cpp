@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace pixelscope {
+namespace ps {
 namespace {
 
 std::filesystem::path under_root(const char* name, const char* built_in) {
@@ -17,4 +17,4 @@ std::filesystem::path asset_dir() { return under_root("assets", PIXELSCOPE_ASSET
 std::filesystem::path chapter_dir() { return under_root("chapters", PIXELSCOPE_CHAPTER_DIR); }
 std::filesystem::path font_dir() { return PIXELSCOPE_FONT_DIR; }
 
-}  // namespace pixelscope
+}  // namespace ps

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-namespace pixelscope {
+namespace ps {
 
 std::filesystem::path asset_dir();
 std::filesystem::path chapter_dir();
 /// The fonts copied beside the programs; a font may be missing there.
 std::filesystem::path font_dir();
 
-}  // namespace pixelscope
+}  // namespace ps

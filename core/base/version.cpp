@@ -1,7 +1,7 @@
 #include "base/version.h"
 
-namespace pixelscope {
+namespace ps {
 
 std::string_view version() { return PIXELSCOPE_VERSION; }
 
-}  // namespace pixelscope
+}  // namespace ps

@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-namespace pixelscope {
+namespace ps {
 
 /// The project's version as CMake knows it, for example "0.1.0".
 std::string_view version();
 
-}  // namespace pixelscope
+}  // namespace ps

@@ -15,7 +15,7 @@ TEST(Version, IsTheOneInCMakeLists) {
   const std::string content = text.str();
   std::smatch match;
   ASSERT_TRUE(std::regex_search(content, match, std::regex("project\\(pixelscope VERSION ([0-9.]+)")));
-  EXPECT_EQ(match[1].str(), pixelscope::version());
+  EXPECT_EQ(match[1].str(), ps::version());
 }
 
 }  // namespace
