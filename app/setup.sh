@@ -1,0 +1,85 @@
+# shellcheck shell=bash
+# shellcheck disable=SC2034  # the lists are for the scripts that source this
+# Set-up shared by app/run, tests/run and tests/tidy: Debian packages, configuration, build. To be sourced by bash.
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# The packages, kept once. build: to compile everything but the tests.
+build_packages=(
+  cmake fonts-inter fonts-jetbrains-mono g++ libcli11-dev libepoxy-dev libfmt-dev libfreetype-dev libglm-dev libhwy-dev
+  libimgui-dev libsdl2-dev libstb-dev libtinyobjloader-dev ninja-build nlohmann-json3-dev pkgconf
+)
+window_packages=(libegl1 libgl1 libgl1-mesa-dri)  # OpenGL for the window, in software if need be
+display_packages=(xvfb)                           # a display where there is none
+test_packages=(clang-format libgtest-dev librapidcheck-dev xdotool)
+tidy_packages=(clang clang-tidy)
+
+fail() {
+  printf '%s\n' "$@" >&2
+  exit 1
+}
+
+# need PACKAGE...: installs those that are missing; quiet and quick if none is.
+need() {
+  command -v dpkg-query >/dev/null || return 0  # not a Debian: CMake will name what is missing
+  local -A installed=()
+  local state package missing=()
+  while read -r state package; do
+    if [[ $state == ?i ]]; then installed[${package%%:*}]=1; fi
+  done < <(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' "$@" 2>/dev/null)
+  for package in "$@"; do
+    if [[ -z ${installed[$package]:-} ]]; then missing+=("$package"); fi
+  done
+  if ((${#missing[@]} == 0)); then return 0; fi
+
+  echo "Installing Debian packages: ${missing[*]}"
+  local root=()
+  if ((EUID != 0)); then
+    root=(sudo)
+    command -v sudo >/dev/null || fail \
+      "These packages are missing, and there is no sudo to install them with. As root, run:" \
+      "  apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+  fi
+  local apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
+  "${apt[@]}" update || echo "apt-get update failed; going on with the package lists at hand." >&2
+  "${apt[@]}" install -y --no-install-recommends "${missing[@]}" || fail "The packages could not be installed." \
+    "As root, run: apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+}
+
+# leave_sudo SCRIPT ARGUMENT...: under `sudo SCRIPT` in a folder that is not root's, goes on as the user who called sudo
+# (packages are installed by then), so that nothing built belongs to root.
+leave_sudo() {
+  if ((EUID != 0)) || [[ -z ${SUDO_USER:-} || ${SUDO_USER} == root || $(stat -c %u "$repository") == 0 ]]; then
+    return 0
+  fi
+  exec runuser -u "$SUDO_USER" -- env HOME="$(getent passwd "$SUDO_USER" | cut -d: -f6)" "$@"
+}
+
+# configure PRESET FOLDER [-DNAME=ON...]: runs CMake if the build folder is new, was copied from elsewhere, or has other
+# values.
+configure() {
+  local preset=$1 folder=$repository/$2 value fresh=()
+  shift 2
+  if [[ -f $folder/build.ninja ]]; then
+    local cache
+    cache=$(<"$folder/CMakeCache.txt")
+    if [[ $cache != *"CMAKE_HOME_DIRECTORY:INTERNAL=$repository"$'\n'* ]]; then
+      fresh=(--fresh)
+    else
+      local same=1
+      for value in "$@"; do
+        value=${value#-D}
+        if [[ $cache != *$'\n'"${value%%=*}:BOOL=${value#*=}"$'\n'* ]]; then same=0; fi
+      done
+      if ((same)); then return 0; fi
+    fi
+  fi
+  (cd "$repository" && cmake --preset "$preset" "${fresh[@]}" "$@")
+}
+
+# build PRESET TARGET...
+build() {
+  local preset=$1
+  shift
+  (cd "$repository" && cmake --build --preset "$preset" --target "$@")
+}
