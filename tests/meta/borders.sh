@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Which part may use which library. The headers all lie in /usr/include, so not linking a library is not enough.
+set -euo pipefail
+shopt -s globstar nullglob
+export LC_ALL=C
+status=0
+
+sources=$(printf '%s\n' {core,chapters,app,tests}/**/*.{h,cpp,inc})
+
+# forbid WHAT PATTERN WHERE [EXCEPT]: no line of a source file whose path matches WHERE and not EXCEPT may match PATTERN
+# (Perl syntax).
+forbid() {
+  local what=$1 pattern=$2 where=$3 except=${4:-^$} found
+  found=$(grep -E "$where" <<<"$sources" | grep -Ev "$except" | xargs -r -d '\n' grep -nHP "$pattern" || true)
+  if [[ -n $found ]]; then
+    printf '%s:\n%s\n' "$what" "$found"
+    status=1
+  fi
+}
+
+includes() { printf '^\\s*#\\s*include\\s*[<"](%s)' "$1"; }
+all=.
+library='^(core|chapters)/'
+
+forbid 'Dear ImGui outside app/gui' "$(includes '(.*/)?(imgui|imconfig|imstb)')" "$all" '^(app|tests)/gui/'
+forbid 'SDL outside app/gui/platform and app/gui/input' "$(includes '(.*/)?SDL')" "$all" '^app/gui/(platform|input)/'
+forbid 'OpenGL outside core/hardware and app/gui' \
+  "$(includes '(GL|GLES[0-9]?|EGL|KHR|epoxy|glad)/|(.*/)?(gl|glew|glcorearb|SDL_opengl[a-z0-9_]*)\.h[>"]')" \
+  "$all" '^(core/hardware|app/gui)/'
+forbid 'X11 or Wayland' "$(includes '(X11|xcb|wayland)[/-]')" "$all"
+forbid 'stb outside core/image' "$(includes '(.*/)?stb_')" "$all" '^core/image/'
+forbid 'A thread started outside core/base' 'std::(jthread|async|thread(?!::))\b|pthread_create' "$library" '^core/base/'
+forbid 'What libc++ 14 lacks, in core/ or chapters/' \
+  "$(includes '(format|source_location|stop_token|syncstream|stacktrace|expected|generator)>')|std::(jthread|stop_token|source_location|format|views|ranges::views)\\b" \
+  "$library"
+
+exit "$status"
