@@ -1,0 +1,87 @@
+#include "base/parallel.h"
+
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace ps;
+
+TEST(Parallel, RunsEveryIndexOnceOnAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 7}) {
+    std::vector<std::atomic<int>> runs(1000);
+    Progress progress;
+    parallel_for(1000, {.threads = threads}, progress, [&](int index, int worker) {
+      EXPECT_GE(worker, 0);
+      EXPECT_LT(worker, threads);
+      runs[static_cast<std::size_t>(index)].fetch_add(1);
+    });
+    for (const auto& count : runs) EXPECT_EQ(count.load(), 1);
+    EXPECT_EQ(progress.fraction(), 1.0);
+  }
+}
+
+TEST(Parallel, StartsAsManyThreadsAsAsked) {
+  for (const int threads : {1, 2, 7}) {
+    // Each body waits until all workers have taken one, so no worker can do two.
+    std::atomic<int> arrived{0};
+    std::mutex mutex;
+    std::set<std::thread::id> ids;
+    Progress progress;
+    parallel_for(threads, {.threads = threads}, progress, [&](int, int) {
+      arrived.fetch_add(1);
+      while (arrived.load() < threads) std::this_thread::yield();
+      const std::lock_guard lock(mutex);
+      ids.insert(std::this_thread::get_id());
+    });
+    EXPECT_EQ(ids.size(), static_cast<std::size_t>(threads));
+  }
+}
+
+TEST(Parallel, CarriesTheFirstExceptionOut) {
+  Progress progress;
+  std::atomic<int> runs{0};
+  const auto body = [&](int index, int) {
+    runs.fetch_add(1);
+    if (index == 3) throw std::runtime_error("index 3");
+  };
+  EXPECT_THROW(parallel_for(1'000'000, {.threads = 2}, progress, body), std::runtime_error);
+  EXPECT_LT(runs.load(), 1'000'000);
+}
+
+TEST(Parallel, StopsWhenAsked) {
+  Progress progress;
+  std::atomic<int> runs{0};
+  const auto body = [&](int, int) {
+    if (runs.fetch_add(1) == 10) progress.request_stop();
+  };
+  EXPECT_THROW(parallel_for(1'000'000, {.threads = 2}, progress, body), Cancelled);
+  EXPECT_LT(runs.load(), 1'000'000);
+  EXPECT_LT(progress.fraction(), 1.0);
+}
+
+TEST(Parallel, DoesNothingForNoWork) {
+  Progress progress;
+  parallel_for(0, {}, progress, [](int, int) { FAIL() << "nothing to run"; });
+}
+
+TEST(Tiles, CoverEachPixelOnce) {
+  for (const auto& [width, height, size] : {std::array{1, 1, 32}, {33, 65, 32}, {600, 600, 64}, {7, 100, 1}}) {
+    std::vector<int> hits(static_cast<std::size_t>(width * height));
+    for (const TileRect& tile : make_tiles(width, height, size)) {
+      EXPECT_LE(tile.width(), size);
+      EXPECT_LE(tile.height(), size);
+      for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) ++hits[static_cast<std::size_t>(y * width + x)];
+    }
+    for (const int count : hits) EXPECT_EQ(count, 1);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,60 @@
+#include "render/prepared.h"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "options/settings.h"
+#include "scene/part.h"
+
+namespace {
+
+using namespace ps;
+
+Key key_of(std::uint64_t revision, Precision precision) { return Key("product").add(revision).add(precision); }
+
+TEST(Prepared, BuildsOncePerKey) {
+  Prepared prepared;
+  int builds = 0;
+  const auto build = [&] { return ++builds; };
+  EXPECT_EQ(*prepared.get<int>(key_of(1, Precision::float32), build), 1);
+  EXPECT_EQ(*prepared.get<int>(key_of(1, Precision::float32), build), 1);
+  EXPECT_EQ(*prepared.get<int>(key_of(2, Precision::float32), build), 2);
+  EXPECT_EQ(*prepared.get<int>(key_of(1, Precision::float64), build), 3);
+  EXPECT_EQ(*prepared.get<int>(key_of(1, Precision::float32), build), 1);
+  EXPECT_EQ(builds, 3);
+}
+
+TEST(Prepared, ForgetsOldVersionsOfAProductButNotOtherProducts) {
+  Prepared prepared;
+  int builds = 0;
+  const auto build = [&] { return ++builds; };
+  const auto other = prepared.get<int>(Key("other"), [] { return 7; });
+  const std::weak_ptr<const int> first = prepared.get<int>(key_of(100, Precision::float32), build);
+  for (std::uint64_t revision = 0; revision < 50; ++revision)
+    prepared.get<int>(key_of(revision, Precision::float32), build);
+  EXPECT_TRUE(first.expired());
+  EXPECT_EQ(prepared.get<int>(Key("other"), [] { return 8; }), other);
+}
+
+TEST(Prepared, KeysTellRealsAndOrderApart) {
+  EXPECT_EQ(Key("a").add(0.5), Key("a").add(0.5));
+  EXPECT_NE(Key("a").add(0.5), Key("a").add(0.25));
+  EXPECT_NE(Key("a").add(0.0), Key("a").add(-0.0));
+  EXPECT_NE(Key("a").add(std::uint64_t{1}).add(std::uint64_t{2}), Key("a").add(std::uint64_t{2}).add(std::uint64_t{1}));
+  EXPECT_NE(Key("a"), Key("b"));
+}
+
+TEST(Part, SharesUntilEdited) {
+  Part<int> original(5);
+  Part<int> copy = original;
+  EXPECT_EQ(copy.revision(), original.revision());
+  EXPECT_EQ(&*copy, &*original);
+  copy.edit([](int& value) { value = 6; });
+  EXPECT_EQ(*original, 5);
+  EXPECT_EQ(*copy, 6);
+  EXPECT_NE(copy.revision(), original.revision());
+  EXPECT_NE(copy.revision(), 0u);
+}
+
+}  // namespace
