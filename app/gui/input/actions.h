@@ -1,0 +1,76 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ps::gui {
+
+/// A key with modifiers. The key is a position on the keyboard (an SDL scancode), named as on a US layout.
+struct Chord {
+  int scancode = 0;  ///< 0 = none
+  bool ctrl = false, shift = false, alt = false;
+  bool operator==(const Chord&) const = default;
+};
+/// "Ctrl+Shift+Z", "?", "PageDown", "F11", "Left", "[", "`". Throws InputError for an unknown name.
+Chord parse_chord(std::string_view text);
+/// The text that parse_chord reads back; "" for none.
+std::string chord_text(const Chord& chord);
+
+enum class ActionKind {
+  press,   ///< runs once for each key press
+  repeat,  ///< runs also while the key repeats
+  hold     ///< on while the key is down: run_hold(true), later run_hold(false)
+};
+
+/// Something that the user can do. Menus, key bindings, the help sheet, the palette and tests are made from the table
+/// of actions.
+struct Action {
+  std::string name;   ///< stable, in kebab-case: "pixel-left"
+  std::string label;  ///< for people: "Nudge the pixel left"
+  std::string group;  ///< heading in the help sheet: "Pixel"
+  std::string keys;   ///< default chords separated by spaces: "Enter PageDown"; may be empty
+  ActionKind kind = ActionKind::press;
+  std::function<void()> run;           ///< press and repeat
+  std::function<void(bool)> run_hold;  ///< hold
+  std::function<bool()> enabled;       ///< empty = always
+  std::function<bool()> checked;       ///< for toggles in menus; empty = not a toggle
+};
+
+class Actions {
+ public:
+  /// Adds an action; its name must be new and its default chords must be free.
+  void add(Action action);
+  const std::vector<Action>& all() const { return actions_; }
+  const Action* find(std::string_view name) const;
+  /// The first chord bound to the action as text for menus; "" if none.
+  std::string key_text(std::string_view name) const;
+  /// All chords bound to it.
+  std::vector<Chord> chords(std::string_view name) const;
+  const Action* bound_to(const Chord& chord) const;
+  /// Runs the action unless it is disabled; answers whether it ran. Hold actions are not run this way.
+  bool run(std::string_view name) const;
+  bool enabled(const Action& action) const { return !action.enabled || action.enabled(); }
+  /// Reads lines "name = Chord Chord ..." (# starts a comment); these replace the default chords. Throws InputError
+  /// with line and column, leaving the bindings as they were.
+  void rebind(const std::string& text, const std::string& file);
+
+  /// For the shell: key went down or up this frame. Answers whether an action took it. Letters without Ctrl are left
+  /// to text fields when `typing`.
+  bool key_down(const Chord& chord, bool repeat, bool typing);
+  void key_up(int scancode);
+  /// The window lost the keyboard: ends all hold actions.
+  void release_all();
+
+ private:
+  struct Binding {
+    Chord chord;
+    std::size_t action;
+  };
+  std::vector<Action> actions_;
+  std::vector<Binding> bindings_;
+  std::vector<std::pair<int, std::size_t>> held_;  // scancode, action
+};
+
+}  // namespace ps::gui

@@ -1,0 +1,60 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+union SDL_Event;
+struct SDL_Window;
+
+namespace ps::gui {
+
+/// No display, or no OpenGL. what() is one line for people.
+class WindowError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct WindowSize {
+  int width = 1280, height = 800;
+  bool operator==(const WindowSize&) const = default;
+};
+
+/// The window with its OpenGL context (3.3 core; if that is not to be had, 3.0) and Dear ImGui's two back ends.
+class Window {
+ public:
+  Window(const std::string& title, WindowSize size);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Waits for an event for at most `seconds` (0: only looks) and hands every waiting event to `sink`.
+  void wait_events(double seconds, const std::function<void(const SDL_Event&)>& sink);
+  /// Ends a wait_events() on the main thread. From any thread.
+  static void wake();
+
+  void begin_frame();    ///< the ImGui back ends' NewFrame
+  void draw_frame();     ///< draws ImGui's draw data into the back buffer
+  void show_frame();     ///< swaps
+  void fonts_changed();  ///< the font atlas was rebuilt
+
+  WindowSize size() const;
+  WindowSize drawable_size() const;
+  void resize(WindowSize size);
+  int display_lines() const;  ///< height of its display
+  bool minimised() const;
+  void set_fullscreen(bool on);
+  bool fullscreen() const { return fullscreen_; }
+  void set_title(const std::string& title);
+  std::string clipboard() const;
+  void set_clipboard(const std::string& text);
+  unsigned id() const;
+
+ private:
+  SDL_Window* window_ = nullptr;
+  void* context_ = nullptr;
+  bool fullscreen_ = false;
+};
+
+}  // namespace ps::gui

@@ -1,0 +1,41 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace ps::gui {
+
+/// The two pictures that are compared.
+enum class Side { a, b };
+
+/// A place in the window, in its pixels from the top left.
+struct WindowPoint {
+  float x = 0, y = 0;
+};
+
+/// What the shell shows in its window and what scripts act upon. All members are called on the main thread.
+class Content {
+ public:
+  virtual ~Content() = default;
+
+  /// Draws one frame with Dear ImGui; called between NewFrame and Render.
+  virtual void draw() = 0;
+  /// Work is going on whose end will change the window (renders, loading). Scripts wait for its end. Whoever does the
+  /// work calls Shell::wake() when there is something new to draw.
+  virtual bool busy() const = 0;
+  /// Wants the next frame although no event arrived (an animation is running).
+  virtual bool animating() const { return false; }
+  /// Opens a scene file or a built-in scene by name. Errors are shown in the window, not thrown.
+  virtual void open(const std::string& path_or_name) = 0;
+  /// Sets "key=value" on one side, as a panel would (undoable). Throws InputError for an unknown key or value.
+  virtual void set_option(Side side, const std::string& assignment) = 0;
+  /// Where the middle of a picture's pixel (array position) is on screen now; nothing if it is not visible.
+  virtual std::optional<WindowPoint> pixel_place(Side side, Vec2i pixel) const = 0;
+  /// The user asks to close the window. Answers whether it may close now.
+  virtual bool may_close() { return true; }
+};
+
+}  // namespace ps::gui

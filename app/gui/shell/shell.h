@@ -1,0 +1,63 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gui/shell/content.h"
+
+namespace ps::gui {
+
+class Actions;
+
+/// How the window starts.
+struct ShellOptions {
+  std::string title = "Pixelscope";
+  std::optional<double> scale;  ///< --scale; else the remembered one; else guessed from the display
+  std::string script;           ///< --script FILE; empty = none
+  int width = 1280;             ///< size of a window that was never moved, and of scripted windows
+  int height = 800;
+};
+
+/// The window, its event loop and everything that does not depend on what is shown in it: input, theme, type size,
+/// actions (keys, palette, help sheet), remembered state, scripts. One Shell per program.
+class Shell {
+ public:
+  /// Opens the window. Throws WindowError (platform/window.h) if there is no display or no OpenGL, InputError for a
+  /// script that cannot be read.
+  explicit Shell(const ShellOptions& options);
+  ~Shell();
+  Shell(const Shell&) = delete;
+  Shell& operator=(const Shell&) = delete;
+
+  /// Shows `content` until the window is closed or a script ends it. Returns the exit status: 0, or 1 if an expectation
+  /// of the script failed.
+  int run(Content& content);
+
+  /// Makes the loop draw a frame soon. May be called from any thread, also after the loop has ended.
+  void wake();
+  /// Draws again after this many seconds even if nothing happens.
+  void wake_after(double seconds);
+  /// Ends run() after the current frame.
+  void quit(int status = 0);
+
+  /// The table of actions: the content adds its own before run().
+  Actions& actions();
+
+  void set_fullscreen(bool on);
+  bool fullscreen() const;
+  void set_title(const std::string& title);
+  std::string clipboard() const;
+  void set_clipboard(const std::string& text);
+
+  /// Text remembered from one start to the next, by key ("layout/left"); empty if there is none. Scripted windows start
+  /// with nothing remembered and remember nothing, unless XDG_STATE_HOME is set for them.
+  std::string remembered(const std::string& key) const;
+  void remember(const std::string& key, std::string value);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ps::gui

@@ -1,0 +1,138 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "gui/shell/content.h"
+#include "gui/theme/theme.h"
+#include "gui/widgets/record.h"
+#include "options/option.h"
+
+/// Controls of the window. Each has a name (a stable path, prefixed by the NameScopes around it) under which scripts
+/// find it, records what it shows, and fills the width given to it. None keeps state of the document.
+
+namespace ps::gui {
+
+class Actions;
+
+/// What most controls share.
+struct ControlStyle {
+  std::string_view tooltip;   ///< what it does; wrapped
+  std::string_view disabled;  ///< not empty: greyed, and this reason is shown in the tooltip
+  float width = 0;            ///< 0 = as wide as its text (buttons) or the space that is left (others)
+};
+
+// --- buttons.cpp ---
+enum class Emphasis { plain, primary, quiet };
+bool button(std::string_view name, std::string_view label, Emphasis emphasis = Emphasis::plain,
+            const ControlStyle& style = {});
+/// A button that shows a state, such as a tool that is chosen.
+bool button_on_off(std::string_view name, std::string_view label, bool on, const ControlStyle& style = {});
+/// A switch with its label to the right; the value reads "on" or "off".
+bool toggle(std::string_view name, std::string_view label, bool& value, const ControlStyle& style = {});
+/// One of a few words side by side if they fit the width, else a drop-down. Answers whether `index` changed.
+bool choice(std::string_view name, std::span<const Choice> choices, int& index, const ControlStyle& style = {});
+/// Tabs in a row; the open one is underlined. Value: the key of the open one. `keys` are used as names below `name`.
+bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index);
+/// A heading that opens and closes what follows it.
+bool section(std::string_view name, std::string_view label, bool& open, std::string_view note = {});
+/// An item of an ImGui menu, with its key at the right.
+bool menu_item(std::string_view name, std::string_view label, std::string_view keys = {}, bool checked = false,
+               std::string_view disabled = {});
+/// The menu item of an action, named by it; runs it when clicked.
+void menu_action(const Actions& actions, std::string_view action);
+bool begin_menu(std::string_view name, std::string_view label);  ///< if true, call end_menu()
+void end_menu();
+
+// --- number.cpp ---
+struct NumberRange {
+  double minimum = 0, maximum = 1;
+  OptionScale scale = OptionScale::linear;
+  bool integer = false;
+  std::string_view unit;
+};
+/// How an edit went this frame. A drag changes the value many times and finishes once: undo takes the last.
+struct Edit {
+  bool changed = false;
+  bool finished = false;  ///< the gesture is over; true in the same frame as `changed` for clicks and wheel steps
+};
+/// Scrubbed by dragging, stepped by the wheel (while hovered with Ctrl off), typed into after Ctrl-click or double
+/// click.
+Edit number(std::string_view name, double& value, const NumberRange& range, const ControlStyle& style = {});
+/// Four significant digits ("0.001", "1234", "1.235e-06").
+std::string short_number(double value);
+/// Digits that read back exactly.
+std::string full_number(double value);
+/// Right-aligned monospaced number in the current table cell or up to `width`; the tooltip has full precision.
+void number_text(double value, float width = 0);
+void number_text(std::string_view digits, float width, std::string_view full);
+
+// --- option_row.cpp ---
+enum class OptionRequest { none, send_to_other, only_difference, sweep };
+struct OptionRowResult {
+  Edit edit;
+  OptionRequest request = OptionRequest::none;  ///< chosen from the right-click menu
+};
+struct OptionRowContext {
+  Side side = Side::a;
+  const Settings* other = nullptr;  ///< the other side's settings, to mark differences
+  bool highlight = false;           ///< a lesson or a search points at it
+};
+/// One row made from the option table: label, control, mark if A and B differ, reset, tooltip with what, source and
+/// failure, greyed with the reason when it cannot act. Named by the option's key.
+OptionRowResult option_row(const Option& option, Settings& settings, const SceneTraits& traits,
+                           const OptionRowContext& context = {});
+
+// --- rows.cpp ---
+/// A row of a tree. If it answers `open`, draw the children and call ImGui::TreePop(). Leaves never open.
+struct TreeRow {
+  bool open = false, clicked = false;
+};
+enum class TreeKind { branch, leaf };
+TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bool selected, bool default_open = true);
+/// Begins a table row that can be selected as a whole; call inside ImGui::BeginTable, then ImGui::TableNextColumn for
+/// the cells. The first cell holds `text`.
+bool table_row(std::string_view name, std::string_view text, bool selected);
+/// Text that scripts can read: recorded under its name.
+void value_text(std::string_view name, std::string_view text);
+/// A field to type a filter into, with a clear button.
+bool search_box(std::string_view name, std::string& text, std::string_view hint, const ControlStyle& style = {});
+
+// --- feedback.cpp ---
+/// Tooltip for the last item, after a short rest of the pointer, wrapped at about 40 em.
+void tooltip(std::string_view text);
+/// A tooltip that draws itself.
+bool begin_tooltip();  ///< for the last item; if true, call end_tooltip()
+void end_tooltip();
+/// Share in [0, 1] with a label; answers whether Cancel was clicked (name/cancel).
+bool progress_bar(std::string_view name, std::string_view label, double fraction, float width = 0);
+enum class MessageKind { information, warning, error };
+/// One line across the width: a mark, the text, and a button that dismisses it (name/dismiss). True = dismissed.
+bool message_bar(std::string_view name, MessageKind kind, std::string_view text);
+enum class SplitterAxis { left_right, up_down };
+/// A draggable line of length `length` at the cursor. Adds the movement in pixels to `position`, kept in the range.
+Edit splitter(std::string_view name, SplitterAxis axis, float length, float& position, float minimum, float maximum);
+
+// --- rich_text.cpp ---
+/// Wrapped lesson text: "# heading", "## heading", "**bold**", "`code`", "- bullet", blank lines part paragraphs.
+void rich_text(std::string_view markdown);
+
+/// Keeps what is drawn inside it greyed and dead.
+class DisabledScope {
+ public:
+  explicit DisabledScope(bool disabled) : disabled_(disabled) {
+    if (disabled_) ImGui::BeginDisabled();
+  }
+  ~DisabledScope() {
+    if (disabled_) ImGui::EndDisabled();
+  }
+  DisabledScope(const DisabledScope&) = delete;
+  DisabledScope& operator=(const DisabledScope&) = delete;
+
+ private:
+  bool disabled_;
+};
+
+}  // namespace ps::gui
