@@ -55,26 +55,21 @@ leave_sudo() {
   exec runuser -u "$SUDO_USER" -- env HOME="$(getent passwd "$SUDO_USER" | cut -d: -f6)" "$@"
 }
 
-# configure PRESET FOLDER [-DNAME=ON...]: runs CMake if the build folder is new, was copied from elsewhere, or has other
-# values.
+# configured FOLDER [-DNAME=ON...]: whether the build folder belongs to this checkout and has these values.
+configured() {
+  local cache value
+  [[ -f $repository/$1/build.ninja ]] || return 1
+  cache=$(<"$repository/$1/CMakeCache.txt")
+  [[ $cache == *$'\n'"CMAKE_HOME_DIRECTORY:INTERNAL=$repository"$'\n'* ]] || return 1
+  for value in "${@:2}"; do
+    value=${value#-D}
+    [[ $cache == *$'\n'"${value%%=*}:BOOL=${value#*=}"$'\n'* ]] || return 1
+  done
+}
+
+# configure PRESET FOLDER [-DNAME=ON...]: runs CMake unless the folder is already configured so.
 configure() {
-  local preset=$1 folder=$repository/$2 value fresh=()
-  shift 2
-  if [[ -f $folder/build.ninja ]]; then
-    local cache
-    cache=$(<"$folder/CMakeCache.txt")
-    if [[ $cache != *"CMAKE_HOME_DIRECTORY:INTERNAL=$repository"$'\n'* ]]; then
-      fresh=(--fresh)
-    else
-      local same=1
-      for value in "$@"; do
-        value=${value#-D}
-        if [[ $cache != *$'\n'"${value%%=*}:BOOL=${value#*=}"$'\n'* ]]; then same=0; fi
-      done
-      if ((same)); then return 0; fi
-    fi
-  fi
-  (cd "$repository" && cmake --preset "$preset" "${fresh[@]}" "$@")
+  configured "${@:2}" || (cd "$repository" && cmake --fresh --preset "$1" "${@:3}")
 }
 
 # build PRESET TARGET...
