@@ -1,0 +1,143 @@
+#pragma once
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "inspect/events.h"
+#include "inspect/recorder.h"
+#include "math/power.h"
+#include "math/vec.h"
+#include "options/settings.h"
+#include "shade/shading_inputs.h"
+
+namespace ps {
+
+/// A point to be lit. All vectors are in one space, the shading space, of which only lengths and angles matter.
+template <class Real>
+struct LitPoint {
+  Vec3<Real> position{0, 0, 0};
+  Vec3<Real> normal{0, 0, 1};  ///< any length
+  Vec3<Real> to_eye{0, 0, 1};  ///< towards the viewer, any length
+};
+
+/// What the lights do at a point: its colour is surface colour * light + extra, channel by channel.
+template <class Real>
+struct Lighting {
+  Vec3<Real> light{0, 0, 0};
+  Vec3<Real> extra{0, 0, 0};  ///< only from materials with an ambient or specular colour of their own
+};
+
+struct IlluminationOptions {
+  bool specular = true;
+  Highlight highlight = Highlight::phong;
+};
+
+template <class Real>
+inline Real length(const Vec3<Real>& v) {
+  return std::sqrt(dot(v, v));
+}
+
+/// The `incoming` direction (away from the surface) mirrored about `normal`, whose length must be 1.
+template <class Real>
+inline Vec3<Real> mirror(const Vec3<Real>& incoming, const Vec3<Real>& normal) {
+  return normal * (Real(2) * dot(normal, incoming)) - incoming;
+}
+
+/// The two directions whose angle decides how bright a highlight is: R and V (Phong), or N and H (Blinn-Phong).
+template <class Real>
+struct HighlightAngle {
+  Vec3<Real> a, b;
+  Real dot_product = 0;
+  Real cosine() const { return dot_product / (length(a) * length(b)); }
+};
+
+template <class Real>
+inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const Vec3<Real>& to_light,
+                                            Highlight highlight) {
+  HighlightAngle<Real> angle;
+  switch (highlight) {
+  case Highlight::phong:
+    angle.a = mirror(to_light, point.normal);
+    angle.b = point.to_eye;
+    break;
+  case Highlight::blinn_phong:
+    angle.a = point.normal;
+    angle.b = to_light / length(to_light) + point.to_eye / length(point.to_eye);
+    break;
+  }
+  angle.dot_product = dot(angle.a, angle.b);
+  return angle;
+}
+
+/// The illumination equation of CGFS ch. 3 and 4, in the book's order of operations; shared by rays and fragments.
+/// The highlight does not depend on N.L > 0, as in the book. Vectors need not have length 1.
+/// `blocked(light_index, to_light, t_max) -> std::optional<PixelId>` names what stands between the point and a casting
+/// light; the light lies at position + t_max * to_light (infinity for a directional one). It is asked once for each
+/// casting light. Reports a LightEvent for each light.
+template <class Real, class Recorder, class Blocked>
+Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Real>& material,
+                          std::span<const ShadingLight<Real>> lights, const IlluminationOptions& options,
+                          Blocked&& blocked, Recorder& recorder) {
+  Lighting<Real> sum;
+  const auto add = [](Vec3<Real>& target, const Vec3<Real>& colour, Real amount) {
+    target.x += colour.x * amount;
+    target.y += colour.y * amount;
+    target.z += colour.z * amount;
+  };
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const ShadingLight<Real>& light = lights[i];
+    const int index = static_cast<int>(i);
+    recorder.count(Counter::light_samples);
+    if (light.kind == LightKind::ambient) {
+      if (material.ambient_colour)
+        add(sum.extra, *material.ambient_colour * light.colour, light.intensity);
+      else
+        add(sum.light, light.colour, light.intensity);
+      recorder.event([&] {
+        LightEvent event;
+        event.light = index;
+        event.diffuse = static_cast<double>(light.intensity);
+        return event;
+      });
+      continue;
+    }
+    const bool is_point = light.kind == LightKind::point;
+    const Vec3<Real> to_light = is_point ? light.vector - point.position : light.vector;
+    const std::optional<PixelId> blocker =
+        blocked(index, to_light, is_point ? Real(1) : std::numeric_limits<Real>::infinity());
+    const Real n_dot_l = dot(point.normal, to_light);
+    Real diffuse = 0;
+    Real specular = 0;
+    if (!blocker && n_dot_l > 0) {
+      diffuse = light.intensity * n_dot_l / (length(point.normal) * length(to_light));
+      add(sum.light, light.colour, diffuse);
+    }
+    if (!blocker && options.specular && material.specular) {
+      const HighlightAngle<Real> angle = highlight_angle(point, to_light, options.highlight);
+      if (angle.dot_product > 0) {
+        specular = light.intensity * power(angle.cosine(), *material.specular);
+        if (material.specular_colour)
+          add(sum.extra, *material.specular_colour * light.colour, specular);
+        else
+          add(sum.light, light.colour, specular);
+      }
+    }
+    recorder.event([&] {
+      LightEvent event;
+      event.light = index;
+      event.kind = light.kind;
+      event.to_light = Vec3d(to_light);
+      event.n_dot_l = static_cast<double>(n_dot_l / (length(point.normal) * length(to_light)));
+      event.r_dot_v = static_cast<double>(highlight_angle(point, to_light, options.highlight).cosine());
+      event.diffuse = static_cast<double>(diffuse);
+      event.specular = static_cast<double>(specular);
+      event.blocker = blocker;
+      event.below_horizon = !(n_dot_l > 0);
+      return event;
+    });
+  }
+  return sum;
+}
+
+}  // namespace ps

@@ -1,0 +1,65 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "math/vec.h"
+#include "scene/light.h"
+#include "scene/material.h"
+
+namespace ps {
+
+/// A light in the renderer's precision, converted once for each picture.
+template <class Real>
+struct ShadingLight {
+  LightKind kind = LightKind::ambient;
+  Real intensity = 1;
+  Vec3<Real> colour{1, 1, 1};
+  Vec3<Real> vector{0, 0, 0};  ///< position of a point light, direction towards a directional one; shading space
+};
+
+/// A material in the renderer's precision. Absent values as in Material.
+template <class Real>
+struct ShadingMaterial {
+  Vec3<Real> colour{1, 1, 1};
+  std::optional<Real> specular;
+  Real reflective = 0;
+  std::optional<Vec3<Real>> specular_colour;
+  std::optional<Vec3<Real>> ambient_colour;
+  int texture = -1;
+};
+
+template <class Real>
+inline ShadingLight<Real> shading_light(const Light& light) {
+  const Vec3d vector = light.kind == LightKind::directional ? light.direction : light.position;
+  return {light.kind, static_cast<Real>(light.intensity), Vec3<Real>(light.colour), Vec3<Real>(vector)};
+}
+
+template <class Real>
+inline ShadingMaterial<Real> shading_material(const Material& material) {
+  ShadingMaterial<Real> result;
+  result.colour = Vec3<Real>(material.colour);
+  if (material.specular) result.specular = static_cast<Real>(*material.specular);
+  result.reflective = static_cast<Real>(material.reflective);
+  if (material.specular_colour) result.specular_colour = Vec3<Real>(*material.specular_colour);
+  if (material.ambient_colour) result.ambient_colour = Vec3<Real>(*material.ambient_colour);
+  result.texture = material.texture;
+  return result;
+}
+
+template <class Real>
+inline std::vector<ShadingLight<Real>> shading_lights(const std::vector<Light>& lights) {
+  std::vector<ShadingLight<Real>> result;
+  result.reserve(lights.size());
+  for (const Light& light : lights) result.push_back(shading_light<Real>(light));
+  return result;
+}
+
+template <class Real>
+inline std::vector<ShadingMaterial<Real>> shading_materials(const std::vector<Material>& materials) {
+  std::vector<ShadingMaterial<Real>> result;
+  result.reserve(materials.size());
+  for (const Material& material : materials) result.push_back(shading_material<Real>(material));
+  return result;
+}
+
+}  // namespace ps
