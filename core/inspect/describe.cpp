@@ -1,0 +1,143 @@
+#include "inspect/describe.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "inspect/names.h"
+#include "inspect/number_text.h"
+#include "inspect/reason_text.h"
+
+namespace ps {
+namespace {
+
+struct Describer {
+  const Scene& scene;
+
+  std::string operator()(const RayEvent& e) const {
+    return fmt::format("{} ray from {} along {}", ray_kind_key(e.kind), vector_text(e.origin),
+                       vector_text(e.direction));
+  }
+  std::string operator()(const NodeEvent& e) const {
+    return fmt::format("box {} on level {}: {}", e.node, e.level, e.entered ? "entered" : "passed by");
+  }
+  std::string operator()(const SphereTestEvent& e) const {
+    std::string text = fmt::format("{}: {}", primitive_name(scene, e.id), outcome_text(e.outcome));
+    if (e.roots)
+      text += fmt::format(", t = {} and {}", number_text((*e.roots)[0]), number_text((*e.roots)[1]));
+    else
+      text += fmt::format(", discriminant {}", number_text(e.discriminant));
+    return text;
+  }
+  std::string operator()(const TriangleTestEvent& e) const {
+    std::string text = fmt::format("{}: {}", primitive_name(scene, e.id), outcome_text(e.outcome));
+    if (!e.rejected_by.empty()) text += fmt::format(" ({})", e.rejected_by);
+    if (e.t) text += fmt::format(", t = {}", number_text(*e.t));
+    return text;
+  }
+  std::string operator()(const HitEvent& e) const {
+    return fmt::format("hit {} at t = {}, point {}", primitive_name(scene, e.id), number_text(e.t),
+                       vector_text(e.point));
+  }
+  std::string operator()(const MissEvent& e) const {
+    return fmt::format("nothing hit: background {}", vector_text(e.background));
+  }
+  std::string operator()(const TextureEvent& e) const {
+    return fmt::format("texture read at uv {}, level {}: {} of {}", vector_text(e.uv), number_text(e.level),
+                       vector_text(e.result),
+                       e.texels.size() == 1 ? "1 texel" : fmt::format("{} texels", e.texels.size()));
+  }
+  std::string operator()(const LightEvent& e) const {
+    const std::string name = light_name(scene, e.light);
+    if (e.blocker) return fmt::format("{}: blocked by {}", name, primitive_name(scene, *e.blocker));
+    if (e.kind == LightKind::ambient) return fmt::format("{}: {} everywhere", name, number_text(e.diffuse));
+    return fmt::format("{}: diffuse {}, specular {}{}", name, number_text(e.diffuse), number_text(e.specular),
+                       e.below_horizon ? " (it shines on the other side)" : "");
+  }
+  std::string operator()(const ShadeEvent& e) const {
+    return fmt::format("own colour {}: surface {} x light {}", vector_text(e.local), vector_text(e.surface),
+                       vector_text(e.light));
+  }
+  std::string operator()(const ReflectionEvent& e) const {
+    return fmt::format("mirrors {}: {} x {} + {} x {} = {}", number_text(e.reflective), number_text(1 - e.reflective),
+                       vector_text(e.local), number_text(e.reflective), vector_text(e.reflected),
+                       vector_text(e.result));
+  }
+  std::string operator()(const RejectEvent& e) const {
+    std::string text = fmt::format("{}: {}", primitive_name(scene, e.id), reject_reason_text(e.reason));
+    if (!e.detail.empty()) text += fmt::format(" ({})", e.detail);
+    return text;
+  }
+  std::string operator()(const FragmentEvent& e) const {
+    std::string text = fmt::format("{} covers the pixel at z = {}", primitive_name(scene, e.id), number_text(e.z));
+    switch (e.depth) {
+    case FragmentEvent::Depth::passed:
+      return text + ": passed the depth test";
+    case FragmentEvent::Depth::failed:
+      return text +
+             fmt::format(": failed depth, {} against {} stored", number_text(e.depth_new), number_text(e.depth_stored));
+    case FragmentEvent::Depth::off:
+      return text + ": depth test off";
+    }
+    return text;
+  }
+  std::string operator()(const WriteEvent& e) const {
+    return fmt::format("{} writes {} over {}", e.id.object >= 0 ? primitive_name(scene, e.id) : "a shape",
+                       vector_text(e.after), vector_text(e.before));
+  }
+  std::string operator()(const LineEvent& e) const {
+    return fmt::format("line from {} to {} writes {} at step {}", vector_text(e.from), vector_text(e.to),
+                       vector_text(e.colour), e.step);
+  }
+  std::string operator()(const PixelEvent& e) const {
+    return fmt::format("pixel {}, stored as {}, {}, {}", vector_text(e.linear), e.display[0], e.display[1],
+                       e.display[2]);
+  }
+};
+
+template <class List, class Text>
+std::string bracketed(const List& values, Text text) {
+  std::string out = "(";
+  for (std::size_t i = 0; i < values.size(); ++i) out += (i == 0 ? "" : ", ") + text(values[i]);
+  return out + ")";
+}
+
+using NumberText = std::string (*)(double);
+
+struct ValueText {
+  const Scene& scene;
+  NumberText number;
+
+  std::string operator()(bool v) const { return v ? "yes" : "no"; }
+  std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
+  std::string operator()(double v) const { return number(v); }
+  std::string operator()(const std::string& v) const { return v; }
+  std::string operator()(const std::vector<double>& v) const { return bracketed(v, number); }
+  std::string operator()(const std::vector<bool>& v) const {
+    return bracketed(v, [](bool one) { return std::string(one ? "yes" : "no"); });
+  }
+  std::string operator()(const PixelId& v) const { return primitive_name(scene, v); }
+  std::string operator()(const std::vector<Texel>& v) const {
+    std::string out;
+    for (const Texel& t : v)
+      out += fmt::format("{}[{}, {}] level {} x {}", out.empty() ? "" : "; ", t.x, t.y, t.level, number(t.weight));
+    return out;
+  }
+};
+
+}  // namespace
+
+std::string describe(const Event& event, const Scene& scene) { return std::visit(Describer{scene}, event.data); }
+
+std::vector<FieldText> event_table(const Event& event, const Scene& scene) {
+  std::vector<FieldText> table;
+  for (const EventField& field : event_fields(event.data)) {
+    std::string name(field.key);
+    std::replace(name.begin(), name.end(), '-', ' ');
+    table.push_back({std::move(name), std::visit(ValueText{scene, number_text}, field.value),
+                     std::visit(ValueText{scene, exact_number_text}, field.value)});
+  }
+  return table;
+}
+
+}  // namespace ps

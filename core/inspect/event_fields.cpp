@@ -1,0 +1,147 @@
+#include "inspect/event_fields.h"
+
+#include "inspect/reason_text.h"
+
+namespace ps {
+namespace {
+
+using Fields = std::vector<EventField>;
+
+std::vector<double> list(const Vec2d& v) { return {v.x, v.y}; }
+std::vector<double> list(const Vec3d& v) { return {v.x, v.y, v.z}; }
+template <std::size_t N>
+std::vector<double> list(const std::array<double, N>& v) {
+  return {v.begin(), v.end()};
+}
+std::int64_t whole(int value) { return value; }
+
+Fields fields(const RayEvent& e) {
+  return {{"ray", std::string(ray_kind_key(e.kind))},
+          {"origin", list(e.origin)},
+          {"direction", list(e.direction)},
+          {"t-min", e.t_min},
+          {"t-max", e.t_max},
+          {"depth", whole(e.depth)},
+          {"share", e.share}};
+}
+
+Fields fields(const NodeEvent& e) {
+  return {{"node", whole(e.node)},
+          {"level", whole(e.level)},
+          {"low", list(e.low)},
+          {"high", list(e.high)},
+          {"entered", e.entered}};
+}
+
+Fields fields(const SphereTestEvent& e) {
+  Fields f{{"id", e.id}, {"outcome", std::string(outcome_key(e.outcome))}, {"discriminant", e.discriminant}};
+  if (e.roots) f.push_back({"roots", list(*e.roots)});
+  return f;
+}
+
+Fields fields(const TriangleTestEvent& e) {
+  Fields f{{"id", e.id}, {"outcome", std::string(outcome_key(e.outcome))}};
+  if (!e.rejected_by.empty()) f.push_back({"rejected-by", e.rejected_by});
+  if (e.weights) f.push_back({"weights", list(*e.weights)});
+  if (e.t) f.push_back({"t", *e.t});
+  return f;
+}
+
+Fields fields(const HitEvent& e) {
+  return {{"id", e.id},
+          {"t", e.t},
+          {"point", list(e.point)},
+          {"geometric-normal", list(e.geometric_normal)},
+          {"shading-normal", list(e.shading_normal)},
+          {"weights", list(e.weights)},
+          {"uv", list(e.uv)},
+          {"back-face", e.back_face}};
+}
+
+Fields fields(const MissEvent& e) { return {{"background", list(e.background)}}; }
+
+Fields fields(const TextureEvent& e) {
+  return {{"texture", whole(e.texture)},
+          {"uv", list(e.uv)},
+          {"level", e.level},
+          {"texels", e.texels},
+          {"result", list(e.result)}};
+}
+
+Fields fields(const LightEvent& e) {
+  Fields f{{"light", whole(e.light)}, {"light-kind", std::string(light_kind_key(e.kind))}};
+  if (e.kind != LightKind::ambient) {
+    f.push_back({"to-light", list(e.to_light)});
+    f.push_back({"n-dot-l", e.n_dot_l});
+    f.push_back({"r-dot-v", e.r_dot_v});
+  }
+  f.push_back({"diffuse", e.diffuse});
+  f.push_back({"specular", e.specular});
+  if (e.blocker) f.push_back({"blocker", *e.blocker});
+  f.push_back({"below-horizon", e.below_horizon});
+  return f;
+}
+
+Fields fields(const ShadeEvent& e) {
+  return {{"surface", list(e.surface)}, {"light", list(e.light)}, {"extra", list(e.extra)}, {"local", list(e.local)}};
+}
+
+Fields fields(const ReflectionEvent& e) {
+  return {{"reflective", e.reflective},
+          {"local", list(e.local)},
+          {"reflected", list(e.reflected)},
+          {"result", list(e.result)}};
+}
+
+Fields fields(const RejectEvent& e) {
+  Fields f{{"id", e.id}, {"reason", std::string(reject_reason_key(e.reason))}};
+  if (!e.detail.empty()) f.push_back({"detail", e.detail});
+  if (e.edges) f.push_back({"edges", list(*e.edges)});
+  return f;
+}
+
+Fields fields(const FragmentEvent& e) {
+  return {{"id", e.id},
+          {"corner-0", list(e.corners[0])},
+          {"corner-1", list(e.corners[1])},
+          {"corner-2", list(e.corners[2])},
+          {"corner-depth", list(e.corner_depth)},
+          {"edges", list(e.edges)},
+          {"tie-owned", std::vector<bool>(e.tie_owned.begin(), e.tie_owned.end())},
+          {"weights-2d", list(e.weights_2d)},
+          {"weights", list(e.weights)},
+          {"z", e.z},
+          {"inverse-z", e.inverse_z},
+          {"depth-test", std::string(depth_verdict_key(e.depth))},
+          {"depth-stored", e.depth_stored},
+          {"depth-new", e.depth_new},
+          {"back-face", e.back_face},
+          {"clipped-into", whole(e.clipped_into)}};
+}
+
+Fields fields(const WriteEvent& e) {
+  return {{"id", e.id}, {"before", list(e.before)}, {"shaded", list(e.shaded)}, {"after", list(e.after)}};
+}
+
+Fields fields(const LineEvent& e) {
+  return {
+      {"id", e.id}, {"from", list(e.from)}, {"to", list(e.to)}, {"step", whole(e.step)}, {"colour", list(e.colour)}};
+}
+
+Fields fields(const PixelEvent& e) {
+  return {{"linear", list(e.linear)}, {"display", std::vector<double>(e.display.begin(), e.display.end())}};
+}
+
+constexpr std::array<std::string_view, std::variant_size_v<EventData>> kinds{
+    "ray",   "node",       "sphere-test", "triangle-test", "hit",   "miss", "texture", "light",
+    "shade", "reflection", "reject",      "fragment",      "write", "line", "pixel"};
+
+}  // namespace
+
+std::string_view event_kind(const EventData& data) { return kinds.at(data.index()); }
+
+std::vector<EventField> event_fields(const EventData& data) {
+  return std::visit([](const auto& event) { return fields(event); }, data);
+}
+
+}  // namespace ps

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "inspect/display_lines.h"
+#include "inspect/finish_story.h"
+#include "inspect/light_terms.h"
+#include "inspect/names.h"
+#include "inspect/number_text.h"
+#include "inspect/story_tree.h"
+
+namespace ps {
+namespace {
+
+using Lines = std::vector<LedgerLine>;
+
+void append(Lines& lines, Lines more) {
+  for (LedgerLine& line : more) lines.push_back(std::move(line));
+}
+
+/// What ray `ray` returns, as it reaches the pixel: local colour * (1 - r) + reflected colour * r (CGFS ch. 4), the
+/// second term unfolded ray by ray.
+void add_ray(const PixelStory& story, const Scene& scene, int ray, double share, int level, Lines& lines) {
+  const auto& events = story.events;
+  const auto hits = events_of_ray<HitEvent>(events, ray);
+  const auto shades = events_of_ray<ShadeEvent>(events, ray);
+  if (hits.empty() || shades.empty()) {
+    for (const int miss : events_of_ray<MissEvent>(events, ray))
+      lines.push_back({level, fmt::format("background{}", share == 1 ? "" : " x " + number_text(share)),
+                       share * event_as<MissEvent>(events, miss).background, miss});
+    return;
+  }
+  const ShadingEvents shading{shades.back(), events_of_ray<LightEvent>(events, ray),
+                              event_as<HitEvent>(events, hits.back()).id};
+  const Vec3d local = event_as<ShadeEvent>(events, shading.shade).local;
+  const std::string name = primitive_name(scene, shading.id);
+  const auto mirrors = events_of_ray<ReflectionEvent>(events, ray);
+  if (mirrors.empty()) {
+    lines.push_back({level, fmt::format("{}: its own colour", name), share * local, shading.shade});
+    append(lines, light_terms(story, scene, shading, share, level + 1));
+    return;
+  }
+  const auto& mirror = event_as<ReflectionEvent>(events, mirrors.back());
+  const double own = 1 - mirror.reflective;
+  lines.push_back(
+      {level, fmt::format("{}: {} of its own colour", name, number_text(own)), share * own * local, shading.shade});
+  append(lines, light_terms(story, scene, shading, share * own, level + 1));
+  lines.push_back({level, fmt::format("{}: {} of what it mirrors", name, number_text(mirror.reflective)),
+                   share * mirror.reflective * mirror.reflected, mirrors.back()});
+  for (const int child : events_of_ray<RayEvent>(events, ray))
+    if (event_as<RayEvent>(events, child).kind == RayKind::reflection)
+      add_ray(story, scene, child, share * mirror.reflective, level + 1, lines);
+}
+
+bool nearly_equal(const Vec3d& a, const Vec3d& b) {
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(a[i] - b[i]) > 1e-6 * std::max(1.0, std::abs(a[i]))) return false;
+  return true;
+}
+
+/// How the colour that write `index` brought was made, by what the kernel reported since its fragment began.
+Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, int level) {
+  ShadingEvents shading;
+  shading.id = event_as<WriteEvent>(story.events, index).id;
+  for (int i = index - 1; i >= 0; --i) {
+    const EventData& data = story.events[static_cast<std::size_t>(i)].data;
+    if (std::holds_alternative<FragmentEvent>(data) || std::holds_alternative<WriteEvent>(data)) break;
+    if (std::holds_alternative<ShadeEvent>(data) && shading.shade < 0) shading.shade = i;
+    if (std::holds_alternative<LightEvent>(data)) shading.lights.insert(shading.lights.begin(), i);
+  }
+  if (shading.shade < 0) return {};
+  return light_terms(story, scene, shading, 1, level);
+}
+
+void add_write(const PixelStory& story, const Scene& scene, int index, Lines& lines) {
+  const auto& write = event_as<WriteEvent>(story.events, index);
+  const std::string name = write.id.object >= 0 ? primitive_name(scene, write.id) : "shape on the canvas";
+  if (nearly_equal(write.after, write.shaded)) {
+    lines.clear();
+    lines.push_back({0, fmt::format("{}: its colour", name), write.shaded, index});
+    append(lines, shading_of_write(story, scene, index, 1));
+    return;
+  }
+  if (nearly_equal(write.after, write.before + write.shaded)) {
+    if (lines.empty()) lines.push_back({0, "background", write.before, index});
+    lines.push_back({0, fmt::format("{}: adds its colour", name), write.shaded, index});
+    return;
+  }
+  lines.clear();
+  lines.push_back({0, fmt::format("{}: {} taken out of {}", name, vector_text(write.shaded), vector_text(write.before)),
+                   write.after, index});
+}
+
+Lines fragment_lines(const PixelStory& story, const Scene& scene) {
+  Lines lines;
+  bool written = false;
+  for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
+    const EventData& data = story.events[static_cast<std::size_t>(i)].data;
+    if (std::holds_alternative<WriteEvent>(data)) {
+      add_write(story, scene, i, lines);
+      written = true;
+    }
+    if (const auto* line = std::get_if<LineEvent>(&data)) {
+      lines = {{0, line->id.object >= 0 ? fmt::format("edge of {}", primitive_name(scene, line->id)) : "line",
+                line->colour, i}};
+      written = true;
+    }
+  }
+  if (!written) lines.push_back({0, "background", story.linear, -1});
+  return lines;
+}
+
+}  // namespace
+
+std::vector<LedgerLine> story_ledger(const PixelStory& story, const Scene& scene, const Settings& settings) {
+  Lines lines;
+  const int eye = eye_ray(story.events);
+  if (eye >= 0)
+    add_ray(story, scene, eye, 1, 0, lines);
+  else
+    lines = fragment_lines(story, scene);
+  append(lines, display_lines(story, settings));
+  return lines;
+}
+
+}  // namespace ps

@@ -1,0 +1,36 @@
+#include "inspect/number_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace ps {
+namespace {
+
+std::string special_text(double value) {
+  if (std::isnan(value)) return "NaN";
+  return value > 0 ? "infinity" : "-infinity";
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  if (!std::isfinite(value)) return special_text(value);
+  if (value == 0) return "0";
+  return fmt::format("{:.4g}", value);
+}
+
+std::string exact_number_text(double value) {
+  if (!std::isfinite(value)) return special_text(value);
+  return fmt::format("{}", value);
+}
+
+std::string vector_text(const Vec2d& value) {
+  return fmt::format("({}, {})", number_text(value.x), number_text(value.y));
+}
+
+std::string vector_text(const Vec3d& value) {
+  return fmt::format("({}, {}, {})", number_text(value.x), number_text(value.y), number_text(value.z));
+}
+
+}  // namespace ps

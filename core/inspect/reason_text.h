@@ -1,0 +1,26 @@
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "inspect/events.h"
+
+namespace ps {
+
+/// Enumerators of events in words (for people) and as keys (for files, in kebab-case).
+std::string_view outcome_text(TestOutcome outcome);
+std::string_view outcome_key(TestOutcome outcome);
+std::string_view reject_reason_text(RejectReason reason);
+std::string_view reject_reason_key(RejectReason reason);
+std::string_view ray_kind_key(RayKind kind);
+std::string_view light_kind_key(LightKind kind);
+std::string_view depth_verdict_key(FragmentEvent::Depth depth);
+
+inline constexpr std::array all_reject_reasons{
+    RejectReason::outside_view,  RejectReason::clipped_near, RejectReason::clipped_side, RejectReason::clipped_far,
+    RejectReason::behind_camera, RejectReason::zero_area,    RejectReason::back_face,    RejectReason::not_covered};
+
+/// "1 back face culled", "2 triangles behind the near plane"
+std::string reject_count_text(RejectReason reason, std::size_t count);
+
+}  // namespace ps

@@ -1,0 +1,77 @@
+#include "inspect/story_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "inspect/describe.h"
+#include "inspect/event_fields.h"
+#include "inspect/names.h"
+#include "math/conventions.h"
+#include "options/option.h"
+
+namespace ps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json list(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
+
+struct ValueJson {
+  const Scene& scene;
+
+  Json operator()(bool v) const { return v; }
+  Json operator()(std::int64_t v) const { return v; }
+  Json operator()(double v) const { return v; }
+  Json operator()(const std::string& v) const { return v; }
+  Json operator()(const std::vector<double>& v) const { return v; }
+  Json operator()(const std::vector<bool>& v) const { return v; }
+  Json operator()(const PixelId& v) const {
+    return {{"object", v.object}, {"triangle", v.triangle}, {"name", primitive_name(scene, v)}};
+  }
+  Json operator()(const std::vector<Texel>& v) const {
+    Json texels = Json::array();
+    for (const Texel& t : v)
+      texels.push_back({{"x", t.x}, {"y", t.y}, {"level", t.level}, {"weight", t.weight}, {"colour", list(t.colour)}});
+    return texels;
+  }
+};
+
+Json event_json(const Event& event, const Scene& scene) {
+  Json json{{"kind", event_kind(event.data)}, {"parent", event.parent}, {"text", describe(event, scene)}};
+  for (const EventField& field : event_fields(event.data))
+    json[std::string(field.key)] = std::visit(ValueJson{scene}, field.value);
+  return json;
+}
+
+std::string renderer_key(Renderer renderer) {
+  Settings settings;
+  settings.renderer = renderer;
+  const Option* option = find_option("renderer");
+  PS_ASSERT(option, "the option table has a row for the renderer");
+  return option_text(*option, settings);
+}
+
+}  // namespace
+
+std::string story_json(const PixelStory& story, const Scene& scene, const View& view) {
+  const Vec2i book = book_pixel(story.pixel.x, story.pixel.y, view.width, view.height);
+  Json json{{"pixel", {story.pixel.x, story.pixel.y}},
+            {"book-pixel", {book.x, book.y}},
+            {"size", {view.width, view.height}},
+            {"renderer", renderer_key(story.renderer)},
+            {"verdict", story.verdict},
+            {"colour", {{"linear", list(story.linear)}, {"display", story.display}}}};
+  json["events"] = Json::array();
+  for (const Event& event : story.events) json["events"].push_back(event_json(event, scene));
+  json["ledger"] = Json::array();
+  for (const LedgerLine& line : story.ledger)
+    json["ledger"].push_back(
+        {{"level", line.level}, {"term", line.term}, {"value", list(line.value)}, {"event", line.event}});
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);
+    json["counters"][std::string(counter_key(counter))] = story.counters[counter];
+  }
+  json["triangles-elsewhere"] = story.triangles_elsewhere;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace ps

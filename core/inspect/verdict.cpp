@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include "inspect/finish_story.h"
+#include "inspect/names.h"
+#include "inspect/number_text.h"
+#include "inspect/reason_text.h"
+#include "inspect/story_tree.h"
+
+namespace ps {
+namespace {
+
+std::string plural(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+template <class T>
+std::size_t count_events(const std::vector<Event>& events) {
+  std::size_t count = 0;
+  for (const Event& event : events)
+    if (std::holds_alternative<T>(event.data)) ++count;
+  return count;
+}
+
+/// What each light does at the hit of ray `ray`, where it is worth a word.
+void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, std::vector<std::string>& parts) {
+  for (const int index : events_of_ray<LightEvent>(story.events, ray)) {
+    const auto& light = event_as<LightEvent>(story.events, index);
+    if (light.blocker)
+      parts.push_back(fmt::format("light {} is blocked by {}", light.light + 1, primitive_name(scene, *light.blocker)));
+    else if (light.below_horizon)
+      parts.push_back(fmt::format("light {} shines on the other side", light.light + 1));
+  }
+}
+
+std::string ray_verdict(const PixelStory& story, const Scene& scene, int eye) {
+  const auto& events = story.events;
+  const auto hits = events_of_ray<HitEvent>(events, eye);
+  if (hits.empty()) {
+    const std::size_t tests =
+        events_of_ray<SphereTestEvent>(events, eye).size() + events_of_ray<TriangleTestEvent>(events, eye).size();
+    if (tests == 0) return "nothing is in the way of the eye ray: background";
+    return fmt::format("the eye ray hit nothing ({}): background",
+                       plural(tests, "primitive was tested", "primitives were tested"));
+  }
+  const auto& hit = event_as<HitEvent>(events, hits.back());
+  std::vector<std::string> parts{fmt::format("{} won at t = {}", primitive_name(scene, hit.id), number_text(hit.t))};
+  if (hit.back_face) parts.push_back("its back is seen");
+  add_light_remarks(story, scene, eye, parts);
+  std::size_t bounces = 0;
+  for (const Event& event : events)
+    if (const auto* ray = std::get_if<RayEvent>(&event.data))
+      if (ray->kind == RayKind::reflection) ++bounces;
+  if (bounces > 0) parts.push_back(plural(bounces, "bounce", "bounces"));
+  return joined(parts);
+}
+
+/// How often each reason kept a triangle from the pixel, as "2 back faces culled".
+void add_rejections(const PixelStory& story, bool with_uncovered, std::vector<std::string>& parts) {
+  for (const RejectReason reason : all_reject_reasons) {
+    if (reason == RejectReason::not_covered && !with_uncovered) continue;
+    std::size_t count = 0;
+    for (const Event& event : story.events)
+      if (const auto* reject = std::get_if<RejectEvent>(&event.data))
+        if (reject->reason == reason) ++count;
+    if (count > 0) parts.push_back(reject_count_text(reason, count));
+  }
+}
+
+void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vector<std::string>& parts) {
+  std::size_t failed = 0;
+  bool depth_off = false;
+  for (const Event& event : story.events)
+    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
+      if (fragment->depth == FragmentEvent::Depth::failed) ++failed;
+      if (fragment->depth == FragmentEvent::Depth::off) depth_off = true;
+    }
+  if (writes > 1) parts.push_back(plural(writes - 1, "earlier colour was", "earlier colours were") + " painted over");
+  if (failed > 0) parts.push_back(plural(failed, "fragment", "fragments") + " failed depth");
+  if (depth_off) parts.push_back("the depth test is off");
+}
+
+std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
+  const WriteEvent* write = nullptr;
+  const LineEvent* line = nullptr;
+  for (const Event& event : story.events) {
+    if (const auto* w = std::get_if<WriteEvent>(&event.data)) write = w, line = nullptr;
+    if (const auto* l = std::get_if<LineEvent>(&event.data)) line = l;
+  }
+  std::vector<std::string> parts;
+  if (!write && !line) {
+    add_rejections(story, true, parts);
+    if (parts.empty() && story.triangles_elsewhere > 0) parts.push_back("all triangles lie elsewhere");
+    if (parts.empty()) parts.push_back("no triangle came near");
+    return fmt::format("nothing drew here: background ({})", joined(parts));
+  }
+  if (line)
+    parts.push_back(line->id.object >= 0 ? fmt::format("an edge of {} won", primitive_name(scene, line->id))
+                                         : std::string("a line won"));
+  else if (write->id.object >= 0)
+    parts.push_back(fmt::format("{} won", primitive_name(scene, write->id)));
+  else
+    parts.push_back("a shape on the canvas won");
+  add_fragment_remarks(story, count_events<WriteEvent>(story.events) + count_events<LineEvent>(story.events), parts);
+  add_rejections(story, false, parts);
+  return joined(parts);
+}
+
+}  // namespace
+
+std::string story_verdict(const PixelStory& story, const Scene& scene) {
+  const int eye = eye_ray(story.events);
+  return eye >= 0 ? ray_verdict(story, scene, eye) : fragment_verdict(story, scene);
+}
+
+}  // namespace ps
