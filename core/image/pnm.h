@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "image/file.h"
+
+namespace ps {
+
+/// Reads the bytes of a PGM or PPM file, ASCII (P2, P3) or binary (P5, P6), with comments and largest values up to
+/// 65535; samples become value / largest value. Throws InputError naming `file` and the line.
+Image<Vec3f> read_pnm(std::string_view bytes, const std::string& file);
+
+/// Reads the bytes of a Portable Float Map, colour (PF) or grey (Pf), of either byte order. The floats stay as they
+/// are, NaN and infinity too; the scale in the header only tells the byte order. Throws InputError.
+Image<Vec3f> read_pfm(std::string_view bytes, const std::string& file);
+
+/// The bytes of a PPM file (P6, or P3 for ascii) with the texts as comments.
+std::string ppm_bytes(const Image<Rgb8>& levels, const SaveOptions& options);
+
+/// The bytes of a little-endian colour PFM file.
+std::string pfm_bytes(const Image<Vec3f>& linear);
+
+}  // namespace ps

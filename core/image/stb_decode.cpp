@@ -1,0 +1,110 @@
+#include "image/stb_decode.h"
+
+#include <cstdlib>
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace {
+
+/// Largest block that a decode in this thread may ask for: a small file may unpack to any size, but never to more than
+/// its header promises.
+thread_local std::size_t largest_block = 0;
+
+void* limited_malloc(std::size_t size) { return size <= largest_block ? std::malloc(size) : nullptr; }
+void* limited_realloc(void* block, std::size_t size) {
+  return size <= largest_block ? std::realloc(block, size) : nullptr;
+}
+
+}  // namespace
+
+#define STBI_MALLOC(size) limited_malloc(size)
+#define STBI_REALLOC(block, size) limited_realloc(block, size)
+#define STBI_FREE(block) std::free(block)
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_TGA
+#define STBI_NO_STDIO
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#define STBI_MAX_DIMENSIONS (1 << 28)
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace ps {
+namespace {
+
+[[noreturn]] void fail(const std::string& file) {
+  const char* reason = stbi_failure_reason();
+  throw InputError(fmt::format("{}: the picture cannot be decoded ({})", file, reason ? reason : "unknown reason"));
+}
+
+template <class Sample>
+Image<Vec3f> unit_image(const Sample* samples, int width, int height) {
+  constexpr float largest = std::numeric_limits<Sample>::max();
+  Image<Vec3f> image(width, height);
+  for (Vec3f& pixel : image.pixels()) {
+    pixel = Vec3f(samples[0], samples[1], samples[2]) / largest;
+    samples += 3;
+  }
+  return image;
+}
+
+}  // namespace
+
+Image<Vec3f> stb_decode(std::string_view bytes, const std::string& file) {
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw InputError(fmt::format("{}: has {} bytes, expected under 2 GiB", file, bytes.size()));
+  const int size = static_cast<int>(bytes.size());
+  constexpr std::size_t tables = std::size_t{1} << 20;
+  largest_block = tables;
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) fail(file);
+  require_image_size(width, height, file);
+  // Four samples of two bytes, doubled for filter bytes, rows padded to whole blocks and growing buffers; compressed
+  // bytes are gathered in a block of their own.
+  constexpr std::size_t bytes_per_pixel = 16;
+  constexpr std::size_t padding = 64;
+  largest_block =
+      tables + 2 * bytes.size() +
+      bytes_per_pixel * (static_cast<std::size_t>(width) + padding) * (static_cast<std::size_t>(height) + padding);
+  constexpr int rgb = 3;
+  if (stbi_is_16_bit_from_memory(data, size)) {
+    const std::unique_ptr<stbi_us, void (*)(void*)> samples(
+        stbi_load_16_from_memory(data, size, &width, &height, &channels, rgb), stbi_image_free);
+    if (!samples) fail(file);
+    return unit_image(samples.get(), width, height);
+  }
+  const std::unique_ptr<stbi_uc, void (*)(void*)> samples(
+      stbi_load_from_memory(data, size, &width, &height, &channels, rgb), stbi_image_free);
+  if (!samples) fail(file);
+  return unit_image(samples.get(), width, height);
+}
+
+std::string stb_encode_png(const Image<Rgb8>& levels) {
+  static_assert(sizeof(Rgb8) == 3, "pixels lie without gaps");
+  int size = 0;
+  const std::unique_ptr<unsigned char, void (*)(void*)> bytes(
+      stbi_write_png_to_mem(reinterpret_cast<const unsigned char*>(levels.pixels().data()), 3 * levels.width(),
+                            levels.width(), levels.height(), 3, &size),
+      std::free);
+  PS_ASSERT(bytes, "memory for a PNG file");
+  return {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)};
+}
+
+}  // namespace ps

@@ -1,0 +1,80 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "options/settings.h"
+#include "render/frame.h"
+
+namespace ps {
+
+/// What a view shows of a frame.
+enum class ShownChannel {
+  colour,
+  depth,
+  normal,
+  barycentric,
+  uv,
+  triangle,
+  object,
+  facing,
+  overdraw,
+  tests,
+  mip,
+  shadow,
+  hit,
+  nan
+};
+
+/// One row for each ShownChannel, in its order.
+struct ShownChannelRow {
+  ShownChannel channel = ShownChannel::colour;
+  std::string_view key;    ///< for `--show` and scripts: "depth"
+  std::string_view label;  ///< for people
+  std::string_view help;   ///< one sentence
+  Channel needs = Channel::none;
+  std::string_view unit;  ///< of the value shown as a heat map; may be empty
+};
+std::span<const ShownChannelRow> shown_channels();
+const ShownChannelRow& shown_channel(ShownChannel channel);
+/// Throws InputError naming the keys there are.
+ShownChannel parse_shown_channel(std::string_view key);
+
+/// What the colours of a channel picture mean.
+struct ChannelLegend {
+  std::string title;
+  std::string unit;   ///< of low and high; may be empty
+  bool heat = false;  ///< colours run from low to high along heat_colour()
+  double low = 0, high = 0;
+  struct Entry {
+    Rgb8 colour;
+    std::string meaning;
+  };
+  std::vector<Entry> entries;  ///< colours with a meaning of their own, such as "nothing seen"
+};
+
+struct ChannelPicture {
+  Image<Rgb8> levels;
+  ChannelLegend legend;
+};
+
+struct ValueRange {
+  double low = 0, high = 1;
+  bool operator==(const ValueRange&) const = default;
+};
+
+/// Smallest and largest finite value of a heat-map channel in this frame; absent for other channels or where nothing is
+/// seen. The union of two frames' ranges makes their pictures comparable.
+std::optional<ValueRange> channel_range(const Frame& frame, ShownChannel channel);
+
+/// Turns a channel into a picture. The frame must have been made with the channels that the row needs. Heat maps span
+/// `range`, by default the frame's own.
+ChannelPicture channel_picture(const Frame& frame, ShownChannel channel, const Settings& settings,
+                               const std::optional<ValueRange>& range = {});
+
+/// The channel's value at a pixel as short text, for a readout: "z 7.25", "object 2", "(0.1, 0.9)".
+std::string channel_value_text(const Frame& frame, ShownChannel channel, const Settings& settings, Vec2i pixel);
+
+}  // namespace ps

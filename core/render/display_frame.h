@@ -1,0 +1,18 @@
+#pragma once
+#include "image/display.h"
+#include "options/settings.h"
+#include "render/frame.h"
+
+namespace ps {
+
+/// The frame's colours as display levels, from colour_double where the frame has it.
+Image<Rgb8> display_frame(const Frame& frame, const Settings& settings);
+
+/// The same for one rectangle, written to the same place in `target`, which has the frame's size.
+void display_tile(const Frame& frame, const Settings& settings, const TileRect& tile, Image<Rgb8>& target);
+
+/// The linear colour that display_frame starts from, widened to double; and its display levels.
+Vec3d linear_at(const Frame& frame, Vec2i pixel);
+Rgb8 display_at(const Frame& frame, const Settings& settings, Vec2i pixel);
+
+}  // namespace ps
