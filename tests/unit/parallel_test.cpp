@@ -73,7 +73,7 @@ TEST(Parallel, DoesNothingForNoWork) {
 
 TEST(Tiles, CoverEachPixelOnce) {
   for (const auto& [width, height, size] : {std::array{1, 1, 32}, {33, 65, 32}, {600, 600, 64}, {7, 100, 1}}) {
-    std::vector<int> hits(static_cast<std::size_t>(width * height));
+    std::vector<int> hits(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (const TileRect& tile : make_tiles(width, height, size)) {
       EXPECT_LE(tile.width(), size);
       EXPECT_LE(tile.height(), size);
