@@ -25,6 +25,7 @@ struct Mesh {
   std::vector<Vec2d> uvs;      ///< v = 0 is the top row of a picture, as in the book
   std::vector<MeshTriangle> triangles;
   std::vector<std::uint32_t> materials;  ///< indices into Scene::materials, one for each material slot
+  std::string source;                    ///< the model file that it was read from; empty if a scene file spells it out
   bool operator==(const Mesh&) const = default;
 };
 

@@ -40,6 +40,8 @@ struct Scene {
   std::vector<std::pair<std::string, std::string>> settings;
   /// The pixel worth a first click at the canvas size, or (-1, -1).
   Vec2i telling_pixel{-1, -1};
+  /// The files that it was read from: the scene itself, then those it includes, models, materials and textures.
+  std::vector<std::string> files;
 };
 
 /// Which features a scene can use at all; options that need an absent feature are greyed, and renderers skip them.

@@ -12,6 +12,7 @@ struct Texture {
   std::string name;
   std::string path;  ///< where it was read from; empty for pictures made by the program
   std::shared_ptr<const Image<Vec3f>> texels;
+  std::string generator{};  ///< how scene/texture_generator.h made it; empty for pictures from files
   bool operator==(const Texture&) const = default;
 };
 

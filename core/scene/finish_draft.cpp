@@ -1,0 +1,79 @@
+#include "scene/finish_draft.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+#include "scene/colour_name.h"
+
+namespace ps {
+namespace {
+
+/// Names that are still free: `wanted` itself, else "wanted 2", "wanted 3", ...
+class FreeNames {
+ public:
+  void take(const std::string& name) { taken_.insert(name); }
+  std::string claim(const std::string& wanted) {
+    if (taken_.insert(wanted).second) return wanted;
+    for (int& number = next_[wanted];; ++number) {
+      std::string name = fmt::format("{} {}", wanted, number + 2);
+      if (taken_.insert(name).second) return name;
+    }
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, int> next_;
+};
+
+/// Unnamed spheres are called "sphere", "sphere 2", ...; unnamed instances after their model.
+void name_objects(Geometry& geometry) {
+  FreeNames names;
+  for (const Object& object : geometry.objects) names.take(object.name);
+  for (Object& object : geometry.objects) {
+    if (!object.name.empty()) continue;
+    const auto* instance = std::get_if<Instance>(&object.shape);
+    object.name = names.claim(instance == nullptr ? "sphere" : geometry.meshes[instance->mesh]->name);
+  }
+}
+
+/// Unnamed materials are called after what wears them, those of a model with their colour.
+void name_materials(const Geometry& geometry, std::vector<Material>& materials) {
+  FreeNames names;
+  for (const Material& material : materials) names.take(material.name);
+  const auto name = [&](std::uint32_t index, const std::string& wanted) {
+    if (materials[index].name.empty()) materials[index].name = names.claim(wanted);
+  };
+  for (const Object& object : geometry.objects) {
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) name(sphere->material, object.name);
+    if (const auto* instance = std::get_if<Instance>(&object.shape); instance != nullptr && instance->material)
+      name(*instance->material, object.name);
+  }
+  for (const auto& mesh : geometry.meshes) {
+    for (const std::uint32_t slot : mesh->materials) {
+      const auto colour = colour_name(materials[slot].colour);
+      name(slot, colour && mesh->materials.size() > 1 ? fmt::format("{} {}", mesh->name, *colour) : mesh->name);
+    }
+  }
+}
+
+}  // namespace
+
+Scene finish_draft(SceneDraft draft) {
+  Scene scene = std::move(draft.scene);
+  if (scene.title.empty()) scene.title = scene.name;
+  if (scene.telling_pixel.x >= scene.canvas_width || scene.telling_pixel.y >= scene.canvas_height)
+    throw InputError({scene.name, draft.single_keys["telling_pixel"], 1},
+                     fmt::format("the pixel ({}, {})", scene.telling_pixel.x, scene.telling_pixel.y),
+                     fmt::format("one inside the canvas of {} x {}", scene.canvas_width, scene.canvas_height));
+  name_objects(draft.geometry);
+  name_materials(draft.geometry, draft.materials);
+  scene.geometry = Part<Geometry>(std::move(draft.geometry));
+  scene.lights = Part<std::vector<Light>>(std::move(draft.lights));
+  scene.materials = Part<std::vector<Material>>(std::move(draft.materials));
+  scene.textures = Part<std::vector<Texture>>(std::move(draft.textures));
+  scene.canvas_items = Part<std::vector<CanvasItem>>(std::move(draft.canvas_items));
+  return scene;
+}
+
+}  // namespace ps

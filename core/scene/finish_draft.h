@@ -1,0 +1,10 @@
+#pragma once
+#include "scene/scene_draft.h"
+
+namespace ps {
+
+/// Gives a name to everything that the file left without one, checks what only the whole file can tell, and seals the
+/// parts. Throws InputError.
+Scene finish_draft(SceneDraft draft);
+
+}  // namespace ps

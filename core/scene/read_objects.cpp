@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+#include "scene/scene_draft.h"
+
+namespace ps {
+namespace {
+
+void add_object(const SceneSource& source, const SceneFields& fields, Object object, SceneDraft& draft) {
+  if (const SceneTerm* name = fields.find("name")) {
+    object.name = source.values.name(*name);
+    const auto [earlier, is_new] = draft.object_lines.try_emplace(object.name, name->line);
+    if (!is_new) source.values.fail(*name, fmt::format("a name other than that in line {}", earlier->second));
+  }
+  draft.geometry.objects.push_back(std::move(object));
+  if (draft.geometry.objects.size() > max_scene_objects)
+    source.values.fail_at(fields.block().line, fields.block().column, fmt::format("'{}'", fields.block().key),
+                          fmt::format("at most {} spheres and instances", max_scene_objects));
+}
+
+Transform read_transform(const SceneSource& source, const SceneFields& instance) {
+  const SceneValues& values = source.values;
+  Transform transform;
+  const SceneTerm* block = instance.find("transform");
+  if (block == nullptr) {
+    if (const auto* term = instance.find("position")) transform.translation = values.vec3(*term);
+    return transform;
+  }
+  instance.forbid({"position"}, "no 'position' beside 'transform', which has a 'translation'");
+  const SceneEntry entry{"transform", *block, block->line, block->column};
+  const SceneFields fields(values, entry, {"scale", "rotation", "translation"});
+  if (const auto* term = fields.find("scale")) transform.scale = values.scale(*term);
+  if (const auto* term = fields.find("rotation")) transform.rotation = values.rotation(*term);
+  if (const auto* term = fields.find("translation")) transform.translation = values.vec3(*term);
+  return transform;
+}
+
+/// The surface keys of an instance change its model's material; a model with several must be given one whole.
+Material base_material(const SceneSource& source, const SceneFields& fields, const Mesh& mesh,
+                       const SceneDraft& draft) {
+  if (mesh.materials.size() == 1) {
+    Material base = draft.materials[mesh.materials.front()];
+    base.name.clear();
+    return base;
+  }
+  if (fields.find("color") == nullptr && fields.find("texture") == nullptr)
+    source.values.fail_at(
+        fields.block().line, fields.block().column, "an instance that changes its surface",
+        fmt::format("'color' or 'texture' too, since '{}' has {} materials", mesh.name, mesh.materials.size()));
+  return {};
+}
+
+}  // namespace
+
+void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
+  const SceneFields fields(source.values, entry, joined_keys({"name", "center", "radius", "material"}, surface_keys()));
+  Sphere sphere;
+  sphere.centre = source.values.vec3(fields.require("center"));
+  sphere.radius = source.values.positive(fields.require("radius"));
+  sphere.material = material_for(source, fields, {}, draft);
+  add_object(source, fields, {{}, sphere}, draft);
+}
+
+void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
+  const SceneFields fields(source.values, entry,
+                           joined_keys({"name", "model", "position", "transform", "material"}, surface_keys()));
+  const SceneTerm& model = fields.require("model");
+  const auto mesh = draft.mesh_index.find(source.values.name(model, "the name of a model"));
+  if (mesh == draft.mesh_index.end()) {
+    std::vector<std::string_view> known;
+    for (const auto& [name, index] : draft.mesh_index) known.push_back(name);
+    source.values.fail(model, known.empty() ? "a model defined before this line"
+                                            : fmt::format("a model defined before this line, such as '{}'",
+                                                          nearest_word(model.text, known)));
+  }
+  Instance instance;
+  instance.mesh = mesh->second;
+  instance.transform = read_transform(source, fields);
+  if (fields.find("material") != nullptr) {
+    instance.material = material_for(source, fields, {}, draft);
+  } else if (has_surface(fields)) {
+    const Mesh& shape = *draft.geometry.meshes[instance.mesh];
+    instance.material = material_for(source, fields, base_material(source, fields, shape, draft), draft);
+  }
+  add_object(source, fields, {{}, instance}, draft);
+}
+
+}  // namespace ps

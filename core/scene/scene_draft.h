@@ -1,0 +1,61 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/scene_fields.h"
+
+namespace ps {
+
+/// A scene while its file is being read.
+struct SceneDraft {
+  Scene scene;  ///< its parts are filled by finish_draft
+  Geometry geometry;
+  std::vector<Light> lights;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<CanvasItem> canvas_items;
+  std::map<std::string, std::uint32_t> mesh_index;      ///< by the model's name
+  std::map<std::string, std::uint32_t> material_index;  ///< named materials only
+  std::map<std::string, int> texture_index;
+  std::map<std::string, int> object_lines;       ///< given names and the line in which each stands
+  std::map<std::string, int> single_keys;        ///< top-level keys that may stand once, and their lines
+  std::vector<std::filesystem::path> including;  ///< the chain of files being read, outermost first
+};
+
+/// Where relative names in the file being read begin.
+struct SceneSource {
+  SceneValues values;
+  std::filesystem::path folder;
+};
+
+/// Each reads one block or assignment into the draft. Throws InputError.
+void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_material(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_light(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_camera(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_settings(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_line(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_canvas_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+
+/// The keys that describe a surface, in every block that has one.
+const std::vector<std::string_view>& surface_keys();
+bool has_surface(const SceneFields& fields);
+/// `base` with the surface keys of a block written over it.
+Material read_surface(const SceneSource& source, const SceneFields& fields, Material base, const SceneDraft& draft);
+/// The index of the material that `material = NAME` names.
+std::uint32_t find_material(const SceneSource& source, const SceneTerm& name, const SceneDraft& draft);
+/// The material of a block: the one it names, or a new one from its surface keys over `base`.
+std::uint32_t material_for(const SceneSource& source, const SceneFields& fields, const Material& base,
+                           SceneDraft& draft);
+
+/// Largest number of spheres and instances, of lights, and of other things in one scene.
+inline constexpr std::size_t max_scene_objects = 100'000;
+inline constexpr std::size_t max_scene_lights = 1'000;
+
+}  // namespace ps

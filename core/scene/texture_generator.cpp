@@ -1,0 +1,112 @@
+#include "scene/texture_generator.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "base/spelling.h"
+
+namespace ps {
+namespace {
+
+using Texel = Vec3f (*)(int x, int y, int size);
+
+Vec3f levels(int r, int g, int b) {
+  const auto level = [](int value) { return static_cast<float>(std::clamp(value, 0, 255)) / 255.0F; };
+  return {level(r), level(g), level(b)};
+}
+
+/// A number from 0 to 255 that depends on all arguments but has no visible pattern.
+int grain(int a, int b, int c) {
+  auto h = static_cast<std::uint32_t>(a) * 374761393U + static_cast<std::uint32_t>(b) * 668265263U +
+           static_cast<std::uint32_t>(c) * 2246822519U;
+  h = (h ^ (h >> 13)) * 1274126177U;
+  return static_cast<int>((h ^ (h >> 16)) & 255U);
+}
+
+Vec3f checker(int x, int y, int size) {
+  const bool white = (x * 8 / size + y * 8 / size) % 2 == 0;
+  return white ? levels(255, 255, 255) : levels(0, 0, 0);
+}
+
+Vec3f tiles(int x, int y, int size) {
+  const bool second = (x * 10 / size + y * 10 / size) % 2 == 1;
+  const int across = x * 600 / size;
+  const int down = y * 600 / size;
+  return second ? levels(40 + across * 200 / 600, 40 + down * 200 / 600, 80)
+                : levels(230, 220 - down / 5, 200 - across / 5);
+}
+
+Vec3f bricks(int x, int y, int size) {
+  const int row = y * 8 / size;
+  const int shifted = x * 64 / size + (row % 2) * 8;
+  const int column = shifted / 16 % 4;
+  const bool mortar = shifted % 16 == 0 || y * 64 / size % 8 == 0;
+  const int rough = grain(x, y, 1) / 12;
+  if (mortar) return levels(170 + rough, 165 + rough, 155 + rough);
+  const int tone = grain(row, column, 2) / 5;
+  return levels(135 + tone + rough, 60 + tone / 2 + rough, 45 + tone / 3 + rough);
+}
+
+/// One plank, lit along its edges; `along` runs with the grain and both coordinates are in 512ths of the picture.
+Vec3f plank(int along, int across, int width, int number) {
+  const int inside = across % width;
+  const int streak = grain(across / 2, along / 48, number) / 9 + grain(across / 5, 0, number) / 7;
+  const int tone = grain(number, 0, 3) / 10;
+  const int edge = inside < 3 || inside >= width - 3 ? -55 : (inside < 6 ? 18 : 0);
+  const int light = streak + tone + edge;
+  return levels(130 + light, 88 + light * 4 / 5, 42 + light / 2);
+}
+
+Vec3f crate(int x, int y, int size) {
+  constexpr int frame = 64;
+  const int u = x * 512 / size;
+  const int v = y * 512 / size;
+  const auto nail = [](int a, int b) {
+    const std::array<int, 2> places{frame / 2, 511 - frame / 2};
+    return std::any_of(places.begin(), places.end(), [&](int p) {
+      return std::any_of(places.begin(), places.end(),
+                         [&](int q) { return (a - p) * (a - p) + (b - q) * (b - q) < 70; });
+    });
+  };
+  if (nail(u, v)) return levels(70, 70, 76);
+  if (v < frame || v >= 512 - frame) return plank(u, v < frame ? v : v - (512 - frame), frame, v < frame ? 11 : 12);
+  if (u < frame || u >= 512 - frame) return plank(v, u < frame ? u : u - (512 - frame), frame, u < frame ? 13 : 14);
+  // The panel behind lies in the shadow of the frame; a brace crosses it.
+  if (std::abs(u - (511 - v)) < frame / 2) return plank(u - v + 1024, u - (511 - v) + frame / 2, frame, 15);
+  const bool shade = u < frame + 10 || v < frame + 10 || std::abs(u - (511 - v)) < frame / 2 + 8;
+  return plank(v, u - frame, 48, (u - frame) / 48) * (shade ? 0.55F : 0.82F);
+}
+
+struct Generator {
+  std::string_view name;
+  Texel texel;
+};
+constexpr std::array<Generator, 4> generators{
+    {{"checker", checker}, {"tiles", tiles}, {"bricks", bricks}, {"crate", crate}}};
+
+}  // namespace
+
+std::vector<std::string_view> texture_generators() {
+  std::vector<std::string_view> names;
+  for (const Generator& generator : generators) names.push_back(generator.name);
+  return names;
+}
+
+Image<Vec3f> generate_texture(std::string_view generator, int size) {
+  PS_ASSERT(size >= 1 && size <= 4096, "texture sizes are checked where they are read");
+  const auto found =
+      std::find_if(generators.begin(), generators.end(), [&](const Generator& g) { return g.name == generator; });
+  if (found == generators.end())
+    throw InputError(fmt::format("unknown texture generator '{}'; did you mean '{}'?", generator,
+                                 nearest_word(generator, texture_generators())));
+  Image<Vec3f> image(size, size);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) image.at(x, y) = found->texel(x, y, size);
+  return image;
+}
+
+}  // namespace ps
