@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "document/document.h"
+
+namespace ps {
+
+/// The commands that reproduce what a document shows, ready to be pasted into a shell. Options are written as what
+/// differs from the scene's own settings.
+
+/// Makes the picture of one side: "pixelscope-cli render cgfs/shadows --size 600x600 --set ... --out picture.png".
+std::string render_command(const Document& document, Side side, const std::string& output = "picture.png");
+/// Tells the story of the picked pixel; of pixel 0,0 when none is picked.
+std::string inspect_command(const Document& document, Side side);
+/// Opens the window as it is now.
+std::string window_command(const Document& document);
+
+/// `text` as one word of a POSIX shell.
+std::string shell_quote(const std::string& text);
+
+}  // namespace ps

@@ -1,0 +1,48 @@
+#include "document/document.h"
+
+#include "options/scene_settings.h"
+
+namespace ps {
+namespace {
+
+bool same_scene(const Scene& x, const Scene& y) {
+  return x.name == y.name && x.camera == y.camera && x.background == y.background && x.canvas_width == y.canvas_width &&
+         x.canvas_height == y.canvas_height && x.geometry.revision() == y.geometry.revision() &&
+         x.lights.revision() == y.lights.revision() && x.materials.revision() == y.materials.revision() &&
+         x.textures.revision() == y.textures.revision() && x.canvas_items.revision() == y.canvas_items.revision();
+}
+
+}  // namespace
+
+bool operator==(const Document& x, const Document& y) {
+  return x.scene_name == y.scene_name && same_scene(x.base, y.base) && x.edits == y.edits && x.view == y.view &&
+         x.a == y.a && x.b == y.b && x.pixel == y.pixel && x.picked == y.picked && x.compare == y.compare &&
+         x.split == y.split && x.difference_gain == y.difference_gain && x.layout == y.layout && x.lesson == y.lesson &&
+         x.step == y.step;
+}
+
+Document open_document(const std::string& scene_name, Scene scene) {
+  Document document;
+  document.scene_name = scene_name;
+  document.a.settings = document.b.settings = settings_for(scene);
+  document.a.settings.renderer = Renderer::ray_tracer;
+  document.b.settings.renderer = Renderer::rasterizer;
+  document.pixel = scene.telling_pixel;
+  document.scene = scene;
+  document.base = std::move(scene);
+  return document;
+}
+
+View view_of(const Document& document) {
+  View view;
+  view.camera = document.view.camera.value_or(document.scene.camera);
+  view.width = document.view.width > 0 ? document.view.width : document.scene.canvas_width;
+  view.height = document.view.height > 0 ? document.view.height : document.scene.canvas_height;
+  return view;
+}
+
+const SideState& side_of(const Document& document, Side side) { return side == Side::a ? document.a : document.b; }
+
+SideState& side_of(Document& document, Side side) { return side == Side::a ? document.a : document.b; }
+
+}  // namespace ps

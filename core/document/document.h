@@ -1,0 +1,91 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "options/settings.h"
+#include "render/channel_picture.h"
+#include "render/view.h"
+#include "scene/scene.h"
+
+namespace ps {
+
+/// One change to the scene as it was loaded: a path and a value as scene/edit.h reads them.
+struct SceneEdit {
+  std::string path;
+  std::string value;
+  bool operator==(const SceneEdit&) const = default;
+};
+
+/// The two pictures that are compared.
+enum class Side { a, b };
+
+/// How the two pictures stand to each other on the screen.
+enum class CompareMode { side_by_side, split, difference, only_a, only_b };
+
+/// What one of the pictures is made with and shows.
+struct SideState {
+  Settings settings;
+  ShownChannel show{};
+  bool operator==(const SideState&) const = default;
+};
+
+/// What is looked at and how closely.
+struct PictureView {
+  std::optional<Camera> camera;  ///< instead of the scene's own
+  int width = 0, height = 0;     ///< pixels; 0 = the scene's canvas size
+  double zoom = 0;               ///< screen pixels for one picture pixel; 0 = the whole picture fits
+  Vec2d middle{0.5, 0.5};  ///< the place of the picture in the middle of its view; (0, 0) top left, (1, 1) its end
+  bool operator==(const PictureView&) const = default;
+};
+
+/// How the window is divided. Sizes are shares of the window, 0..1.
+struct Layout {
+  double left = 0.21, right = 0.27, bottom = 0.26;
+  bool panels = true;  ///< false: only the pictures
+  std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
+  bool operator==(const Layout&) const = default;
+};
+
+/// Everything on the screen as a value. Copies share the scene's parts, so that keeping hundreds of them is cheap: undo
+/// is a stack of Documents, a permalink is the text of one. Transient things (what the mouse is over, a picture in the
+/// making) are not part of it.
+struct Document {
+  std::string scene_name;        ///< built-in name or path, as the user would give it
+  Scene base;                    ///< as loaded
+  Scene scene;                   ///< `base` with the edits
+  std::vector<SceneEdit> edits;  ///< in the order in which they are applied
+  PictureView view;
+  SideState a, b;
+  Vec2i pixel{-1, -1};    ///< the picked pixel, array position; (-1, -1) = none
+  Side picked = Side::a;  ///< whose story is told
+  CompareMode compare = CompareMode::side_by_side;
+  double split = 0.5;          ///< where the divider stands, share of the picture's width
+  double difference_gain = 1;  ///< factor by which differences are shown
+  Layout layout;
+  std::string lesson;  ///< folder name; empty = none
+  int step = 0;        ///< of the lesson, from 0
+};
+
+/// Equal in everything that a user can tell apart. Scenes are compared by their parts' revisions.
+bool operator==(const Document& x, const Document& y);
+
+/// A document that shows `scene` as its file asks: its settings on both sides, rays in A and triangles in B, its
+/// telling pixel picked. Throws InputError for settings that do not exist.
+Document open_document(const std::string& scene_name, Scene scene);
+
+/// Puts a loaded scene under a document that knows only its name, and applies the document's edits. Throws InputError
+/// when an edit does not fit the scene.
+void attach_scene(Document& document, Scene scene);
+
+/// Adds an edit, in place of an earlier one of the same path, and applies it. Throws InputError, and leaves the
+/// document as it was, when it does not fit.
+void edit_scene(Document& document, const SceneEdit& edit);
+
+/// Camera and picture size of the document.
+View view_of(const Document& document);
+
+const SideState& side_of(const Document& document, Side side);
+SideState& side_of(Document& document, Side side);
+
+}  // namespace ps
