@@ -1,11 +1,11 @@
 #include "scene/scene_value.h"
 
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/number_text.h"
 #include "scene/colour_name.h"
 #include "scene/rotation.h"
 
@@ -20,13 +20,8 @@ bool is_words(const SceneTerm& term) { return term.kind == Kind::word || term.ki
 }  // namespace
 
 std::optional<double> parse_finite(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  if (text.empty() || text.front() == '+' || text.find_first_not_of("0123456789.eE+-") != std::string_view::npos)
-    return {};
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  return parse_number(text);
 }
 
 void SceneValues::fail(const SceneTerm& term, const std::string& expected) const {
