@@ -27,15 +27,15 @@ enum class ActionKind {
 /// Something that the user can do. Menus, key bindings, the help sheet, the palette and tests are made from the table
 /// of actions.
 struct Action {
-  std::string name;   ///< stable, in kebab-case: "pixel-left"
-  std::string label;  ///< for people: "Nudge the pixel left"
-  std::string group;  ///< heading in the help sheet: "Pixel"
-  std::string keys;   ///< default chords separated by spaces: "Enter PageDown"; may be empty
+  std::string name;       ///< stable, in kebab-case: "pixel-left"
+  std::string label;      ///< for people: "Nudge the pixel left"
+  std::string group;      ///< heading in the help sheet: "Pixel"
+  std::string keys = {};  ///< default chords separated by spaces: "Enter PageDown"; may be empty
   ActionKind kind = ActionKind::press;
-  std::function<void()> run;           ///< press and repeat
-  std::function<void(bool)> run_hold;  ///< hold
-  std::function<bool()> enabled;       ///< empty = always
-  std::function<bool()> checked;       ///< for toggles in menus; empty = not a toggle
+  std::function<void()> run = {};           ///< press and repeat
+  std::function<void(bool)> run_hold = {};  ///< hold
+  std::function<bool()> enabled = {};       ///< empty = always
+  std::function<bool()> checked = {};       ///< for toggles in menus; empty = not a toggle
 };
 
 class Actions {

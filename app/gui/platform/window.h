@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "image/image.h"
+
 union SDL_Event;
 struct SDL_Window;
 
@@ -29,13 +31,16 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Waits for an event for at most `seconds` (0: only looks) and hands every waiting event to `sink`.
-  void wait_events(double seconds, const std::function<void(const SDL_Event&)>& sink);
+  /// Waits for an event for at most `seconds` (0: only looks; 1e6 and more: for ever) and hands every waiting event to
+  /// `sink`, except wake-ups. Answers whether there was any event or wake-up.
+  bool wait_events(double seconds, const std::function<void(const SDL_Event&)>& sink);
   /// Ends a wait_events() on the main thread. From any thread.
   static void wake();
 
-  void begin_frame();    ///< the ImGui back ends' NewFrame
-  void draw_frame();     ///< draws ImGui's draw data into the back buffer
+  void begin_frame();  ///< the ImGui back ends' NewFrame
+  void draw_frame();   ///< draws ImGui's draw data into the back buffer
+  /// The picture that draw_frame() left and show_frame() has not shown yet.
+  Image<Rgb8> screenshot() const;
   void show_frame();     ///< swaps
   void fonts_changed();  ///< the font atlas was rebuilt
 

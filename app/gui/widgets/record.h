@@ -41,7 +41,8 @@ class ControlRecords {
 };
 ControlRecords& controls();
 
-/// Puts "prefix/" before the names of the controls in its scope; scopes nest.
+/// Puts "prefix/" before the names of the controls in its scope; scopes nest. Full names are the controls' ImGui ids
+/// too.
 class NameScope {
  public:
   explicit NameScope(std::string_view prefix);

@@ -19,9 +19,9 @@ class Actions;
 
 /// What most controls share.
 struct ControlStyle {
-  std::string_view tooltip;   ///< what it does; wrapped
-  std::string_view disabled;  ///< not empty: greyed, and this reason is shown in the tooltip
-  float width = 0;            ///< 0 = as wide as its text (buttons) or the space that is left (others)
+  std::string_view tooltip = {};   ///< what it does; wrapped
+  std::string_view disabled = {};  ///< not empty: greyed, and this reason is shown in the tooltip
+  float width = 0;                 ///< 0 = as wide as its text (buttons) or the space that is left (others)
 };
 
 // --- buttons.cpp ---
@@ -51,7 +51,7 @@ struct NumberRange {
   double minimum = 0, maximum = 1;
   OptionScale scale = OptionScale::linear;
   bool integer = false;
-  std::string_view unit;
+  std::string_view unit = {};
 };
 /// How an edit went this frame. A drag changes the value many times and finishes once: undo takes the last.
 struct Edit {

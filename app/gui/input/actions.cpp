@@ -1,0 +1,156 @@
+#include "gui/input/actions.h"
+
+#include <SDL_scancode.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "base/check.h"
+
+namespace ps::gui {
+namespace {
+
+/// A text field needs the key for itself: all without Ctrl or Alt but the function keys and Esc, and the field's own
+/// editing commands.
+bool left_to_text_field(const Chord& chord) {
+  if (chord.scancode >= SDL_SCANCODE_F1 && chord.scancode <= SDL_SCANCODE_F12) return false;
+  if (!chord.ctrl && !chord.alt) return true;
+  switch (chord.scancode) {
+  case SDL_SCANCODE_A:
+  case SDL_SCANCODE_C:
+  case SDL_SCANCODE_V:
+  case SDL_SCANCODE_X:
+  case SDL_SCANCODE_Y:
+  case SDL_SCANCODE_Z:
+  case SDL_SCANCODE_LEFT:
+  case SDL_SCANCODE_RIGHT:
+  case SDL_SCANCODE_BACKSPACE:
+  case SDL_SCANCODE_DELETE:
+    return true;
+  default:
+    return false;
+  }
+}
+
+std::vector<Chord> parse_chords(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  std::vector<Chord> chords;
+  for (std::string word; words >> word;) chords.push_back(parse_chord(word));
+  return chords;
+}
+
+}  // namespace
+
+void Actions::add(Action action) {
+  PS_ASSERT(!find(action.name), "action names are unique");
+  PS_ASSERT((action.kind == ActionKind::hold) == static_cast<bool>(action.run_hold), "hold actions have run_hold");
+  for (const Chord& chord : parse_chords(action.keys)) {
+    PS_ASSERT(!bound_to(chord), "two actions must not share a key");
+    bindings_.push_back({chord, actions_.size()});
+  }
+  actions_.push_back(std::move(action));
+}
+
+const Action* Actions::find(std::string_view name) const {
+  const auto found = std::find_if(actions_.begin(), actions_.end(), [&](const Action& a) { return a.name == name; });
+  return found == actions_.end() ? nullptr : &*found;
+}
+
+std::vector<Chord> Actions::chords(std::string_view name) const {
+  std::vector<Chord> result;
+  for (const Binding& binding : bindings_)
+    if (actions_[binding.action].name == name) result.push_back(binding.chord);
+  return result;
+}
+
+std::string Actions::key_text(std::string_view name) const {
+  const auto all_chords = chords(name);
+  return all_chords.empty() ? std::string() : chord_text(all_chords.front());
+}
+
+const Action* Actions::bound_to(const Chord& chord) const {
+  for (const Binding& binding : bindings_)
+    if (binding.chord == chord) return &actions_[binding.action];
+  return nullptr;
+}
+
+bool Actions::run(std::string_view name) const {
+  const Action* action = find(name);
+  if (!action || !action->run || !enabled(*action)) return false;
+  action->run();
+  return true;
+}
+
+void Actions::rebind(const std::string& text, const std::string& file) {
+  std::vector<Binding> bindings = bindings_;
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    line.resize(std::min(line.size(), line.find('#')));
+    const auto equals = line.find('=');
+    std::istringstream words(line.substr(0, equals));
+    std::string name, excess;
+    if (!(words >> name)) {
+      if (equals == std::string::npos) continue;
+      throw InputError({file, number, 1}, "no name before '='", "action = keys");
+    }
+    if (equals == std::string::npos || words >> excess)
+      throw InputError({file, number, 1}, "'" + line + "'", "action = keys");
+    const Action* action = find(name);
+    if (!action) throw InputError({file, number, 1}, "'" + name + "'", "the name of an action (see the help sheet)");
+    const auto index = static_cast<std::size_t>(action - actions_.data());
+    std::erase_if(bindings, [&](const Binding& b) { return b.action == index; });
+    try {
+      for (const Chord& chord : parse_chords(std::string_view(line).substr(equals + 1))) {
+        std::erase_if(bindings, [&](const Binding& b) { return b.chord == chord; });  // the file's wish comes first
+        bindings.push_back({chord, index});
+      }
+    } catch (const InputError& error) {
+      throw InputError({file, number, static_cast<int>(equals) + 2}, error.what(), "keys parted by spaces");
+    }
+  }
+  bindings_ = std::move(bindings);
+}
+
+bool Actions::key_down(const Chord& chord, bool repeat, bool typing) {
+  if (typing && left_to_text_field(chord)) return false;
+  const Action* action = bound_to(chord);
+  if (!action || !enabled(*action)) return false;
+  switch (action->kind) {
+  case ActionKind::press:
+    if (!repeat) action->run();
+    break;
+  case ActionKind::repeat:
+    action->run();
+    break;
+  case ActionKind::hold:
+    if (!repeat) {
+      held_.emplace_back(chord.scancode, static_cast<std::size_t>(action - actions_.data()));
+      action->run_hold(true);
+    }
+    break;
+  }
+  return true;
+}
+
+void Actions::key_up(int scancode) {
+  for (std::size_t i = 0; i < held_.size();) {
+    if (held_[i].first != scancode) {
+      ++i;
+      continue;
+    }
+    const std::size_t action = held_[i].second;
+    held_.erase(held_.begin() + static_cast<std::ptrdiff_t>(i));
+    actions_[action].run_hold(false);
+  }
+}
+
+void Actions::release_all() {
+  const auto held = std::exchange(held_, {});
+  for (const auto& [scancode, action] : held) actions_[action].run_hold(false);
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,107 @@
+#include "gui/platform/events.h"
+
+#include <SDL.h>
+
+#include <cstring>
+
+namespace ps::gui {
+namespace {
+
+SDL_Event make(Uint32 type) {
+  SDL_Event event{};
+  event.type = type;
+  event.common.timestamp = SDL_GetTicks();
+  return event;
+}
+
+void push_scancode(unsigned window, int scancode, bool down, Uint16 modifiers) {
+  SDL_Event event = make(down ? SDL_KEYDOWN : SDL_KEYUP);
+  event.key.windowID = window;
+  event.key.state = down ? SDL_PRESSED : SDL_RELEASED;
+  event.key.keysym.scancode = static_cast<SDL_Scancode>(scancode);
+  event.key.keysym.sym = SDL_GetKeyFromScancode(event.key.keysym.scancode);
+  event.key.keysym.mod = modifiers;
+  SDL_PushEvent(&event);
+}
+
+}  // namespace
+
+WindowEvent read_event(const SDL_Event& event) {
+  WindowEvent result;
+  result.close =
+      event.type == SDL_QUIT || (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE);
+  if (event.type == SDL_DROPFILE && event.drop.file) {
+    result.dropped_file = event.drop.file;
+    SDL_free(event.drop.file);
+  }
+  return result;
+}
+
+void push_move(unsigned window, float x, float y) {
+  SDL_Event event = make(SDL_MOUSEMOTION);
+  event.motion.windowID = window;
+  event.motion.x = static_cast<Sint32>(x);
+  event.motion.y = static_cast<Sint32>(y);
+  SDL_PushEvent(&event);
+}
+
+void push_button(unsigned window, MouseButton button, bool down, float x, float y, int clicks) {
+  SDL_Event event = make(down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP);
+  event.button.windowID = window;
+  event.button.button = button == MouseButton::left     ? SDL_BUTTON_LEFT
+                        : button == MouseButton::middle ? SDL_BUTTON_MIDDLE
+                                                        : SDL_BUTTON_RIGHT;
+  event.button.state = down ? SDL_PRESSED : SDL_RELEASED;
+  event.button.clicks = static_cast<Uint8>(clicks);
+  event.button.x = static_cast<Sint32>(x);
+  event.button.y = static_cast<Sint32>(y);
+  SDL_PushEvent(&event);
+}
+
+void push_wheel(unsigned window, float steps) {
+  SDL_Event event = make(SDL_MOUSEWHEEL);
+  event.wheel.windowID = window;
+  event.wheel.y = static_cast<Sint32>(steps);
+  event.wheel.preciseY = steps;
+  SDL_PushEvent(&event);
+}
+
+void push_key(unsigned window, const Chord& chord, bool down) {
+  Uint16 held = 0;
+  const auto modifier = [&](bool wanted, SDL_Scancode scancode, Uint16 bit) {
+    if (!wanted) return;
+    held = static_cast<Uint16>(down ? held | bit : held & ~bit);
+    push_scancode(window, scancode, down, held);
+  };
+  if (!down) {
+    held = static_cast<Uint16>((chord.ctrl ? KMOD_LCTRL : 0) | (chord.shift ? KMOD_LSHIFT : 0) |
+                               (chord.alt ? KMOD_LALT : 0));
+    push_scancode(window, chord.scancode, false, held);
+  }
+  modifier(chord.ctrl, SDL_SCANCODE_LCTRL, KMOD_LCTRL);
+  modifier(chord.shift, SDL_SCANCODE_LSHIFT, KMOD_LSHIFT);
+  modifier(chord.alt, SDL_SCANCODE_LALT, KMOD_LALT);
+  if (down && chord.scancode != 0) push_scancode(window, chord.scancode, true, held);
+}
+
+void push_text(unsigned window, const std::string& utf8) {
+  for (std::size_t at = 0; at < utf8.size();) {
+    std::size_t length = std::min<std::size_t>(SDL_TEXTINPUTEVENT_TEXT_SIZE - 1, utf8.size() - at);
+    while (length > 1 && at + length < utf8.size() && (static_cast<unsigned char>(utf8[at + length]) & 0xC0u) == 0x80u)
+      --length;
+    SDL_Event event = make(SDL_TEXTINPUT);
+    event.text.windowID = window;
+    std::memcpy(event.text.text, utf8.data() + at, length);
+    SDL_PushEvent(&event);
+    at += length;
+  }
+}
+
+void push_drop(unsigned window, const std::string& path) {
+  SDL_Event event = make(SDL_DROPFILE);
+  event.drop.windowID = window;
+  event.drop.file = SDL_strdup(path.c_str());
+  SDL_PushEvent(&event);
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,185 @@
+#include "gui/platform/window.h"
+
+#include <SDL.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <backends/imgui_impl_sdl.h>
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include <atomic>
+#include <cstdlib>
+
+namespace ps::gui {
+namespace {
+
+std::atomic<bool> wake_waiting{false};
+std::atomic<Uint32> wake_event{0};
+
+bool has_display() {
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("SDL_VIDEODRIVER");
+}
+
+[[noreturn]] void fail(const std::string& what) { throw WindowError("The window cannot be opened: " + what); }
+
+/// Tries one kind of context; null if the driver refuses it.
+SDL_Window* open_with(const char* title, WindowSize size, int profile, int major, int minor, void** context) {
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, profile);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, major);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, minor);
+  SDL_Window* window = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width, size.height,
+                                        SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  if (!window) return nullptr;
+  *context = SDL_GL_CreateContext(window);
+  if (*context) return window;
+  SDL_DestroyWindow(window);
+  return nullptr;
+}
+
+}  // namespace
+
+Window::Window(const std::string& title, WindowSize size) {
+  if (!has_display()) fail("there is no display (DISPLAY and WAYLAND_DISPLAY are not set)");
+  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
+  SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+  if (SDL_Init(SDL_INIT_VIDEO) != 0) fail(SDL_GetError());
+  wake_event = SDL_RegisterEvents(1);
+
+  SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
+  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+  SDL_GL_SetAttribute(SDL_GL_STENCIL_SIZE, 0);
+  const char* shader_version = "#version 150";
+  window_ = open_with(title.c_str(), size, SDL_GL_CONTEXT_PROFILE_CORE, 3, 3, &context_);
+  if (!window_) {
+    shader_version = "#version 130";
+    window_ = open_with(title.c_str(), size, 0, 3, 0, &context_);
+  }
+  if (!window_) {
+    const std::string reason = SDL_GetError();
+    SDL_Quit();
+    fail("OpenGL 3.0 or newer is needed (" + reason + ")");
+  }
+  SDL_SetWindowMinimumSize(window_, 640, 480);
+  SDL_GL_MakeCurrent(window_, context_);
+  SDL_GL_SetSwapInterval(1);
+  SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
+
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window drawing
+  ImGui_ImplSDL2_InitForOpenGL(window_, context_);
+  ImGui_ImplOpenGL3_Init(shader_version);
+}
+
+Window::~Window() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplSDL2_Shutdown();
+  ImGui::DestroyContext();
+  SDL_GL_DeleteContext(context_);
+  SDL_DestroyWindow(window_);
+  SDL_Quit();
+}
+
+bool Window::wait_events(double seconds, const std::function<void(const SDL_Event&)>& sink) {
+  bool any = false;
+  SDL_Event event;
+  const int milliseconds = seconds >= 1e6 ? -1 : static_cast<int>(seconds * 1000 + 0.999);
+  int got = milliseconds == 0  ? SDL_PollEvent(&event)
+            : milliseconds < 0 ? SDL_WaitEvent(&event)
+                               : SDL_WaitEventTimeout(&event, milliseconds);
+  while (got) {
+    any = true;
+    if (event.type == wake_event)
+      wake_waiting = false;
+    else
+      sink(event);
+    got = SDL_PollEvent(&event);
+  }
+  return any;
+}
+
+void Window::wake() {
+  if (wake_event == 0 || wake_waiting.exchange(true)) return;
+  SDL_Event event{};
+  event.type = wake_event;
+  if (SDL_PushEvent(&event) <= 0) wake_waiting = false;
+}
+
+void Window::begin_frame() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplSDL2_NewFrame();
+}
+
+void Window::draw_frame() {
+  const WindowSize pixels = drawable_size();
+  glViewport(0, 0, pixels.width, pixels.height);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::show_frame() { SDL_GL_SwapWindow(window_); }
+
+void Window::fonts_changed() {
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+Image<Rgb8> Window::screenshot() const {
+  const WindowSize size_px = drawable_size();
+  Image<Rgb8> picture(size_px.width, size_px.height);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadBuffer(GL_BACK);
+  for (int y = 0; y < size_px.height; ++y)  // OpenGL's first row is the lowest
+    glReadPixels(0, size_px.height - 1 - y, size_px.width, 1, GL_RGB, GL_UNSIGNED_BYTE, picture.row(y).data());
+  return picture;
+}
+
+WindowSize Window::size() const {
+  WindowSize result;
+  SDL_GetWindowSize(window_, &result.width, &result.height);
+  return result;
+}
+
+WindowSize Window::drawable_size() const {
+  WindowSize result;
+  SDL_GL_GetDrawableSize(window_, &result.width, &result.height);
+  return result;
+}
+
+void Window::resize(WindowSize size) { SDL_SetWindowSize(window_, size.width, size.height); }
+
+int Window::display_lines() const {
+  SDL_DisplayMode mode{};
+  const int display = SDL_GetWindowDisplayIndex(window_);
+  return display >= 0 && SDL_GetCurrentDisplayMode(display, &mode) == 0 ? mode.h : 0;
+}
+
+bool Window::minimised() const { return (SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0; }
+
+void Window::set_fullscreen(bool on) {
+  fullscreen_ = on;
+  SDL_SetWindowFullscreen(window_, on ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+}
+
+void Window::set_title(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
+
+std::string Window::clipboard() const {
+  char* text = SDL_GetClipboardText();
+  std::string result = text ? text : "";
+  SDL_free(text);
+  return result;
+}
+
+void Window::set_clipboard(const std::string& text) { SDL_SetClipboardText(text.c_str()); }
+
+unsigned Window::id() const { return SDL_GetWindowID(window_); }
+
+}  // namespace ps::gui

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+namespace ps::gui {
+
+/// What a script expects of a value.
+struct Expectation {
+  std::string relation = "=";  ///< = != ~= < > contains
+  std::string value;
+  double tolerance = 1e-6;  ///< of ~=, relative to the expected value where that is above 1
+};
+
+/// = and != compare numerically where both are numbers ("0.50" is 0.5), else as text. ~= < > need numbers; they are
+/// false for anything else.
+bool fulfils(const std::string& found, const Expectation& expected);
+
+/// "; similar: a, b, c" from the controls of the last frame, or "".
+std::string similar_controls(const std::string& name);
+
+}  // namespace ps::gui

@@ -1,0 +1,289 @@
+#include "gui/script/player.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "gui/script/expectation.h"
+#include "gui/shell/values.h"
+#include "gui/widgets/record.h"
+#include "image/file.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr std::chrono::seconds idle_limit{120};
+/// Frames until ImGui has seen an event and drawn what follows from it.
+constexpr int frames_after_input = 2;
+/// Frames in which a control may be scrolled to or its section may open.
+constexpr int frames_to_reveal = 12;
+
+/// A command failed; ends the script with exit status 1.
+class ScriptFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+std::vector<Command> load(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  if (!std::filesystem::is_regular_file(path) || !(text << file.rdbuf()))
+    throw InputError({path, 0, 0}, "no readable file", "a script");
+  return parse_script(text.str(), path);
+}
+
+}  // namespace
+
+ScriptPlayer::ScriptPlayer(const std::string& path) : commands_(load(path)) {}
+
+void ScriptPlayer::fail(const std::string& message) const {
+  const SourcePlace& place = current_->place;
+  throw ScriptFailure(fmt::format("{}:{}: {}", place.file, place.line, message));
+}
+
+ScriptStep ScriptPlayer::step(Window& window, Content& content, LoopState state) {
+  window_ = &window;
+  content_ = &content;
+  state_ = state;
+  if (frames_needed_ > 0 || state.input_pending) return {.frame = true};
+  try {
+    if (parts_.empty()) {
+      if (next_ == commands_.size()) return {.ended = true};
+      current_ = &commands_[next_++];
+      if (current_->verb == Verb::quit) return {.ended = true};
+      begin(*current_);
+    } else if (parts_.front()() == Turn::done) {
+      parts_.pop_front();
+    }
+  } catch (const ScriptFailure& failure) {
+    std::cerr << failure.what() << std::endl;
+    return {.ended = true, .status = 1};
+  } catch (const InputError& error) {
+    std::cerr << fmt::format("{}:{}: {}", current_->place.file, current_->place.line, error.what()) << std::endl;
+    return {.ended = true, .status = 1};
+  }
+  return {.frame = frames_needed_ > 0};
+}
+
+double ScriptPlayer::patience() const {
+  if (wait_until_ > Clock::now()) return std::chrono::duration<double>(wait_until_ - Clock::now()).count();
+  return waiting_for_idle_ ? 0.004 : 0;
+}
+
+void ScriptPlayer::frame_drawn(const Window& window) {
+  if (frames_needed_ > 0) --frames_needed_;
+  if (screenshot_.empty() || frames_needed_ > 0) return;
+  try {
+    save_image(std::exchange(screenshot_, {}), window.screenshot());
+  } catch (const InputError& error) {
+    part([this, message = std::string(error.what())]() -> Turn { fail(message); });
+  }
+}
+
+void ScriptPlayer::begin(const Command& command) {
+  std::vector<std::string> words;
+  for (const std::string& word : command.words) words.push_back(expand(word));
+  const unsigned id = window_->id();
+  switch (command.verb) {
+  case Verb::wait:
+    return begin_wait(command);
+  case Verb::set:
+  case Verb::set_b:
+    content_->set_option(command.verb == Verb::set ? Side::a : Side::b, words[0]);
+    return after_frames(1);
+  case Verb::click_pixel:
+  case Verb::click:
+    return begin_click(command);
+  case Verb::drag:
+    return begin_drag(command);
+  case Verb::move:
+    if (is_number_pair(words[0])) {
+      const NumberPair point = parse_number_pair(words[0], command.place);
+      return aim_at_point(point.first, point.second);
+    }
+    return aim_at(words[0]);
+  case Verb::wheel:
+    push_wheel(id, static_cast<float>(parse_script_number(words[0], command.place)));
+    return after_frames(frames_after_input);
+  case Verb::type:
+    push_text(id, words[0]);
+    return after_frames(frames_after_input);
+  case Verb::key:
+    push_key(id, parse_chord(words[0]), true);
+    push_key(id, parse_chord(words[0]), false);
+    return after_frames(frames_after_input);
+  case Verb::hold:
+  case Verb::release:
+    push_key(id, parse_chord(words[0]), command.verb == Verb::hold);
+    return after_frames(frames_after_input);
+  case Verb::open:
+    content_->open(words[0]);
+    return after_frames(1);
+  case Verb::drop:
+    push_drop(id, words[0]);
+    return after_frames(frames_after_input);
+  case Verb::screenshot:
+    screenshot_ = words[0];
+    return after_frames(1);
+  case Verb::expect:
+  case Verb::expect_not:
+    return check_expectation(command);
+  case Verb::keep:
+    kept_[command.words[1]] = value_of(command.words[0]);
+    return;
+  case Verb::print:
+    std::cout << value_of(command.words[0]) << std::endl;
+    return;
+  case Verb::resize: {
+    const NumberPair size = parse_number_pair(words[0], command.place, 'x');
+    window_->resize({static_cast<int>(size.first), static_cast<int>(size.second)});
+    return after_frames(4);
+  }
+  case Verb::quit:
+    return;
+  }
+}
+
+void ScriptPlayer::begin_wait(const Command& command) {
+  if (command.words[0] == "idle") return wait_for_idle();
+  if (command.words[0] == "frames")
+    return after_frames(static_cast<int>(parse_script_number(command.words[1], command.place)));
+  wait_until_ = Clock::now() + std::chrono::milliseconds(
+                                   static_cast<std::int64_t>(parse_script_number(command.words[0], command.place)));
+  part([this] { return Clock::now() < wait_until_ ? Turn::again : Turn::done; });
+}
+
+void ScriptPlayer::wait_for_idle() {
+  waiting_for_idle_ = true;
+  part([this, limit = Clock::now() + idle_limit] {
+    if (!state_.idle && Clock::now() > limit) fail(fmt::format("still busy after {} s", idle_limit.count()));
+    waiting_for_idle_ = !state_.idle;
+    return state_.idle ? Turn::done : Turn::again;
+  });
+}
+
+void ScriptPlayer::aim_at_point(double x, double y) {
+  target_ = {static_cast<float>(x), static_cast<float>(y)};
+  push_move(window_->id(), target_.x, target_.y);
+  after_frames(frames_after_input);
+}
+
+void ScriptPlayer::aim_at(const std::string& name) {
+  part([this, name, tries = std::make_shared<int>(0)] {
+    const ControlRecord* control = controls().find(name);
+    if (control && controls().visible(*control)) {
+      controls().stop_revealing();
+      if (!control->enabled) fail(fmt::format("control '{}' cannot be used now", name));
+      aim_at_point((control->min.x + control->max.x) / 2, (control->min.y + control->max.y) / 2);
+      return Turn::done;
+    }
+    if (++*tries > frames_to_reveal) {
+      controls().stop_revealing();
+      fail(control ? fmt::format("control '{}' is not on screen and cannot be scrolled into view", name)
+                   : fmt::format("there is no control '{}'{}", name, similar_controls(name)));
+    }
+    controls().reveal(name);
+    after_frames(2);
+    return Turn::again;
+  });
+}
+
+void ScriptPlayer::press(MouseButton button, int clicks) {
+  for (const bool down : {true, false})
+    part([this, button, clicks, down] {
+      push_button(window_->id(), button, down, target_.x, target_.y, clicks);
+      after_frames(frames_after_input);
+      return Turn::done;
+    });
+}
+
+void ScriptPlayer::begin_click(const Command& command) {
+  if (command.verb == Verb::click_pixel) {
+    const NumberPair pixel = parse_number_pair(command.words[1], command.place);
+    const auto place = content_->pixel_place(command.words[0] == "A" ? Side::a : Side::b,
+                                             {static_cast<int>(pixel.first), static_cast<int>(pixel.second)});
+    if (!place) fail("pixel " + command.words[1] + " of " + command.words[0] + " is not on screen");
+    aim_at_point(place->x, place->y);
+    return press(MouseButton::left, 1);
+  }
+  aim_at(expand(command.words[0]));
+  const std::string kind = command.words.size() > 1 ? command.words[1] : "left";
+  const auto control_key = [this](bool down) {
+    part([this, down] {
+      push_key(window_->id(), {.ctrl = true}, down);
+      after_frames(1);
+      return Turn::done;
+    });
+  };
+  if (kind == "ctrl") control_key(true);
+  press(kind == "right" ? MouseButton::right : kind == "middle" ? MouseButton::middle : MouseButton::left, 1);
+  if (kind == "double") press(MouseButton::left, 2);
+  if (kind == "ctrl") control_key(false);
+}
+
+void ScriptPlayer::begin_drag(const Command& command) {
+  const NumberPair second = parse_number_pair(command.words[1], command.place);
+  const bool absolute = is_number_pair(command.words[0]);
+  if (absolute) {
+    const NumberPair first = parse_number_pair(command.words[0], command.place);
+    aim_at_point(first.first, first.second);
+  } else {
+    aim_at(command.words[0]);
+  }
+  part([this, second, absolute] {
+    const WindowPoint from = target_;
+    const WindowPoint to =
+        absolute ? WindowPoint{static_cast<float>(second.first), static_cast<float>(second.second)}
+                 : WindowPoint{from.x + static_cast<float>(second.first), from.y + static_cast<float>(second.second)};
+    push_button(window_->id(), MouseButton::left, true, from.x, from.y, 1);
+    constexpr int steps = 8;
+    for (int i = 1; i <= steps; ++i)
+      part([this, from, to, i] {
+        const float share = static_cast<float>(i) / steps;
+        aim_at_point(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
+        return Turn::done;
+      });
+    part([this] {
+      push_button(window_->id(), MouseButton::left, false, target_.x, target_.y, 1);
+      after_frames(frames_after_input);
+      return Turn::done;
+    });
+    after_frames(frames_after_input);
+    return Turn::done;
+  });
+}
+
+std::string ScriptPlayer::value_of(const std::string& name) const {
+  if (const auto value = values().find(name)) return *value;
+  fail(fmt::format("there is no value '{}'{}", name, similar_controls(name)));
+}
+
+std::string ScriptPlayer::expand(const std::string& word) const {
+  if (word.size() < 2 || word[0] != '$') return word;
+  const auto found = kept_.find(word.substr(1));
+  if (found == kept_.end()) fail("nothing was kept as '" + word.substr(1) + "'");
+  return found->second;
+}
+
+void ScriptPlayer::check_expectation(const Command& command) {
+  Expectation wanted;
+  const auto& words = command.words;
+  if (words.size() == 2) {
+    wanted.relation = command.verb == Verb::expect_not ? "!=" : "=";
+    wanted.value = expand(words[1]);
+  } else {
+    wanted.relation = words[1];
+    wanted.value = expand(words[2]);
+    if (words.size() > 3) wanted.tolerance = parse_script_number(words[3], command.place);
+  }
+  const std::string found = value_of(words[0]);
+  if (!fulfils(found, wanted))
+    fail(fmt::format("{}: found '{}', expected {} '{}'", words[0], found, wanted.relation, wanted.value));
+}
+
+}  // namespace ps::gui

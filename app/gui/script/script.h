@@ -1,0 +1,52 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/check.h"
+
+namespace ps::gui {
+
+/// The commands of a script. One stands on each line; # starts a comment; a word with spaces is put in double quotes
+/// (inside them \" and \\ stand for themselves and \n for a line break).
+enum class Verb {
+  wait,         ///< wait idle | wait MILLISECONDS | wait frames N
+  set,          ///< set KEY=VALUE, on A
+  set_b,        ///< set-b KEY=VALUE
+  click_pixel,  ///< click-pixel A|B X,Y
+  click,        ///< click CONTROL [left|right|middle|double|ctrl]
+  drag,         ///< drag CONTROL DX,DY | drag X,Y X,Y
+  move,         ///< move CONTROL | move X,Y
+  wheel,        ///< wheel STEPS, where the pointer is; up is positive
+  type,         ///< type TEXT
+  key,          ///< key CHORD
+  hold,         ///< hold CHORD
+  release,      ///< release CHORD
+  open,         ///< open PATH-or-NAME
+  drop,         ///< drop PATH, as if dragged into the window
+  screenshot,   ///< screenshot PATH
+  expect,       ///< expect NAME VALUE | expect NAME OPERATOR VALUE [TOLERANCE]; OPERATOR is = != ~= < > contains
+  expect_not,   ///< expect-not NAME VALUE
+  keep,         ///< keep NAME WORD: later $WORD stands for the value of NAME now
+  print,        ///< print NAME, to standard output
+  resize,       ///< resize WxH
+  quit          ///< quit
+};
+
+struct Command {
+  Verb verb = Verb::quit;
+  std::vector<std::string> words;  ///< after the verb
+  SourcePlace place;
+};
+
+/// Throws InputError naming line and column for anything that is not a command with its arguments.
+std::vector<Command> parse_script(const std::string& text, const std::string& file);
+
+/// "12.5,-3" as two numbers. Throws InputError.
+struct NumberPair {
+  double first = 0, second = 0;
+};
+bool is_number_pair(const std::string& text);
+NumberPair parse_number_pair(const std::string& text, const SourcePlace& place, char separator = ',');
+double parse_script_number(const std::string& text, const SourcePlace& place);
+
+}  // namespace ps::gui

@@ -1,0 +1,116 @@
+#include "gui/shell/help_sheet.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/shell/values.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+std::vector<std::string> groups_of(const Actions& actions) {
+  std::vector<std::string> groups;
+  for (const Action& action : actions.all())
+    if (std::find(groups.begin(), groups.end(), action.group) == groups.end()) groups.push_back(action.group);
+  return groups;
+}
+
+std::string keys_of(const Actions& actions, const Action& action) {
+  std::string text;
+  for (const Chord& chord : actions.chords(action.name)) {
+    if (!text.empty()) text += "  ";
+    text += chord_text(chord);
+  }
+  return text;
+}
+
+void draw_group(const Actions& actions, const std::string& group, float width) {
+  {
+    const FontScope bold(Face::bold);
+    ImGui::TextUnformatted(group.c_str());
+  }
+  for (const Action& action : actions.all()) {
+    if (action.group != group) continue;
+    const std::string keys = keys_of(actions, action);
+    const float x = ImGui::GetCursorPosX();
+    ImGui::TextColored(palette().text_quiet, "%s%s", action.label.c_str(),
+                       action.kind == ActionKind::hold ? " (hold)" : "");
+    const FontScope mono(Face::mono);
+    ImGui::SameLine(x + width - ImGui::CalcTextSize(keys.c_str()).x);
+    ImGui::TextUnformatted(keys.c_str());
+  }
+  ImGui::Dummy({0, px(8)});
+}
+
+}  // namespace
+
+bool HelpSheet::take_key(const Chord& chord) {
+  if (!open_ || chord != parse_chord("Esc")) return false;
+  open_ = false;
+  return true;
+}
+
+void HelpSheet::draw(const Actions& actions) {
+  values().publish("help/open", open_);
+  if (!open_) return;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{std::min(px(1040), display.x - px(40)), std::min(px(700), display.y - px(40))};
+  ImGui::SetNextWindowPos({(display.x - size.x) / 2, (display.y - size.y) / 2});
+  ImGui::SetNextWindowSize(size);
+  ImGui::SetNextWindowFocus();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(18)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
+  ImGui::Begin("##help", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  {
+    const NameScope names("help");
+    const FontScope title(Face::title);
+    ImGui::TextUnformatted("Keys");
+    const FontScope body(Face::body);
+    ImGui::SameLine(size.x - px(24) - px(84));
+    if (button("close", "Close", Emphasis::plain, {.width = px(84)})) open_ = false;
+  }
+  ImGui::Dummy({0, px(4)});
+  ImGui::BeginChild("##sheet");
+  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / px(300)));
+  const float gap = px(36);
+  const float width =
+      (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  // Groups fill the columns from the top, each column about as long as the others.
+  std::size_t lines = 0;
+  const auto groups = groups_of(actions);
+  const std::size_t total = actions.all().size() + 2 * groups.size();
+  const auto per_column = (total + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
+  int column = 0;
+  const ImVec2 start = ImGui::GetCursorPos();
+  ImGui::BeginGroup();
+  for (const std::string& group : groups) {
+    const auto members = static_cast<std::size_t>(std::count_if(
+        actions.all().begin(), actions.all().end(), [&](const Action& action) { return action.group == group; }));
+    if (lines > 0 && lines + (members + 2) / 2 > per_column && column + 1 < columns) {
+      ImGui::EndGroup();
+      ++column;
+      lines = 0;
+      ImGui::SetCursorPos({start.x + static_cast<float>(column) * (width + gap), start.y});
+      ImGui::BeginGroup();
+    }
+    draw_group(actions, group, width);
+    lines += members + 2;
+  }
+  ImGui::EndGroup();
+  ImGui::EndChild();
+  const bool outside =
+      ImGui::IsMouseClicked(0) &&
+      !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByPopup |
+                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  if (outside) open_ = false;
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,86 @@
+#include "gui/shell/palette.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "gui/shell/values.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+}  // namespace
+
+bool palette_matches(const std::string& wanted, const std::string& label) {
+  std::size_t at = 0;
+  for (const char c : label)
+    if (at < wanted.size() &&
+        std::tolower(static_cast<unsigned char>(c)) == std::tolower(static_cast<unsigned char>(wanted[at])))
+      ++at;
+  return at == wanted.size();
+}
+
+void CommandPalette::open() {
+  open_ = just_opened_ = true;
+  text_.clear();
+  selected_ = 0;
+}
+
+void CommandPalette::draw(const Actions& actions) {
+  values().publish("palette/open", open_);
+  if (!open_) return;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float width = std::min(px(520), display.x - px(40));
+  ImGui::SetNextWindowPos({(display.x - width) / 2, std::min(px(90), display.y / 8)});
+  ImGui::SetNextWindowSize({width, 0});
+  if (just_opened_) ImGui::SetNextWindowFocus();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
+  ImGui::Begin("##palette", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  const NameScope names("palette");
+  std::string chosen;
+  ImGui::SetNextItemWidth(-1);
+  if (just_opened_) ImGui::SetKeyboardFocusHere();
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, palette().panel);
+  const bool enter = ImGui::InputTextWithHint("##text", "Type a command", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::PopStyleColor();
+  if (ImGui::IsItemEdited()) selected_ = 0;
+  controls().record("text", text_);
+
+  std::vector<const Action*> found;
+  for (const Action& action : actions.all())
+    if (action.run && palette_matches(text_, action.label)) found.push_back(&action);
+  constexpr std::size_t most = 12;
+  if (found.size() > most) found.resize(most);
+  const int count = static_cast<int>(found.size());
+  if (key_pressed(ImGuiKey_DownArrow)) ++selected_;
+  if (key_pressed(ImGuiKey_UpArrow)) --selected_;
+  selected_ = count > 0 ? (selected_ + count) % count : 0;
+  for (int i = 0; i < count; ++i) {
+    const Action& action = *found[static_cast<std::size_t>(i)];
+    const bool dead = !actions.enabled(action);
+    ImGui::PushStyleColor(ImGuiCol_Text, dead ? palette().text_disabled : palette().text);
+    if (ImGui::Selectable(action.label.c_str(), i == selected_) && !dead) chosen = action.name;
+    ImGui::PopStyleColor();
+    controls().record(action.name, action.label, !dead);
+    const std::string keys = actions.key_text(action.name);
+    const FontScope mono(Face::mono);
+    ImGui::SameLine(width - px(14) - ImGui::CalcTextSize(keys.c_str()).x);
+    ImGui::TextUnformatted(keys.c_str());
+  }
+  if (count == 0) ImGui::TextColored(palette().text_quiet, "No command has these letters in this order.");
+  if (enter && count > 0) chosen = found[static_cast<std::size_t>(selected_)]->name;
+  const bool lost = !just_opened_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  if (lost || enter || !chosen.empty() || key_pressed(ImGuiKey_Escape)) open_ = false;
+  just_opened_ = false;
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  if (!chosen.empty()) actions.run(chosen);
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+
+#include "gui/input/actions.h"
+
+namespace ps::gui {
+
+/// Finds an action by typing a part of its label and runs it.
+class CommandPalette {
+ public:
+  void open();
+  bool is_open() const { return open_; }
+  void draw(const Actions& actions);
+
+ private:
+  bool open_ = false, just_opened_ = false;
+  std::string text_;
+  int selected_ = 0;
+};
+
+/// Whether the letters of `wanted` occur in `label` in this order, whatever their case; words first.
+bool palette_matches(const std::string& wanted, const std::string& label);
+
+}  // namespace ps::gui

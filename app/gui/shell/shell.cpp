@@ -1,0 +1,257 @@
+#include "gui/shell/shell.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <thread>
+
+#include "base/check.h"
+#include "gui/input/actions.h"
+#include "gui/input/tracker.h"
+#include "gui/platform/events.h"
+#include "gui/platform/state_file.h"
+#include "gui/platform/window.h"
+#include "gui/script/player.h"
+#include "gui/shell/help_sheet.h"
+#include "gui/shell/palette.h"
+#include "gui/shell/values.h"
+#include "gui/theme/theme.h"
+#include "gui/widgets/redraw.h"
+
+namespace ps::gui {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double for_ever = 1e9;
+/// Dear ImGui needs a frame to see an event, one to lay out what it opened, and one to settle.
+constexpr int frames_after_event = 3;
+constexpr std::chrono::microseconds frame_time{16'666};
+
+WindowSize remembered_size(const StateFile& state, const ShellOptions& options) {
+  WindowSize size{options.width, options.height};
+  char cross = 0;
+  WindowSize old;
+  std::istringstream text(state.get("window/size"));
+  if (text >> old.width >> cross >> old.height && cross == 'x' && old.width >= 320 && old.height >= 240 &&
+      old.width <= 16384 && old.height <= 16384)
+    size = old;
+  return size;
+}
+
+}  // namespace
+
+struct Shell::Impl {
+  explicit Impl(const ShellOptions& options)
+      : script(options.script.empty() ? nullptr : std::make_unique<ScriptPlayer>(options.script)),
+        state(script && !std::getenv("XDG_STATE_HOME") ? std::filesystem::path() : StateFile::default_path()),
+        window(options.title, script ? WindowSize{options.width, options.height} : remembered_size(state, options)) {}
+
+  std::unique_ptr<ScriptPlayer> script;  // read first: a bad script must not open a window
+  StateFile state;
+  Window window;
+  InputTracker input;
+  Actions actions;
+  HelpSheet help;
+  CommandPalette palette;
+  Content* content = nullptr;
+  bool ended = false;
+  int status = 0;
+  int frames_due = frames_after_event;
+  std::uint64_t frames = 0;
+  Clock::time_point due = Clock::time_point::max();  // of wake_after
+  Clock::time_point last_frame;
+
+  void add_actions(Shell& shell);
+  void load_bindings();
+  void take_event(const SDL_Event& event);
+  double patience() const;
+  void draw_frame();
+  void dispatch_keys();
+};
+
+Shell::Shell(const ShellOptions& options) : impl_(std::make_unique<Impl>(options)) {
+  double scale = options.scale.value_or(0);
+  if (scale <= 0) scale = std::atof(remembered("window/scale").c_str());
+  if (scale <= 0) scale = !options.script.empty() ? 1 : impl_->window.display_lines() > 2000 ? 2 : 1;
+  theme().set_scale(scale);
+  theme().set_brightness(remembered("window/theme") == "dark" ? Brightness::dark : Brightness::light);
+  impl_->add_actions(*this);
+}
+
+Shell::~Shell() = default;
+
+void Shell::Impl::add_actions(Shell& shell) {
+  const auto zoom = [&shell](double factor) {
+    theme().set_scale(factor > 0 ? theme().scale() * factor : 1);
+    shell.remember("window/scale", std::to_string(theme().scale()));
+    shell.wake();
+  };
+  actions.add({.name = "help", .label = "Keys and commands", .group = "Window", .keys = "? F1", .run = [this] {
+                 help.toggle();
+               }});
+  actions.add({.name = "palette", .label = "Find a command", .group = "Window", .keys = "Ctrl+K", .run = [this] {
+                 palette.open();
+               }});
+  actions.add({.name = "larger-type",
+               .label = "Larger type",
+               .group = "Window",
+               .keys = "Ctrl++ Ctrl+= Ctrl+KeypadPlus",
+               .run = [zoom] { zoom(1.125); }});
+  actions.add({.name = "smaller-type",
+               .label = "Smaller type",
+               .group = "Window",
+               .keys = "Ctrl+- Ctrl+KeypadMinus",
+               .run = [zoom] { zoom(1 / 1.125); }});
+  actions.add(
+      {.name = "standard-type", .label = "Standard type size", .group = "Window", .keys = "Ctrl+0", .run = [zoom] {
+         zoom(0);
+       }});
+  actions.add({.name = "dark-theme",
+               .label = "Dark theme",
+               .group = "Window",
+               .run =
+                   [&shell] {
+                     const bool dark = theme().brightness() == Brightness::dark;
+                     theme().set_brightness(dark ? Brightness::light : Brightness::dark);
+                     shell.remember("window/theme", dark ? "light" : "dark");
+                     shell.wake();
+                   },
+               .checked = [] { return theme().brightness() == Brightness::dark; }});
+  actions.add({.name = "fullscreen",
+               .label = "Full screen",
+               .group = "Window",
+               .keys = "F11",
+               .run = [&shell] { shell.set_fullscreen(!shell.fullscreen()); },
+               .checked = [&shell] { return shell.fullscreen(); }});
+  actions.add({.name = "quit", .label = "Quit", .group = "Window", .keys = "Ctrl+Q", .run = [this] {
+                 if (content->may_close()) ended = true;
+               }});
+}
+
+void Shell::Impl::load_bindings() {
+  const auto path = config_file("keys.conf");
+  std::ifstream file(path);
+  if (path.empty() || !file || script) return;
+  std::stringstream text;
+  text << file.rdbuf();
+  try {
+    actions.rebind(text.str(), path.string());
+  } catch (const InputError& error) {
+    std::cerr << "pixelscope: " << error.what() << '\n';
+  }
+}
+
+void Shell::Impl::take_event(const SDL_Event& event) {
+  input.take(event);
+  const WindowEvent other = read_event(event);
+  if (!other.dropped_file.empty()) content->open(other.dropped_file);
+  if (other.close && content->may_close()) ended = true;
+}
+
+double Shell::Impl::patience() const {
+  if (frames_due > 0 || input.pending() || content->animating()) return 0;
+  const auto now = Clock::now();
+  double seconds = due == Clock::time_point::max() ? for_ever : std::chrono::duration<double>(due - now).count();
+  if (script) seconds = std::min(seconds, script->patience());
+  return std::max(seconds, 0.0);
+}
+
+void Shell::Impl::dispatch_keys() {
+  if (input.lost_focus()) actions.release_all();
+  const bool typing = ImGui::GetIO().WantTextInput;
+  for (const KeyChange& key : input.keys()) {
+    if (!key.down)
+      actions.key_up(key.chord.scancode);
+    else if (!help.take_key(key.chord) && !palette.is_open())
+      actions.key_down(key.chord, key.repeat, typing);
+  }
+}
+
+void Shell::Impl::draw_frame() {
+  if (theme().prepare()) window.fonts_changed();
+  window.begin_frame();
+  input.apply(ImGui::GetIO());
+  ImGui::NewFrame();
+  dispatch_keys();
+  content->draw();
+  help.draw(actions);
+  palette.draw(actions);
+  ImGui::Render();
+  window.draw_frame();
+  if (script) script->frame_drawn(window);
+  window.show_frame();
+  values().publish("window/frames", ++frames);
+  if (const double wish = take_redraw_wish(); wish >= 0) {
+    const auto delay = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wish));
+    due = std::min(due, Clock::now() + delay);
+  }
+}
+
+int Shell::run(Content& content) {
+  Impl& my = *impl_;
+  my.content = &content;
+  my.load_bindings();
+  while (!my.ended) {
+    double seconds = my.patience();
+    if (seconds == 0 && !my.script) {  // without vertical sync, frames would follow one another as fast as they can
+      const auto rest = my.last_frame + frame_time - Clock::now();
+      if (rest > Clock::duration::zero()) std::this_thread::sleep_for(rest);
+    }
+    if (my.window.wait_events(seconds, [&](const SDL_Event& event) { my.take_event(event); }))
+      my.frames_due = frames_after_event;
+    if (my.due <= Clock::now()) {
+      my.due = Clock::time_point::max();
+      my.frames_due = std::max(my.frames_due, 1);
+    }
+    if (my.script) {
+      const bool idle = my.frames_due == 0 && !my.input.pending() && !content.busy() && !content.animating();
+      const ScriptStep step = my.script->step(my.window, content, {.input_pending = my.input.pending(), .idle = idle});
+      if (step.frame) my.frames_due = std::max(my.frames_due, 1);
+      if (step.ended) {
+        my.status = step.status;
+        break;
+      }
+    }
+    if (my.frames_due == 0 && !my.input.pending() && !content.animating()) continue;
+    if (my.window.minimised() && !my.script) {
+      my.frames_due = 0;
+      continue;
+    }
+    my.last_frame = Clock::now();
+    my.frames_due = std::max(0, my.frames_due - 1);
+    my.draw_frame();
+  }
+  if (!my.script && !my.window.fullscreen()) {
+    const WindowSize size = my.window.size();
+    remember("window/size", std::to_string(size.width) + "x" + std::to_string(size.height));
+  }
+  my.state.save();
+  return my.status;
+}
+
+void Shell::wake() { Window::wake(); }
+
+void Shell::wake_after(double seconds) {
+  const auto then = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  impl_->due = std::min(impl_->due, then);
+}
+
+void Shell::quit(int status) {
+  impl_->ended = true;
+  impl_->status = status;
+}
+
+Actions& Shell::actions() { return impl_->actions; }
+void Shell::set_fullscreen(bool on) { impl_->window.set_fullscreen(on); }
+bool Shell::fullscreen() const { return impl_->window.fullscreen(); }
+void Shell::set_title(const std::string& title) { impl_->window.set_title(title); }
+std::string Shell::clipboard() const { return impl_->window.clipboard(); }
+void Shell::set_clipboard(const std::string& text) { impl_->window.set_clipboard(text); }
+std::string Shell::remembered(const std::string& key) const { return impl_->state.get(key); }
+void Shell::remember(const std::string& key, std::string value) { impl_->state.set(key, std::move(value)); }
+
+}  // namespace ps::gui

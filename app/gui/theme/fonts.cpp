@@ -1,0 +1,102 @@
+#include <imgui_freetype.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "base/paths.h"
+#include "gui/theme/theme.h"
+
+namespace ps::gui {
+namespace {
+
+/// Signs that words, formulas and tables use: Latin, Greek, punctuation, super- and subscripts, letter-like signs,
+/// arrows, mathematics, boxes and shapes.
+constexpr std::array<ImWchar, 33> wide_ranges{0x0020, 0x007E, 0x00A0, 0x017F, 0x0300, 0x0308, 0x0370, 0x03FF, 0x2010,
+                                              0x2027, 0x2030, 0x203A, 0x2070, 0x209C, 0x20AC, 0x20AC, 0x2113, 0x2122,
+                                              0x2150, 0x215E, 0x2190, 0x21FF, 0x2200, 0x226F, 0x2295, 0x22C5, 0x2300,
+                                              0x2311, 0x2500, 0x25FF, 0x2605, 0x2718, 0};
+/// For sizes that only headings use.
+constexpr std::array<ImWchar, 11> narrow_ranges{0x0020, 0x007E, 0x00A0, 0x00FF, 0x0370, 0x03FF,
+                                                0x2010, 0x2027, 0x2190, 0x2193, 0};
+
+struct FaceFile {
+  const char* file;
+  double size;  ///< pixels at scale 1
+  const ImWchar* ranges;
+  const char* fallback;  ///< supplies the glyphs that the first file lacks
+};
+
+FaceFile face_file(Face face) {
+  constexpr const char* regular = "Inter-Regular.otf";
+  constexpr const char* semi_bold = "Inter-SemiBold.otf";
+  constexpr const char* mono = "JetBrainsMono-Regular.ttf";
+  switch (face) {
+  case Face::body:
+    return {regular, 17, wide_ranges.data(), mono};
+  case Face::bold:
+    return {semi_bold, 17, wide_ranges.data(), mono};
+  case Face::italic:
+    return {"Inter-Italic.otf", 17, wide_ranges.data(), mono};
+  case Face::heading:
+    return {semi_bold, 20, wide_ranges.data(), mono};
+  case Face::title:
+    return {semi_bold, 26, narrow_ranges.data(), nullptr};
+  case Face::small:
+    return {regular, 14.5, wide_ranges.data(), mono};
+  case Face::mono:
+    return {mono, 15.5, wide_ranges.data(), regular};
+  case Face::mono_bold:
+    return {"JetBrainsMono-Bold.ttf", 15.5, narrow_ranges.data(), mono};
+  }
+  return {};
+}
+
+ImFont* load(const std::string& path, float size, const ImWchar* ranges, bool merge) {
+  if (!std::filesystem::exists(path)) return nullptr;
+  ImFontConfig config;
+  config.MergeMode = merge;
+  config.GlyphRanges = ranges;
+  return ImGui::GetIO().Fonts->AddFontFromFileTTF(path.c_str(), size, &config, ranges);
+}
+
+}  // namespace
+
+void Theme::load_fonts() {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+  atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
+  atlas.TexDesiredWidth = scale_ > 1.5 ? 4096 : 2048;
+  const auto folder = font_dir();
+  for (int i = 0; i < IM_ARRAYSIZE(fonts_); ++i) {
+    const FaceFile face = face_file(static_cast<Face>(i));
+    const auto size = static_cast<float>(std::round(face.size * scale_));
+    fonts_[i] = load((folder / face.file).string(), size, face.ranges, false);
+    if (!fonts_[i]) {
+      ImFontConfig config;
+      config.SizePixels = std::round(size * 0.8f);
+      fonts_[i] = atlas.AddFontDefault(&config);
+    }
+    if (face.fallback) load((folder / face.fallback).string(), size, face.ranges, true);
+  }
+  atlas.Build();
+  ImGui::GetIO().FontDefault = fonts_[0];
+}
+
+bool Theme::has_glyphs(Face face, const char* utf8) const {
+  const ImFont* used = font(face);
+  // ImGui's own decoder is internal; UTF-8 of the basic plane is short.
+  for (const auto* p = reinterpret_cast<const unsigned char*>(utf8); *p;) {
+    unsigned code = *p++;
+    int more = code >= 0xF0 ? 3 : code >= 0xE0 ? 2 : code >= 0xC0 ? 1 : 0;
+    if (more > 0) code &= 0x3Fu >> more;
+    for (; more > 0 && (*p & 0xC0u) == 0x80u; --more) code = (code << 6) | (*p++ & 0x3Fu);
+    if (code < 0x20) continue;
+    if (code > 0xFFFF || !used->FindGlyphNoFallback(static_cast<ImWchar>(code))) return false;
+  }
+  return true;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,111 @@
+#include "gui/theme/theme.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace ps::gui {
+namespace {
+
+void apply_colours(const Palette& p) {
+  ImVec4* c = ImGui::GetStyle().Colors;
+  const ImVec4 clear{0, 0, 0, 0};
+  c[ImGuiCol_Text] = p.text;
+  c[ImGuiCol_TextDisabled] = p.text_disabled;
+  c[ImGuiCol_WindowBg] = p.panel;
+  c[ImGuiCol_ChildBg] = clear;
+  c[ImGuiCol_PopupBg] = p.field;
+  c[ImGuiCol_Border] = p.line_strong;
+  c[ImGuiCol_BorderShadow] = clear;
+  c[ImGuiCol_FrameBg] = p.field;
+  c[ImGuiCol_FrameBgHovered] = p.field_hover;
+  c[ImGuiCol_FrameBgActive] = p.field_active;
+  c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = c[ImGuiCol_TitleBgCollapsed] = p.panel;
+  c[ImGuiCol_MenuBarBg] = p.window;
+  c[ImGuiCol_ScrollbarBg] = clear;
+  c[ImGuiCol_ScrollbarGrab] = p.line;
+  c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = p.line_strong;
+  c[ImGuiCol_CheckMark] = p.text;
+  c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = p.line_strong;
+  c[ImGuiCol_Button] = p.field;
+  c[ImGuiCol_ButtonHovered] = p.field_hover;
+  c[ImGuiCol_ButtonActive] = p.field_active;
+  c[ImGuiCol_Header] = p.selection;
+  c[ImGuiCol_HeaderHovered] = p.field_hover;
+  c[ImGuiCol_HeaderActive] = p.field_active;
+  c[ImGuiCol_Separator] = p.line;
+  c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = p.line_strong;
+  c[ImGuiCol_ResizeGrip] = c[ImGuiCol_ResizeGripHovered] = c[ImGuiCol_ResizeGripActive] = clear;
+  c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = clear;
+  c[ImGuiCol_TabHovered] = p.field_hover;
+  c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = p.selection;
+  c[ImGuiCol_PlotLines] = c[ImGuiCol_PlotHistogram] = p.text_quiet;
+  c[ImGuiCol_PlotLinesHovered] = c[ImGuiCol_PlotHistogramHovered] = p.text;
+  c[ImGuiCol_TableHeaderBg] = p.panel;
+  c[ImGuiCol_TableBorderStrong] = p.line_strong;
+  c[ImGuiCol_TableBorderLight] = p.line;
+  c[ImGuiCol_TableRowBg] = c[ImGuiCol_TableRowBgAlt] = clear;
+  c[ImGuiCol_TextSelectedBg] = {p.a.x, p.a.y, p.a.z, 0.3f};
+  c[ImGuiCol_DragDropTarget] = p.attention;
+  c[ImGuiCol_NavHighlight] = p.a;
+  c[ImGuiCol_NavWindowingHighlight] = p.a;
+  c[ImGuiCol_NavWindowingDimBg] = c[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.35f};
+}
+
+void apply_sizes(double scale) {
+  ImGuiStyle style;
+  style.WindowPadding = {12, 10};
+  style.FramePadding = {8, 4};
+  style.ItemSpacing = {8, 6};
+  style.ItemInnerSpacing = {6, 4};
+  style.CellPadding = {6, 3};
+  style.IndentSpacing = 18;
+  style.ScrollbarSize = 11;
+  style.GrabMinSize = 10;
+  style.WindowRounding = 0;
+  style.ChildRounding = 0;
+  style.FrameRounding = 4;
+  style.PopupRounding = 5;
+  style.ScrollbarRounding = 6;
+  style.GrabRounding = 4;
+  style.WindowBorderSize = 0;
+  style.ChildBorderSize = 0;
+  style.PopupBorderSize = 1;
+  style.FrameBorderSize = 0;
+  style.DisabledAlpha = 1;  // greyed text has a colour of its own, so that it stays legible
+  style.ScaleAllSizes(static_cast<float>(scale));
+  std::copy(std::begin(ImGui::GetStyle().Colors), std::end(ImGui::GetStyle().Colors), std::begin(style.Colors));
+  ImGui::GetStyle() = style;
+}
+
+}  // namespace
+
+Theme& theme() {
+  static Theme the_theme;
+  return the_theme;
+}
+
+void Theme::set_brightness(Brightness brightness) {
+  colours_stale_ = colours_stale_ || brightness != brightness_;
+  brightness_ = brightness;
+}
+
+void Theme::set_scale(double scale) {
+  scale = std::clamp(scale, min_scale, max_scale);
+  fonts_stale_ = fonts_stale_ || scale != scale_;
+  scale_ = scale;
+}
+
+bool Theme::prepare() {
+  if (colours_stale_) {
+    palette_ = make_palette(brightness_);
+    apply_colours(palette_);
+    colours_stale_ = false;
+  }
+  if (!fonts_stale_) return false;
+  apply_sizes(scale_);
+  load_fonts();
+  fonts_stale_ = false;
+  return true;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <cmath>
+
+#include "gui/widgets/draw.h"
+
+namespace ps::gui {
+namespace {
+
+std::string part_name(std::string_view name, std::string_view key) {
+  return std::string(name) + "/" + std::string(key);
+}
+
+float segment_width(const Choice& choice) { return text_width(choice.label) + 2 * ImGui::GetStyle().FramePadding.x; }
+
+bool segments(std::string_view name, std::span<const Choice> choices, int& index, float width,
+              const ControlStyle& style) {
+  const Palette& p = palette();
+  float total = 0;
+  for (const Choice& choice : choices) total += segment_width(choice);
+  const float stretch = std::max(0.0f, width - total) / static_cast<float>(choices.size());
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const ImVec2 end{start.x + width, start.y + ImGui::GetFrameHeight()};
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  draw.AddRectFilled(start, end, colour_u32(style.disabled.empty() ? p.field : p.panel), rounding);
+  bool changed = false;
+  ImGui::BeginGroup();
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, 0);
+    const std::string part = part_name(name, choices[i].key);
+    const bool chosen = static_cast<std::size_t>(index) == i;
+    if (hit_area(part, {segment_width(choices[i]) + stretch, ImGui::GetFrameHeight()}, style) && !chosen) {
+      index = static_cast<int>(i);
+      changed = true;
+    }
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const ImVec4 idle = chosen ? p.selection : ImVec4{0, 0, 0, 0};
+    draw.AddRectFilled(min, max, colour_u32(style.disabled.empty() ? state_colour(idle, style) : idle), rounding);
+    if (i > 0 && !chosen && static_cast<std::size_t>(index) + 1 != i)
+      draw.AddLine({min.x, min.y + px(6)}, {min.x, max.y - px(6)}, colour_u32(p.line));
+    draw_text(min, max, choices[i].label, text_colour(style), 0.5f);
+    if (chosen)
+      draw.AddRectFilled({min.x + px(8), max.y - px(3)}, {max.x - px(8), max.y - px(1)},
+                         colour_u32(text_colour(style)));
+    controls().record(part, chosen ? "on" : "off", style.disabled.empty());
+    const ControlStyle own{.tooltip = style.tooltip.empty() ? choices[i].help : style.tooltip,
+                           .disabled = style.disabled};
+    style_tooltip(own);
+  }
+  ImGui::EndGroup();
+  outline(start, end, p.line);
+  return changed;
+}
+
+}  // namespace
+
+bool drop_down(std::string_view name, std::span<const Choice> choices, int& index, float width,
+               const ControlStyle& style) {
+  const Palette& p = palette();
+  const std::string popup = full_name(part_name(name, "##list"));
+  if (hit_area(name, {width, ImGui::GetFrameHeight()}, style)) ImGui::OpenPopup(popup.c_str());
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, colour_u32(state_colour(p.field, style)), ImGui::GetStyle().FrameRounding);
+  outline(min, max, p.line);
+  const float arrow = px(18);
+  const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(choices.size()) - 1));
+  draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, choices[chosen].label, text_colour(style), 0);
+  const float x = max.x - arrow / 2 - px(2), y = (min.y + max.y) / 2;
+  const ImU32 ink = colour_u32(style.disabled.empty() ? p.text_quiet : p.text_disabled);
+  draw.AddLine({x - px(4), y - px(2)}, {x, y + px(2)}, ink, px(1.5));
+  draw.AddLine({x, y + px(2)}, {x + px(4), y - px(2)}, ink, px(1.5));
+  controls().record(name, std::string(choices[chosen].key), style.disabled.empty());
+  style_tooltip(style);
+
+  bool changed = false;
+  ImGui::SetNextWindowPos({min.x, max.y + px(2)});
+  ImGui::SetNextWindowSizeConstraints({max.x - min.x, 0}, {px(700), px(700)});
+  if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return false;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const std::string label(choices[i].label);
+    if (ImGui::Selectable(label.c_str(), i == chosen) && i != chosen) {
+      index = static_cast<int>(i);
+      changed = true;
+    }
+    controls().record(part_name(name, choices[i].key), i == chosen ? "on" : "off");
+    if (!choices[i].help.empty()) tooltip(choices[i].help);
+  }
+  ImGui::EndPopup();
+  return changed;
+}
+
+bool choice(std::string_view name, std::span<const Choice> choices, int& index, const ControlStyle& style) {
+  if (choices.empty()) return false;
+  const float width = full_width(style);
+  float wanted = 0;
+  for (const Choice& one : choices) wanted += segment_width(one);
+  const bool fits = wanted <= width && choices.size() <= 5;
+  bool changed = false;
+  if (fits) {
+    changed =
+        segments(name, choices, index, style.width > 0 ? width : std::min(width, std::max(wanted, px(150))), style);
+    const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(choices.size()) - 1));
+    controls().record(name, std::string(choices[chosen].key), style.disabled.empty());
+  } else {
+    changed = drop_down(name, choices, index, width, style);
+  }
+  return changed;
+}
+
+bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) {
+  const Palette& p = palette();
+  bool changed = false;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x;
+  float wanted = 0;
+  for (const Choice& tab : tabs) wanted += text_width(tab.label) + px(22);
+  const float squeeze = std::min(1.0f, room / std::max(1.0f, wanted));
+  const float height = ImGui::GetFrameHeight() + px(4);
+  ImGui::BeginGroup();
+  for (std::size_t i = 0; i < tabs.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, 0);
+    const std::string part = part_name(name, tabs[i].key);
+    const bool open = static_cast<std::size_t>(index) == i;
+    const bool wanted_by_script =
+        controls().revealing().starts_with(full_name(part) + "/") && !controls().revealing().empty();
+    const bool clicked = hit_area(part, {std::floor((text_width(tabs[i].label) + px(22)) * squeeze), height}, {});
+    if ((clicked || wanted_by_script) && !open) {
+      index = static_cast<int>(i);
+      changed = true;
+    }
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    if (ImGui::IsItemHovered() && !open)
+      draw.AddRectFilled(min, {max.x, max.y - px(2)}, colour_u32(p.field_hover), ImGui::GetStyle().FrameRounding);
+    draw_text({min.x + px(3), min.y}, {max.x - px(3), max.y}, tabs[i].label, open ? p.text : p.text_quiet, 0.5f);
+    if (open) draw.AddRectFilled({min.x + px(8), max.y - px(3)}, {max.x - px(8), max.y}, colour_u32(p.text));
+    controls().record(part, open ? "on" : "off");
+    if (!tabs[i].help.empty()) tooltip(tabs[i].help);
+  }
+  ImGui::EndGroup();
+  const float bottom = ImGui::GetItemRectMax().y - 0.5f;
+  draw.AddLine({start.x, bottom}, {start.x + room, bottom}, colour_u32(p.line));
+  const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(tabs.size()) - 1));
+  controls().record(name, std::string(tabs[chosen].key));
+  return changed;
+}
+
+}  // namespace ps::gui

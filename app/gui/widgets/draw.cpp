@@ -1,0 +1,58 @@
+#include "gui/widgets/draw.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+namespace ps::gui {
+
+void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colour, float align) {
+  if (text.empty()) return;
+  const char* begin = text.data();
+  const char* end = begin + text.size();
+  const ImVec2 size = ImGui::CalcTextSize(begin, end);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  const float room = max.x - min.x;
+  const float y = std::floor((min.y + max.y - size.y) / 2);
+  const float x = std::floor(min.x + std::max(0.0f, room - size.x) * align);
+  if (size.x > room + 1)
+    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {x, y}, {max.x, max.y}, max.x, max.x, begin, end, &size);
+  else
+    ImGui::GetWindowDrawList()->AddText({x, y}, colour_u32(colour), begin, end);
+  ImGui::PopStyleColor();
+}
+
+bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style) {
+  const DisabledScope disabled(!style.disabled.empty());
+  ImGui::PushID(full_name(name).c_str());
+  const bool clicked = ImGui::InvisibleButton("##hit", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+  ImGui::PopID();
+  return clicked;
+}
+
+void style_tooltip(const ControlStyle& style) {
+  if (style.tooltip.empty() && style.disabled.empty()) return;
+  if (!begin_tooltip()) return;
+  if (!style.tooltip.empty()) ImGui::TextUnformatted(style.tooltip.data(), style.tooltip.data() + style.tooltip.size());
+  if (!style.disabled.empty())
+    ImGui::TextColored(palette().text_quiet, "Not now: %.*s", static_cast<int>(style.disabled.size()),
+                       style.disabled.data());
+  end_tooltip();
+}
+
+ImVec4 state_colour(const ImVec4& idle, const ControlStyle& style) {
+  if (!style.disabled.empty()) return palette().panel;
+  if (ImGui::IsItemActive()) return palette().field_active;
+  return ImGui::IsItemHovered() ? palette().field_hover : idle;
+}
+
+void outline(ImVec2 min, ImVec2 max, const ImVec4& colour) {
+  ImGui::GetWindowDrawList()->AddRect({min.x + 0.5f, min.y + 0.5f}, {max.x - 0.5f, max.y - 0.5f}, colour_u32(colour),
+                                      ImGui::GetStyle().FrameRounding, 0, std::max(1.0f, std::floor(px(1))));
+}
+
+float full_width(const ControlStyle& style) {
+  return std::floor(style.width > 0 ? style.width : std::max(px(40), ImGui::GetContentRegionAvail().x));
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,31 @@
+#pragma once
+#include <imgui.h>
+
+#include <string_view>
+
+#include "gui/widgets/widgets.h"
+
+/// Shared by the files of this folder.
+namespace ps::gui {
+
+inline float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+/// Text in a rectangle, vertically centred; `align` 0 left, 0.5 middle, 1 right; cut with an ellipsis if too long.
+void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colour, float align);
+/// An invisible button with the id `name`, focusable and dead when `disabled` is not empty.
+bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style);
+/// The style's tooltip with the reason for being greyed, for the last item.
+void style_tooltip(const ControlStyle& style);
+/// Background of a field or button by the state of the last item.
+ImVec4 state_colour(const ImVec4& idle, const ControlStyle& style);
+/// Outline of a field; stronger while hovered.
+void outline(ImVec2 min, ImVec2 max, const ImVec4& colour);
+/// The width that a control takes: its own, or the space that is left.
+float full_width(const ControlStyle& style);
+inline const ImVec4& text_colour(const ControlStyle& style) {
+  return style.disabled.empty() ? palette().text : palette().text_disabled;
+}
+/// A list that drops down from a field of this width and shows `shown`. Answers whether `index` changed.
+bool drop_down(std::string_view name, std::span<const Choice> choices, int& index, float width,
+               const ControlStyle& style);
+
+}  // namespace ps::gui

@@ -1,0 +1,150 @@
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/widgets/draw.h"
+#include "gui/widgets/redraw.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double tooltip_delay = 0.45;  // seconds at rest
+
+/// What the pointer rests on, by the rectangle of the item: items without an id have tooltips too.
+struct Rest {
+  ImVec2 min{-1, -1}, max{-1, -1};
+  double since = 0;
+  int frame = -2;
+};
+Rest rest;
+
+bool rested_on_last_item() {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return false;
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const double now = ImGui::GetTime();
+  const bool same = rest.min.x == min.x && rest.min.y == min.y && rest.max.x == max.x && rest.max.y == max.y;
+  const bool moving = (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) && now - rest.since < tooltip_delay;
+  if (!same || moving || ImGui::IsAnyMouseDown() || io.MouseWheel != 0) rest = {min, max, now, 0};
+  rest.frame = ImGui::GetFrameCount();
+  const double left = tooltip_delay - (now - rest.since);
+  if (left > 0) redraw_after(left + 0.005);
+  return left <= 0;
+}
+
+}  // namespace
+
+bool begin_tooltip() {
+  if (!rested_on_last_item()) return false;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
+  ImGui::BeginTooltip();
+  ImGui::PushFont(theme().font(Face::body));
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 38);
+  return true;
+}
+
+void end_tooltip() {
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void tooltip(std::string_view text) {
+  if (text.empty() || !begin_tooltip()) return;
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  end_tooltip();
+}
+
+bool progress_bar(std::string_view name, std::string_view label, double fraction, float width) {
+  const Palette& p = palette();
+  const NameScope names(name);
+  const float cancel_width = px(74), room = full_width({.width = width});
+  const float bar = std::max(px(40), room - cancel_width - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::Dummy({bar, ImGui::GetFrameHeight()});
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float y = max.y - px(5);
+  draw.AddRectFilled({min.x, y}, {max.x, y + px(3)}, colour_u32(p.line), px(2));
+  const float share = static_cast<float>(std::clamp(fraction, 0.0, 1.0));
+  draw.AddRectFilled({min.x, y}, {min.x + (max.x - min.x) * share, y + px(3)}, colour_u32(p.text_quiet), px(2));
+  const std::string percent = std::to_string(static_cast<int>(share * 100)) + " %";
+  draw_text(min, {max.x - px(48), y}, label, p.text, 0);
+  {
+    const FontScope mono(Face::mono);
+    draw_text({max.x - px(48), min.y}, {max.x, y}, percent, p.text_quiet, 1);
+  }
+  controls().record("bar", percent);
+  ImGui::SameLine();
+  return button("cancel", "Cancel", Emphasis::plain, {.width = cancel_width});
+}
+
+bool message_bar(std::string_view name, MessageKind kind, std::string_view text) {
+  const Palette& p = palette();
+  const NameScope names(name);
+  const ImVec4 accent = kind == MessageKind::error     ? p.wrong
+                        : kind == MessageKind::warning ? p.attention
+                                                       : p.line_strong;
+  const std::string_view mark = kind == MessageKind::error ? "Error" : kind == MessageKind::warning ? "Note" : "";
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float button_width = px(86), inset = px(14);
+  float mark_width = 0;
+  if (!mark.empty()) {
+    const FontScope bold(Face::bold);
+    mark_width = text_width(mark) + px(10);
+  }
+  const float wrap = std::max(px(80), room - button_width - 2 * inset - mark_width);
+  const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+  const float height = std::max(size.y, ImGui::GetFrameHeight()) + px(10);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 end{start.x + room, start.y + height};
+  draw.AddRectFilled(start, end, colour_u32(p.field));
+  draw.AddRectFilled(start, {start.x + px(5), end.y}, colour_u32(accent));
+  const float y = start.y + (height - size.y) / 2;
+  if (!mark.empty()) {
+    const FontScope bold(Face::bold);
+    draw.AddText({start.x + inset, y}, colour_u32(p.text), mark.data(), mark.data() + mark.size());
+  }
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x + inset + mark_width, y}, colour_u32(p.text),
+               text.data(), text.data() + text.size(), wrap);
+  ImGui::SetCursorScreenPos({end.x - button_width - px(5), start.y + (height - ImGui::GetFrameHeight()) / 2});
+  const bool dismissed = button("dismiss", "Dismiss", Emphasis::plain, {.width = button_width});
+  ImGui::SetCursorScreenPos(start);
+  ImGui::Dummy({room, height});
+  controls().record("text", std::string(text));
+  return dismissed;
+}
+
+Edit splitter(std::string_view name, SplitterAxis axis, float length, float& position, float minimum, float maximum) {
+  const Palette& p = palette();
+  const float thickness = std::floor(px(7));
+  const bool upright = axis == SplitterAxis::left_right;
+  const ImVec2 size = upright ? ImVec2{thickness, length} : ImVec2{length, thickness};
+  hit_area(name, size, {});
+  Edit edit;
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  const bool active = ImGui::IsItemActive();
+  if (active || ImGui::IsItemHovered())
+    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+  static float grabbed_at = 0;  // one splitter is dragged at a time
+  const float pointer = upright ? ImGui::GetIO().MousePos.x : ImGui::GetIO().MousePos.y;
+  if (ImGui::IsItemActivated()) grabbed_at = pointer - position;
+  if (active) {
+    const float wanted = std::clamp(pointer - grabbed_at, minimum, std::max(minimum, maximum));
+    edit.changed = wanted != position;
+    position = wanted;
+  }
+  edit.finished = ImGui::IsItemDeactivated();
+  const bool strong = active || ImGui::IsItemHovered();
+  const float half = std::max(1.0f, std::floor(px(strong ? 2 : 1))) / 2;
+  const ImVec2 middle{std::floor((min.x + max.x) / 2), std::floor((min.y + max.y) / 2)};
+  ImGui::GetWindowDrawList()->AddRectFilled(upright ? ImVec2{middle.x - half, min.y} : ImVec2{min.x, middle.y - half},
+                                            upright ? ImVec2{middle.x + half, max.y} : ImVec2{max.x, middle.y + half},
+                                            colour_u32(strong ? p.text_quiet : p.line));
+  controls().record(name, short_number(position));
+  return edit;
+}
+
+}  // namespace ps::gui

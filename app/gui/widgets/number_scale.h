@@ -1,0 +1,14 @@
+#pragma once
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+
+/// Where a value lies on its slider, in [0, 1]. On a logarithmic range that begins at 0, the first hundredth of the
+/// slider stands for 0.
+double slider_position(double value, const NumberRange& range);
+/// The value at a position, rounded to three significant digits (whole for integers) and kept in the range.
+double slider_value(double position, const NumberRange& range);
+/// The next round value (1, 2 or 5 times a power of ten on a logarithmic range) `steps` steps up or down.
+double stepped_value(double value, int steps, const NumberRange& range);
+
+}  // namespace ps::gui

@@ -1,0 +1,45 @@
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "gui/widgets/draw.h"
+
+namespace ps::gui {
+
+bool search_box(std::string_view name, std::string& text, std::string_view hint, const ControlStyle& style) {
+  const Palette& p = palette();
+  const float width = full_width(style), clear = ImGui::GetFrameHeight();
+  const std::string id = "##" + full_name(name), shown_hint(hint);
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  ImGui::SetNextItemWidth(width);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(28), ImGui::GetStyle().FramePadding.y});
+  ImGui::PushStyleColor(ImGuiCol_TextDisabled, p.text_quiet);
+  bool changed = ImGui::InputTextWithHint(id.c_str(), shown_hint.c_str(), &text);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  outline(min, max, ImGui::IsItemActive() ? p.text_quiet : p.line);
+  controls().record(name, text);
+  style_tooltip(style);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 lens{min.x + px(14), (min.y + max.y) / 2 - px(1)};
+  draw.AddCircle(lens, px(4.5), colour_u32(p.text_quiet), 16, px(1.5));
+  draw.AddLine({lens.x + px(3), lens.y + px(3)}, {lens.x + px(7), lens.y + px(7)}, colour_u32(p.text_quiet), px(1.5));
+  if (text.empty()) return changed;
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetItemAllowOverlap();
+  ImGui::SetCursorScreenPos({start.x + width - clear, start.y});
+  const std::string clear_name = std::string(name) + "/clear";
+  if (hit_area(clear_name, {clear, clear}, {})) {
+    text.clear();
+    changed = true;
+  }
+  const float x = start.x + width - clear / 2, y = (min.y + max.y) / 2, arm = px(3.5);
+  const ImU32 ink = colour_u32(ImGui::IsItemHovered() ? p.text : p.text_quiet);
+  draw.AddLine({x - arm, y - arm}, {x + arm, y + arm}, ink, px(1.5));
+  draw.AddLine({x - arm, y + arm}, {x + arm, y - arm}, ink, px(1.5));
+  controls().record(clear_name, "clear");
+  ImGui::SetCursorScreenPos(after);
+  return changed;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,77 @@
+#include <cmath>
+
+#include "gui/widgets/draw.h"
+
+namespace ps::gui {
+namespace {
+
+void draw_arrow(ImVec2 middle, bool open, ImU32 ink) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float a = px(3.5), b = px(2.5);
+  const ImVec2 tip = open ? ImVec2{middle.x, middle.y + b} : ImVec2{middle.x + b, middle.y};
+  const ImVec2 first = open ? ImVec2{middle.x - a, middle.y - b} : ImVec2{middle.x - b, middle.y - a};
+  const ImVec2 second = open ? ImVec2{middle.x + a, middle.y - b} : ImVec2{middle.x - b, middle.y + a};
+  draw.AddLine(first, tip, ink, px(1.5));
+  draw.AddLine(tip, second, ink, px(1.5));
+}
+
+}  // namespace
+
+bool section(std::string_view name, std::string_view label, bool& open, std::string_view note) {
+  const Palette& p = palette();
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (hit_area(name, {width, ImGui::GetFrameHeight()}, {})) open = !open;
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered()) draw.AddRectFilled(min, max, colour_u32(p.field_hover), ImGui::GetStyle().FrameRounding);
+  draw_arrow({min.x + px(8), (min.y + max.y) / 2}, open, colour_u32(p.text_quiet));
+  {
+    const FontScope bold(Face::bold);
+    draw_text({min.x + px(20), min.y}, max, label, p.text, 0);
+  }
+  if (!note.empty()) {
+    const FontScope small(Face::small);
+    draw_text({min.x + px(60), min.y}, {max.x - px(6), max.y}, note, p.text_quiet, 1);
+  }
+  controls().record(name, open ? "open" : "closed");
+  return open;
+}
+
+TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bool selected, bool default_open) {
+  const std::string id = full_name(name), label(text);
+  ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanFullWidth | ImGuiTreeNodeFlags_OpenOnArrow |
+                             ImGuiTreeNodeFlags_OpenOnDoubleClick | ImGuiTreeNodeFlags_FramePadding;
+  if (kind == TreeKind::leaf)
+    flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  else if (default_open)
+    flags |= ImGuiTreeNodeFlags_DefaultOpen;
+  if (selected) flags |= ImGuiTreeNodeFlags_Selected;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(3), px(2)});
+  const bool open = ImGui::TreeNodeEx(id.c_str(), flags, "%s", label.c_str());
+  ImGui::PopStyleVar();
+  TreeRow row;
+  row.open = open && kind == TreeKind::branch;
+  row.clicked = ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen();
+  controls().record(name, label);
+  return row;
+}
+
+bool table_row(std::string_view name, std::string_view text, bool selected) {
+  const std::string id = "##" + full_name(name);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const ImVec2 place = ImGui::GetCursorPos();
+  const bool clicked = ImGui::Selectable(id.c_str(), selected,
+                                         ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+  controls().record(name, std::string(text));
+  ImGui::SetCursorPos(place);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  return clicked;
+}
+
+void value_text(std::string_view name, std::string_view text) {
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  controls().record(name, std::string(text));
+}
+
+}  // namespace ps::gui
