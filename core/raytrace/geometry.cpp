@@ -1,0 +1,142 @@
+#include "raytrace/geometry.h"
+
+#include <cmath>
+
+#include "scene/world.h"
+
+namespace ps {
+namespace {
+
+/// Twice the area is not 0. Corners are as rays see them; products of floats are exact in double.
+template <class Real>
+bool has_area(const TracedTriangle<Real>& triangle) {
+  const Vec3d a(triangle.a);
+  const Vec3d normal = cross(Vec3d(triangle.b) - a, Vec3d(triangle.c) - a);
+  return dot(normal, normal) > 0;
+}
+
+template <class Real>
+std::int32_t add_attributes(const Mesh& mesh, const MeshTriangle& corners, const std::vector<Vec3d>& world_normals,
+                            TracedGeometry<Real>& geometry) {
+  TriangleAttributes<Real> attributes;
+  attributes.has_normals = corners.normal[0] >= 0 && corners.normal[1] >= 0 && corners.normal[2] >= 0;
+  attributes.has_uvs = corners.uv[0] >= 0 && corners.uv[1] >= 0 && corners.uv[2] >= 0;
+  if (!attributes.has_normals && !attributes.has_uvs) return -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (attributes.has_normals)
+      attributes.normals[k] = Vec3<Real>(world_normals.at(static_cast<std::size_t>(corners.normal[k])));
+    if (attributes.has_uvs) attributes.uvs[k] = Vec2<Real>(mesh.uvs.at(static_cast<std::size_t>(corners.uv[k])));
+  }
+  geometry.attributes.push_back(attributes);
+  return static_cast<std::int32_t>(geometry.attributes.size()) - 1;
+}
+
+template <class Real>
+void add_instance(const Scene& scene, std::int32_t object, const Instance& instance, NormalTransform normals,
+                  TracedGeometry<Real>& geometry) {
+  const Mesh& mesh = *scene.geometry->meshes.at(instance.mesh);
+  std::vector<Vec3<Real>> positions;
+  positions.reserve(mesh.positions.size());
+  for (const Vec3d& position : mesh.positions) positions.emplace_back(to_world(instance.transform, position));
+  const Mat3d matrix = normal_matrix(instance.transform, normals);
+  std::vector<Vec3d> world_normals;
+  world_normals.reserve(mesh.normals.size());
+  for (const Vec3d& normal : mesh.normals) world_normals.push_back(normal_to_world(matrix, normal));
+
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const MeshTriangle& corners = mesh.triangles[i];
+    TracedTriangle<Real> triangle{positions.at(corners.position[0]), positions.at(corners.position[1]),
+                                  positions.at(corners.position[2]), -1};
+    if (!has_area(triangle)) {
+      ++geometry.degenerate_triangles;
+      continue;
+    }
+    triangle.attributes = add_attributes(mesh, corners, world_normals, geometry);
+    const std::uint32_t material = instance.material ? *instance.material : mesh.materials.at(corners.material);
+    geometry.primitives.push_back({{object, static_cast<std::int32_t>(i)},
+                                   PrimitiveKind::triangle,
+                                   static_cast<std::uint32_t>(geometry.triangles.size()),
+                                   material});
+    geometry.triangles.push_back(triangle);
+  }
+}
+
+template <class Real>
+TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals) {
+  TracedGeometry<Real> geometry;
+  const auto& objects = scene.geometry->objects;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const auto object = static_cast<std::int32_t>(i);
+    if (const auto* sphere = std::get_if<Sphere>(&objects[i].shape)) {
+      geometry.primitives.push_back(
+          {{object, 0}, PrimitiveKind::sphere, static_cast<std::uint32_t>(geometry.spheres.size()), sphere->material});
+      geometry.spheres.push_back({Vec3<Real>(sphere->centre), static_cast<Real>(sphere->radius)});
+    } else {
+      add_instance(scene, object, std::get<Instance>(objects[i].shape), normals, geometry);
+    }
+  }
+  Box<Real> all;
+  for (const Primitive& primitive : geometry.primitives) all.include(primitive_box(geometry, primitive));
+  geometry.reach = all.reach();
+  return geometry;
+}
+
+template <class Real>
+constexpr std::uint64_t precision_key = sizeof(Real);
+
+}  // namespace
+
+template <class Real>
+Box<Real> primitive_box(const TracedGeometry<Real>& geometry, const Primitive& primitive) {
+  constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  Box<Real> box;
+  switch (primitive.kind) {
+  case PrimitiveKind::sphere: {
+    const TracedSphere<Real>& sphere = geometry.spheres[primitive.shape];
+    for (int axis = 0; axis < 3; ++axis) {  // one step outwards covers the rounding of the sum
+      box.low[axis] = std::nextafter(sphere.centre[axis] - sphere.radius, -infinity);
+      box.high[axis] = std::nextafter(sphere.centre[axis] + sphere.radius, infinity);
+    }
+    break;
+  }
+  case PrimitiveKind::triangle: {
+    const TracedTriangle<Real>& triangle = geometry.triangles[primitive.shape];
+    box.include(triangle.a);
+    box.include(triangle.b);
+    box.include(triangle.c);
+    break;
+  }
+  }
+  return box;
+}
+
+template <class Real>
+std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, const Settings& settings,
+                                                            Prepared& prepared) {
+  Key key("traced geometry");
+  key.add(scene.geometry.revision()).add(precision_key<Real>).add(settings.normal_transform);
+  return prepared.get<TracedGeometry<Real>>(key,
+                                            [&] { return build_geometry<Real>(scene, settings.normal_transform); });
+}
+
+template <class Real>
+std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeometry<Real>& geometry,
+                                            Prepared& prepared) {
+  Key key("traced bvh");
+  key.add(scene.geometry.revision()).add(precision_key<Real>);
+  return prepared.get<Bvh<Real>>(key, [&] {
+    std::vector<Box<Real>> boxes;
+    boxes.reserve(geometry.primitives.size());
+    for (const Primitive& primitive : geometry.primitives) boxes.push_back(primitive_box(geometry, primitive));
+    return build_bvh<Real>(boxes);
+  });
+}
+
+template Box<float> primitive_box(const TracedGeometry<float>&, const Primitive&);
+template Box<double> primitive_box(const TracedGeometry<double>&, const Primitive&);
+template std::shared_ptr<const TracedGeometry<float>> traced_geometry(const Scene&, const Settings&, Prepared&);
+template std::shared_ptr<const TracedGeometry<double>> traced_geometry(const Scene&, const Settings&, Prepared&);
+template std::shared_ptr<const Bvh<float>> traced_bvh(const Scene&, const TracedGeometry<float>&, Prepared&);
+template std::shared_ptr<const Bvh<double>> traced_bvh(const Scene&, const TracedGeometry<double>&, Prepared&);
+
+}  // namespace ps

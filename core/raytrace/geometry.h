@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "accel/box.h"
+#include "accel/bvh.h"
+#include "options/settings.h"
+#include "render/frame.h"
+#include "render/prepared.h"
+#include "scene/scene.h"
+
+namespace ps {
+
+template <class Real>
+struct TracedSphere {
+  Vec3<Real> centre{0, 0, 0};
+  Real radius = 1;
+};
+
+/// World-space corners.
+template <class Real>
+struct TracedTriangle {
+  Vec3<Real> a{0}, b{0}, c{0};
+  std::int32_t attributes = -1;  ///< index into TracedGeometry::attributes; -1 = none
+};
+
+template <class Real>
+struct TriangleAttributes {
+  std::array<Vec3<Real>, 3> normals{};  ///< world space, unit length
+  std::array<Vec2<Real>, 3> uvs{};
+  bool has_normals = false;
+  bool has_uvs = false;
+};
+
+enum class PrimitiveKind : std::uint32_t { sphere, triangle };
+
+/// One thing that a ray can hit. Primitives keep the order of the scene; at equal t the lower one wins.
+struct Primitive {
+  PixelId id;
+  PrimitiveKind kind = PrimitiveKind::sphere;
+  std::uint32_t shape = 0;     ///< index into spheres or triangles
+  std::uint32_t material = 0;  ///< index into Scene::materials
+};
+
+/// The scene's geometry as rays see it: instances unfolded into world-space triangles, in the renderer's precision.
+template <class Real>
+struct TracedGeometry {
+  std::vector<Primitive> primitives;
+  std::vector<TracedSphere<Real>> spheres;
+  std::vector<TracedTriangle<Real>> triangles;
+  std::vector<TriangleAttributes<Real>> attributes;
+  std::uint64_t degenerate_triangles = 0;  ///< left out, since nothing can hit them
+  Real reach = 0;                          ///< the largest absolute coordinate of any primitive's box
+};
+
+/// A box that certainly holds the primitive.
+template <class Real>
+Box<Real> primitive_box(const TracedGeometry<Real>& geometry, const Primitive& primitive);
+
+/// The product for this scene, which depends on its geometry and on `normal_transform`.
+template <class Real>
+std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, const Settings& settings,
+                                                            Prepared& prepared);
+
+/// The tree over the primitives of traced_geometry().
+template <class Real>
+std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeometry<Real>& geometry,
+                                            Prepared& prepared);
+
+}  // namespace ps

@@ -1,0 +1,165 @@
+#pragma once
+#include <optional>
+
+#include "accel/none.h"
+#include "inspect/recorder.h"
+#include "raytrace/sphere_robust.h"
+#include "raytrace/trace_inputs.h"
+#include "raytrace/triangle_moeller_trumbore.h"
+#include "raytrace/triangle_watertight.h"
+
+namespace ps {
+
+/// Which primitive does a ray meet? The nearest one (ties: the lowest), or any at all. CGFS ch. 2 and 5.
+template <class Real, class Recorder>
+class Intersector {
+ public:
+  Intersector(const TraceInputs<Real>& inputs, Recorder& recorder)
+      : inputs_(inputs), geometry_(*inputs.geometry), recorder_(recorder) {}
+
+  Hit<Real> nearest(const Ray<Real>& ray) const { return search(ray, false); }
+  Hit<Real> any(const Ray<Real>& ray) const { return search(ray, true); }
+
+ private:
+  /// A ray with what its tests have in common.
+  struct Query {
+    const Ray<Real>& ray;
+    Real a;  // D.D
+    Shear<Real> shear;
+  };
+
+  Hit<Real> search(const Ray<Real>& ray, bool any) const {
+    Hit<Real> best;
+    best.t = ray.t_max;
+    Query query{ray, dot(ray.direction, ray.direction), {}};
+    if (!geometry_.triangles.empty()) query.shear = Shear<Real>(ray.direction);
+    const auto visit = [&](std::uint32_t primitive) { return test(query, primitive, best) && any; };
+    if (!inputs_.bvh) {
+      const NoAccelerator all{static_cast<std::uint32_t>(geometry_.primitives.size())};
+      for_each_candidate(all, SlabRay<Real>(), best.t, visit, recorder_);
+      return best;
+    }
+    SlabRay<Real> slabs;
+    if (inputs_.bvh->nodes.size() > 1) {
+      Real reach = geometry_.reach;
+      for (int axis = 0; axis < 3; ++axis) reach = std::max(reach, std::abs(ray.origin[axis]));
+      slabs = SlabRay<Real>(ray.origin, ray.direction, inputs_.box_padding * reach);
+    }
+    for_each_candidate(*inputs_.bvh, slabs, best.t, visit, recorder_);
+    return best;
+  }
+
+  bool test(const Query& query, std::uint32_t index, Hit<Real>& best) const {
+    const Primitive& primitive = geometry_.primitives[index];
+    switch (primitive.kind) {
+    case PrimitiveKind::sphere:
+      return test_sphere(query, index, primitive, best);
+    case PrimitiveKind::triangle:
+      return test_triangle(query, index, primitive, best);
+    }
+    return false;
+  }
+
+  /// Is t in the ray's range, and better than what is known? Written so that NaN is not.
+  static TestOutcome judge(const Ray<Real>& ray, Real t, std::uint32_t index, const Hit<Real>& best) {
+    if (!(t > ray.t_min)) return TestOutcome::before_range;
+    if (!(t < ray.t_max)) return TestOutcome::beyond_range;
+    if (t > best.t) return TestOutcome::farther;
+    if (t == best.t && best.found() && index > best.primitive) return TestOutcome::tie_lost;
+    return TestOutcome::accepted;
+  }
+
+  bool test_sphere(const Query& query, std::uint32_t index, const Primitive& primitive, Hit<Real>& best) const {
+    recorder_.count(Counter::sphere_tests);
+    const Ray<Real>& ray = query.ray;
+    const SphereRoots<Real> roots = sphere_roots(query, index, geometry_.spheres[primitive.shape]);
+    TestOutcome outcome = TestOutcome::missed;
+    if (roots.discriminant >= 0) {
+      const Real t = roots.near > ray.t_min ? roots.near : roots.far;
+      outcome = judge(ray, t, index, best);
+      if (outcome == TestOutcome::accepted) best = {index, t, {}};
+    }
+    recorder_.event([&] {
+      SphereTestEvent event{primitive.id, outcome, static_cast<double>(roots.discriminant), {}};
+      if (roots.discriminant >= 0)
+        event.roots = std::array{static_cast<double>(roots.near), static_cast<double>(roots.far)};
+      return event;
+    });
+    return outcome == TestOutcome::accepted;
+  }
+
+  SphereRoots<Real> sphere_roots(const Query& query, std::uint32_t index, const TracedSphere<Real>& sphere) const {
+    const Ray<Real>& ray = query.ray;
+    if (index == ray.start) return sphere_from_surface(ray.origin, ray.direction, query.a, sphere);
+    switch (inputs_.settings.sphere_test) {
+    case SphereTest::robust:
+      return sphere_robust(ray.origin, ray.direction, query.a, sphere);
+    case SphereTest::quadratic:
+      return sphere_quadratic(ray.origin, ray.direction, query.a, sphere);
+    }
+    return {};
+  }
+
+  TriangleResult<Real> triangle_result(const Query& query, std::uint32_t index,
+                                       const TracedTriangle<Real>& triangle) const {
+    const Ray<Real>& ray = query.ray;
+    TriangleResult<Real> result;
+    if (index == ray.start) {  // a plane is met once: t = 0
+      result.verdict = TriangleVerdict::guarded;
+      return result;
+    }
+    switch (inputs_.settings.triangle_test) {
+    case TriangleTest::watertight:
+      return triangle_watertight(ray.origin, query.shear, triangle,
+                                 ray.start == no_primitive ? TriangleGuard::none : TriangleGuard::rounding_of_t);
+    case TriangleTest::moeller_trumbore:
+      return triangle_moeller_trumbore(ray.origin, ray.direction, triangle, inputs_.triangle_epsilon);
+    }
+    return result;
+  }
+
+  bool test_triangle(const Query& query, std::uint32_t index, const Primitive& primitive, Hit<Real>& best) const {
+    recorder_.count(Counter::triangle_tests);
+    const TriangleResult<Real> result = triangle_result(query, index, geometry_.triangles[primitive.shape]);
+    TestOutcome outcome = TestOutcome::missed;
+    switch (result.verdict) {
+    case TriangleVerdict::inside:
+      outcome = judge(query.ray, result.t, index, best);
+      break;
+    case TriangleVerdict::outside:
+      outcome = TestOutcome::missed;
+      break;
+    case TriangleVerdict::parallel:
+      outcome = TestOutcome::parallel;
+      break;
+    case TriangleVerdict::guarded:
+      outcome = TestOutcome::before_range;
+      break;
+    }
+    if (outcome == TestOutcome::accepted) best = {index, result.t, result.weights};
+    recorder_.event([&] { return triangle_event(primitive.id, outcome, result, index == query.ray.start); });
+    return outcome == TestOutcome::accepted;
+  }
+
+  static TriangleTestEvent triangle_event(const PixelId& id, TestOutcome outcome, const TriangleResult<Real>& result,
+                                          bool own_surface) {
+    TriangleTestEvent event;
+    event.id = id;
+    event.outcome = outcome;
+    if (own_surface) event.rejected_by = "the ray starts on it";
+    if (own_surface || result.verdict == TriangleVerdict::parallel) return event;
+    if (result.verdict == TriangleVerdict::guarded) event.rejected_by = "t is within its rounding error of 0";
+    if (outcome == TestOutcome::missed)
+      event.rejected_by = "weight of corner " + std::to_string(result.corner + 1) + " is negative";
+    const auto& w = result.weights;
+    event.weights = {static_cast<double>(w[0]), static_cast<double>(w[1]), static_cast<double>(w[2])};
+    event.t = static_cast<double>(result.t);
+    return event;
+  }
+
+  const TraceInputs<Real>& inputs_;
+  const TracedGeometry<Real>& geometry_;
+  Recorder& recorder_;
+};
+
+}  // namespace ps

@@ -1,0 +1,31 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "math/vec.h"
+
+namespace ps {
+
+inline constexpr std::uint32_t no_primitive = 0xffffffffu;
+
+/// Points origin + t * direction with t_min < t < t_max. World space; the direction may have any length.
+template <class Real>
+struct Ray {
+  Vec3<Real> origin{0, 0, 0};
+  Vec3<Real> direction{0, 0, 1};
+  Real t_min = 0;
+  Real t_max = 0;
+  /// The primitive on whose surface the origin is known to lie (self-hit = offset), or no_primitive.
+  std::uint32_t start = no_primitive;
+};
+
+/// The nearest intersection found so far.
+template <class Real>
+struct Hit {
+  std::uint32_t primitive = no_primitive;
+  Real t = 0;
+  std::array<Real, 3> weights{};  ///< barycentric; zeros on a sphere
+  bool found() const { return primitive != no_primitive; }
+};
+
+}  // namespace ps

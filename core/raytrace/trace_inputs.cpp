@@ -1,0 +1,49 @@
+#include "raytrace/trace_inputs.h"
+
+#include <cmath>
+
+namespace ps {
+namespace {
+
+/// Primitive tests in finite precision accept rays that pass by at a distance of some rounding errors of the
+/// coordinates; boxes must not turn those away, or the picture would depend on the accelerator. The textbook quadratic
+/// errs by the square root of a rounding error.
+template <class Real>
+Real padding(const Settings& settings) {
+  constexpr Real u = std::numeric_limits<Real>::epsilon() / 2;
+  constexpr Real operations = 32;
+  return settings.sphere_test == SphereTest::quadratic ? std::sqrt(operations * u) : operations * u;
+}
+
+}  // namespace
+
+template <class Real>
+TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const Settings& settings,
+                                    Prepared& prepared) {
+  TraceInputs<Real> inputs;
+  inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
+  if (settings.accelerator == Accelerator::bvh) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
+  inputs.materials = shading_materials<Real>(*scene.materials);
+  inputs.lights = shading_lights<Real>(*scene.lights);
+  for (const Texture& texture : *scene.textures) inputs.textures.push_back(texture.texels);
+  inputs.background = Vec3<Real>(scene.background);
+  inputs.settings = settings;
+  inputs.viewport = make_viewport<Real>(view, settings);
+  const Camera& camera = view.camera;
+  inputs.eye = Vec3<Real>(camera.position);
+  inputs.right = Vec3<Real>(camera.right);
+  inputs.up = Vec3<Real>(camera.up);
+  inputs.forward = Vec3<Real>(camera.forward) * inputs.viewport.distance;
+  inputs.near = static_cast<Real>(settings.near);
+  inputs.far = static_cast<Real>(settings.far);
+  inputs.triangle_epsilon = static_cast<Real>(settings.triangle_epsilon);
+  inputs.shadow_epsilon = static_cast<Real>(settings.shadow_epsilon);
+  inputs.reflection_epsilon = static_cast<Real>(settings.reflection_epsilon);
+  inputs.box_padding = padding<Real>(settings);
+  return inputs;
+}
+
+template TraceInputs<float> make_trace_inputs(const Scene&, const View&, const Settings&, Prepared&);
+template TraceInputs<double> make_trace_inputs(const Scene&, const View&, const Settings&, Prepared&);
+
+}  // namespace ps

@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "raytrace/geometry.h"
+#include "render/viewport.h"
+#include "shade/shading_inputs.h"
+
+namespace ps {
+
+/// All that the kernel reads, in its precision, made once for each picture.
+template <class Real>
+struct TraceInputs {
+  std::shared_ptr<const TracedGeometry<Real>> geometry;
+  std::shared_ptr<const Bvh<Real>> bvh;  ///< absent with accelerator = none
+  std::vector<ShadingMaterial<Real>> materials;
+  std::vector<ShadingLight<Real>> lights;
+  std::vector<std::shared_ptr<const Image<Vec3f>>> textures;
+  Vec3<Real> background{0};
+  Settings settings;
+  Viewport<Real> viewport;
+  Vec3<Real> eye{0}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};  ///< the camera frame; forward has length d
+  Real near = 0, far = 0;
+  Real triangle_epsilon = 0, shadow_epsilon = 0, reflection_epsilon = 0;
+  Real box_padding = 0;  ///< how far boxes are grown, in units of the sizes of the coordinates involved
+};
+
+template <class Real>
+TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared);
+
+}  // namespace ps

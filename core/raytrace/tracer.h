@@ -1,0 +1,171 @@
+#pragma once
+#include <optional>
+
+#include "image/texture_sampling.h"
+#include "raytrace/intersector.h"
+#include "raytrace/self_hit.h"
+#include "shade/illumination.h"
+
+namespace ps {
+
+/// What one eye ray found.
+template <class Real>
+struct TracedPixel {
+  Vec3<Real> colour{0};
+  Ray<Real> ray;
+  Hit<Real> hit;          ///< of the eye ray; not found() = background
+  Surface<Real> surface;  ///< only if hit
+  std::uint32_t shadow_mask = 0;
+};
+
+/// The ray tracer of CGFS ch. 2-4: for one pixel, the light that its ray brings back.
+template <class Real, class Recorder>
+class Tracer {
+ public:
+  Tracer(const TraceInputs<Real>& inputs, Recorder& recorder)
+      : inputs_(inputs), recorder_(recorder), intersector_(inputs, recorder) {}
+
+  TracedPixel<Real> trace_pixel(int column, int row) const {
+    TracedPixel<Real> pixel;
+    pixel.ray = eye_ray(column, row);
+    recorder_.count(Counter::eye_rays);
+    pixel.colour = trace(pixel.ray, RayKind::eye, 0, Real(1), &pixel);
+    return pixel;
+  }
+
+  Ray<Real> eye_ray(int column, int row) const {
+    const Vec2<Real> v = inputs_.viewport.at(column, row);
+    const Vec3<Real> across = inputs_.right * v.x + inputs_.up * v.y;
+    Ray<Real> ray{inputs_.eye, inputs_.forward, inputs_.near, inputs_.far, no_primitive};
+    switch (inputs_.viewport.projection) {
+    case Projection::perspective:
+      ray.direction = across + inputs_.forward;
+      break;
+    case Projection::orthographic:
+      ray.origin = inputs_.eye + across;
+      break;
+    }
+    return ray;
+  }
+
+ private:
+  /// The colour that comes back along `ray` after `depth` bounces. `first` notes what the eye ray found.
+  Vec3<Real> trace(const Ray<Real>& ray, RayKind kind, int depth, Real share, TracedPixel<Real>* first) const {
+    recorder_.begin([&] { return ray_event(ray, kind, depth, share); });
+    const Hit<Real> hit = intersector_.nearest(ray);
+    Vec3<Real> colour = inputs_.background;
+    if (hit.found()) {
+      const Surface<Real> surface = surface_of(ray, hit, inputs_);
+      if (first) {
+        first->hit = hit;
+        first->surface = surface;
+      }
+      recorder_.event([&] { return hit_event(hit, surface); });
+      colour = shade(ray, surface, depth, share, first);
+    } else {
+      recorder_.event([&] { return MissEvent{Vec3d(inputs_.background)}; });
+    }
+    recorder_.end();
+    return colour;
+  }
+
+  Vec3<Real> shade(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
+                   TracedPixel<Real>* first) const {
+    const Primitive& primitive = inputs_.geometry->primitives[surface.primitive];
+    const ShadingMaterial<Real>& material = inputs_.materials[primitive.material];
+    const Vec3<Real> local = local_colour(ray, surface, material, first);
+    const Real reflective = material.reflective;
+    if (depth >= inputs_.settings.reflection_depth || !(reflective > 0)) return local;
+
+    const Vec3<Real> to_eye = -ray.direction;
+    const Ray<Real> reflected_ray =
+        leaving_ray(surface, mirror(to_eye, surface.shading_normal), std::numeric_limits<Real>::infinity(),
+                    inputs_.reflection_epsilon, inputs_);
+    recorder_.count(Counter::reflection_rays);
+    const Vec3<Real> reflected = trace(reflected_ray, RayKind::reflection, depth + 1, share * reflective, nullptr);
+    const Vec3<Real> result = local * (Real(1) - reflective) + reflected * reflective;
+    recorder_.event([&] {
+      return ReflectionEvent{static_cast<double>(reflective), Vec3d(local), Vec3d(reflected), Vec3d(result)};
+    });
+    return result;
+  }
+
+  Vec3<Real> local_colour(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
+                          TracedPixel<Real>* first) const {
+    recorder_.count(Counter::shading_calls);
+    const Vec3<Real> surface_colour = textured_colour(surface, material);
+    Lighting<Real> lighting{Vec3<Real>(1), Vec3<Real>(0)};
+    if (inputs_.settings.lighting) {
+      const LitPoint<Real> point{surface.point, surface.shading_normal, -ray.direction};
+      const auto blocked = [&](int light, const Vec3<Real>& to_light, Real t_max) {
+        const std::optional<PixelId> blocker = find_blocker(surface, to_light, t_max);
+        if (blocker && first && light < 32) first->shadow_mask |= 1u << light;
+        return blocker;
+      };
+      const IlluminationOptions options{inputs_.settings.specular, inputs_.settings.highlight};
+      lighting = illuminate<Real>(point, material, inputs_.lights, options, blocked, recorder_);
+    }
+    const Vec3<Real> local = surface_colour * lighting.light + lighting.extra;
+    recorder_.event([&] {
+      return ShadeEvent{Vec3d(surface_colour), Vec3d(lighting.light), Vec3d(lighting.extra), Vec3d(local)};
+    });
+    return local;
+  }
+
+  /// Rays have no footprint, so they read the finest level of the texture.
+  Vec3<Real> textured_colour(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const {
+    if (material.texture < 0 || !inputs_.settings.textures || !surface.has_uv) return material.colour;
+    const Image<Vec3f>& image = *inputs_.textures[static_cast<std::size_t>(material.texture)];
+    const TextureWrap wrap = inputs_.settings.texture_wrap;
+    const bool nearest = inputs_.settings.texture_filter == TextureFilter::nearest;
+    std::vector<Texel> texels;
+    const TexelNotes notes = Recorder::records ? &texels : nullptr;
+    const Vec3<Real> texel = nearest ? sample_nearest(image, surface.uv, wrap, 0, notes)
+                                     : sample_bilinear(image, surface.uv, wrap, 0, notes);
+    recorder_.count(Counter::texel_reads, nearest ? 1 : 4);
+    recorder_.event([&] {
+      return TextureEvent{material.texture, Vec2d(surface.uv), 0, std::move(texels), Vec3d(texel)};
+    });
+    return texel * material.colour;
+  }
+
+  std::optional<PixelId> find_blocker(const Surface<Real>& surface, const Vec3<Real>& to_light, Real t_max) const {
+    if (inputs_.settings.shadows == Shadows::none) return {};
+    const Ray<Real> ray = leaving_ray(surface, to_light, t_max, inputs_.shadow_epsilon, inputs_);
+    recorder_.count(Counter::shadow_rays);
+    recorder_.begin([&] { return ray_event(ray, RayKind::shadow, 0, Real(0)); });
+    const Hit<Real> hit = inputs_.settings.shadow_any_hit ? intersector_.any(ray) : intersector_.nearest(ray);
+    recorder_.end();
+    if (!hit.found()) return {};
+    return inputs_.geometry->primitives[hit.primitive].id;
+  }
+
+  static RayEvent ray_event(const Ray<Real>& ray, RayKind kind, int depth, Real share) {
+    return {kind,
+            Vec3d(ray.origin),
+            Vec3d(ray.direction),
+            static_cast<double>(ray.t_min),
+            static_cast<double>(ray.t_max),
+            depth,
+            static_cast<double>(share)};
+  }
+
+  HitEvent hit_event(const Hit<Real>& hit, const Surface<Real>& surface) const {
+    HitEvent event;
+    event.id = inputs_.geometry->primitives[hit.primitive].id;
+    event.t = static_cast<double>(hit.t);
+    event.point = Vec3d(surface.point);
+    event.geometric_normal = Vec3d(surface.geometric_normal);
+    event.shading_normal = Vec3d(surface.shading_normal);
+    for (std::size_t k = 0; k < 3; ++k) event.weights[k] = static_cast<double>(hit.weights[k]);
+    event.uv = Vec2d(surface.uv);
+    event.back_face = surface.back_face;
+    return event;
+  }
+
+  const TraceInputs<Real>& inputs_;
+  Recorder& recorder_;
+  Intersector<Real, Recorder> intersector_;
+};
+
+}  // namespace ps

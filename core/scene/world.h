@@ -1,0 +1,47 @@
+#pragma once
+#include <cmath>
+
+#include "options/settings.h"
+#include "scene/object.h"
+
+namespace ps {
+
+/// Model to world for positions: scale, rotate, translate (CGFS ch. 10). Both renderers place corners with it.
+inline Vec3d to_world(const Transform& transform, const Vec3d& position) {
+  return transform.rotation * (transform.scale * position) + transform.translation;
+}
+
+/// The matrix that takes vertex normals to the world; their lengths afterwards mean nothing. The inverse transpose is
+/// built from cofactors, which exist for flat models (a scale of 0) too.
+inline Mat3d normal_matrix(const Transform& transform, NormalTransform how) {
+  const Vec3d& s = transform.scale;
+  Mat3d scale{0.0};
+  switch (how) {
+  case NormalTransform::model:
+    scale[0][0] = s.x;
+    scale[1][1] = s.y;
+    scale[2][2] = s.z;
+    break;
+  case NormalTransform::inverse_transpose: {
+    const double sign = s.x * s.y * s.z < 0 ? -1 : 1;
+    scale[0][0] = sign * s.y * s.z;
+    scale[1][1] = sign * s.z * s.x;
+    scale[2][2] = sign * s.x * s.y;
+    break;
+  }
+  }
+  const Mat3d& r = transform.rotation;
+  if (how == NormalTransform::model) return r * scale;
+  const Mat3d cofactors{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])};  // columns; r itself if orthonormal
+  const double sign = dot(r[0], cofactors[0]) < 0 ? -1 : 1;
+  return cofactors * sign * scale;
+}
+
+/// A vertex normal in the world, brought to length 1; zero stays zero.
+inline Vec3d normal_to_world(const Mat3d& matrix, const Vec3d& normal) {
+  const Vec3d turned = matrix * normal;
+  const double length = std::sqrt(dot(turned, turned));
+  return length > 0 ? turned / length : turned;
+}
+
+}  // namespace ps
