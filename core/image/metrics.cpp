@@ -1,0 +1,121 @@
+#include "image/metrics.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "image/flip.h"
+#include "image/mixing.h"
+#include "image/ssim.h"
+
+namespace ps {
+namespace {
+
+void require_same_size(int width_a, int height_a, int width_b, int height_b) {
+  if (width_a == width_b && height_a == height_b) return;
+  throw InputError(fmt::format("found pictures of {} x {} and {} x {}, expected two of the same size", width_a,
+                               height_a, width_b, height_b));
+}
+
+double srgb_to_linear(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+bool finite(const Vec3d& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
+
+/// Mean of the similarities of the three channels, so that a wrong hue counts too.
+double colour_ssim(const Image<Vec3d>& a, const Image<Vec3d>& b, double range) {
+  double sum = 0;
+  for (int c = 0; c < 3; ++c) {
+    Plane plane_a(a.width(), a.height());
+    Plane plane_b(a.width(), a.height());
+    for (std::size_t i = 0; i < plane_a.pixels().size(); ++i) {
+      plane_a.pixels()[i] = a.pixels()[i][c];
+      plane_b.pixels()[i] = b.pixels()[i][c];
+    }
+    sum += ssim(plane_a, plane_b, range);
+  }
+  return sum / 3;
+}
+
+/// Sums over the pixels that are finite in both pictures.
+struct Sums {
+  double absolute = 0, squared = 0, largest = 0;
+  std::int64_t values = 0;
+
+  void add(const Vec3d& a, const Vec3d& b) {
+    for (int c = 0; c < 3; ++c) {
+      const double error = std::abs(a[c] - b[c]);
+      absolute += error;
+      squared += error * error;
+      largest = std::max(largest, error);
+      ++values;
+    }
+  }
+
+  void report(double range, Comparison& result) const {
+    result.max = largest;
+    if (values == 0) return;
+    result.mae = absolute / static_cast<double>(values);
+    result.rmse = std::sqrt(squared / static_cast<double>(values));
+    if (result.rmse > 0) result.psnr = 20 * std::log10(range / result.rmse);
+  }
+};
+
+}  // namespace
+
+Comparison compare_images(const Image<Rgb8>& a, const Image<Rgb8>& b) {
+  require_same_size(a.width(), a.height(), b.width(), b.height());
+  constexpr double range = 255;
+  Comparison result;
+  Sums sums;
+  Image<Vec3d> levels_a(a.width(), a.height());
+  Image<Vec3d> levels_b(a.width(), a.height());
+  for (std::size_t i = 0; i < levels_a.pixels().size(); ++i) {
+    const Rgb8 p = a.pixels()[i];
+    const Rgb8 q = b.pixels()[i];
+    levels_a.pixels()[i] = {p.r, p.g, p.b};
+    levels_b.pixels()[i] = {q.r, q.g, q.b};
+    if (p != q) ++result.differing;
+    sums.add(levels_a.pixels()[i], levels_b.pixels()[i]);
+  }
+  sums.report(range, result);
+  result.identical = result.differing == 0;
+  if (result.identical) return result;
+  result.ssim = colour_ssim(levels_a, levels_b, range);
+  for (Image<Vec3d>* levels : {&levels_a, &levels_b})
+    for (Vec3d& c : levels->pixels())
+      c = {srgb_to_linear(c.r / range), srgb_to_linear(c.g / range), srgb_to_linear(c.b / range)};
+  result.flip = flip(levels_a, levels_b);
+  return result;
+}
+
+Comparison compare_linear(const Image<Vec3f>& a, const Image<Vec3f>& b) {
+  require_same_size(a.width(), a.height(), b.width(), b.height());
+  constexpr double range = 1;
+  Comparison result;
+  Sums sums;
+  Image<Vec3d> shown_a(a.width(), a.height());
+  Image<Vec3d> shown_b(a.width(), a.height());
+  const auto same = [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  for (std::size_t i = 0; i < shown_a.pixels().size(); ++i) {
+    const Vec3f p = a.pixels()[i];
+    const Vec3f q = b.pixels()[i];
+    if (!(same(p.r, q.r) && same(p.g, q.g) && same(p.b, q.b))) ++result.differing;
+    if (!finite(Vec3d(p)) || !finite(Vec3d(q))) {
+      ++result.not_finite;
+      continue;  // black in both, for SSIM and FLIP
+    }
+    sums.add(Vec3d(p), Vec3d(q));
+    shown_a.pixels()[i] = clamp_colour(Vec3d(p));
+    shown_b.pixels()[i] = clamp_colour(Vec3d(q));
+  }
+  sums.report(range, result);
+  result.identical = result.differing == 0;
+  if (result.identical) return result;
+  result.ssim = colour_ssim(shown_a, shown_b, range);
+  result.flip = flip(shown_a, shown_b);
+  return result;
+}
+
+}  // namespace ps
