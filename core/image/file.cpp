@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
+#include "image/codec.h"
 #include "image/display.h"
 #include "image/jpeg_tga_check.h"
 #include "image/png_chunks.h"
 #include "image/pnm.h"
-#include "image/stb_decode.h"
 
 namespace ps {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/atomic_file.h"
+#include "image/codec.h"
 #include "image/display.h"
-#include "image/stb_decode.h"
 #include "support/golden.h"
 
 namespace {

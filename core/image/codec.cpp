@@ -1,4 +1,4 @@
-#include "image/stb_decode.h"
+#include "image/codec.h"
 
 #include <cstdlib>
 #include <limits>

@@ -1,0 +1,56 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "render/channel_picture.h"
+
+namespace ps {
+namespace {
+
+const std::array<ShownChannelRow, 14> rows{{
+    {ShownChannel::colour, "colour", "Colour", "The picture itself.", Channel::none, ""},
+    {ShownChannel::depth, "depth", "Depth", "Distance in front of the camera along its forward axis.", Channel::depth,
+     "world units"},
+    {ShownChannel::normal, "normal", "Normal", "Shading normal: x, y, z from -1 to 1 as red, green, blue.",
+     Channel::normal, ""},
+    {ShownChannel::barycentric, "barycentric", "Barycentric", "Weights of the triangle's corners as red, green, blue.",
+     Channel::barycentric, ""},
+    {ShownChannel::uv, "uv", "Texture coordinates", "Fractions of u and v as red and green.", Channel::uv, ""},
+    {ShownChannel::triangle, "triangle", "Triangle", "One colour for each triangle.", Channel::ids, ""},
+    {ShownChannel::object, "object", "Object", "One colour for each object.", Channel::ids, ""},
+    {ShownChannel::facing, "facing", "Facing", "Blue: the front is seen. Orange: the back is seen. Pale: edge-on.",
+     Channel::facing, ""},
+    {ShownChannel::overdraw, "overdraw", "Overdraw", "How many fragments covered the pixel.", Channel::overdraw,
+     "fragments"},
+    {ShownChannel::tests, "tests", "Tests", "How many primitives or samples were tested for the pixel.", Channel::tests,
+     "tests"},
+    {ShownChannel::mip, "mip", "Mip level", "Level of detail at which the texture was read.", Channel::mip, "level"},
+    {ShownChannel::shadow, "shadow", "Shadows", "How many lights are blocked at the point.",
+     Channel::shadow | Channel::ids, "lights"},
+    {ShownChannel::hit, "hit", "Hit", "White where something is seen.", Channel::ids, ""},
+    {ShownChannel::nan, "nan", "NaN", "Magenta where a colour is not a number, orange where it is infinite.",
+     Channel::none, ""},
+}};
+
+}  // namespace
+
+std::span<const ShownChannelRow> shown_channels() { return rows; }
+
+const ShownChannelRow& shown_channel(ShownChannel channel) {
+  const ShownChannelRow& row = rows.at(static_cast<std::size_t>(channel));
+  PS_ASSERT(row.channel == channel, "rows stand in the order of the enum");
+  return row;
+}
+
+ShownChannel parse_shown_channel(std::string_view key) {
+  std::string keys;
+  for (const ShownChannelRow& row : rows) {
+    if (row.key == key) return row.channel;
+    keys += keys.empty() ? "" : " ";
+    keys += row.key;
+  }
+  throw InputError(fmt::format("show: found \"{}\", expected one of: {}", key, keys));
+}
+
+}  // namespace ps
