@@ -1,0 +1,191 @@
+// What must hold for every scene: the accelerator, the number of threads and the act of looking change nothing.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstring>
+#include <mutex>
+#include <optional>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "image/display.h"
+#include "render/render.h"
+#include "support/random_scene.h"
+
+namespace {
+
+using namespace ps;
+using ps::test::random_scene;
+
+constexpr Channel all_channels = static_cast<Channel>((1u << 10) - 1);
+
+Frame traced(const Scene& scene, const Settings& settings, RenderRequest request = {}, int width = 97,
+             int height = 61) {
+  Prepared prepared;
+  Progress progress;
+  request.channels = all_channels;
+  return render_traced(scene, View{scene.camera, width, height}, settings, request, prepared, progress);
+}
+
+template <class T>
+bool same_bits(const Image<T>& a, const Image<T>& b) {
+  return a.width() == b.width() && a.height() == b.height() &&
+         (a.empty() || std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0);
+}
+
+enum class Tests { compare, ignore };
+
+void expect_same(const Frame& a, const Frame& b, Tests tests) {
+  EXPECT_TRUE(same_bits(a.colour, b.colour));
+  EXPECT_TRUE(same_bits(a.colour_double, b.colour_double));
+  EXPECT_TRUE(same_bits(a.depth, b.depth));
+  EXPECT_TRUE(same_bits(a.normal, b.normal));
+  EXPECT_TRUE(same_bits(a.barycentric, b.barycentric));
+  EXPECT_TRUE(same_bits(a.uv, b.uv));
+  EXPECT_TRUE(same_bits(a.ids, b.ids));
+  EXPECT_TRUE(same_bits(a.facing, b.facing));
+  EXPECT_TRUE(same_bits(a.overdraw, b.overdraw));
+  EXPECT_TRUE(same_bits(a.mip, b.mip));
+  EXPECT_TRUE(same_bits(a.shadow, b.shadow));
+  if (tests == Tests::ignore) return;
+  EXPECT_TRUE(same_bits(a.tests, b.tests));
+  EXPECT_EQ(a.counters, b.counters);
+}
+
+/// The option combinations that change how rays meet surfaces.
+std::vector<Settings> ways_to_intersect() {
+  std::vector<Settings> ways;
+  for (const Precision precision : {Precision::float32, Precision::float64})
+    for (const SphereTest sphere : {SphereTest::robust, SphereTest::quadratic})
+      for (const TriangleTest triangle : {TriangleTest::watertight, TriangleTest::moeller_trumbore}) {
+        Settings settings;
+        settings.precision = precision;
+        settings.sphere_test = sphere;
+        settings.triangle_test = triangle;
+        settings.self_hit = sphere == SphereTest::robust ? SelfHit::offset : SelfHit::epsilon;
+        ways.push_back(settings);
+      }
+  return ways;
+}
+
+TEST(TracedProperty, TheTreeOfBoxesChangesNothingButTheWork) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = random_scene(seed);
+    for (Settings settings : ways_to_intersect()) {
+      settings.accelerator = Accelerator::bvh;
+      const Frame with_tree = traced(scene, settings);
+      settings.accelerator = Accelerator::none;
+      const Frame without = traced(scene, settings);
+      expect_same(with_tree, without, Tests::ignore);
+      const auto tests = [](const Frame& frame) {
+        return frame.counters[Counter::sphere_tests] + frame.counters[Counter::triangle_tests];
+      };
+      // The textbook quadratic is so rough in float that boxes must be grown beyond use.
+      if (settings.sphere_test == SphereTest::robust) {
+        EXPECT_LE(tests(with_tree), tests(without));
+      }
+      EXPECT_GT(with_tree.counters[Counter::node_visits], 0u);
+      EXPECT_EQ(without.counters[Counter::node_visits], 0u);
+    }
+  }
+}
+
+/// Waits inside a tile until all threads have arrived, so that each of them takes part.
+RenderRequest meeting_point(int threads, std::set<std::thread::id>& ids, std::mutex& mutex) {
+  RenderRequest request;
+  request.on_tile = [&ids, &mutex, threads](const Frame&, const TileRect&) {
+    const auto arrived = [&] {
+      const std::lock_guard lock(mutex);
+      ids.insert(std::this_thread::get_id());
+      return static_cast<int>(ids.size());
+    };
+    for (int tries = 0; arrived() < threads && tries < 10000; ++tries)
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+  };
+  return request;
+}
+
+TEST(TracedProperty, ThreadsChangeNothing) {
+  for (unsigned seed = 21; seed <= 23; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = random_scene(seed);
+    std::optional<Frame> first;
+    for (const int threads : {1, 2, 7}) {
+      Settings settings;
+      settings.threads = threads;
+      std::set<std::thread::id> ids;
+      std::mutex mutex;
+      const Frame frame = traced(scene, settings, meeting_point(threads, ids, mutex), 150, 120);
+      EXPECT_EQ(static_cast<int>(ids.size()), threads);
+      if (first)
+        expect_same(*first, frame, Tests::compare);
+      else
+        first = frame;
+    }
+  }
+}
+
+TEST(TracedProperty, AStoryEndsInTheColourOfThePicture) {
+  std::mt19937 random(31);
+  for (unsigned seed = 31; seed <= 34; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = random_scene(seed);
+    for (const Settings& settings : ways_to_intersect()) {
+      const Frame frame = traced(scene, settings);
+      const bool wide = settings.precision == Precision::float64;
+      const Image<Rgb8> shown = wide ? display_image(frame.colour_double) : display_image(frame.colour);
+      Prepared prepared;
+      Progress progress;
+      for (int i = 0; i < 40; ++i) {
+        const Vec2i pixel{static_cast<int>(random() % 97), static_cast<int>(random() % 61)};
+        const PixelStory story = inspect_traced(scene, View{scene.camera, 97, 61}, settings, pixel, prepared, progress);
+        const Vec3d stored = wide ? frame.colour_double.at(pixel.x, pixel.y) : Vec3d(frame.colour.at(pixel.x, pixel.y));
+        EXPECT_EQ(story.linear, stored);
+        const Rgb8 level = shown.at(pixel.x, pixel.y);
+        EXPECT_EQ(story.display, (std::array<int, 3>{level.r, level.g, level.b}));
+        EXPECT_EQ(story.counters[Counter::sphere_tests] + story.counters[Counter::triangle_tests],
+                  frame.tests.at(pixel.x, pixel.y));
+        EXPECT_FALSE(story.verdict.empty());
+      }
+    }
+  }
+}
+
+TEST(TracedProperty, CountersOfAllStoriesAddUpToThoseOfThePicture) {
+  const Scene scene = random_scene(41);
+  const Frame frame = traced(scene, {}, {}, 40, 30);
+  Counters sum;
+  Prepared prepared;
+  Progress progress;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x)
+      sum += inspect_traced(scene, View{scene.camera, 40, 30}, {}, {x, y}, prepared, progress).counters;
+  for (const Counter counter : {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays,
+                                Counter::sphere_tests, Counter::triangle_tests, Counter::node_visits,
+                                Counter::shading_calls, Counter::light_samples, Counter::texel_reads})
+    EXPECT_EQ(sum[counter], frame.counters[counter]) << counter_key(counter);
+}
+
+TEST(TracedProperty, CancellingStopsEarlyAndThrows) {
+  const Scene scene = random_scene(51);
+  for (const int threads : {1, 3}) {
+    Settings settings;
+    settings.threads = threads;
+    Prepared prepared;
+    Progress progress;
+    std::atomic<int> tiles{0};
+    RenderRequest request;
+    request.on_tile = [&](const Frame&, const TileRect&) {
+      ++tiles;
+      progress.request_stop();
+    };
+    EXPECT_THROW(render_traced(scene, View{scene.camera, 640, 640}, settings, request, prepared, progress), Cancelled);
+    EXPECT_GE(tiles, 1);
+    EXPECT_LE(tiles, threads) << "of 400 tiles";
+  }
+}
+
+}  // namespace

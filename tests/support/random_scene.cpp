@@ -1,0 +1,133 @@
+#include "support/random_scene.h"
+
+#include <cmath>
+#include <random>
+
+namespace ps::test {
+namespace {
+
+/// Uniform numbers that are the same with every standard library.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+  Vec3d point(double low, double high) {
+    const double x = between(low, high);
+    const double y = between(low, high);
+    return {x, y, between(low, high)};
+  }
+  bool chance(double share) { return between(0, 1) < share; }
+  std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(between(0, count)); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+Mat3d rotation(Random& random) {
+  const double a = random.between(0, 6.28), b = random.between(0, 6.28);
+  const Mat3d about_y{std::cos(a), 0, std::sin(a), 0, 1, 0, -std::sin(a), 0, std::cos(a)};
+  const Mat3d about_x{1, 0, 0, 0, std::cos(b), std::sin(b), 0, -std::sin(b), std::cos(b)};
+  return about_x * about_y;
+}
+
+Material material(Random& random) {
+  Material result;
+  result.colour = random.point(0, 1);
+  if (random.chance(0.6)) result.specular = random.between(5, 800);
+  if (random.chance(0.5)) result.reflective = random.between(0.1, 0.9);
+  if (random.chance(0.2)) result.specular_colour = random.point(0, 1);
+  if (random.chance(0.2)) result.ambient_colour = random.point(0, 1);
+  if (random.chance(0.5)) result.texture = 0;
+  return result;
+}
+
+Light light(Random& random, LightKind kind) {
+  Light result;
+  result.kind = kind;
+  result.intensity = random.between(0.1, 0.7);
+  if (random.chance(0.5)) result.colour = random.point(0, 1);
+  result.position = random.point(-6, 6);
+  result.direction = random.point(-2, 2);
+  return result;
+}
+
+/// A bumpy grid over the unit square: every inner edge is shared, and one triangle has no area.
+Mesh grid(Random& random, int side) {
+  Mesh mesh;
+  for (int y = 0; y <= side; ++y) {
+    for (int x = 0; x <= side; ++x) {
+      const double u = double(x) / side, v = double(y) / side;
+      mesh.positions.push_back({2 * u - 1, random.between(-0.3, 0.3), 2 * v - 1});
+      mesh.normals.push_back({random.between(-0.5, 0.5), 1, random.between(-0.5, 0.5)});
+      mesh.uvs.push_back({3 * u - 1, 2 * v});
+    }
+  }
+  const auto corner = [side](int x, int y) { return static_cast<std::uint32_t>(y * (side + 1) + x); };
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    MeshTriangle triangle;
+    triangle.position = {a, b, c};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (random.chance(0.9)) triangle.normal[k] = static_cast<std::int32_t>(triangle.position[k]);
+      triangle.uv[k] = static_cast<std::int32_t>(triangle.position[k]);
+    }
+    mesh.triangles.push_back(triangle);
+  };
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      add(corner(x, y), corner(x, y + 1), corner(x + 1, y));
+      add(corner(x + 1, y), corner(x, y + 1), corner(x + 1, y + 1));
+    }
+  }
+  add(corner(0, 0), corner(1, 1), corner(0, 0));
+  return mesh;
+}
+
+Texture checkerboard() {
+  Image<Vec3f> texels(4, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) texels.at(x, y) = (x + y) % 2 == 0 ? Vec3f(1, 1, 1) : Vec3f(0.2f, 0.1f, 0.4f);
+  return {"checkerboard", "", std::make_shared<const Image<Vec3f>>(std::move(texels))};
+}
+
+}  // namespace
+
+Scene random_scene(unsigned seed) {
+  Random random(seed);
+  Scene scene;
+  scene.name = "random";
+  scene.background = random.point(0, 1);
+  scene.camera.position = random.point(-1, 1) + Vec3d(0, 1, -6);
+  const Mat3d turn = rotation(random);
+  if (random.chance(0.5)) scene.camera = {turn * scene.camera.position, turn[0], turn[1], turn[2], 1, 1, 1};
+
+  std::vector<Material> materials;
+  for (int i = 0; i < 6; ++i) materials.push_back(material(random));
+  scene.materials = Part(std::move(materials));
+  scene.textures = Part(std::vector<Texture>{checkerboard()});
+
+  Geometry geometry;
+  Mesh mesh = grid(random, 6);
+  mesh.materials = {random.below(6)};
+  geometry.meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
+  if (random.chance(0.7)) geometry.objects.push_back({"ground", Sphere{{0, -5001.5, 0}, 5000, random.below(6)}});
+  const int spheres = random.chance(0.3) ? 0 : static_cast<int>(random.below(40));
+  for (int i = 0; i < spheres; ++i)
+    geometry.objects.push_back({"sphere", Sphere{random.point(-3, 3), random.between(0.02, 0.8), random.below(6)}});
+  const int placements = spheres > 0 && random.chance(0.3) ? 0 : 2;
+  for (int i = 0; i < placements; ++i) {
+    Instance instance;
+    instance.transform = {random.point(0.5, 2), rotation(random), random.point(-2, 2)};
+    if (random.chance(0.5)) instance.material = random.below(6);
+    geometry.objects.push_back({"grid", instance});
+  }
+  scene.geometry = Part(std::move(geometry));
+
+  std::vector<Light> lights{light(random, LightKind::ambient), light(random, LightKind::point)};
+  if (random.chance(0.7)) lights.push_back(light(random, LightKind::directional));
+  scene.lights = Part(std::move(lights));
+  return scene;
+}
+
+}  // namespace ps::test
