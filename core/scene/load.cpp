@@ -7,6 +7,7 @@
 
 #include "base/paths.h"
 #include "base/spelling.h"
+#include "scene/obj.h"
 #include "scene/scene_file.h"
 
 namespace ps {
@@ -43,6 +44,7 @@ Scene load_scene(const std::string& path_or_builtin_name) {
   const fs::path path = path_or_builtin_name;
   const std::string extension = path.extension().string();
   if (extension == ".scene") return load_scene_file(path);
+  if (extension == ".obj" || extension == ".OBJ") return load_obj_scene(path);
   const auto files = builtin_files();
   for (const BuiltinFile& file : files) {
     if (file.name != path_or_builtin_name) continue;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "image/file.h"
 #include "scene/scene_draft.h"
 #include "scene/texture_generator.h"
 
@@ -81,18 +82,26 @@ void read_material(const SceneSource& source, const SceneEntry& entry, SceneDraf
 
 void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneValues& values = source.values;
-  const SceneFields fields(values, entry, {"name", "generator", "size"});
+  const SceneFields fields(values, entry, {"name", "file", "generator", "size"});
   const SceneTerm& name = fields.require("name");
   require_new_name(source, name, draft.texture_index, "texture");
   Texture texture;
   texture.name = values.name(name);
-  const SceneTerm& generator = fields.require("generator");
-  texture.generator = values.name(generator);
-  const auto known = texture_generators();
-  if (std::find(known.begin(), known.end(), texture.generator) == known.end())
-    values.fail(generator, fmt::format("one of {}", fmt::join(known, ", ")));
-  const int size = fields.find("size") != nullptr ? values.whole(*fields.find("size"), 1, 4096) : 256;
-  texture.texels = std::make_shared<const Image<Vec3f>>(generate_texture(texture.generator, size));
+  if (const SceneTerm* file = fields.find("file")) {
+    fields.forbid({"generator", "size"}, "only one of 'file' and 'generator'");
+    const auto path = source.folder / values.name(*file, "a file name");
+    texture.path = path.string();
+    draft.scene.files.push_back(texture.path);
+    texture.texels = std::make_shared<const Image<Vec3f>>(load_image(path));
+  } else {
+    const SceneTerm& generator = fields.require("generator");
+    texture.generator = values.name(generator);
+    const auto known = texture_generators();
+    if (std::find(known.begin(), known.end(), texture.generator) == known.end())
+      values.fail(generator, fmt::format("one of {}", fmt::join(known, ", ")));
+    const int size = fields.find("size") != nullptr ? values.whole(*fields.find("size"), 1, 4096) : 256;
+    texture.texels = std::make_shared<const Image<Vec3f>>(generate_texture(texture.generator, size));
+  }
   draft.texture_index[texture.name] = static_cast<int>(draft.textures.size());
   draft.textures.push_back(std::move(texture));
 }

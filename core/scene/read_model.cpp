@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scene/colour_name.h"
+#include "scene/obj.h"
 #include "scene/scene_draft.h"
 #include "scene/sphere_mesh.h"
 
@@ -47,7 +48,53 @@ class ModelReader {
     return std::move(mesh_);
   }
 
+  /// A model from an OBJ file. It brings its own materials unless the block gives others: `materials` for each slot, or
+  /// one surface for all.
+  Mesh from_file() {
+    const SceneTerm& file = fields_.require("file");
+    ObjModel model = load_obj(source_.folder / values_.name(file, "a file name"));
+    mesh_ = std::move(model.mesh);
+    const std::size_t slots = mesh_.materials.size();
+    mesh_.name = values_.name(fields_.require("name"));
+    auto& files = draft_.scene.files;
+    files.insert(files.end(), model.files.begin(), model.files.end());
+    const bool own_surface = fields_.find("material") != nullptr || has_surface(fields_);
+    if (const SceneTerm* list = fields_.find("materials")) {
+      mesh_.materials.clear();
+      read_slots();
+      if (mesh_.materials.size() != slots)
+        values_.fail(*list, fmt::format("{} materials, one for each of the model's", slots));
+    } else if (own_surface) {
+      mesh_.materials.assign(slots, material_for(source_, fields_, {}, draft_));
+    } else {
+      add_materials(std::move(model));
+    }
+    return std::move(mesh_);
+  }
+
  private:
+  /// Names of materials and textures from the file get the model's name before them, as two models may share some.
+  void add_materials(ObjModel model) {
+    const auto first_material = static_cast<std::uint32_t>(draft_.materials.size());
+    const int first_texture = static_cast<int>(draft_.textures.size());
+    for (Texture& texture : model.textures) {
+      texture.name = fmt::format("{}/{}", mesh_.name, texture.name);
+      while (!draft_.texture_index.emplace(texture.name, static_cast<int>(draft_.textures.size())).second)
+        texture.name += "'";
+      draft_.textures.push_back(std::move(texture));
+    }
+    for (Material& material : model.materials) {
+      material.name = fmt::format("{}/{}", mesh_.name, material.name.empty() ? "plain" : material.name);
+      while (!draft_.material_index.emplace(material.name, static_cast<std::uint32_t>(draft_.materials.size())).second)
+        material.name += "'";
+      if (material.texture >= 0) material.texture += first_texture;
+      draft_.materials.push_back(std::move(material));
+    }
+    for (std::uint32_t& slot : mesh_.materials) slot += first_material;
+    auto& warnings = draft_.scene.warnings;
+    warnings.insert(warnings.end(), model.warnings.begin(), model.warnings.end());
+  }
+
   /// Both printed forms: a block of `KEY = VALUE`, or values alone, which are then numbered from 0.
   template <class Read>
   void read_all(const SceneTerm& term, Names& names, Read read) {
@@ -195,15 +242,18 @@ class ModelReader {
 
 void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneValues& values = source.values;
-  const SceneFields fields(
-      values, entry,
-      joined_keys({"name", "vertices", "triangles", "normals", "uvs", "sphere_divisions", "material", "materials"},
-                  surface_keys()));
+  const SceneFields fields(values, entry,
+                           joined_keys({"name", "file", "vertices", "triangles", "normals", "uvs", "sphere_divisions",
+                                        "material", "materials"},
+                                       surface_keys()));
   const SceneTerm& name = fields.require("name");
   if (draft.mesh_index.count(values.name(name)) > 0) values.fail(name, "a name that no other model has");
   Mesh mesh;
-  if (fields.find("sphere_divisions") != nullptr) {
-    fields.forbid({"vertices", "triangles", "normals", "uvs", "materials"}, "nothing beside 'sphere_divisions'");
+  if (fields.find("file") != nullptr) {
+    fields.forbid({"vertices", "triangles", "normals", "uvs", "sphere_divisions"}, "no shape beside 'file'");
+    mesh = ModelReader(source, fields, draft).from_file();
+  } else if (fields.find("sphere_divisions") != nullptr) {
+    fields.forbid({"vertices", "triangles", "normals", "uvs", "materials"}, "no shape beside 'sphere_divisions'");
     mesh = ModelReader(source, fields, draft).sphere();
   } else {
     mesh = ModelReader(source, fields, draft).spelled_out();

@@ -42,6 +42,8 @@ struct Scene {
   Vec2i telling_pixel{-1, -1};
   /// The files that it was read from: the scene itself, then those it includes, models, materials and textures.
   std::vector<std::string> files;
+  /// What the files ask for and could not be had, in whole sentences: the scene is shown without it.
+  std::vector<std::string> warnings;
 };
 
 /// Which features a scene can use at all; options that need an absent feature are greyed, and renderers skip them.

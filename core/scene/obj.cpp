@@ -1,0 +1,189 @@
+#include "scene/obj.h"
+
+#include <istream>
+#include <streambuf>
+
+#include <fmt/format.h>
+#include <tiny_obj_loader.h>
+
+#include "scene/obj_check.h"
+#include "scene/obj_material.h"
+#include "scene/polygon.h"
+#include "scene/scene_file.h"
+
+namespace ps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Lets a stream read from a text without copying it.
+class TextBuffer : public std::streambuf {
+ public:
+  explicit TextBuffer(std::string& text) { setg(text.data(), text.data(), text.data() + text.size()); }
+};
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\f\v");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t\f\v") - first + 1));
+}
+
+/// Takes what tinyobjloader finds, statement by statement.
+class ModelBuilder {
+ public:
+  ModelBuilder(ObjModel& model, const ObjSummary& summary, std::map<std::string, std::uint32_t> by_name)
+      : model_(model), by_name_(std::move(by_name)) {
+    model.mesh.positions.reserve(summary.positions);
+    model.mesh.normals.reserve(summary.normals);
+    model.mesh.uvs.reserve(summary.uvs);
+    model.mesh.triangles.reserve(summary.corners - 2 * summary.faces);
+  }
+
+  void read(std::string& text) {
+    tinyobj::callback_t callbacks;
+    using Real = tinyobj::real_t;
+    callbacks.vertex_cb = [](void* self, Real x, Real y, Real z, Real) {
+      mesh_of(self).positions.emplace_back(x, y, z);
+    };
+    callbacks.normal_cb = [](void* self, Real x, Real y, Real z) { mesh_of(self).normals.emplace_back(x, y, z); };
+    callbacks.texcoord_cb = [](void* self, Real u, Real v, Real) { mesh_of(self).uvs.emplace_back(u, 1 - v); };
+    callbacks.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
+      static_cast<ModelBuilder*>(self)->face(corners, count);
+    };
+    callbacks.usemtl_cb = [](void* self, const char* name, int) {
+      static_cast<ModelBuilder*>(self)->use_material(trimmed(name));
+    };
+    TextBuffer buffer(text);
+    std::istream stream(&buffer);
+    std::string warnings, errors;
+    tinyobj::LoadObjWithCallback(stream, callbacks, this, nullptr, &warnings, &errors);
+    PS_ASSERT(errors.empty(), "obj_check leaves tinyobjloader nothing to complain about");
+    cut_polygons();
+    drop_incomplete_normals();
+  }
+
+ private:
+  static Mesh& mesh_of(void* self) { return static_cast<ModelBuilder*>(self)->model_.mesh; }
+
+  /// Positive indices count from 1; negative ones back from what has been read so far; 0 = not given.
+  static std::int32_t resolve(int index, std::size_t count) {
+    return index >= 0 ? index - 1 : static_cast<std::int32_t>(count) + index;
+  }
+
+  void face(const tinyobj::index_t* corners, int count) {
+    corners_.clear();
+    for (int i = 0; i < count; ++i) {
+      corners_.push_back({resolve(corners[i].vertex_index, model_.mesh.positions.size()),
+                          resolve(corners[i].normal_index, model_.mesh.normals.size()),
+                          resolve(corners[i].texcoord_index, model_.mesh.uvs.size())});
+    }
+    if (!slot_) use_material({});
+    if (count == 3) return add(0, 1, 2);
+    // Vertices may follow later in the file, so the shape of a polygon is known only at its end.
+    polygons_.push_back({model_.mesh.triangles.size(), corners_.size()});
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) add(0, i, i + 1);
+  }
+
+  void add(std::size_t a, std::size_t b, std::size_t c) {
+    MeshTriangle triangle;
+    const std::array<std::size_t, 3> order{a, b, c};
+    for (std::size_t i = 0; i < 3; ++i) set_corner(triangle, i, corners_[order[i]]);
+    triangle.material = *slot_;
+    model_.mesh.triangles.push_back(triangle);
+  }
+
+  struct Corner {
+    std::int32_t position, normal, uv;
+  };
+  static void set_corner(MeshTriangle& triangle, std::size_t i, const Corner& corner) {
+    triangle.position[i] = static_cast<std::uint32_t>(corner.position);
+    triangle.normal[i] = corner.normal;
+    triangle.uv[i] = corner.uv;
+  }
+  static Corner corner_of(const MeshTriangle& triangle, std::size_t i) {
+    return {static_cast<std::int32_t>(triangle.position[i]), triangle.normal[i], triangle.uv[i]};
+  }
+
+  /// Replaces the fans that face() made by a triangulation that also holds for polygons that are not convex.
+  void cut_polygons() {
+    std::vector<Vec3d> points;
+    for (const Polygon& polygon : polygons_) {
+      MeshTriangle* fan = &model_.mesh.triangles[polygon.first_triangle];
+      corners_.assign({corner_of(fan[0], 0), corner_of(fan[0], 1)});
+      for (std::size_t i = 0; i + 2 < polygon.corners; ++i) corners_.push_back(corner_of(fan[i], 2));
+      points.clear();
+      for (const Corner& corner : corners_)
+        points.push_back(model_.mesh.positions[static_cast<std::size_t>(corner.position)]);
+      const auto triangles = triangulate_polygon(points);
+      for (std::size_t i = 0; i < triangles.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) set_corner(fan[i], k, corners_[triangles[i][k]]);
+    }
+  }
+
+  /// A triangle has three vertex normals or none; exporters write (0, 0, 0) for degenerate faces, which is none.
+  void drop_incomplete_normals() {
+    const Mesh& mesh = model_.mesh;
+    for (MeshTriangle& triangle : model_.mesh.triangles) {
+      for (const std::int32_t normal : triangle.normal) {
+        const bool good = normal >= 0 && mesh.normals[static_cast<std::size_t>(normal)] != Vec3d{0, 0, 0};
+        if (good) continue;
+        triangle.normal = {-1, -1, -1};
+        break;
+      }
+      for (const std::int32_t uv : triangle.uv) {
+        if (uv >= 0) continue;
+        triangle.uv = {-1, -1, -1};
+        break;
+      }
+    }
+  }
+
+  void use_material(const std::string& name) {
+    const auto [slot, is_new] = slots_.try_emplace(name, static_cast<std::uint32_t>(slots_.size()));
+    slot_ = slot->second;
+    if (!is_new) return;
+    const auto known = by_name_.find(name);
+    if (known != by_name_.end()) {
+      model_.mesh.materials.push_back(known->second);
+      return;
+    }
+    model_.mesh.materials.push_back(static_cast<std::uint32_t>(model_.materials.size()));
+    Material plain;
+    plain.name = name;
+    plain.colour = {0.8, 0.8, 0.8};
+    model_.materials.push_back(std::move(plain));
+  }
+
+  struct Polygon {
+    std::size_t first_triangle, corners;
+  };
+  ObjModel& model_;
+  std::map<std::string, std::uint32_t> by_name_;
+  std::map<std::string, std::uint32_t> slots_;
+  std::optional<std::uint32_t> slot_;
+  std::vector<Corner> corners_;
+  std::vector<Polygon> polygons_;
+};
+
+}  // namespace
+
+ObjModel load_obj(const fs::path& path) {
+  ObjModel model;
+  std::string text = read_text_file(path, max_obj_bytes);
+  const ObjSummary summary = check_obj(text, path.string());
+  model.files.push_back(path.string());
+  auto by_name = load_obj_materials(path, summary.material_files, model);
+  for (const ObjReference& used : summary.used_materials) {
+    if (by_name.count(used.name) > 0) continue;
+    constexpr std::size_t most_warnings = 20;
+    if (model.warnings.size() < most_warnings)
+      model.warnings.push_back(
+          fmt::format("{}:{}: the material '{}' is missing.", path.string(), used.line, used.name));
+  }
+  model.mesh.name = path.stem().string();
+  model.mesh.source = path.string();
+  ModelBuilder(model, summary, std::move(by_name)).read(text);
+  return model;
+}
+
+}  // namespace ps

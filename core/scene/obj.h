@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace ps {
+
+/// A model file as it was read: a mesh with everything that it wears. Indices count from 0 within these lists.
+struct ObjModel {
+  Mesh mesh;  ///< Mesh::materials point into `materials`
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<std::string> files;     ///< the OBJ file, its material files, its textures
+  std::vector<std::string> warnings;  ///< materials and textures that could not be found; the model comes without them
+};
+
+/// Reads a Wavefront OBJ file with its MTL files and textures through tinyobjloader, after obj_check has read the text.
+/// Faces with more than three corners are cut into triangles. Texture coordinates are turned over, since OBJ counts v
+/// from the bottom and we from the top. Kd becomes the colour, Ks and Ns the highlight, Ka the ambient colour, map_Kd
+/// the texture. Throws InputError.
+ObjModel load_obj(const std::filesystem::path& path);
+
+/// A scene of one model alone: framed whole by a camera in front of it that looks along -z with y up, with ambient
+/// light of 0.3 and a directional key light of 0.7 from the upper right.
+Scene load_obj_scene(const std::filesystem::path& path);
+
+inline constexpr std::uintmax_t max_obj_bytes = std::uintmax_t{1} << 30;
+
+}  // namespace ps

@@ -1,0 +1,178 @@
+#include "scene/obj_check.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+#include "scene/obj_line.h"
+
+namespace ps {
+namespace {
+
+constexpr int most_corners = 1000;
+
+/// Statements that say nothing about the surface, or nothing that Pixelscope draws.
+constexpr std::array<std::string_view, 19> ignored{
+    "o",        "g",   "s",          "mg",        "l",      "p",      "vp",   "vw",  "bevel", "c_interp",
+    "d_interp", "lod", "shadow_obj", "trace_obj", "usemap", "maplib", "call", "csh", "t"};
+constexpr std::array<std::string_view, 6> used{"v", "vt", "vn", "f", "usemtl", "mtllib"};
+
+std::vector<std::string_view> known_words() {
+  std::vector<std::string_view> words(used.begin(), used.end());
+  words.insert(words.end(), ignored.begin(), ignored.end());
+  return words;
+}
+
+/// Positive indices may name elements that come later in the file. Of those only each new largest one is kept: the
+/// first that turns out to be too large is among them.
+struct PendingIndex {
+  long long index = 0;
+  ObjLine place;
+};
+
+struct IndexList {
+  std::string_view name;
+  std::size_t count = 0;
+  std::vector<PendingIndex> pending{};
+};
+
+class ObjChecker {
+ public:
+  ObjChecker(std::string& text, const std::string& file) : text_(text), file_(file) {}
+
+  ObjSummary run() {
+    const int lines = for_each_obj_line(text_, file_, [&](ObjLine& line) { statement(line); });
+    for (const IndexList* list : {&positions_, &uvs_, &normals_})
+      for (const PendingIndex& pending : list->pending)
+        if (pending.index > static_cast<long long>(list->count)) fail_index(pending.place, pending.index, *list);
+    if (summary_.faces == 0)
+      throw InputError({file_, lines, 0}, fmt::format("no face in {} lines", lines), "at least one line 'f 1 2 3'");
+    summary_.positions = positions_.count;
+    summary_.uvs = uvs_.count;
+    summary_.normals = normals_.count;
+    return std::move(summary_);
+  }
+
+ private:
+  void statement(ObjLine& line) {
+    const std::string_view word = line.next();
+    if (word.empty()) return;
+    if (word == "v") return position(line);
+    if (word == "vn") {
+      for (int i = 0; i < 3; ++i) line.require_number();
+      require_end(line, "three numbers");
+      ++normals_.count;
+      return;
+    }
+    if (word == "vt") return uv(line);
+    if (word == "f") return face(line);
+    if (word == "usemtl") return reference(line, summary_.used_materials, "the name of a material");
+    if (word == "mtllib") return reference(line, summary_.material_files, "the name of a material file");
+    if (std::find(ignored.begin(), ignored.end(), word) == ignored.end())
+      line.fail(line.shown(), fmt::format("'{}'", nearest_word(word, known_words())));
+  }
+
+  /// x y z, then perhaps w, or a colour, or both.
+  void position(ObjLine& line) {
+    for (int i = 0; i < 3; ++i) line.require_number();
+    for (int extra = 0; extra < 4; ++extra) {
+      ObjLine ahead = line;
+      if (ahead.next().empty()) break;
+      line.require_number();
+    }
+    require_end(line, "at most 7 numbers");
+    ++positions_.count;
+  }
+
+  void uv(ObjLine& line) {
+    line.require_number();
+    for (int extra = 0; extra < 2; ++extra) {
+      ObjLine ahead = line;
+      if (ahead.next().empty()) break;
+      line.require_number();
+    }
+    require_end(line, "at most 3 numbers");
+    ++uvs_.count;
+  }
+
+  void face(ObjLine& line) {
+    int corners = 0;
+    for (auto word = line.next(); !word.empty(); word = line.next()) {
+      if (++corners > most_corners) line.fail(line.shown(), fmt::format("at most {} corners", most_corners));
+      corner(line, word);
+    }
+    if (corners < 3)
+      line.fail(fmt::format("a face with {} corner{}", corners, corners == 1 ? "" : "s"), "at least 3 corners");
+    ++summary_.faces;
+    summary_.corners += static_cast<std::size_t>(corners);
+  }
+
+  /// v, v/vt, v//vn or v/vt/vn.
+  void corner(ObjLine& line, std::string_view word) {
+    const auto first = word.find('/');
+    index(line, word.substr(0, first), positions_);
+    if (first == std::string_view::npos) return;
+    const std::string_view behind = word.substr(first + 1);
+    const auto second = behind.find('/');
+    if (const auto part = behind.substr(0, second); !part.empty()) index(line, part, uvs_);
+    if (second == std::string_view::npos) return;
+    if (const auto part = behind.substr(second + 1); !part.empty()) index(line, part, normals_);
+  }
+
+  void index(ObjLine& line, std::string_view digits, IndexList& list) {
+    const bool negative = !digits.empty() && digits.front() == '-';
+    long long value = 0;
+    const std::string_view number = digits.substr(negative ? 1 : 0);
+    if (number.empty()) fail_corner(line);
+    for (const char c : number) {
+      if (c < '0' || c > '9') fail_corner(line);
+      value = std::min(value * 10 + (c - '0'), 1'000'000'000'000LL);
+    }
+    if (value == 0) line.fail(line.shown(), "an index from 1 up, or below 0 to count backwards");
+    if (negative) {
+      if (value > static_cast<long long>(list.count)) fail_index(line, -value, list);
+    } else if (value > static_cast<long long>(list.count)) {
+      if (list.pending.empty() || value > list.pending.back().index) list.pending.push_back({value, line});
+    }
+  }
+
+  [[noreturn]] static void fail_corner(const ObjLine& line) {
+    line.fail(line.shown(), "a corner such as 1, 1/2, 1//3 or 1/2/3");
+  }
+
+  [[noreturn]] static void fail_index(const ObjLine& line, long long index, const IndexList& list) {
+    const std::string expected = list.count == 0 ? fmt::format("no {} index, since there are none {}", list.name,
+                                                               index < 0 ? "before this line" : "in the file")
+                                                 : fmt::format("a {} index of at most {}", list.name, list.count);
+    line.fail(fmt::format("index {} in {}", index, line.shown()), expected);
+  }
+
+  static void require_end(ObjLine& line, const std::string& expected) {
+    if (!line.next().empty()) line.fail(line.shown(), expected);
+  }
+
+  static void reference(ObjLine& line, std::vector<ObjReference>& list, const std::string& expected) {
+    const std::string name(line.rest());
+    if (name.empty()) line.fail(line.shown(), expected);
+    const bool known = std::any_of(list.begin(), list.end(), [&](const ObjReference& r) { return r.name == name; });
+    if (known) return;
+    constexpr std::size_t most_names = 10000;
+    if (list.size() >= most_names) line.fail(line.shown(), fmt::format("at most {} names", most_names));
+    list.push_back({name, line.number()});
+  }
+
+  std::string& text_;
+  const std::string& file_;
+  ObjSummary summary_;
+  IndexList positions_{"vertex"};
+  IndexList uvs_{"texture coordinate"};
+  IndexList normals_{"normal"};
+};
+
+}  // namespace
+
+ObjSummary check_obj(std::string& text, const std::string& file) { return ObjChecker(text, file).run(); }
+
+}  // namespace ps

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/check.h"
+
+namespace ps {
+
+/// A name in a model file and the line in which it stands first.
+struct ObjReference {
+  std::string name;
+  int line = 0;
+};
+
+/// What check_obj counted and found on its way.
+struct ObjSummary {
+  std::size_t positions = 0;
+  std::size_t normals = 0;
+  std::size_t uvs = 0;
+  std::size_t faces = 0;
+  std::size_t corners = 0;  ///< of all faces together
+  std::vector<ObjReference> material_files;
+  std::vector<ObjReference> used_materials;
+};
+
+/// Reads the text of a Wavefront OBJ file before tinyobjloader does, which takes "v nan" and "v 1 banana 0" without a
+/// word and only warns of indices out of range. After this the text is known to be good: every number is finite and
+/// at most 1e12, every index lies in its list, every face has 3 to 1000 corners, and there is at least one face.
+/// Joined lines (a backslash at the end), comments behind a statement and a byte-order mark are blanked out in place,
+/// since tinyobjloader does not know them. Throws InputError with line and column.
+ObjSummary check_obj(std::string& text, const std::string& file);
+
+/// Largest length of one line in a model or material file, in bytes.
+inline constexpr std::size_t max_obj_line = 64 * 1024;
+
+}  // namespace ps

@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "scene/obj.h"
+#include "scene/obj_check.h"
+
+namespace ps {
+
+/// Reads the material files that an OBJ file names, in its order, into model.materials, model.textures, model.files and
+/// model.warnings. Returns the index of each material by name; the first of two with one name counts. Throws InputError
+/// for a file with errors in it; one that is missing is a warning, as models often come without theirs.
+std::map<std::string, std::uint32_t> load_obj_materials(const std::filesystem::path& obj,
+                                                        const std::vector<ObjReference>& files, ObjModel& model);
+
+}  // namespace ps

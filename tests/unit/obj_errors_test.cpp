@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "base/check.h"
+#include "obj_corpus.h"
+
+namespace {
+
+const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+struct BadModel {
+  const char* name;
+  std::string text;
+  int line, column;
+  const char* found;
+  const char* expected;
+  friend std::ostream& operator<<(std::ostream& out, const BadModel& bad) { return out << bad.name; }
+};
+
+class ObjErrors : public testing::TestWithParam<BadModel> {};
+
+TEST_P(ObjErrors, NamePlaceFoundAndExpected) {
+  const ps::testing::ModelFolder folder;
+  const BadModel& bad = GetParam();
+  try {
+    folder.load(bad.text);
+    FAIL() << "was accepted";
+  } catch (const ps::InputError& error) {
+    EXPECT_EQ(error.place().file, (folder.path() / "model.obj").string());
+    EXPECT_EQ(error.place().line, bad.line) << error.what();
+    EXPECT_EQ(error.place().column, bad.column) << error.what();
+    EXPECT_EQ(error.found(), bad.found);
+    EXPECT_EQ(error.expected(), bad.expected);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Corpus, ObjErrors,
+    testing::Values(
+        BadModel{"nan", "v nan 0 0\n", 1, 3, "'nan'", "a number"},
+        BadModel{"inf", "v 0 0 -inf\n", 1, 7, "'-inf'", "a number"},
+        BadModel{"banana", "v 1 banana 0\n", 1, 5, "'banana'", "a number"},
+        BadModel{"decimal_comma", "v 1,5 0 0\n", 1, 3, "'1,5'", "a number"},
+        BadModel{"hexadecimal", "v 0x10 0 0\n", 1, 3, "'0x10'", "a number"},
+        BadModel{"overflow", "v 1e400 0 0\n", 1, 3, "'1e400'", "a number below 1e12"},
+        BadModel{"underflow", "v 1e-400 0 0\n", 1, 3, "'1e-400'", "a number that is 0 or above 1e-300"},
+        BadModel{"zero_with_huge_exponent", "v 0e99999 0 0\n", 1, 3, "'0e99999'", "a number below 1e12"},
+        BadModel{"two_coordinates", "v 1 2\n", 1, 6, "the end of the line", "a number"},
+        BadModel{"no_faces", "v 0 0 0\n\nv 1 0 0\n", 3, 0, "no face in 3 lines", "at least one line 'f 1 2 3'"},
+        BadModel{"index_zero", corners + "f 0 1 2\n", 4, 3, "'0'", "an index from 1 up, or below 0 to count backwards"},
+        BadModel{"index_too_large", corners + "f 1 2 4\n", 4, 7, "index 4 in '4'", "a vertex index of at most 3"},
+        BadModel{"first_of_two_too_large", corners + "f 1 2 3\nf 1 2 7\nf 9 2 3\n", 5, 7, "index 7 in '7'",
+                 "a vertex index of at most 3"},
+        BadModel{"negative_beyond_start", corners + "f -1 -2 -4\n", 4, 9, "index -4 in '-4'",
+                 "a vertex index of at most 3"},
+        BadModel{"index_2_31", corners + "f 1 2 2147483648\n", 4, 7, "index 2147483648 in '2147483648'",
+                 "a vertex index of at most 3"},
+        BadModel{"index_2_63", corners + "f 1 2 9223372036854775808\n", 4, 7,
+                 "index 1000000000000 in '9223372036854775808'", "a vertex index of at most 3"},
+        BadModel{"normal_without_normals", corners + "f 1//1 2//1 3//1\n", 4, 3, "index 1 in '1//1'",
+                 "no normal index, since there are none in the file"},
+        BadModel{"uv_too_large", corners + "vt 0 0\nf 1/1 2/2 3/1\n", 5, 7, "index 2 in '2/2'",
+                 "a texture coordinate index of at most 1"},
+        BadModel{"two_corners", corners + "f 1 2\n", 4, 6, "a face with 2 corners", "at least 3 corners"},
+        BadModel{"corner_of_words", corners + "f a b c\n", 4, 3, "'a'", "a corner such as 1, 1/2, 1//3 or 1/2/3"},
+        BadModel{"too_many_corners",
+                 corners + "f" +
+                     [] {
+                       std::string many;
+                       for (int i = 0; i < 1001; ++i) many += " 1";
+                       return many;
+                     }() +
+                     "\n",
+                 4, 2003, "'1'", "at most 1000 corners"},
+        BadModel{"long_line", "v 0 0 0" + std::string(10'000'000, ' ') + "\n", 1, 1, "a line of 10000007 bytes",
+                 "at most 65536 bytes"},
+        BadModel{"utf16", std::string("\xFF\xFEv\0 \0", 6), 1, 1, "UTF-16 text", "UTF-8 text"},
+        BadModel{"nul", std::string("v 0 0 0\nv 1 \0 0\n", 16), 2, 0, "a NUL byte", "text"},
+        BadModel{"unknown_statement", "v 0 0 0\nvx 1 2 3\n", 2, 1, "'vx'", "'v'"},
+        BadModel{"nothing", "", 0, 0, "an empty file", "a scene or model"},
+        BadModel{"carriage_returns_alone", "v 0 0 0\rv 1 x 0\r", 2, 5, "'x'", "a number"}),
+    [](const auto& bad) { return std::string(bad.param.name); });
+
+TEST(ObjErrors, BadMaterialFile) {
+  const ps::testing::ModelFolder folder;
+  folder.write("a.mtl", "newmtl red\nKd 1 zero 0\n");
+  try {
+    folder.load("mtllib a.mtl\n" + corners + "f 1 2 3\n");
+    FAIL() << "was accepted";
+  } catch (const ps::InputError& error) {
+    EXPECT_EQ(error.place().file, (folder.path() / "a.mtl").string());
+    EXPECT_EQ(error.place().line, 2);
+    EXPECT_EQ(error.place().column, 6);
+    EXPECT_EQ(error.found(), "'zero'");
+  }
+}
+
+TEST(ObjErrors, BadTexture) {
+  const ps::testing::ModelFolder folder;
+  folder.write("a.mtl", "newmtl red\nmap_Kd broken.png\n");
+  folder.write("broken.png", "\x89PNG\r\n\x1a\nno more");
+  EXPECT_THROW(folder.load("mtllib a.mtl\n" + corners + "f 1 2 3\n"), ps::InputError);
+}
+
+}  // namespace
