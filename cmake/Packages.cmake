@@ -25,3 +25,6 @@ if(PIXELSCOPE_TESTS)
   find_package(GTest REQUIRED)
   find_package(rapidcheck CONFIG REQUIRED)
 endif()
+
+# What pixelscope-bench measures against, where it is installed.
+find_library(PIXELSCOPE_EMBREE embree3)

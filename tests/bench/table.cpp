@@ -4,10 +4,18 @@ namespace ps::bench {
 
 // One line for each file of benches; they are listed by hand so that nothing depends on the linker.
 Benches memory_benches();
+Benches rays_curve_benches();
+#ifdef PIXELSCOPE_EMBREE
+Benches embree_benches();
+#endif
 
 Benches all_benches() {
   Benches all;
   append(all, memory_benches());
+#ifdef PIXELSCOPE_EMBREE
+  append(all, embree_benches());
+#endif
+  append(all, rays_curve_benches());
   return all;
 }
 

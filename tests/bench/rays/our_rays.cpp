@@ -1,0 +1,56 @@
+#include "bench/rays/our_rays.h"
+
+#include "bench/meshes.h"
+#include "raytrace/intersector.h"
+
+namespace ps::bench {
+
+struct OurRays::Content {
+  Scene scene;
+  std::shared_ptr<Prepared> prepared;
+  TraceInputs<float> inputs;
+};
+
+OurRays::OurRays(const Scene& scene, const Settings& settings, std::shared_ptr<Prepared> prepared)
+    : content_(std::make_unique<Content>()) {
+  content_->scene = scene;
+  content_->prepared = std::move(prepared);
+  content_->inputs = make_trace_inputs<float>(scene, View{}, settings, *content_->prepared);
+}
+OurRays::~OurRays() = default;
+OurRays::OurRays(OurRays&&) noexcept = default;
+
+void OurRays::nearest(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
+  Silent silent;
+  const Intersector<float, Silent> intersector(content_->inputs, silent);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Hit<float> hit = intersector.nearest({rays[i].origin, rays[i].direction, 0, rays[i].t_max, no_primitive});
+    hits[i] = {hit.found() ? hit.primitive : no_hit, hit.t};
+  }
+}
+
+void OurRays::any(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
+  Silent silent;
+  const Intersector<float, Silent> intersector(content_->inputs, silent);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Hit<float> hit = intersector.any({rays[i].origin, rays[i].direction, 0, rays[i].t_max, no_primitive});
+    hits[i] = {hit.found() ? hit.primitive : no_hit, hit.t};
+  }
+}
+
+void OurRays::rebuild() {
+  Prepared empty;
+  content_->inputs.bvh = traced_bvh<float>(content_->scene, *content_->inputs.geometry, empty);
+}
+
+double OurRays::bytes_per_triangle() const {
+  const TracedGeometry<float>& geometry = *content_->inputs.geometry;
+  const Bvh<float>& bvh = *content_->inputs.bvh;
+  const std::size_t bytes = bvh.nodes.size() * sizeof(BvhNode<float>) + bvh.order.size() * sizeof(std::uint32_t) +
+                            geometry.primitives.size() * sizeof(Primitive) +
+                            geometry.triangles.size() * sizeof(TracedTriangle<float>) +
+                            geometry.attributes.size() * sizeof(TriangleAttributes<float>);
+  return static_cast<double>(bytes) / static_cast<double>(geometry.triangles.size());
+}
+
+}  // namespace ps::bench
