@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "math/power.h"
+
 namespace ps {
 namespace {
 
@@ -27,7 +29,7 @@ inline std::uint8_t level8(double linear, double exposure) {
 double curved(double linear, const DisplayTransform& transform) {
   const double exposed = linear * transform.exposure;
   if (transform.gamma == 1) return exposed;
-  return exposed > 0 ? std::pow(std::min(exposed, 1.0), 1 / transform.gamma) : 0;  // 0 for NaN
+  return exposed > 0 ? power(std::min(exposed, 1.0), 1 / transform.gamma) : 0;  // 0 for NaN
 }
 
 std::uint8_t shown(double value, unsigned highest) { return expand(quantise(value * highest, highest), highest); }

@@ -67,8 +67,7 @@ Image<Vec3f> load_image(const std::filesystem::path& path) {
   case Format::png:
     return decode_png(bytes, file);
   case Format::jpeg:
-    check_jpeg(bytes, file);
-    return stb_decode(bytes, file);
+    return stb_decode(checked_jpeg(bytes, file), file);
   case Format::tga:
     check_tga(bytes, file);
     return stb_decode(bytes, file);

@@ -122,6 +122,32 @@ TEST(ImageFile, ReadsTgaAndJpeg) {
   }
 }
 
+// What the decoder itself would take: a table that overflows its memory, and pixels out of nothing.
+TEST(ImageFile, RefusesWhatTheDecoderWouldNot) {
+  const auto folder = ps::fresh_output_folder("image-file-decoder");
+  const std::string good = ps::read_whole_file("tests/unit/data/flat.jpg");
+  const auto error = [&](const char* name, const std::string& bytes) {
+    ps::write_file_atomically(folder / name, bytes);
+    return message_of([&] { ps::load_image(folder / name); });
+  };
+  EXPECT_EQ(error("good.jpg", good), "");
+  EXPECT_EQ(error("good.jpg", good + "after the end"), "");
+
+  std::string table("\xff\xc4\x01\x14\0", 5);  // 3 + 16 + 257 bytes of one table, all codes of one length
+  table += std::string(14, '\0') + "\xff\x02" + std::string(257, 'x');
+  EXPECT_NE(error("table.jpg", std::string(good).insert(2, table)).find("257 codes"), std::string::npos)
+      << error("table.jpg", std::string(good).insert(2, table));
+
+  std::string huge = good;
+  const auto frame = huge.find("\xff\xc0");
+  ASSERT_NE(frame, std::string::npos);
+  huge.replace(frame + 5, 4, std::string("\x3f\xff\x3f\xff", 4));
+  EXPECT_NE(error("huge.jpg", huge).find("too few for its 268402689 pixels"), std::string::npos);
+
+  const std::string empty_runs("\0\0\x0a\0\0\0\0\0\0\0\0\0\xff\x3f\xff\x3f\x18\0", 18);
+  EXPECT_NE(error("huge.tga", empty_runs).find("cut off"), std::string::npos);
+}
+
 TEST(ImageFile, NamesWhatIsWrong) {
   const auto folder = ps::fresh_output_folder("image-file-bad");
   const Image<Rgb8> image(2, 2);
