@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "math/power.h"
+#include "image/gamma_curve.h"
 
 namespace ps {
 namespace {
@@ -26,13 +26,30 @@ inline std::uint8_t level8(double linear, double exposure) {
   return static_cast<std::uint8_t>(quantise(linear * exposure * 255, 255));
 }
 
-double curved(double linear, const DisplayTransform& transform) {
-  const double exposed = linear * transform.exposure;
-  if (transform.gamma == 1) return exposed;
-  return exposed > 0 ? power(std::min(exposed, 1.0), 1 / transform.gamma) : 0;  // 0 for NaN
+std::uint8_t shown(double value, unsigned highest) { return expand(quantise(value * highest, highest), highest); }
+
+/// The largest value that each channel is quantised to.
+struct Highest {
+  unsigned r, g, b;
+};
+
+Highest highest_levels(ColourDepth depth) {
+  switch (depth) {
+  case ColourDepth::bits24:
+    return {255, 255, 255};
+  case ColourDepth::bits16:
+    return {31, 63, 31};
+  case ColourDepth::bits15:
+    return {31, 31, 31};
+  }
+  return {};
 }
 
-std::uint8_t shown(double value, unsigned highest) { return expand(quantise(value * highest, highest), highest); }
+Rgb8 curved_pixel(const Vec3d& linear, double exposure, const GammaCurve& curve_rb, const GammaCurve& curve_g) {
+  return {expand(curve_rb.level(linear.r * exposure), curve_rb.highest()),
+          expand(curve_g.level(linear.g * exposure), curve_g.highest()),
+          expand(curve_rb.level(linear.b * exposure), curve_rb.highest())};
+}
 
 template <class Pixel>
 void display_run(std::span<const Pixel> linear, std::span<Rgb8> levels, const DisplayTransform& transform) {
@@ -43,7 +60,15 @@ void display_run(std::span<const Pixel> linear, std::span<Rgb8> levels, const Di
       levels[i] = {level8(linear[i].r, exposure), level8(linear[i].g, exposure), level8(linear[i].b, exposure)};
     return;
   }
-  for (std::size_t i = 0; i < linear.size(); ++i) levels[i] = display_pixel(Vec3d(linear[i]), transform);
+  if (transform.gamma == 1) {
+    for (std::size_t i = 0; i < linear.size(); ++i) levels[i] = display_pixel(Vec3d(linear[i]), transform);
+    return;
+  }
+  const Highest highest = highest_levels(transform.depth);
+  const GammaCurve& curve_rb = gamma_curve(transform.gamma, highest.r);
+  const GammaCurve& curve_g = gamma_curve(transform.gamma, highest.g);
+  for (std::size_t i = 0; i < linear.size(); ++i)
+    levels[i] = curved_pixel(Vec3d(linear[i]), transform.exposure, curve_rb, curve_g);
 }
 
 template <class Pixel>
@@ -67,18 +92,14 @@ DisplayTransform display_transform(const Settings& settings) {
 }
 
 Rgb8 display_pixel(const Vec3d& linear, const DisplayTransform& transform) {
-  const double r = curved(linear.r, transform);
-  const double g = curved(linear.g, transform);
-  const double b = curved(linear.b, transform);
-  switch (transform.depth) {
-  case ColourDepth::bits24:
-    return {shown(r, 255), shown(g, 255), shown(b, 255)};
-  case ColourDepth::bits16:
-    return {shown(r, 31), shown(g, 63), shown(b, 31)};
-  case ColourDepth::bits15:
-    return {shown(r, 31), shown(g, 31), shown(b, 31)};
+  const Highest highest = highest_levels(transform.depth);
+  if (transform.gamma == 1) {
+    const Vec3d exposed = linear * transform.exposure;
+    return {shown(exposed.r, highest.r), shown(exposed.g, highest.g), shown(exposed.b, highest.b)};
   }
-  return {};
+  const GammaCurve& curve_rb = gamma_curve(transform.gamma, highest.r);
+  const GammaCurve& curve_g = gamma_curve(transform.gamma, highest.g);
+  return curved_pixel(linear, transform.exposure, curve_rb, curve_g);
 }
 
 Image<Rgb8> display_image(const Image<Vec3f>& linear, const DisplayTransform& transform) {

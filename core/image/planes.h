@@ -1,6 +1,5 @@
 #pragma once
 #include <algorithm>
-#include <functional>
 #include <vector>
 
 #include "image/image.h"
@@ -21,16 +20,15 @@ inline Plane filtered(const Plane& plane, const Kernel& along_x, const Kernel& a
   const int rx = static_cast<int>(along_x.size() / 2);
   const int ry = static_cast<int>(along_y.size() / 2);
   Plane across(width, height);
+  std::vector<double> padded(static_cast<std::size_t>(width + 2 * rx));
   for (int y = 0; y < height; ++y) {
     const auto from = plane.row(y);
     const auto to = across.row(y);
-    for (int x = 0; x < width; ++x) {
-      double sum = 0;
-      for (int i = -rx; i <= rx; ++i)
-        sum +=
-            along_x[static_cast<std::size_t>(i + rx)] * from[static_cast<std::size_t>(std::clamp(x + i, 0, width - 1))];
-      to[static_cast<std::size_t>(x)] = sum;
-    }
+    std::fill(padded.begin(), padded.begin() + rx, from.front());
+    std::copy(from.begin(), from.end(), padded.begin() + rx);
+    std::fill(padded.end() - rx, padded.end(), from.back());
+    for (std::size_t i = 0; i < along_x.size(); ++i)
+      for (std::size_t x = 0; x < to.size(); ++x) to[x] += along_x[i] * padded[x + i];
   }
   Plane result(width, height);
   for (int y = 0; y < height; ++y) {

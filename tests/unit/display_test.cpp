@@ -127,6 +127,21 @@ TEST(Display, PicturesAgreeWithSinglePixels) {
   }
 }
 
+// The curve is looked up, not computed for each pixel; the formula itself is the C library's.
+TEST(Display, CurveFollowsItsFormula) {
+  for (const double gamma : {0.1, 0.45, 1.8, 2.2, 5.0}) {
+    for (const auto& [depth, highest] : {std::pair{ColourDepth::bits24, 255}, {ColourDepth::bits15, 31}}) {
+      for (int i = 0; i <= 3000; ++i) {
+        const double linear = std::pow(i / 3000.0, 3);
+        const double exact = std::pow(linear, 1 / gamma) * highest;
+        if (std::abs(exact - std::floor(exact) - 0.5) < 1e-9) continue;
+        const int expected = static_cast<int>(std::lround(std::nearbyint(exact) * 255 / highest));
+        ASSERT_EQ(level(linear, {.gamma = gamma, .depth = depth}), expected) << "gamma " << gamma << " of " << linear;
+      }
+    }
+  }
+}
+
 TEST(Display, LevelsSurviveTheWayToFloatAndBack) {
   ps::Image<Rgb8> levels(256, 1);
   for (int i = 0; i < 256; ++i) {
