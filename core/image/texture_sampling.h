@@ -37,19 +37,28 @@ struct TextureLookup {
 /// Where the texels of one lookup are noted for the inspector; nullptr in pictures.
 using TexelNotes = std::vector<Texel>*;
 
+/// std::floor, to the same value, without a call for numbers that fit an int.
+template <class Real>
+inline Real floor_of(Real value) {
+  constexpr Real fits = Real(1 << 30);
+  if (!(value > -fits && value < fits)) return std::floor(value);
+  const Real cut = static_cast<Real>(static_cast<int>(value));
+  return cut > value ? cut - Real(1) : cut;
+}
+
 /// A texture coordinate brought into [0, 1]. NaN and infinities give 0 or 1.
 template <class Real>
 inline Real wrap_coordinate(Real u, TextureWrap wrap) {
   Real t = u;
   switch (wrap) {
   case TextureWrap::repeat:
-    t = u - std::floor(u);
+    t = u - floor_of(u);
     break;
   case TextureWrap::clamp:
     break;
   case TextureWrap::mirror: {
     const Real half = u * Real(0.5);
-    t = (half - std::floor(half)) * Real(2);
+    t = (half - floor_of(half)) * Real(2);
     if (t > 1) t = Real(2) - t;
     break;
   }
@@ -102,7 +111,7 @@ struct TexelPair {
 template <class Real>
 inline TexelPair<Real> texel_pair(Real u, int size, TextureWrap wrap) {
   const Real p = wrap_coordinate(u, wrap) * static_cast<Real>(size) - Real(0.5);
-  const Real whole = std::floor(p);
+  const Real whole = floor_of(p);
   const int x = static_cast<int>(whole);
   return {wrap_texel(x, size, wrap), wrap_texel(x + 1, size, wrap), p - whole};
 }

@@ -191,6 +191,18 @@ TYPED_TEST(TextureSampling, TrilinearMixesTheLevels) {
   EXPECT_EQ(mip(1.5).texels, 4);
 }
 
+TYPED_TEST(TextureSampling, FloorIsTheCLibrarys) {
+  using Limits = std::numeric_limits<TypeParam>;
+  for (const double value :
+       {0.0, 0.5, -0.5, 1.0, -1.0, 2.999, -2.999, 1073741823.5, 1073741824.0, -1073741824.5, 1e30, -1e30}) {
+    const auto real = static_cast<TypeParam>(value);
+    EXPECT_EQ(ps::floor_of(real), std::floor(real)) << value;
+    EXPECT_EQ(ps::floor_of(std::nextafter(real, Limits::lowest())), std::floor(std::nextafter(real, Limits::lowest())));
+  }
+  EXPECT_EQ(ps::floor_of(-Limits::infinity()), -Limits::infinity());
+  EXPECT_TRUE(std::isnan(ps::floor_of(Limits::quiet_NaN())));
+}
+
 TYPED_TEST(TextureSampling, LevelFollowsTheLongerStep) {
   using D = ps::TextureDerivatives<TypeParam>;
   EXPECT_EQ(ps::mip_level(D{{1, 0}, {0, 1}}), TypeParam(0));
