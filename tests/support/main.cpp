@@ -4,7 +4,7 @@
 #include <filesystem>
 
 int main(int argc, char** argv) {
+  std::filesystem::current_path(PIXELSCOPE_SOURCE_DIR);  // first: parameters of tests may come from files
   testing::InitGoogleTest(&argc, argv);
-  std::filesystem::current_path(PIXELSCOPE_SOURCE_DIR);
   return RUN_ALL_TESTS();
 }

@@ -73,6 +73,7 @@ Window::Window(const std::string& title, WindowSize size) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
+  io.MouseDoubleClickTime = 0.4f;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window drawing
   ImGui_ImplSDL2_InitForOpenGL(window_, context_);
   ImGui_ImplOpenGL3_Init(shader_version);

@@ -17,7 +17,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr std::chrono::seconds idle_limit{120};
+constexpr std::chrono::seconds idle_limit{120}, until_limit{30};
 /// Frames until ImGui has seen an event and drawn what follows from it.
 constexpr int frames_after_input = 2;
 /// Frames in which a control may be scrolled to or its section may open.
@@ -72,7 +72,7 @@ ScriptStep ScriptPlayer::step(Window& window, Content& content, LoopState state)
 
 double ScriptPlayer::patience() const {
   if (wait_until_ > Clock::now()) return std::chrono::duration<double>(wait_until_ - Clock::now()).count();
-  return waiting_for_idle_ ? 0.004 : 0;
+  return watching_ ? 0.004 : 0;
 }
 
 void ScriptPlayer::frame_drawn(const Window& window) {
@@ -99,6 +99,8 @@ void ScriptPlayer::begin(const Command& command) {
   case Verb::click_pixel:
   case Verb::click:
     return begin_click(command);
+  case Verb::choose:
+    return begin_choose(command);
   case Verb::drag:
     return begin_drag(command);
   case Verb::move:
@@ -151,6 +153,7 @@ void ScriptPlayer::begin(const Command& command) {
 
 void ScriptPlayer::begin_wait(const Command& command) {
   if (command.words[0] == "idle") return wait_for_idle();
+  if (command.words[0] == "until") return wait_until(command);
   if (command.words[0] == "frames")
     return after_frames(static_cast<int>(parse_script_number(command.words[1], command.place)));
   wait_until_ = Clock::now() + std::chrono::milliseconds(
@@ -159,11 +162,26 @@ void ScriptPlayer::begin_wait(const Command& command) {
 }
 
 void ScriptPlayer::wait_for_idle() {
-  waiting_for_idle_ = true;
+  watching_ = true;
   part([this, limit = Clock::now() + idle_limit] {
     if (!state_.idle && Clock::now() > limit) fail(fmt::format("still busy after {} s", idle_limit.count()));
-    waiting_for_idle_ = !state_.idle;
+    watching_ = !state_.idle;
     return state_.idle ? Turn::done : Turn::again;
+  });
+}
+
+void ScriptPlayer::wait_until(const Command& command) {
+  Expectation wanted;
+  if (command.words.size() == 4) wanted.relation = command.words[2];
+  wanted.value = expand(command.words.back());
+  watching_ = true;
+  part([this, name = command.words[1], wanted, limit = Clock::now() + until_limit] {
+    const std::string found = value_of(name);
+    watching_ = !fulfils(found, wanted);
+    if (watching_ && Clock::now() > limit)
+      fail(fmt::format("{}: still '{}' after {} s, expected {} '{}'", name, found, until_limit.count(), wanted.relation,
+                       wanted.value));
+    return watching_ ? Turn::again : Turn::done;
   });
 }
 
@@ -197,7 +215,7 @@ void ScriptPlayer::press(MouseButton button, int clicks) {
   for (const bool down : {true, false})
     part([this, button, clicks, down] {
       push_button(window_->id(), button, down, target_.x, target_.y, clicks);
-      after_frames(frames_after_input);
+      after_frames(down ? 1 : frames_after_input);
       return Turn::done;
     });
 }
@@ -224,6 +242,17 @@ void ScriptPlayer::begin_click(const Command& command) {
   press(kind == "right" ? MouseButton::right : kind == "middle" ? MouseButton::middle : MouseButton::left, 1);
   if (kind == "double") press(MouseButton::left, 2);
   if (kind == "ctrl") control_key(false);
+}
+
+void ScriptPlayer::begin_choose(const Command& command) {
+  const std::string name = expand(command.words[0]), item = name + "/" + expand(command.words[1]);
+  aim_at(name);
+  part([this, item] {
+    if (!controls().find(item)) press(MouseButton::left, 1);  // a drop-down: open its list
+    aim_at(item);
+    press(MouseButton::left, 1);
+    return Turn::done;
+  });
 }
 
 void ScriptPlayer::begin_drag(const Command& command) {
@@ -260,6 +289,9 @@ void ScriptPlayer::begin_drag(const Command& command) {
 
 std::string ScriptPlayer::value_of(const std::string& name) const {
   if (const auto value = values().find(name)) return *value;
+  if (const auto at = name.find("@middle"); at != std::string::npos)
+    if (const ControlRecord* control = controls().find(name.substr(0, at)))
+      return fmt::format("{:.0f},{:.0f}", (control->min.x + control->max.x) / 2, (control->min.y + control->max.y) / 2);
   fail(fmt::format("there is no value '{}'{}", name, similar_controls(name)));
 }
 

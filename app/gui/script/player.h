@@ -48,6 +48,7 @@ class ScriptPlayer {
   void begin(const Command& command);
   void begin_wait(const Command& command);
   void begin_click(const Command& command);
+  void begin_choose(const Command& command);
   void begin_drag(const Command& command);
   void check_expectation(const Command& command);
   /// Finds a control, scrolling it into view if need be; then its middle is in `target_`.
@@ -55,6 +56,7 @@ class ScriptPlayer {
   void aim_at_point(double x, double y);
   void press(MouseButton button, int clicks);
   void wait_for_idle();
+  void wait_until(const Command& command);
   std::string value_of(const std::string& name) const;
   std::string expand(const std::string& word) const;
   void part(Part part) { parts_.push_back(std::move(part)); }
@@ -68,7 +70,7 @@ class ScriptPlayer {
   std::deque<Part> parts_;
   int frames_needed_ = 0;
   Clock::time_point wait_until_ = Clock::time_point::min();
-  bool waiting_for_idle_ = false;
+  bool watching_ = false;  ///< waits for something that comes by itself
   WindowPoint target_;
   std::string screenshot_;
   std::map<std::string, std::string> kept_;

@@ -19,11 +19,13 @@ struct VerbRow {
 };
 
 constexpr std::array verbs{
-    VerbRow{"wait", Verb::wait, 1, 2, "wait idle, wait MILLISECONDS or wait frames N"},
+    VerbRow{"wait", Verb::wait, 1, 4,
+            "wait idle, wait MILLISECONDS, wait frames N or wait until NAME [OPERATOR] VALUE"},
     VerbRow{"set", Verb::set, 1, 1, "set KEY=VALUE"},
     VerbRow{"set-b", Verb::set_b, 1, 1, "set-b KEY=VALUE"},
     VerbRow{"click-pixel", Verb::click_pixel, 2, 2, "click-pixel A|B X,Y"},
     VerbRow{"click", Verb::click, 1, 2, "click CONTROL [left|right|middle|double|ctrl]"},
+    VerbRow{"choose", Verb::choose, 2, 2, "choose CONTROL KEY"},
     VerbRow{"drag", Verb::drag, 2, 2, "drag CONTROL DX,DY or drag X,Y X,Y"},
     VerbRow{"move", Verb::move, 1, 1, "move CONTROL or move X,Y"},
     VerbRow{"wheel", Verb::wheel, 1, 1, "wheel STEPS"},
@@ -96,6 +98,9 @@ void check(const Command& command, std::string_view usage) {
     if (words[0] == "frames") {
       if (words.size() != 2) throw InputError(command.place, "wait frames", std::string(usage));
       parse_script_number(words[1], command.place);
+    } else if (words[0] == "until") {
+      if (words.size() < 3) throw InputError(command.place, "wait until", std::string(usage));
+      if (words.size() == 4) require_one_of(words[2], operators, command.place, usage);
     } else if (words.size() != 1)
       throw InputError(command.place, "'" + words[1] + "'", std::string(usage));
     else if (words[0] != "idle")
@@ -135,6 +140,7 @@ void check(const Command& command, std::string_view usage) {
     if (words[0].find('=') == std::string::npos)
       throw InputError(command.place, "'" + words[0] + "'", std::string(usage));
     break;
+  case Verb::choose:
   case Verb::move:
   case Verb::type:
   case Verb::open:

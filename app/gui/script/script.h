@@ -9,11 +9,12 @@ namespace ps::gui {
 /// The commands of a script. One stands on each line; # starts a comment; a word with spaces is put in double quotes
 /// (inside them \" and \\ stand for themselves and \n for a line break).
 enum class Verb {
-  wait,         ///< wait idle | wait MILLISECONDS | wait frames N
+  wait,         ///< wait idle | wait MILLISECONDS | wait frames N | wait until NAME [OPERATOR] VALUE
   set,          ///< set KEY=VALUE, on A
   set_b,        ///< set-b KEY=VALUE
   click_pixel,  ///< click-pixel A|B X,Y
   click,        ///< click CONTROL [left|right|middle|double|ctrl]
+  choose,       ///< choose CONTROL KEY: clicks one of a choice, opening the list if it is a drop-down
   drag,         ///< drag CONTROL DX,DY | drag X,Y X,Y
   move,         ///< move CONTROL | move X,Y
   wheel,        ///< wheel STEPS, where the pointer is; up is positive
@@ -27,7 +28,7 @@ enum class Verb {
   expect,       ///< expect NAME VALUE | expect NAME OPERATOR VALUE [TOLERANCE]; OPERATOR is = != ~= < > contains
   expect_not,   ///< expect-not NAME VALUE
   keep,         ///< keep NAME WORD: later $WORD stands for the value of NAME now
-  print,        ///< print NAME, to standard output
+  print,        ///< print NAME, to standard output; NAME@middle is where a control is
   resize,       ///< resize WxH
   quit          ///< quit
 };

@@ -185,6 +185,8 @@ void Shell::Impl::draw_frame() {
   if (script) script->frame_drawn(window);
   window.show_frame();
   values().publish("window/frames", ++frames);
+  values().publish("window/scale", theme().scale());
+  values().publish("window/theme", theme().brightness() == Brightness::dark ? "dark" : "light");
   if (const double wish = take_redraw_wish(); wish >= 0) {
     const auto delay = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wish));
     due = std::min(due, Clock::now() + delay);
@@ -210,6 +212,7 @@ int Shell::run(Content& content) {
     if (my.script) {
       const bool idle = my.frames_due == 0 && !my.input.pending() && !content.busy() && !content.animating();
       const ScriptStep step = my.script->step(my.window, content, {.input_pending = my.input.pending(), .idle = idle});
+      my.window.wait_events(0, [&](const SDL_Event& event) { my.take_event(event); });  // what the step pushed
       if (step.frame) my.frames_due = std::max(my.frames_due, 1);
       if (step.ended) {
         my.status = step.status;

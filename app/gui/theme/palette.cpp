@@ -45,8 +45,8 @@ Palette make_palette(Brightness brightness) {
 }
 
 double contrast(const ImVec4& first, const ImVec4& second) {
-  const auto [darker, lighter] = std::minmax(luminance(first), luminance(second));
-  return (lighter + 0.05) / (darker + 0.05);
+  const double one = luminance(first), other = luminance(second);
+  return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
 }
 
 }  // namespace ps::gui

@@ -74,7 +74,14 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   style_tooltip(style);
 
   bool changed = false;
-  ImGui::SetNextWindowPos({min.x, max.y + px(2)});
+  // Below the field, or above it where there is no room below.
+  const float list_height = static_cast<float>(choices.size()) * ImGui::GetTextLineHeightWithSpacing() +
+                            2 * ImGui::GetStyle().WindowPadding.y;
+  const float bottom = ImGui::GetIO().DisplaySize.y;
+  if (max.y + list_height + px(4) <= bottom || min.y < list_height)
+    ImGui::SetNextWindowPos({min.x, std::max(0.0f, std::min(max.y + px(2), bottom - list_height))});
+  else
+    ImGui::SetNextWindowPos({min.x, min.y - px(2)}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({max.x - min.x, 0}, {px(700), px(700)});
   if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return false;
   for (std::size_t i = 0; i < choices.size(); ++i) {

@@ -37,7 +37,9 @@ void ControlRecords::record(std::string_view name, std::string value, bool enabl
 
 void ControlRecords::record(std::string_view name, ImVec2 min, ImVec2 max, std::string value, bool enabled) {
   const std::string full = full_name(name);
-  const ImRect& clip = ImGui::GetCurrentWindow()->ClipRect;
+  // In a table the window's clip rectangle is the column's, but rows span all columns.
+  const ImGuiTable* table = ImGui::GetCurrentTable();
+  const ImRect& clip = table ? table->InnerClipRect : ImGui::GetCurrentWindow()->ClipRect;
   const bool dead = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
   records_[full] = {min, max, clip.Min, clip.Max, enabled && !dead, std::move(value), ImGui::GetFrameCount()};
   if (!reveals(full)) return;

@@ -1,0 +1,77 @@
+// Every script of tests/gui/scripts in the real window, at the size of an old projector and of a common screen. A first
+// line "# arguments: ..." gives arguments for the program. OUT/ stands for a folder for screenshots; none may be blank.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+#include "gui/program.h"
+#include "image/file.h"
+#include "support/golden.h"
+
+namespace {
+
+using Case = std::tuple<std::string, std::string>;  // script, size
+
+std::vector<std::string> scripts() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator("tests/gui/scripts"))
+    if (entry.path().extension() == ".script") names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+/// A window that was not drawn, or lost its text, has few colours.
+void expect_drawn(const std::filesystem::path& path) {
+  const auto picture = ps::load_levels(path);
+  std::set<int> colours;
+  std::array<std::size_t, 4> quarters{};
+  const ps::Rgb8 first = picture.at(0, 0);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const ps::Rgb8 p = picture.at(x, y);
+      colours.insert(p.r << 16 | p.g << 8 | p.b);
+      if (!(p == first)) ++quarters[static_cast<std::size_t>((y * 2 / picture.height()) * 2 + x * 2 / picture.width())];
+    }
+  EXPECT_GT(colours.size(), 40u) << path;
+  EXPECT_GT(*std::max_element(quarters.begin(), quarters.end()), 100u) << path;
+}
+
+class Script : public testing::TestWithParam<Case> {};
+
+TEST_P(Script, Plays) {
+  const auto& [name, size] = GetParam();
+  const auto folder = ps::fresh_output_folder("gui-" + name + "-" + size);
+  std::string commands = ps::test::read_file("tests/gui/scripts/" + name + ".script");
+  ASSERT_FALSE(commands.empty());
+  std::string arguments;
+  const std::string mark = "# arguments: ";
+  if (commands.starts_with(mark)) arguments = commands.substr(mark.size(), commands.find('\n') - mark.size());
+  replace_all(commands, "OUT/", folder.string() + "/");
+  const auto result = ps::test::play(commands, folder, size, arguments);
+  EXPECT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_EQ(result.errors, "");
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".png") expect_drawn(entry.path());
+}
+
+std::string test_name(const testing::TestParamInfo<Case>& info) {
+  std::string name = std::get<0>(info.param) + "_" + std::get<1>(info.param);
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Window, Script,
+                         testing::Combine(testing::ValuesIn(scripts()), testing::Values("1024x768", "1920x1080")),
+                         test_name);
+
+}  // namespace

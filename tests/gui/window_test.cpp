@@ -1,0 +1,93 @@
+// Starting and ending the window: what it refuses, what it says, and that it rests while nothing happens.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "gui/program.h"
+#include "support/golden.h"
+
+namespace {
+
+using ps::test::play;
+using ps::test::run_window;
+
+bool one_line(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
+}
+
+TEST(Window, SaysThatThereIsNoDisplay) {
+  const auto result = run_window("--widget-gallery", "env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(one_line(result.errors)) << result.errors;
+  EXPECT_NE(result.errors.find("no display"), std::string::npos) << result.errors;
+}
+
+TEST(Window, SaysThatThereIsNoOpenGl) {
+  const auto result = run_window("--widget-gallery", "env SDL_VIDEODRIVER=dummy");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(one_line(result.errors)) << result.errors;
+  EXPECT_NE(result.errors.find("OpenGL"), std::string::npos) << result.errors;
+}
+
+TEST(Window, RefusesBadArguments) {
+  for (const char* arguments : {"--no-such-option", "--scale 9", "--scale banana", "--script /no/such/file"}) {
+    const auto result = run_window(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_TRUE(one_line(result.errors)) << arguments << ": " << result.errors;
+  }
+}
+
+TEST(Window, FailedExpectationNamesTheLine) {
+  const auto folder = ps::fresh_output_folder("gui-failed-expectation");
+  const auto result =
+      play("wait idle\nclick gallery/plain\nexpect gallery/count 7\n", folder, "800x600", "--widget-gallery");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.errors.find("script.script:3: gallery/count: found '1', expected = '7'"), std::string::npos)
+      << result.errors;
+}
+
+TEST(Window, MisspeltControlNamesSimilarOnes) {
+  const auto folder = ps::fresh_output_folder("gui-misspelt-control");
+  const auto result = play("click options/plain\n", folder, "800x600", "--widget-gallery");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.errors.find("similar: gallery/plain"), std::string::npos) << result.errors;
+}
+
+TEST(Window, IdleWindowDrawsNothing) {
+  const auto folder = ps::fresh_output_folder("gui-idle");
+  const auto result =
+      play("wait idle\nprint window/frames\nwait 1500\nprint window/frames\n", folder, "1024x768", "--widget-gallery");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  std::istringstream lines(result.output);
+  int before = 0, after = 0;
+  ASSERT_TRUE(lines >> before >> after) << result.output;
+  EXPECT_GT(before, 0);
+  EXPECT_EQ(after, before);
+}
+
+TEST(Window, RemembersTypeSizeAndTheme) {
+  const auto folder = ps::fresh_output_folder("gui-remembered");
+  const std::string state = "env XDG_STATE_HOME=" + std::filesystem::absolute(folder).string();
+  const auto script = [&](const std::string& name, const std::string& commands) {
+    return run_window(
+        "--widget-gallery --script " +
+            [&] {
+              const auto path = folder / name;
+              std::ofstream(path) << commands;
+              return path.string();
+            }(),
+        state);
+  };
+  const auto first =
+      script("first.script", "key Ctrl++\nkey Ctrl++\nclick menu/view\nclick menu/dark-theme\nwait idle\n"
+                             "print window/scale\nprint window/theme\n");
+  ASSERT_EQ(first.status, 0) << first.errors;
+  const auto second = script("second.script", "wait idle\nprint window/scale\nprint window/theme\n");
+  EXPECT_EQ(second.output, first.output);
+  EXPECT_NE(first.output.find("dark"), std::string::npos) << first.output;
+  EXPECT_EQ(first.output.find("1\n"), std::string::npos) << first.output;
+}
+
+}  // namespace
