@@ -1,30 +1,12 @@
 #include "scene/finish_draft.h"
 
-#include <set>
-
 #include <fmt/format.h>
 
 #include "scene/colour_name.h"
+#include "scene/free_names.h"
 
 namespace ps {
 namespace {
-
-/// Names that are still free: `wanted` itself, else "wanted 2", "wanted 3", ...
-class FreeNames {
- public:
-  void take(const std::string& name) { taken_.insert(name); }
-  std::string claim(const std::string& wanted) {
-    if (taken_.insert(wanted).second) return wanted;
-    for (int& number = next_[wanted];; ++number) {
-      std::string name = fmt::format("{} {}", wanted, number + 2);
-      if (taken_.insert(name).second) return name;
-    }
-  }
-
- private:
-  std::set<std::string> taken_;
-  std::map<std::string, int> next_;
-};
 
 /// Unnamed spheres are called "sphere", "sphere 2", ...; unnamed instances after their model.
 void name_objects(Geometry& geometry) {

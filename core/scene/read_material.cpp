@@ -43,11 +43,7 @@ void require_new_name(const SceneSource& source, const SceneTerm& term, const Ma
 Material read_surface(const SceneSource& source, const SceneFields& fields, Material base, const SceneDraft& draft) {
   const SceneValues& values = source.values;
   if (const auto* term = fields.find("color")) base.colour = values.colour(*term);
-  if (const auto* term = fields.find("specular")) {
-    const double exponent = values.number(*term, "an exponent greater than 0, or -1 for a matte surface");
-    if (!(exponent > 0) && exponent != -1) values.fail(*term, "an exponent greater than 0, or -1 for a matte surface");
-    base.specular = exponent == -1 ? std::nullopt : std::optional<double>(exponent);
-  }
+  if (const auto* term = fields.find("specular")) base.specular = values.specular(*term);
   if (const auto* term = fields.find("reflective")) base.reflective = values.in_range(*term, 0, 1);
   if (const auto* term = fields.find("texture"))
     base.texture = find_named(source, *term, draft.texture_index, "texture");
@@ -89,7 +85,7 @@ void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft
   texture.name = values.name(name);
   if (const SceneTerm* file = fields.find("file")) {
     fields.forbid({"generator", "size"}, "only one of 'file' and 'generator'");
-    const auto path = source.folder / values.name(*file, "a file name");
+    const auto path = (source.folder / values.name(*file, "a file name")).lexically_normal();
     texture.path = path.string();
     draft.scene.files.push_back(texture.path);
     texture.texels = std::make_shared<const Image<Vec3f>>(load_image(path));

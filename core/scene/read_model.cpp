@@ -52,7 +52,7 @@ class ModelReader {
   /// one surface for all.
   Mesh from_file() {
     const SceneTerm& file = fields_.require("file");
-    ObjModel model = load_obj(source_.folder / values_.name(file, "a file name"));
+    ObjModel model = load_obj((source_.folder / values_.name(file, "a file name")).lexically_normal());
     mesh_ = std::move(model.mesh);
     const std::size_t slots = mesh_.materials.size();
     mesh_.name = values_.name(fields_.require("name"));

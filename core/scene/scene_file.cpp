@@ -102,7 +102,8 @@ void read_text(std::string_view text, const SceneSource& source, SceneDraft& dra
 void read_include(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   constexpr std::size_t deepest = 16;
   constexpr std::size_t most_files = 1000;
-  const std::filesystem::path path = source.folder / source.values.name(entry.value, "a file name");
+  const std::filesystem::path path =
+      (source.folder / source.values.name(entry.value, "a file name")).lexically_normal();
   std::error_code ignored;
   const auto canonical = std::filesystem::weakly_canonical(path, ignored);
   for (const auto& outer : draft.including)

@@ -143,6 +143,14 @@ Mat3d SceneValues::rotation(const SceneTerm& term) const {
   fail(words[4], "X, Y or Z");
 }
 
+std::optional<double> SceneValues::specular(const SceneTerm& term) const {
+  const std::string expected = "an exponent greater than 0, or -1 for a matte surface";
+  const double exponent = number(term, expected);
+  if (exponent == -1) return {};
+  if (!(exponent > 0)) fail(term, expected);
+  return exponent;
+}
+
 Vec3d SceneValues::scale(const SceneTerm& term) const {
   Vec3d scale;
   if (term.kind == Kind::word) {

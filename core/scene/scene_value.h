@@ -37,6 +37,8 @@ class SceneValues {
   Vec2d size(const SceneTerm& term) const;
   /// <45 degrees around the Y axis>, several of them with commas (the first turns first), or three rows in [ ].
   Mat3d rotation(const SceneTerm& term) const;
+  /// The exponent of a highlight: greater than 0, or the book's -1 for a matte surface, which has none.
+  std::optional<double> specular(const SceneTerm& term) const;
   /// Scale factors: one number for all axes or three; not zero.
   Vec3d scale(const SceneTerm& term) const;
 

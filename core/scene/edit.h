@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace ps {
+
+/// Something in a scene that can be changed while it is looked at. Paths count from 0 in the scene's order:
+///   background
+///   camera.position  camera.right  camera.up  camera.forward  camera.rotation
+///   camera.viewport_size  camera.projection_plane_d
+///   light.N.intensity  light.N.color  light.N.position (point)  light.N.direction (directional)
+///   object.N.center  object.N.radius (spheres)
+///   object.N.scale  object.N.rotation  object.N.translation (instances)
+///   material.N.color  material.N.specular (-1 = matte)  material.N.reflective
+struct SceneProperty {
+  std::string path;
+  std::string value;  ///< as a scene file has it: "(2, 1, 0)"; set_property reads it back exactly
+};
+
+/// All properties of a scene with their values now.
+std::vector<SceneProperty> scene_properties(const Scene& scene);
+/// The value of one. Throws InputError for a path that does not exist.
+std::string get_property(const Scene& scene, std::string_view path);
+/// Changes one. Only the part of the scene that holds it gets a new revision. Throws InputError for a path that does
+/// not exist and for a value that a scene file could not have; the scene is then unchanged.
+void set_property(Scene& scene, std::string_view path, std::string_view value);
+
+}  // namespace ps

@@ -1,0 +1,283 @@
+#include "scene/scene_writer.h"
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "scene/free_names.h"
+#include "scene/rotation.h"
+#include "scene/scene_text.h"
+
+namespace ps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Unique names, also for what has none.
+template <class Things, class NameOf>
+std::vector<std::string> unique_names(const Things& things, const std::string& otherwise, NameOf name_of) {
+  FreeNames free;
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(free.claim(name_of(thing).empty() ? otherwise : name_of(thing)));
+  return names;
+}
+
+class SceneWriter {
+ public:
+  SceneWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {
+    materials_ = unique_names(*scene.materials, "material", [](const Material& m) { return m.name; });
+    textures_ = unique_names(*scene.textures, "texture", [](const Texture& t) { return t.name; });
+    meshes_ = unique_names(scene.geometry->meshes, "model", [](const auto& m) { return m->name; });
+    objects_ = unique_names(scene.geometry->objects, "object", [](const Object& o) { return o.name; });
+    count_uses();
+  }
+
+  std::string run() {
+    heading();
+    camera();
+    for (std::size_t i = 0; i < scene_.textures->size(); ++i) texture(i);
+    for (std::size_t i = 0; i < scene_.geometry->meshes.size(); ++i) model(i);
+    for (std::size_t i = 0; i < scene_.geometry->objects.size(); ++i) object(i);
+    materials_up_to(scene_.materials->size());
+    for (const Light& one : *scene_.lights) light(one);
+    for (const CanvasItem& item : *scene_.canvas_items)
+      std::visit([&](const auto& shape) { canvas_item(shape); }, item);
+    return std::move(text_);
+  }
+
+ private:
+  template <class... Values>
+  void line(fmt::format_string<const Values&...> form, const Values&... values) {
+    text_ += fmt::format(form, values...);
+    text_ += '\n';
+  }
+
+  void heading() {
+    if (scene_.title != scene_.name) line("title = {}", scene_name(scene_.title));
+    if (!scene_.description.empty()) line("description = {}", scene_name(scene_.description));
+    line("canvas_size = {} x {}", scene_.canvas_width, scene_.canvas_height);
+    line("viewport_size = {} x {}", scene_number(scene_.camera.viewport_width),
+         scene_number(scene_.camera.viewport_height));
+    line("projection_plane_d = {}", scene_number(scene_.camera.projection_plane_d));
+    line("background = {}", scene_colour(scene_.background));
+    if (scene_.telling_pixel.x >= 0 && scene_.telling_pixel.y >= 0)
+      line("telling_pixel = ({}, {})", scene_.telling_pixel.x, scene_.telling_pixel.y);
+    if (scene_.settings.empty()) return;
+    line("\nsettings {{");
+    for (const auto& [key, value] : scene_.settings) line("    {} = {}", key, value);
+    line("}}");
+  }
+
+  void camera() {
+    const Camera& camera = scene_.camera;
+    const Mat3d frame(camera.right, camera.up, camera.forward);
+    const bool turned = frame != Mat3d(1.0);
+    if (!turned && camera.position == Vec3d{0, 0, 0}) return;
+    line("\ncamera {{");
+    line("    position = {}", scene_vec(camera.position));
+    if (turned && axis_angle_of(frame)) {
+      line("    rotation = {}", scene_rotation(frame));
+    } else if (turned) {
+      line("    right = {}", scene_vec(camera.right));
+      line("    up = {}", scene_vec(camera.up));
+      line("    forward = {}", scene_vec(camera.forward));
+    }
+    line("}}");
+  }
+
+  std::string file_name(const std::string& path) const {
+    std::error_code error;
+    const fs::path relative = fs::proximate(path, folder_.empty() ? fs::path(".") : folder_, error);
+    return scene_name((error ? fs::path(path) : relative).generic_string());
+  }
+
+  void texture(std::size_t index) {
+    const Texture& texture = scene_.textures->at(index);
+    line("\ntexture {{\n    name = {}", scene_name(textures_[index]));
+    if (!texture.path.empty()) {
+      line("    file = {}", file_name(texture.path));
+    } else if (!texture.generator.empty()) {
+      line("    generator = {}\n    size = {}", texture.generator, texture.texels->width());
+    } else {
+      throw InputError(fmt::format("the texture '{}' exists only in memory and cannot be saved", texture.name));
+    }
+    line("}}");
+  }
+
+  void count_uses() {
+    uses_.assign(scene_.materials->size(), 0);
+    for (const auto& mesh : scene_.geometry->meshes)
+      for (const std::uint32_t slot : mesh->materials) uses_.at(slot) += 2;
+    for (const Object& object : scene_.geometry->objects) {
+      if (const auto* sphere = std::get_if<Sphere>(&object.shape)) uses_.at(sphere->material) += 1;
+      if (const auto* instance = std::get_if<Instance>(&object.shape); instance != nullptr && instance->material)
+        uses_.at(*instance->material) += 2;
+    }
+  }
+
+  /// Materials stand in the file in the order of their indices; a sphere's own stands in the sphere, as in the book.
+  void materials_up_to(std::size_t end) {
+    for (; next_material_ < end; ++next_material_) {
+      line("\nmaterial {{\n    name = {}", scene_name(materials_[next_material_]));
+      surface(scene_.materials->at(next_material_));
+      line("}}");
+    }
+  }
+
+  void surface(const Material& material) {
+    line("    color = {}", scene_colour(material.colour));
+    if (material.specular) line("    specular = {}", scene_number(*material.specular));
+    if (material.reflective != 0) line("    reflective = {}", scene_number(material.reflective));
+    if (material.texture >= 0)
+      line("    texture = {}", scene_name(textures_.at(static_cast<std::size_t>(material.texture))));
+    if (material.specular_colour) line("    specular_color = {}", scene_colour(*material.specular_colour));
+    if (material.ambient_colour) line("    ambient_color = {}", scene_colour(*material.ambient_colour));
+  }
+
+  void model(std::size_t index) {
+    const Mesh& mesh = *scene_.geometry->meshes[index];
+    for (const std::uint32_t slot : mesh.materials) materials_up_to(slot + std::size_t{1});
+    line("\nmodel {{\n    name = {}", scene_name(meshes_[index]));
+    std::string slots;
+    for (const std::uint32_t slot : mesh.materials)
+      slots += fmt::format("{}{}", slots.empty() ? "" : ", ", scene_name(materials_[slot]));
+    line("    materials = [{}]", slots);
+    if (!mesh.source.empty()) {
+      line("    file = {}", file_name(mesh.source));
+    } else {
+      list("vertices", mesh.positions);
+      if (!mesh.normals.empty()) list("normals", mesh.normals);
+      if (!mesh.uvs.empty()) list("uvs", mesh.uvs);
+      line("    triangles {{");
+      for (std::size_t i = 0; i < mesh.triangles.size(); ++i) triangle(mesh, i);
+      line("    }}");
+    }
+    line("}}");
+  }
+
+  template <class Vec>
+  void list(std::string_view name, const std::vector<Vec>& values) {
+    line("    {} {{", name);
+    for (std::size_t i = 0; i < values.size(); ++i) line("        {} = {}", i, scene_vec(values[i]));
+    line("    }}");
+  }
+
+  void triangle(const Mesh& mesh, std::size_t index) {
+    const MeshTriangle& triangle = mesh.triangles[index];
+    const auto& p = triangle.position;
+    const bool plain = triangle.normal[0] < 0 && triangle.uv[0] < 0 && triangle.material == 0;
+    if (plain) return line("        {} = {}, {}, {}", index, p[0], p[1], p[2]);
+    std::string parts = fmt::format("vertices = [{}, {}, {}]", p[0], p[1], p[2]);
+    const auto add = [&](std::string_view name, const std::array<std::int32_t, 3>& corners) {
+      if (corners[0] >= 0) parts += fmt::format("  {} = [{}, {}, {}]", name, corners[0], corners[1], corners[2]);
+    };
+    add("normals", triangle.normal);
+    add("uvs", triangle.uv);
+    if (triangle.material != 0)
+      parts += fmt::format("  material = {}", scene_name(materials_[mesh.materials.at(triangle.material)]));
+    line("        {} = {{ {} }}", index, parts);
+  }
+
+  void object(std::size_t index) {
+    const Object& object = scene_.geometry->objects[index];
+    if (const auto* shape = std::get_if<Sphere>(&object.shape)) return sphere(index, *shape);
+    const auto& instance = std::get<Instance>(object.shape);
+    if (instance.material) materials_up_to(*instance.material + std::size_t{1});
+    line("\ninstance {{\n    name = {}\n    model = {}", scene_name(objects_[index]),
+         scene_name(meshes_[instance.mesh]));
+    if (instance.material) line("    material = {}", scene_name(materials_[*instance.material]));
+    const Transform& transform = instance.transform;
+    const bool turned = transform.rotation != Mat3d(1.0);
+    if (!turned && transform.scale == Vec3d{1, 1, 1}) {
+      line("    position = {}\n}}", scene_vec(transform.translation));
+      return;
+    }
+    line("    transform {{");
+    const Vec3d& scale = transform.scale;
+    if (scale != Vec3d{1, 1, 1})
+      line("        scale = {}", scale == Vec3d(scale.x) ? scene_number(scale.x) : scene_vec(scale));
+    if (turned) line("        rotation = {}", scene_rotation(transform.rotation));
+    line("        translation = {}\n    }}\n}}", scene_vec(transform.translation));
+  }
+
+  void sphere(std::size_t index, const Sphere& sphere) {
+    const bool own = sphere.material == next_material_ && uses_[sphere.material] == 1 &&
+                     materials_[sphere.material] == objects_[index];
+    if (!own) materials_up_to(sphere.material + std::size_t{1});
+    line("\nsphere {{\n    name = {}\n    center = {}\n    radius = {}", scene_name(objects_[index]),
+         scene_vec(sphere.centre), scene_number(sphere.radius));
+    if (own) {
+      surface(scene_.materials->at(next_material_++));
+    } else {
+      line("    material = {}", scene_name(materials_[sphere.material]));
+    }
+    line("}}");
+  }
+
+  void light(const Light& light) {
+    line("\nlight {{");
+    switch (light.kind) {
+    case LightKind::ambient:
+      line("    type = ambient");
+      break;
+    case LightKind::point:
+      line("    type = point\n    position = {}", scene_vec(light.position));
+      break;
+    case LightKind::directional:
+      line("    type = directional\n    direction = {}", scene_vec(light.direction));
+      break;
+    }
+    line("    intensity = {}", scene_number(light.intensity));
+    if (light.colour != Vec3d{1, 1, 1}) line("    color = {}", scene_colour(light.colour));
+    line("}}");
+  }
+
+  void blend(Blend blend) {
+    switch (blend) {
+    case Blend::replace:
+      break;
+    case Blend::additive:
+      line("    blend = additive");
+      break;
+    case Blend::subtractive:
+      line("    blend = subtractive");
+      break;
+    }
+  }
+
+  void canvas_item(const CanvasLine& item) {
+    line("\nline {{\n    from = {}\n    to = {}", scene_vec(item.points[0]), scene_vec(item.points[1]));
+    line("    color = {}", scene_colour(item.colour));
+    blend(item.blend);
+    line("}}");
+  }
+
+  void canvas_item(const CanvasTriangle& item) {
+    line("\ntriangle {{\n    vertices = [{}, {}, {}]", scene_vec(item.points[0]), scene_vec(item.points[1]),
+         scene_vec(item.points[2]));
+    line("    colors = [{}, {}, {}]", scene_colour(item.colours[0]), scene_colour(item.colours[1]),
+         scene_colour(item.colours[2]));
+    line("    h = [{}, {}, {}]", scene_number(item.h[0]), scene_number(item.h[1]), scene_number(item.h[2]));
+    if (!item.filled) line("    filled = off");
+    if (item.outline) line("    outline = {}", scene_colour(*item.outline));
+    blend(item.blend);
+    line("}}");
+  }
+
+  const Scene& scene_;
+  const fs::path& folder_;
+  std::vector<std::string> materials_, textures_, meshes_, objects_;
+  std::vector<int> uses_;  ///< 1 = one sphere and nothing else
+  std::size_t next_material_ = 0;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string write_scene(const Scene& scene, const fs::path& folder) { return SceneWriter(scene, folder).run(); }
+
+void save_scene(const Scene& scene, const fs::path& path) {
+  write_file_atomically(path, write_scene(scene, path.parent_path()));
+}
+
+}  // namespace ps
