@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/timer.h"
+#include "raytrace/packet.h"
 #include "raytrace/tracer.h"
 #include "render/render.h"
 
@@ -86,6 +87,29 @@ void render_tile(const TraceInputs<Real>& inputs, const TileRect& tile, Frame& f
   counters = recorder.counters;
 }
 
+/// Traces tiles the fast way where that is possible, else the clear way.
+template <class Real>
+class TileTracer {
+ public:
+  TileTracer(const TraceInputs<Real>& inputs, const RenderRequest& request) : inputs_(inputs) {
+    if constexpr (std::is_same_v<Real, float>) {
+      packets_ = packet_function(inputs.settings.simd);
+      if (packets_) scene_ = packet_scene(inputs, request);
+    }
+  }
+  void trace(const TileRect& tile, Frame& frame, Counters& counters) const {
+    if (scene_)
+      packets_(*scene_, tile, frame.colour, counters);
+    else
+      render_tile(inputs_, tile, frame, counters);
+  }
+
+ private:
+  const TraceInputs<Real>& inputs_;
+  TracePackets packets_ = nullptr;
+  std::optional<PacketScene> scene_;
+};
+
 template <class Real>
 Frame render_in(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                 Prepared& prepared, Progress& progress) {
@@ -97,9 +121,10 @@ Frame render_in(const Scene& scene, const View& view, const Settings& settings, 
   const Timer tracing;
   const std::vector<TileRect> tiles = make_tiles(view.width, view.height, tile_size);
   std::vector<Counters> counters(tiles.size());
+  const TileTracer<Real> tracer(inputs, request);
   parallel_for(static_cast<int>(tiles.size()), {settings.threads, request.priority}, progress, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
-    render_tile(inputs, tiles[i], frame, counters[i]);
+    tracer.trace(tiles[i], frame, counters[i]);
     if (request.on_tile) request.on_tile(frame, tiles[i]);
   });
   for (const Counters& tile : counters) frame.counters += tile;

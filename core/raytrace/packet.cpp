@@ -1,0 +1,243 @@
+#include "raytrace/packet.h"
+
+#include <bit>
+
+// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raytrace/packet.cpp"
+#include "hwy/foreach_target.h"  // IWYU pragma: keep
+#include "hwy/highway.h"
+
+#if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
+#include "math/power-inl.h"
+#include "raytrace/packet_search-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ps::HWY_NAMESPACE {
+namespace {
+
+struct Count {
+  std::uint64_t rays = 0, shadow_rays = 0, reflection_rays = 0, sphere_tests = 0, shadings = 0, nan_pixels = 0;
+};
+
+/// A hit point with what shading needs from its sphere, lane by lane.
+struct PacketSurface {
+  V3 point, normal, to_eye, colour;
+  V reflective, exponent;
+  M specular;
+};
+
+HWY_INLINE PacketSurface surface_of(const PacketScene& scene, const PacketRay& ray, const PacketHit& hit) {
+  const D d;
+  const V3 zero = splat(Vec3f(0));
+  PacketSurface surface{add(ray.origin, scale(ray.direction, hit.t)),
+                        zero,
+                        negate(ray.direction),
+                        zero,
+                        hn::Zero(d),
+                        splat(1),
+                        no_lane()};
+  V3 centre = zero;
+  for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
+    const M here = hn::Eq(hit.index, splat(static_cast<float>(k)));
+    if (hn::AllFalse(d, here)) continue;
+    const PacketSphere& sphere = scene.spheres[k];
+    centre = choose(here, {splat(sphere.x), splat(sphere.y), splat(sphere.z)}, centre);
+    surface.colour = choose(here, splat(sphere.colour), surface.colour);
+    surface.reflective = hn::IfThenElse(here, splat(sphere.reflective), surface.reflective);
+    surface.exponent = hn::IfThenElse(here, splat(sphere.exponent), surface.exponent);
+    if (sphere.specular) surface.specular = hn::Or(surface.specular, here);
+  }
+  const V3 outwards = subtract(surface.point, centre);
+  surface.normal = scale(outwards, hn::Div(splat(1), length(outwards)));
+  return surface;
+}
+
+/// The direction away from the surface mirrored about the normal, given N.direction.
+HWY_INLINE V3 mirror(const V3& direction, const V3& normal, V n_dot_direction) {
+  return subtract(scale(normal, hn::Mul(splat(2), n_dot_direction)), direction);
+}
+
+HWY_INLINE void add_light(V3& sum, const Vec3f& colour, V amount) {
+  sum.x = hn::Add(sum.x, hn::Mul(splat(colour.x), amount));
+  sum.y = hn::Add(sum.y, hn::Mul(splat(colour.y), amount));
+  sum.z = hn::Add(sum.z, hn::Mul(splat(colour.z), amount));
+}
+
+/// Lanes that the light does not reach.
+HWY_INLINE M shadowed(const PacketScene& scene, const PacketSurface& surface, V index, const V3& to_light, float t_max,
+                      M active, Count& count) {
+  if (!scene.shadows) return no_lane();
+  const D d;
+  count.shadow_rays += hn::CountTrue(d, active);
+  const PacketRay ray{surface.point, to_light,     dot(to_light, to_light), index, hn::Zero(d),
+                      splat(t_max),  From::surface};
+  const Search kind = scene.any_hit ? Search::any : Search::nearest;
+  return hn::Ge(search(scene, ray, active, kind, count.sphere_tests).index, hn::Zero(d));
+}
+
+/// The illumination equation (shade/illumination.h) for surfaces without colours of their own for single terms.
+HWY_INLINE V3 light_at(const PacketScene& scene, const PacketSurface& surface, V index, M active, Count& count) {
+  const D d;
+  const V zero = hn::Zero(d);
+  V3 sum{zero, zero, zero};
+  if (!scene.lighting) return splat(Vec3f(1));
+  const V normal_length = length(surface.normal);
+  for (const ShadingLight<float>& light : scene.lights) {
+    if (light.kind == LightKind::ambient) {
+      add_light(sum, light.colour, splat(light.intensity));
+      continue;
+    }
+    const bool is_point = light.kind == LightKind::point;
+    const V3 to_light = is_point ? subtract(splat(light.vector), surface.point) : splat(light.vector);
+    const float t_max = is_point ? 1.0f : std::numeric_limits<float>::infinity();
+    const M lit = hn::AndNot(shadowed(scene, surface, index, to_light, t_max, active, count), active);
+    if (hn::AllFalse(d, lit)) continue;
+    const V n_dot_l = dot(surface.normal, to_light);
+    const V intensity = splat(light.intensity);
+    const M facing = hn::And(lit, hn::Gt(n_dot_l, zero));
+    const V diffuse = hn::Div(hn::Mul(intensity, n_dot_l), hn::Mul(normal_length, length(to_light)));
+    V3 more = sum;
+    add_light(more, light.colour, diffuse);
+    sum = choose(facing, more, sum);
+    if (!scene.highlights) continue;
+    const V3 mirrored = mirror(to_light, surface.normal, n_dot_l);
+    const V r_dot_v = dot(mirrored, surface.to_eye);
+    const M bright = hn::And(hn::And(lit, surface.specular), hn::Gt(r_dot_v, zero));
+    if (hn::AllFalse(d, bright)) continue;
+    const V cosine = hn::Div(r_dot_v, hn::Mul(length(mirrored), length(surface.to_eye)));
+    const V specular = hn::Mul(intensity, power_of_floats(d, cosine, surface.exponent));
+    more = sum;
+    add_light(more, light.colour, specular);
+    sum = choose(bright, more, sum);
+  }
+  return sum;
+}
+
+/// What one bounce adds: colour = hit ? (mirrored ? local * (1 - r) + next * r : local) : background.
+struct Bounce {
+  V3 local;
+  V reflective;
+  M hit, mirrored;
+};
+
+HWY_INLINE V3 fold(const PacketScene& scene, const Bounce* bounces, int last) {
+  V3 colour = splat(scene.background);
+  for (int i = last; i >= 0; --i) {
+    const Bounce& bounce = bounces[i];
+    const V own = hn::Sub(splat(1), bounce.reflective);
+    const V3 mixed = add(scale(bounce.local, own), scale(colour, bounce.reflective));
+    colour = choose(bounce.mirrored, mixed, bounce.local);
+    colour = choose(bounce.hit, colour, splat(scene.background));
+  }
+  return colour;
+}
+
+/// Follows the rays of one packet through all bounces.
+V3 trace(const PacketScene& scene, PacketRay ray, M active, Count& count) {
+  const D d;
+  Bounce bounces[65];
+  int bounce = 0;
+  while (true) {
+    count.rays += hn::CountTrue(d, active);
+    const PacketHit hit = search(scene, ray, active, Search::nearest, count.sphere_tests);
+    const M found = hn::And(active, hn::Ge(hit.index, hn::Zero(d)));
+    Bounce& now = bounces[bounce];
+    now.hit = found;
+    now.mirrored = no_lane();
+    if (hn::AllFalse(d, found)) return fold(scene, bounces, bounce);
+    count.shadings += hn::CountTrue(d, found);
+    const PacketSurface surface = surface_of(scene, ray, hit);
+    const V3 light = light_at(scene, surface, hit.index, found, count);
+    const V zero = hn::Zero(d);
+    now.local = {hn::Add(hn::Mul(surface.colour.x, light.x), zero), hn::Add(hn::Mul(surface.colour.y, light.y), zero),
+                 hn::Add(hn::Mul(surface.colour.z, light.z), zero)};
+    now.reflective = surface.reflective;
+    const M mirrors = hn::And(found, hn::Gt(surface.reflective, zero));
+    if (bounce >= scene.depth || hn::AllFalse(d, mirrors)) return fold(scene, bounces, bounce);
+    now.mirrored = mirrors;
+    count.reflection_rays += hn::CountTrue(d, mirrors);
+    const V3 direction = mirror(surface.to_eye, surface.normal, dot(surface.normal, surface.to_eye));
+    ray = {surface.point, direction, dot(direction, direction),
+           hit.index,     zero,      splat(std::numeric_limits<float>::infinity()),
+           From::surface};
+    active = mirrors;
+    ++bounce;
+  }
+}
+
+/// Eye rays of a row's pixels from column x on, one in each lane (Viewport::at).
+HWY_INLINE PacketRay eye_rays(const PacketScene& scene, int x, int y) {
+  const D d;
+  const Viewport<float>& viewport = scene.viewport;
+  const V column = hn::Iota(d, static_cast<float>(x));
+  const V canvas_x = hn::Sub(hn::Add(column, splat(static_cast<float>(viewport.sample.x))),
+                             splat(static_cast<float>(viewport.columns) / 2.0f));
+  const V vx = hn::Div(hn::Mul(canvas_x, splat(viewport.width)), splat(viewport.span_x));
+  const V vy = splat(viewport.at(x, y).y);
+  const V3 across = add(scale(splat(scene.right), vx), scale(splat(scene.up), vy));
+  const V3 direction = add(across, splat(scene.forward));
+  return {splat(scene.eye), direction, dot(direction, direction), splat(-1), splat(scene.near),
+          splat(scene.far), From::eye};
+}
+
+}  // namespace
+
+void trace_packets(const PacketScene& scene, const TileRect& tile, Image<Vec3f>& colour, Counters& counters) {
+  const D d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  HWY_ALIGN float red[HWY_MAX_BYTES / 4], green[HWY_MAX_BYTES / 4], blue[HWY_MAX_BYTES / 4];
+  Count count;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; x += lanes) {
+      const int width = std::min(lanes, tile.x1 - x);
+      const M active = hn::FirstN(d, static_cast<std::size_t>(width));
+      const V3 result = trace(scene, eye_rays(scene, x, y), active, count);
+      const M nan = hn::Or(hn::Or(hn::Ne(result.x, result.x), hn::Ne(result.y, result.y)), hn::Ne(result.z, result.z));
+      count.nan_pixels += hn::CountTrue(d, hn::And(active, nan));
+      hn::Store(result.x, d, red);
+      hn::Store(result.y, d, green);
+      hn::Store(result.z, d, blue);
+      Vec3f* const pixels = colour.row(y).data() + x;
+      for (int i = 0; i < width; ++i) pixels[i] = {red[i], green[i], blue[i]};
+    }
+  }
+  const auto pixel_count = static_cast<std::uint64_t>(tile.width()) * static_cast<std::uint64_t>(tile.height());
+  counters[Counter::eye_rays] += pixel_count;
+  counters[Counter::pixels_written] += pixel_count;
+  counters[Counter::shadow_rays] += count.shadow_rays;
+  counters[Counter::reflection_rays] += count.reflection_rays;
+  counters[Counter::sphere_tests] += count.sphere_tests;
+  counters[Counter::node_visits] += scene.tree ? count.rays + count.shadow_rays : 0;
+  counters[Counter::shading_calls] += count.shadings;
+  counters[Counter::light_samples] += scene.lighting ? count.shadings * scene.lights.size() : 0;
+  counters[Counter::nan_pixels] += count.nan_pixels;
+}
+
+}  // namespace ps::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+namespace ps {
+
+TracePackets packet_function(Simd simd) {
+#if HWY_ARCH_X86
+  const std::int64_t have = hwy::SupportedTargets();
+  const auto may_use = [&](Simd target, std::int64_t bit) {
+    return (have & bit) != 0 && (simd == Simd::automatic || static_cast<int>(simd) >= static_cast<int>(target));
+  };
+  if (simd == Simd::off) return nullptr;
+  if (may_use(Simd::avx512, HWY_AVX3)) return N_AVX3::trace_packets;
+  if (may_use(Simd::avx2, HWY_AVX2)) return N_AVX2::trace_packets;
+  if (may_use(Simd::sse4, HWY_SSE4)) return N_SSE4::trace_packets;
+#else
+  static_cast<void>(simd);
+#endif
+  return nullptr;
+}
+
+}  // namespace ps
+#endif

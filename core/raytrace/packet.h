@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/counters.h"
+#include "base/parallel.h"
+#include "raytrace/trace_inputs.h"
+#include "render/frame.h"
+
+namespace ps {
+
+/// The fast path for the common case: a few spheres, float, the default intersection settings, and only the colour
+/// asked for. One instruction works on the rays of 4, 8 or 16 neighbouring pixels. It repeats the clear path (tracer.h)
+/// operation by operation, so the picture and the counters are the same to the last bit; a test holds them together.
+
+struct PacketSphere {
+  float x = 0, y = 0, z = 0, radius = 1;
+  float eye_c = 0;  ///< |eye - centre|^2 - radius^2, as the robust sphere test computes it
+  Vec3f colour{1, 1, 1};
+  float reflective = 0;
+  float exponent = 1;  ///< of the highlight
+  bool specular = false;
+};
+
+/// The scene as packets of rays read it.
+struct PacketScene {
+  std::vector<PacketSphere> spheres;  ///< in the order of the scene
+  std::vector<ShadingLight<float>> lights;
+  Viewport<float> viewport;
+  Vec3f eye{0}, right{0}, up{0}, forward{0};
+  Vec3f background{0};
+  float near = 0, far = 0;
+  int depth = 0;  ///< bounces
+  bool lighting = true, highlights = true, shadows = true, any_hit = true;
+  bool tree = false;  ///< the clear path would visit one tree node for each ray
+};
+
+/// The scene for the fast path, or nothing if it does not cover what is asked for.
+std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const RenderRequest& request);
+
+using TracePackets = void (*)(const PacketScene& scene, const TileRect& tile, Image<Vec3f>& colour, Counters& counters);
+
+/// The function for this setting on this processor; nullptr means the clear path. A target that the processor lacks
+/// gives the best one below it.
+TracePackets packet_function(Simd simd);
+
+}  // namespace ps

@@ -1,0 +1,71 @@
+#include <cmath>
+
+#include "raytrace/packet.h"
+
+namespace ps {
+namespace {
+
+/// Beyond this the tree of boxes pays, or, without one, packets would do too much in vain.
+constexpr std::size_t most_spheres = bvh_no_tree;
+
+bool covers(const Settings& settings) {
+  return settings.precision == Precision::float32 && settings.projection == Projection::perspective &&
+         settings.sphere_test == SphereTest::robust && settings.self_hit == SelfHit::offset &&
+         settings.highlight == Highlight::phong;
+}
+
+bool covers(const ShadingMaterial<float>& material) {
+  const bool highlight = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
+  return highlight && !material.ambient_colour && !material.specular_colour;
+}
+
+PacketSphere packet_sphere(const TracedSphere<float>& sphere, const ShadingMaterial<float>& material,
+                           const Vec3f& eye) {
+  PacketSphere result;
+  result.x = sphere.centre.x;
+  result.y = sphere.centre.y;
+  result.z = sphere.centre.z;
+  result.radius = sphere.radius;
+  const Vec3d from_centre = Vec3d(eye) - Vec3d(sphere.centre);
+  const double radius = static_cast<double>(sphere.radius);
+  result.eye_c = static_cast<float>(dot(from_centre, from_centre) - radius * radius);
+  result.colour = material.colour;
+  result.reflective = material.reflective;
+  result.specular = material.specular.has_value();
+  result.exponent = material.specular.value_or(1.0f);
+  return result;
+}
+
+}  // namespace
+
+std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const RenderRequest& request) {
+  const TracedGeometry<float>& geometry = *inputs.geometry;
+  const Settings& settings = inputs.settings;
+  if (request.channels != Channel::none || !covers(settings) || !geometry.triangles.empty() ||
+      geometry.spheres.size() > most_spheres)
+    return {};
+  PacketScene scene;
+  for (const Primitive& primitive : geometry.primitives) {
+    const ShadingMaterial<float>& material = inputs.materials[primitive.material];
+    if (!covers(material)) return {};
+    scene.spheres.push_back(packet_sphere(geometry.spheres[primitive.shape], material, inputs.eye));
+  }
+  scene.lights = inputs.lights;
+  scene.viewport = inputs.viewport;
+  scene.eye = inputs.eye;
+  scene.right = inputs.right;
+  scene.up = inputs.up;
+  scene.forward = inputs.forward;
+  scene.background = inputs.background;
+  scene.near = inputs.near;
+  scene.far = inputs.far;
+  scene.depth = settings.reflection_depth;
+  scene.lighting = settings.lighting;
+  scene.highlights = settings.specular;
+  scene.shadows = settings.shadows == Shadows::traced;
+  scene.any_hit = settings.shadow_any_hit;
+  scene.tree = inputs.bvh && !inputs.bvh->nodes.empty();
+  return scene;
+}
+
+}  // namespace ps

@@ -1,0 +1,122 @@
+// Which sphere do the rays of a packet meet? Vector form of intersector.h for spheres.
+#if defined(PIXELSCOPE_PACKET_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELSCOPE_PACKET_SEARCH_INL_H_
+#undef PIXELSCOPE_PACKET_SEARCH_INL_H_
+#else
+#define PIXELSCOPE_PACKET_SEARCH_INL_H_
+#endif
+
+#include "hwy/highway.h"
+#include "raytrace/packet.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ps::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+
+struct V3 {
+  V x, y, z;
+};
+
+HWY_INLINE V splat(float value) { return hn::Set(D(), value); }
+HWY_INLINE V3 splat(const Vec3f& value) { return {splat(value.x), splat(value.y), splat(value.z)}; }
+HWY_INLINE V3 add(const V3& a, const V3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
+HWY_INLINE V3 subtract(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE V3 scale(const V3& a, V factor) {
+  return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
+}
+HWY_INLINE V3 negate(const V3& a) { return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)}; }
+HWY_INLINE V dot(const V3& a, const V3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE V length(const V3& a) { return hn::Sqrt(dot(a, a)); }
+HWY_INLINE V3 choose(M mask, const V3& yes, const V3& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+HWY_INLINE M no_lane() { return hn::Lt(hn::Zero(D()), hn::Zero(D())); }
+
+enum class From { eye, surface };
+
+/// One ray in each lane.
+struct PacketRay {
+  V3 origin, direction;
+  V a;      ///< D.D
+  V start;  ///< index of the sphere that the ray starts on; -1 = none
+  V t_min, t_max;
+  From from;
+};
+
+struct PacketHit {
+  V t;
+  V index;  ///< of the sphere; -1 = none
+};
+
+/// c of the robust sphere test: the one part that is computed in double.
+HWY_INLINE V power_of_origin(const PacketRay& ray, const PacketSphere& sphere) {
+  if (ray.from == From::eye) return splat(sphere.eye_c);
+  const hn::Half<D> half;
+  const hn::Repartition<double, D> wide;
+  const double radius = static_cast<double>(sphere.radius);
+  const auto part = [&](auto x, auto y, auto z) HWY_ATTR {
+    const auto fx = hn::Sub(hn::PromoteTo(wide, x), hn::Set(wide, static_cast<double>(sphere.x)));
+    const auto fy = hn::Sub(hn::PromoteTo(wide, y), hn::Set(wide, static_cast<double>(sphere.y)));
+    const auto fz = hn::Sub(hn::PromoteTo(wide, z), hn::Set(wide, static_cast<double>(sphere.z)));
+    const auto square = hn::Add(hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)), hn::Mul(fz, fz));
+    return hn::DemoteTo(half, hn::Sub(square, hn::Set(wide, radius * radius)));
+  };
+  const V3& o = ray.origin;
+  const auto low = part(hn::LowerHalf(half, o.x), hn::LowerHalf(half, o.y), hn::LowerHalf(half, o.z));
+  const auto high = part(hn::UpperHalf(half, o.x), hn::UpperHalf(half, o.y), hn::UpperHalf(half, o.z));
+  return hn::Combine(D(), high, low);
+}
+
+enum class Search { nearest, any };
+
+/// Tests the lanes of `active` against all spheres in order. With Search::any a lane stops at its first hit.
+HWY_INLINE PacketHit search(const PacketScene& scene, const PacketRay& ray, M active, Search kind,
+                            std::uint64_t& sphere_tests) {
+  const D d;
+  const V zero = hn::Zero(d);
+  PacketHit best{ray.t_max, splat(-1)};
+  M live = active;
+  for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
+    if (kind == Search::any && hn::AllFalse(d, live)) break;
+    sphere_tests += hn::CountTrue(d, live);
+    const PacketSphere& sphere = scene.spheres[k];
+    const V3 from_centre{hn::Sub(ray.origin.x, splat(sphere.x)), hn::Sub(ray.origin.y, splat(sphere.y)),
+                         hn::Sub(ray.origin.z, splat(sphere.z))};
+    const V b = hn::Neg(dot(from_centre, ray.direction));
+    const V3 remainder = add(from_centre, scale(ray.direction, hn::Div(b, ray.a)));
+    const V discriminant = hn::Sub(splat(sphere.radius * sphere.radius), dot(remainder, remainder));
+    const V index = splat(static_cast<float>(k));
+    const M own = hn::And(live, hn::Eq(ray.start, index));
+    const M crossed = hn::AndNot(own, hn::And(live, hn::Ge(discriminant, zero)));
+    const V other = hn::Div(hn::Mul(splat(2), b), ray.a);
+    V t = hn::IfThenElse(hn::Lt(other, zero), zero, other);
+    if (!hn::AllFalse(d, crossed)) {
+      const V c = power_of_origin(ray, sphere);
+      const V root = hn::Sqrt(hn::Mul(ray.a, discriminant));
+      const M behind = hn::Lt(b, zero);
+      const V q = hn::Add(b, hn::IfThenElse(behind, hn::Neg(root), root));
+      const V with_c = hn::Div(c, q);
+      const V with_a = hn::Div(q, ray.a);
+      const V near = hn::IfThenElse(behind, with_a, with_c);
+      const V far = hn::IfThenElse(behind, with_c, with_a);
+      t = hn::IfThenElse(own, t, hn::IfThenElse(hn::Gt(near, ray.t_min), near, far));
+    }
+    const M in_range = hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, best.t));
+    const M accepted = hn::And(hn::Or(own, crossed), in_range);
+    best.t = hn::IfThenElse(accepted, t, best.t);
+    best.index = hn::IfThenElse(accepted, index, best.index);
+    if (kind == Search::any) live = hn::AndNot(accepted, live);
+  }
+  return best;
+}
+
+}  // namespace ps::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

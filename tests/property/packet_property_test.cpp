@@ -1,0 +1,136 @@
+// The fast path against the clear path: the same bits on every SIMD target, from anywhere, and the same counts of work.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "raytrace/packet.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "support/random_scene.h"
+
+namespace {
+
+using namespace ps;
+
+Frame traced(const Scene& scene, const View& view, Settings settings, Simd simd) {
+  settings.simd = simd;
+  Prepared prepared;
+  Progress progress;
+  return render_traced(scene, view, settings, {}, prepared, progress);
+}
+
+bool takes_the_fast_path(const Scene& scene, const View& view, const Settings& settings) {
+  Prepared prepared;
+  return packet_scene(make_trace_inputs<float>(scene, view, settings, prepared), {}).has_value();
+}
+
+void expect_same_on_all_targets(const Scene& scene, const View& view, const Settings& settings) {
+  const Frame clear = traced(scene, view, settings, Simd::off);
+  for (const Simd simd : {Simd::sse4, Simd::avx2, Simd::avx512, Simd::automatic}) {
+    SCOPED_TRACE(static_cast<int>(simd));
+    const Frame fast = traced(scene, view, settings, simd);
+    ASSERT_EQ(
+        std::memcmp(clear.colour.pixels().data(), fast.colour.pixels().data(), clear.colour.pixels().size_bytes()), 0);
+    ASSERT_EQ(clear.counters, fast.counters);
+  }
+}
+
+double between(std::mt19937& random, double low, double high) {
+  return low + (high - low) * static_cast<double>(random()) * 0x1p-32;
+}
+
+/// Somewhere around the book's spheres, looking anywhere, the frame neither orthogonal nor of unit length.
+Camera random_camera(std::mt19937& random) {
+  const auto vector = [&](double size) {
+    const double x = between(random, -size, size), y = between(random, -size, size);
+    return Vec3d(x, y, between(random, -size, size));
+  };
+  Camera camera;
+  camera.position = vector(4) + Vec3d(0, 3, 2);
+  camera.right = Vec3d(1, 0, 0) + vector(0.5);
+  camera.up = Vec3d(0, 1, 0) + vector(0.5);
+  camera.forward = Vec3d(0, -0.3, 1) + vector(1);
+  return camera;
+}
+
+TEST(Packets, BookScenesFromAnywhere) {
+  constexpr unsigned seed = 61;
+  RecordProperty("seed", seed);
+  std::mt19937 random(seed);
+  int fast = 0;
+  for (const BuiltinScene& entry : builtin_scenes()) {
+    SCOPED_TRACE(entry.name);
+    const Scene scene = load_scene(entry.name);
+    for (int i = 0; i < 6; ++i) {
+      const View view{i == 0 ? scene.camera : random_camera(random), 75 + i, 49};
+      fast += takes_the_fast_path(scene, view, {}) ? 1 : 0;
+      expect_same_on_all_targets(scene, view, {});
+    }
+  }
+  EXPECT_GE(fast, 24) << "most scenes with spheres must take the fast path, or this test says nothing";
+}
+
+TEST(Packets, EverySettingThatTheFastPathCovers) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const View view{scene.camera, 130, 70};
+  const auto expect_fast = [&](auto change) {
+    Settings settings;
+    change(settings);
+    EXPECT_TRUE(takes_the_fast_path(scene, view, settings));
+    expect_same_on_all_targets(scene, view, settings);
+  };
+  expect_fast([](Settings& s) { s.lighting = false; });
+  expect_fast([](Settings& s) { s.specular = false; });
+  expect_fast([](Settings& s) { s.shadows = Shadows::none; });
+  expect_fast([](Settings& s) { s.shadow_any_hit = false; });
+  expect_fast([](Settings& s) { s.reflection_depth = 0; });
+  expect_fast([](Settings& s) { s.reflection_depth = 64; });
+  expect_fast([](Settings& s) { s.accelerator = Accelerator::none; });
+  expect_fast([](Settings& s) { s.sample_position = SamplePosition::corner; });
+  expect_fast([](Settings& s) { s.near = 3; });
+  expect_fast([](Settings& s) { s.far = 3.5; });
+  expect_fast([](Settings& s) { s.field_of_view_span = FieldOfViewSpan::centres; });
+}
+
+TEST(Packets, ScenesWithTintsHugeExponentsAndNoObjects) {
+  std::mt19937 random(62);
+  for (int i = 0; i < 40; ++i) {
+    Scene scene = load_scene("cgfs/reflections");
+    scene.materials.edit([&](std::vector<Material>& materials) {
+      for (Material& material : materials) {
+        material.colour = {between(random, 0, 1), between(random, 0, 1), between(random, 0, 1)};
+        material.specular = std::exp(between(random, -3, 12));
+        material.reflective = between(random, -0.2, 1.2);
+      }
+    });
+    scene.lights.edit([&](std::vector<Light>& lights) {
+      for (Light& light : lights) {
+        light.colour = {between(random, 0, 1), between(random, 0, 1), between(random, 0, 1)};
+        light.position = {between(random, -4, 4), between(random, -1.1, 3), between(random, 0, 6)};
+      }
+    });
+    scene.geometry.edit([&](Geometry& geometry) {
+      geometry.objects.resize(random() % 5);
+      for (int k = static_cast<int>(random() % 4); k > 0; --k)
+        geometry.objects.push_back({"more", Sphere{{between(random, -2, 2), between(random, -1, 1), 3}, 0.6, 0}});
+    });
+    const View view{scene.camera, 67, 45};
+    EXPECT_TRUE(takes_the_fast_path(scene, view, {}));
+    expect_same_on_all_targets(scene, view, {});
+  }
+}
+
+TEST(Packets, WhatTheyDoNotCoverIsLeftToTheClearPath) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const View view{scene.camera, 40, 30};
+  Settings settings;
+  settings.self_hit = SelfHit::epsilon;
+  EXPECT_FALSE(takes_the_fast_path(scene, view, settings));
+  for (unsigned seed = 71; seed < 75; ++seed) {
+    const Scene other = test::random_scene(seed);
+    expect_same_on_all_targets(other, View{other.camera, 40, 30}, {});
+  }
+}
+
+}  // namespace
