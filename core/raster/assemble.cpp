@@ -1,0 +1,318 @@
+#include "raster/assemble.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raster/canvas_line.h"
+#include "raster/corner_attributes.h"
+#include "raster/guard_band.h"
+#include "raster/light_at.h"
+#include "raster/near_pixel.h"
+
+namespace ps::raster {
+namespace {
+
+constexpr std::size_t triangles_per_run = 2048;
+
+/// One corner on the canvas. `depth` is what is linear there: 1 / z, or z in orthographic pictures; `weights` are those
+/// of the whole triangle's corners, not divided by anything.
+template <class Real>
+struct CanvasCorner {
+  Vec2<Real> position{0, 0};  ///< pixels from the top left, y down
+  Real depth = 0;
+  Vec3<Real> weights{0, 0, 0};
+};
+
+bool box_is_empty(const PixelBox& box) { return box.x0 >= box.x1 || box.y0 >= box.y1; }
+
+/// Assembles one run; a class only to share what its steps need.
+template <class Real>
+class Assembler {
+ public:
+  Assembler(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,
+            std::optional<Vec2i> inspected)
+      : pass_(pass), vertices_(vertices), run_(run), inspected_(inspected), object_(pass.objects[run.object]) {}
+
+  Batch<Real> take() {
+    for (std::size_t t = run_.first; t < run_.last; ++t) {
+      index_ = t;
+      sequence_ = run_.sequence + static_cast<std::uint32_t>(t - run_.first);
+      add_triangle();
+    }
+    batch_.counters = recorder_.counters;
+    return std::move(batch_);
+  }
+
+ private:
+  void add_triangle() {
+    recorder_.count(Counter::triangles_in);
+    source_ = {object_.mesh.get(), &object_.mesh->triangles[index_], &vertices_, {}};
+    for (std::size_t k = 0; k < 3; ++k) corner_[k] = vertices_.camera[source_.triangle->position[k]];
+    const Vec3<Real> normal = cross(corner_[1] - corner_[0], corner_[2] - corner_[0]);
+    if (!(dot(normal, normal) > 0)) {
+      recorder_.count(Counter::triangles_degenerate);
+      return reject(RejectReason::zero_area, "");
+    }
+    const auto handedness = static_cast<Real>(pass_.camera_space.handedness);
+    const Vec3<Real> to_eye = pass_.perspective() ? -corner_[0] : Vec3<Real>(0, 0, -1);
+    back_face_ = !(handedness * dot(normal, to_eye) > 0);
+    if (back_face_ && pass_.settings.backface_culling) {
+      recorder_.count(Counter::triangles_backfacing);
+      return reject(RejectReason::back_face, "");
+    }
+    if (pass_.settings.draw == Draw::filled)
+      fill();
+    else
+      outline();
+  }
+
+  void fill() {
+    ClipPolygon<Real> polygon;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vec3<Real> weights(0);
+      weights[static_cast<int>(k)] = 1;
+      polygon.push({corner_[k], weights});
+    }
+    bool split = false;
+    for (const auto& plane : pass_.planes) {
+      const ClipOutcome outcome = clip_polygon(polygon, plane);
+      if (outcome == ClipOutcome::outside) {
+        recorder_.count(Counter::triangles_clipped_away);
+        return reject(plane.reason, plane.name);
+      }
+      split = split || outcome == ClipOutcome::split;
+    }
+    std::array<CanvasCorner<Real>, ClipPolygon<Real>::capacity> canvas;
+    int size = polygon.size;
+    if (!project(polygon, canvas)) return reject(RejectReason::behind_camera, "no finite position on the canvas");
+    if (!cut_canvas(canvas, size, split)) {
+      recorder_.count(Counter::triangles_clipped_away);
+      return reject(RejectReason::clipped_side, "guard band");
+    }
+    if (split) recorder_.count(Counter::triangles_split);
+    emit(canvas, size, split);
+  }
+
+  /// False if a corner has no finite place on the canvas, which only happens without a near plane.
+  bool project(const ClipPolygon<Real>& polygon, std::array<CanvasCorner<Real>, 16>& canvas) const {
+    for (int i = 0; i < polygon.size; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const ClipVertex<Real>& vertex = polygon.corners[k];
+      canvas[k] = {pass_.projection.from_top_left(vertex.position),
+                   pass_.perspective() ? Real(1) / vertex.position.z : vertex.position.z, vertex.weights};
+      if (!std::isfinite(canvas[k].position.x) || !std::isfinite(canvas[k].position.y) ||
+          !std::isfinite(canvas[k].depth))
+        return false;
+    }
+    return true;
+  }
+
+  /// Cuts the polygon on the canvas to the guard band. What is linear there is depth, and weights times 1 / z. False if
+  /// nothing is left.
+  bool cut_canvas(std::array<CanvasCorner<Real>, 16>& canvas, int& size, bool& split) const {
+    ClipPolygon<Real> polygon;
+    for (int i = 0; i < size; ++i) {
+      const auto& c = canvas[static_cast<std::size_t>(i)];
+      const Real share = pass_.perspective() ? c.depth : Real(1);
+      polygon.push({{c.position.x, c.position.y, c.depth}, c.weights * share});
+    }
+    bool cut = false;
+    if (!cut_to_guard_band(polygon, cut)) return false;
+    if (!cut) return true;
+    split = true;
+    size = polygon.size;
+    for (int i = 0; i < size; ++i) {
+      const auto& v = polygon.corners[static_cast<std::size_t>(i)];
+      const Real share = pass_.perspective() ? v.position.z : Real(1);
+      canvas[static_cast<std::size_t>(i)] = {{v.position.x, v.position.y}, v.position.z, v.weights / share};
+    }
+    return true;
+  }
+
+  void emit(const std::array<CanvasCorner<Real>, 16>& canvas, int size, bool split) {
+    ScreenTriangle<Real> piece;
+    piece.surface = surface_index();
+    piece.sequence = sequence_;
+    piece.triangle = static_cast<std::int32_t>(index_);
+    piece.pieces = static_cast<std::uint8_t>(size - 2);
+    piece.cut = split;
+    piece.back_face = back_face_;
+    piece.sort_depth = mean_depth();
+    bool area = false;
+    bool attributes_known = false;
+    std::array<CornerAttributes<Real>, 3> attributes{};
+    Lighting<Real> flat;
+    for (int i = 1; i + 1 < size; ++i) {
+      const std::array<const CanvasCorner<Real>*, 3> c{&canvas[0], &canvas[static_cast<std::size_t>(i)],
+                                                       &canvas[static_cast<std::size_t>(i + 1)]};
+      for (std::size_t k = 0; k < 3; ++k) piece.corners[k] = to_fixed(c[k]->position, pass_.grid.subpixel_bits);
+      if (!make_edges(piece.corners, pass_.grid)) continue;
+      area = true;
+      piece.box = visible_box(sample_box(piece.corners, pass_.grid));
+      if (box_is_empty(piece.box)) continue;
+      if (!attributes_known) {
+        attributes_known = true;
+        source_.face_normal = face_normal();
+        attributes = corner_attributes(pass_, surface(), source_, recorder_);
+        if (surface().layout.flat_light) flat = flat_light();
+      }
+      piece.face_normal = source_.face_normal;
+      piece.attributes = static_cast<std::uint32_t>(batch_.attributes.size());
+      for (std::size_t k = 0; k < 3; ++k) {
+        piece.z[k] = pass_.perspective() ? Real(1) / c[k]->depth : c[k]->depth;
+        piece.inverse_z[k] = pass_.perspective() ? c[k]->depth : Real(1) / c[k]->depth;
+        store_attributes(attributes, *c[k], split);
+      }
+      if (surface().layout.flat_light) {
+        for (int axis = 0; axis < 3; ++axis) batch_.attributes.push_back(flat.light[axis]);
+        for (int axis = 0; axis < 3; ++axis) batch_.attributes.push_back(flat.extra[axis]);
+      }
+      if (split)
+        for (std::size_t k = 0; k < 3; ++k)
+          for (int axis = 0; axis < 3; ++axis) batch_.attributes.push_back(c[k]->weights[axis]);
+      recorder_.count(Counter::triangles_drawn);
+      batch_.triangles.push_back(piece);
+    }
+    if (!area) {
+      recorder_.count(Counter::triangles_degenerate);
+      reject(RejectReason::zero_area, "on the canvas");
+    } else if (!attributes_known && inspected_) {
+      ++batch_.elsewhere;
+    }
+  }
+
+  /// The scalars of a corner, carried as value / z where interpolation is perspective-correct.
+  void store_attributes(const std::array<CornerAttributes<Real>, 3>& attributes, const CanvasCorner<Real>& corner,
+                        bool split) {
+    const Real share = pass_.divides() ? corner.depth : Real(1);
+    for (std::size_t a = 0; a < static_cast<std::size_t>(surface().layout.count); ++a) {
+      Real value = 0;
+      if (split) {
+        value = attributes[0][a] * corner.weights.x + attributes[1][a] * corner.weights.y +
+                attributes[2][a] * corner.weights.z;
+      } else {
+        const std::size_t k = corner.weights.x == 1 ? 0 : corner.weights.y == 1 ? 1 : 2;
+        value = attributes[k][a];
+      }
+      batch_.attributes.push_back(value * share);
+    }
+  }
+
+  Lighting<Real> flat_light() {
+    const FlatPoint<Real> point = flat_point(source_, pass_.settings.normals);
+    return light_at(pass_, surface(), point.position, point.normal, recorder_);
+  }
+
+  /// The edges of the whole triangle, each cut to the clipping volume by itself; or its corners as points.
+  void outline() {
+    bool any = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool points = pass_.settings.draw == Draw::points;
+      // The book's order of edges: 0-1, 1-2, 0-2.
+      const std::size_t from = points ? k : k == 2 ? 0 : k;
+      const std::size_t to = points ? k : k == 2 ? 2 : k + 1;
+      Vec3<Real> a = corner_[from];
+      Vec3<Real> b = corner_[to];
+      if (!clip_segment(a, b, pass_.planes)) continue;
+      any = add_line(pass_.projection.centred(a), pass_.projection.centred(b)) || any;
+    }
+    if (any) {
+      recorder_.count(Counter::triangles_drawn);
+    } else {
+      recorder_.count(Counter::triangles_clipped_away);
+      reject(RejectReason::clipped_side, "no edge in view");
+    }
+  }
+
+  bool add_line(const Vec2<Real>& a, const Vec2<Real>& b) {
+    ScreenLine<Real> line;
+    if (!make_canvas_line(a, b, pass_.viewport.columns, pass_.viewport.rows, line)) return false;
+    line.sort_depth = mean_depth();
+    line.surface = surface_index();
+    line.sequence = sequence_;
+    line.triangle = static_cast<std::int32_t>(index_);
+    if (box_is_empty(line.box)) return false;
+    recorder_.count(Counter::lines_drawn);
+    batch_.lines.push_back(line);
+    return true;
+  }
+
+  void reject(RejectReason reason, std::string_view detail) {
+    if (!inspected_) return;
+    if (!near_pixel(pass_, corner_, *inspected_)) {
+      ++batch_.elsewhere;
+      return;
+    }
+    RejectEvent event;
+    event.id = {object_.object, static_cast<std::int32_t>(index_)};
+    event.reason = reason;
+    event.detail = detail;
+    batch_.rejected.push_back({sequence_, event});
+  }
+
+  Vec3<Real> face_normal() const {
+    const auto world = [&](std::size_t k) {
+      return object_.world(object_.mesh->positions[source_.triangle->position[k]]);
+    };
+    const Vec3d a = world(0);
+    const Vec3d normal = cross(world(1) - a, world(2) - a);
+    return Vec3<Real>(normal / std::sqrt(dot(normal, normal)));
+  }
+  PixelBox visible_box(const PixelBox& box) const {
+    return {std::max(box.x0, 0), std::max(box.y0, 0), std::min(box.x1, pass_.viewport.columns),
+            std::min(box.y1, pass_.viewport.rows)};
+  }
+  Real mean_depth() const { return (corner_[0].z + corner_[1].z + corner_[2].z) / Real(3); }
+  std::uint32_t surface_index() const {
+    const auto slot = object_.materials.size() == 1 ? 0 : source_.triangle->material;
+    return pass_.first_surface[run_.object] + slot;
+  }
+  const Surface<Real>& surface() const { return pass_.surfaces[surface_index()]; }
+
+  const Pass<Real>& pass_;
+  const VertexBuffer<Real>& vertices_;
+  const TriangleRun& run_;
+  std::optional<Vec2i> inspected_;
+  const DrawObject& object_;
+  Batch<Real> batch_;
+  CountingRecorder recorder_;
+
+  // The triangle at hand.
+  std::size_t index_ = 0;
+  std::uint32_t sequence_ = 0;
+  CornerSource<Real> source_;
+  std::array<Vec3<Real>, 3> corner_{};  ///< camera space
+  bool back_face_ = false;
+};
+
+}  // namespace
+
+template <class Real>
+std::vector<TriangleRun> make_runs(const Pass<Real>& pass, const std::vector<bool>& culled) {
+  std::vector<TriangleRun> runs;
+  std::uint32_t sequence = 0;
+  for (std::size_t i = 0; i < pass.objects.size(); ++i) {
+    if (culled[i]) continue;
+    const std::size_t count = pass.objects[i].mesh->triangles.size();
+    for (std::size_t first = 0; first < count; first += triangles_per_run)
+      runs.push_back(
+          {i, first, std::min(first + triangles_per_run, count), sequence + static_cast<std::uint32_t>(first)});
+    sequence += static_cast<std::uint32_t>(count);
+  }
+  return runs;
+}
+
+template <class Real>
+Batch<Real> assemble(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,
+                     std::optional<Vec2i> inspected) {
+  return Assembler<Real>(pass, vertices, run, inspected).take();
+}
+
+#define PS_INSTANTIATE(Real)                                                                                           \
+  template std::vector<TriangleRun> make_runs(const Pass<Real>&, const std::vector<bool>&);                            \
+  template Batch<Real> assemble(const Pass<Real>&, const VertexBuffer<Real>&, const TriangleRun&, std::optional<Vec2i>);
+PS_INSTANTIATE(float)
+PS_INSTANTIATE(double)
+#undef PS_INSTANTIATE
+
+}  // namespace ps::raster

@@ -1,0 +1,41 @@
+#include "raster/attributes.h"
+
+namespace ps::raster {
+
+LightNeeds light_needs(const std::vector<Light>& lights) {
+  LightNeeds needs;
+  for (const Light& light : lights) {
+    needs.any = true;
+    needs.normal = needs.normal || light.kind != LightKind::ambient;
+    needs.point = needs.point || light.kind == LightKind::point;
+  }
+  return needs;
+}
+
+AttributeLayout make_layout(const Settings& settings, const LightNeeds& lights, const Material& material,
+                            const Mesh& mesh, Channel channels) {
+  AttributeLayout layout;
+  const auto take = [&](int& slot, int scalars) {
+    slot = layout.count;
+    layout.count += scalars;
+  };
+  const bool vertex_normals = settings.normals == Normals::vertex && !mesh.normals.empty();
+  const bool per_pixel = settings.lighting && settings.shading == Shading::phong;
+  const bool normal_channel = has(channels, Channel::normal);
+  layout.lit = settings.lighting;
+  layout.flat_light = settings.lighting && settings.shading == Shading::flat;
+  layout.shading_normal = (per_pixel && lights.normal) || normal_channel;
+  // Flat shading uses one normal for the whole triangle, also where it is only shown.
+  if (layout.shading_normal && vertex_normals && settings.shading != Shading::flat) take(layout.normal, 3);
+  const bool highlights = settings.specular && material.specular && lights.normal;
+  if (per_pixel && (lights.point || highlights)) take(layout.position, 3);
+  const bool textured = settings.textures && material.texture >= 0;
+  if (!mesh.uvs.empty() && (textured || has(channels, Channel::uv))) take(layout.uv, 2);
+  if (settings.lighting && settings.shading == Shading::gouraud) {
+    take(layout.light, 3);
+    if (material.specular_colour || material.ambient_colour) take(layout.extra, 3);
+  }
+  return layout;
+}
+
+}  // namespace ps::raster

@@ -1,0 +1,70 @@
+#include "raster/bins.h"
+
+#include <algorithm>
+
+namespace ps::raster {
+namespace {
+
+/// Calls visit(primitive) for the triangle or line that `ref` names, whichever the picture is made of.
+template <class Real, class Visit>
+auto with_primitive(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, const PrimitiveRef& ref,
+                    Visit&& visit) {
+  const Batch<Real>& batch = geometry.batches[ref.batch];
+  if (pass.settings.draw == Draw::filled) return visit(batch.triangles[ref.index]);
+  return visit(batch.lines[ref.index]);
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<PrimitiveRef> drawing_order(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry) {
+  std::vector<PrimitiveRef> order;
+  for (std::size_t b = 0; b < geometry.batches.size(); ++b) {
+    const Batch<Real>& batch = geometry.batches[b];
+    const std::size_t count = pass.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
+    for (std::size_t i = 0; i < count; ++i)
+      order.push_back({static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(i)});
+  }
+  if (pass.settings.visibility != Visibility::painter) return order;
+  struct Place {
+    Real depth;
+    std::uint32_t sequence;
+  };
+  const auto place = [&](const PrimitiveRef& ref) {
+    return with_primitive(pass, geometry, ref, [](const auto& p) { return Place{p.sort_depth, p.sequence}; });
+  };
+  std::stable_sort(order.begin(), order.end(), [&](const PrimitiveRef& a, const PrimitiveRef& b) {
+    const Place first = place(a);
+    const Place second = place(b);
+    if (first.depth != second.depth) return first.depth > second.depth;
+    return first.sequence > second.sequence;
+  });
+  return order;
+}
+
+template <class Real>
+std::vector<std::vector<PrimitiveRef>> bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                                                      const std::vector<PrimitiveRef>& order, int tile_size) {
+  const auto tiles_across = [tile_size](int pixels) { return (pixels + tile_size - 1) / tile_size; };
+  const int columns = tiles_across(pass.viewport.columns);
+  const int rows = tiles_across(pass.viewport.rows);
+  std::vector<std::vector<PrimitiveRef>> bins(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (const PrimitiveRef& ref : order) {
+    const PixelBox box = with_primitive(pass, geometry, ref, [](const auto& p) { return p.box; });
+    for (int row = box.y0 / tile_size; row <= (box.y1 - 1) / tile_size; ++row)
+      for (int column = box.x0 / tile_size; column <= (box.x1 - 1) / tile_size; ++column)
+        bins[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)]
+            .push_back(ref);
+  }
+  return bins;
+}
+
+#define PS_INSTANTIATE(Real)                                                                                           \
+  template std::vector<PrimitiveRef> drawing_order(const Pass<Real>&, const ScreenGeometry<Real>&);                    \
+  template std::vector<std::vector<PrimitiveRef>> bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&,       \
+                                                                 const std::vector<PrimitiveRef>&, int);
+PS_INSTANTIATE(float)
+PS_INSTANTIATE(double)
+#undef PS_INSTANTIATE
+
+}  // namespace ps::raster

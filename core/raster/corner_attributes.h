@@ -1,0 +1,47 @@
+#pragma once
+#include <array>
+
+#include "inspect/recorder.h"
+#include "raster/pass.h"
+
+namespace ps::raster {
+
+/// Most scalars that one corner can carry: normal, position, uv, light and extra.
+inline constexpr std::size_t max_attributes = 14;
+
+/// The scalars of one corner, in the order of its surface's layout.
+template <class Real>
+using CornerAttributes = std::array<Real, max_attributes>;
+
+/// One triangle of a mesh with what the vertex stage made of its corners.
+template <class Real>
+struct CornerSource {
+  const Mesh* mesh = nullptr;
+  const MeshTriangle* triangle = nullptr;
+  const VertexBuffer<Real>* vertices = nullptr;
+  Vec3<Real> face_normal{0, 0, 0};  ///< world space, length 1
+
+  /// Corner `k`'s normal as the option `normals` asks.
+  Vec3<Real> normal(std::size_t k, Normals normals) const {
+    const auto index = triangle->normal[k];
+    if (normals == Normals::triangle || index < 0 || vertices->normals.empty()) return face_normal;
+    return vertices->normals[static_cast<std::size_t>(index)];
+  }
+  Vec3<Real> position(std::size_t k) const { return vertices->world[triangle->position[k]]; }
+};
+
+/// Fills in what the layout asks for; Gouraud shading lights the corners here.
+template <class Real>
+std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>& pass, const Surface<Real>& surface,
+                                                        const CornerSource<Real>& source, CountingRecorder& recorder);
+
+/// Flat shading: the light in the middle of the triangle, with the mean of its corners' normals.
+template <class Real>
+struct FlatPoint {
+  Vec3<Real> position{0, 0, 0};
+  Vec3<Real> normal{0, 0, 0};
+};
+template <class Real>
+FlatPoint<Real> flat_point(const CornerSource<Real>& source, Normals normals);
+
+}  // namespace ps::raster

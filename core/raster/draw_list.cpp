@@ -1,0 +1,113 @@
+#include "raster/draw_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/matrix.hpp>
+
+#include "raster/tessellate.h"
+
+namespace ps::raster {
+namespace {
+
+using Meshes = std::vector<std::shared_ptr<const Mesh>>;
+using Bounds = std::vector<BoundingSphere>;
+
+Key& add(Key& key, const Vec3d& v) { return key.add(v.x).add(v.y).add(v.z); }
+
+/// One mesh for each object; empty pointers for instances.
+std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view, const Settings& settings,
+                                            const Viewport<double>& viewport, Prepared& prepared) {
+  Key key("sphere-tessellation");
+  key.add(scene.geometry.revision()).add(settings.tessellation).add(settings.near).add(settings.projection);
+  add(add(key, view.camera.position), view.camera.forward);
+  key.add(viewport.width).add(viewport.height).add(viewport.span_x).add(viewport.span_y).add(viewport.distance);
+  key.add(static_cast<std::uint64_t>(view.width)).add(static_cast<std::uint64_t>(view.height));
+  return prepared.get<Meshes>(key, [&] {
+    const TessellationView seen_from =
+        make_tessellation_view(view.camera, viewport, settings.near, settings.tessellation);
+    Meshes meshes;
+    for (const Object& object : scene.geometry->objects) {
+      const auto* sphere = std::get_if<Sphere>(&object.shape);
+      meshes.push_back(sphere ? std::make_shared<const Mesh>(tessellate_sphere(*sphere, seen_from)) : nullptr);
+    }
+    return meshes;
+  });
+}
+
+std::shared_ptr<const Bounds> mesh_bounds(const Scene& scene, Prepared& prepared) {
+  return prepared.get<Bounds>(Key("mesh-bounds").add(scene.geometry.revision()), [&] {
+    Bounds bounds;
+    for (const auto& mesh : scene.geometry->meshes) bounds.push_back(bounding_sphere(*mesh));
+    return bounds;
+  });
+}
+
+/// An upper bound of how much the matrix stretches any vector; exact for a rotation with one scale.
+double largest_stretch(const Mat3d& m) {
+  const Mat3d square = glm::transpose(m) * m;
+  double bound = 0;
+  for (int column = 0; column < 3; ++column)
+    bound = std::max(bound, std::abs(square[column][0]) + std::abs(square[column][1]) + std::abs(square[column][2]));
+  return std::sqrt(bound);
+}
+
+Mat3d normal_matrix(const Mat3d& linear, NormalTransform how) {
+  switch (how) {
+  case NormalTransform::inverse_transpose:
+    // The matrix of cofactors is the inverse transpose times the determinant: it needs no division, so a model that is
+    // scaled flat in one direction keeps its normals, and its sign follows a mirrored model.
+    return Mat3d(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1])) *
+           (glm::determinant(linear) < 0 ? -1.0 : 1.0);
+  case NormalTransform::model:
+    return linear;
+  }
+  return linear;
+}
+
+DrawObject place_instance(const Scene& scene, int index, const Instance& instance, const Bounds& bounds,
+                          NormalTransform how) {
+  const Transform& transform = instance.transform;
+  DrawObject draw;
+  draw.object = index;
+  draw.mesh = scene.geometry->meshes.at(instance.mesh);
+  draw.linear = Mat3d(transform.rotation[0] * transform.scale.x, transform.rotation[1] * transform.scale.y,
+                      transform.rotation[2] * transform.scale.z);
+  draw.normal_matrix = normal_matrix(draw.linear, how);
+  draw.translation = transform.translation;
+  const BoundingSphere& model = bounds.at(instance.mesh);
+  draw.bounds = {draw.world(model.centre), model.radius * largest_stretch(draw.linear)};
+  draw.materials = instance.material ? std::vector<std::uint32_t>{*instance.material} : draw.mesh->materials;
+  return draw;
+}
+
+}  // namespace
+
+std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, const Settings& settings,
+                                       const Viewport<double>& viewport, Prepared& prepared) {
+  const auto& objects = scene.geometry->objects;
+  const bool any_sphere = std::any_of(objects.begin(), objects.end(),
+                                      [](const Object& o) { return std::holds_alternative<Sphere>(o.shape); });
+  const auto spheres = any_sphere ? tessellations(scene, view, settings, viewport, prepared) : nullptr;
+  const auto bounds = mesh_bounds(scene, prepared);
+  std::vector<DrawObject> list;
+  list.reserve(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const int index = static_cast<int>(i);
+    if (const auto* sphere = std::get_if<Sphere>(&objects[i].shape)) {
+      DrawObject draw;
+      draw.object = index;
+      draw.mesh = (*spheres)[i];
+      draw.sphere = true;
+      draw.bounds = {sphere->centre, sphere->radius};
+      draw.materials = {sphere->material};
+      list.push_back(std::move(draw));
+    } else {
+      list.push_back(
+          place_instance(scene, index, std::get<Instance>(objects[i].shape), *bounds, settings.normal_transform));
+    }
+  }
+  return list;
+}
+
+}  // namespace ps::raster

@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "math/vec.h"
+#include "render/prepared.h"
+#include "render/view.h"
+#include "render/viewport.h"
+#include "scene/scene.h"
+
+namespace ps::raster {
+
+/// An object of the scene as triangles: an instance of a model, or a sphere made of triangles for this view.
+struct DrawObject {
+  int object = 0;                    ///< index into Geometry::objects
+  std::shared_ptr<const Mesh> mesh;  ///< in model space; a tessellated sphere is in world space
+  bool sphere = false;
+  Mat3d linear{1.0};           ///< model to world, for positions: rotation * scale
+  Mat3d normal_matrix{1.0};    ///< model to world, for normals, as `normal-transform` asks
+  Vec3d translation{0, 0, 0};  ///< world units
+  BoundingSphere bounds;       ///< world space
+  /// For each material slot of the mesh the index into Scene::materials; one slot for spheres and overrides.
+  std::vector<std::uint32_t> materials;
+
+  Vec3d world(const Vec3d& model) const { return linear * model + translation; }
+  std::uint32_t material(const MeshTriangle& triangle) const {
+    return materials[materials.size() == 1 ? 0 : triangle.material];
+  }
+};
+
+/// All objects in scene order. Tessellations and bounding spheres are kept in `prepared`.
+std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, const Settings& settings,
+                                       const Viewport<double>& viewport, Prepared& prepared);
+
+}  // namespace ps::raster

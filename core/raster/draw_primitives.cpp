@@ -1,0 +1,152 @@
+#include "raster/draw_primitives.h"
+
+#include <algorithm>
+
+#include "raster/canvas_items.h"
+#include "raster/fragment_event.h"
+
+namespace ps::raster {
+namespace {
+
+/// Draws triangles into one tile; a class only to share what its steps need.
+template <class Real, class Recorder>
+class TriangleDrawer {
+ public:
+  TriangleDrawer(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, Target<Real>& target, Recorder& recorder)
+      : pass_(pass), geometry_(geometry), target_(target), recorder_(recorder),
+        depth_buffer_(pass.settings.visibility == Visibility::depth_buffer) {}
+
+  void draw(const Batch<Real>& batch, const ScreenTriangle<Real>& triangle) {
+    const auto edges = make_edges(triangle.corners, pass_.grid);
+    PS_ASSERT(edges.has_value(), "triangles without area are left out by the assembly");
+    setup_.triangle = &triangle;
+    setup_.surface = &pass_.surfaces[triangle.surface];
+    setup_.attributes = batch.attributes.data() + triangle.attributes;
+    setup_.edges = *edges;
+    setup_.inverse_area = Real(1) / static_cast<Real>(edges->area);
+    const TileRect& rect = target_.rect();
+    const PixelBox box{std::max(triangle.box.x0, rect.x0), std::max(triangle.box.y0, rect.y0),
+                       std::min(triangle.box.x1, rect.x1), std::min(triangle.box.y1, rect.y1)};
+    if constexpr (Recorder::records) report_if_missed(rect);
+    if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
+    recorder_.count(Counter::coverage_tests,
+                    static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0));
+    if (target_.wants(Channel::tests)) count_tests(box);
+    std::array<std::int64_t, 3> row_values = setup_.edges.at(box.x0, box.y0);
+    for (int row = box.y0; row < box.y1; ++row) {
+      std::array<std::int64_t, 3> values = row_values;
+      for (int column = box.x0; column < box.x1; ++column) {
+        if (setup_.edges.inside(values)) cover(column, row, values);
+        for (std::size_t i = 0; i < 3; ++i) values[i] += setup_.edges.step_x[i];
+      }
+      for (std::size_t i = 0; i < 3; ++i) row_values[i] += setup_.edges.step_y[i];
+    }
+  }
+
+ private:
+  /// A covered sample: depth test, shading, write.
+  void cover(int column, int row, const std::array<std::int64_t, 3>& values) {
+    recorder_.count(Counter::fragments);
+    if (target_.wants(Channel::overdraw)) ++target_.frame().overdraw.at(column, row);
+    const Fragment<Real> fragment = make_fragment(pass_, setup_, column, row, values);
+    Real depth = 0;
+    Real stored = 0;
+    auto verdict = FragmentEvent::Depth::off;
+    if (depth_buffer_) {
+      recorder_.count(Counter::depth_tests);
+      recorder_.count(Counter::attributes_interpolated);
+      depth = depth_value(pass_, setup_, fragment);
+      stored = target_.depth(column, row);
+      const bool nearer = is_nearer(pass_.settings.depth_value, depth, stored);
+      verdict = nearer ? FragmentEvent::Depth::passed : FragmentEvent::Depth::failed;
+    }
+    recorder_.begin([&] { return fragment_event(pass_, setup_, fragment, values, verdict, stored, depth); });
+    if (verdict == FragmentEvent::Depth::failed) {
+      recorder_.count(Counter::depth_failures);
+      recorder_.end();
+      return;
+    }
+    if (depth_buffer_) target_.depth(column, row) = depth;
+    const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_);
+    recorder_.event([&] {
+      return WriteEvent{event_id(setup_), Vec3d(target_.colour(column, row)), Vec3d(shaded.colour),
+                        Vec3d(shaded.colour)};
+    });
+    recorder_.end();
+    recorder_.count(Counter::pixels_written);
+    target_.set_colour(column, row, shaded.colour);
+    if (pass_.channels != Channel::none) write_channels(fragment, shaded);
+  }
+
+  void write_channels(const Fragment<Real>& fragment, const ShadedFragment<Real>& shaded) {
+    const int x = fragment.column;
+    const int y = fragment.row;
+    const bool sphere = setup_.surface->sphere;
+    Frame& frame = target_.frame();
+    if (target_.wants(Channel::depth)) frame.depth.at(x, y) = static_cast<float>(fragment.z);
+    if (target_.wants(Channel::normal)) frame.normal.at(x, y) = Vec3f(shaded.normal);
+    if (target_.wants(Channel::barycentric))
+      frame.barycentric.at(x, y) =
+          sphere ? Vec3f(0) : Vec3f(whole_weights(setup_, space_weights(pass_, setup_, fragment)));
+    if (target_.wants(Channel::uv)) frame.uv.at(x, y) = Vec2f(shaded.uv);
+    if (target_.wants(Channel::ids))
+      frame.ids.at(x, y) = {setup_.surface->object, sphere ? 0 : setup_.triangle->triangle};
+    if (target_.wants(Channel::facing)) frame.facing.at(x, y) = facing(x, y);
+    if (target_.wants(Channel::mip)) frame.mip.at(x, y) = static_cast<float>(shaded.mip);
+  }
+
+  /// Cosine between the triangle's normal and the direction to the eye.
+  float facing(int column, int row) const {
+    const Vec2d v = pass_.viewport.at(column, row);
+    Vec3d ray = pass_.camera.forward;
+    if (pass_.perspective())
+      ray = pass_.camera.right * v.x + pass_.camera.up * v.y + pass_.camera.forward * pass_.viewport.distance;
+    return static_cast<float>(-dot(ray, Vec3d(setup_.triangle->face_normal)) / std::sqrt(dot(ray, ray)));
+  }
+
+  void count_tests(const PixelBox& box) {
+    for (int row = box.y0; row < box.y1; ++row)
+      for (int column = box.x0; column < box.x1; ++column) ++target_.frame().tests.at(column, row);
+  }
+
+  /// An inspected tile is a single pixel: tells of a triangle that comes near it without covering it.
+  void report_if_missed(const TileRect& rect) {
+    const auto values = setup_.edges.at(rect.x0, rect.y0);
+    if (!setup_.edges.inside(values)) recorder_.event([&] { return not_covered_event(pass_, setup_, values); });
+  }
+
+  const Pass<Real>& pass_;
+  const ScreenGeometry<Real>& geometry_;
+  Target<Real>& target_;
+  Recorder& recorder_;
+  bool depth_buffer_;
+  TriangleSetup<Real> setup_;
+};
+
+}  // namespace
+
+template <class Real, class Recorder>
+void draw_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                     std::span<const PrimitiveRef> primitives, Target<Real>& target, Recorder& recorder) {
+  TriangleDrawer<Real, Recorder> triangles(pass, geometry, target, recorder);
+  for (const PrimitiveRef& ref : primitives) {
+    const Batch<Real>& batch = geometry.batches[ref.batch];
+    if (pass.settings.draw == Draw::filled)
+      triangles.draw(batch, batch.triangles[ref.index]);
+    else
+      draw_edge(pass, batch.lines[ref.index], target, recorder);
+  }
+}
+
+#define PS_INSTANTIATE(Real, Recorder)                                                                                 \
+  template void draw_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>,         \
+                                Target<Real>&, Recorder&);
+PS_INSTANTIATE(float, Silent)
+PS_INSTANTIATE(float, CountingRecorder)
+PS_INSTANTIATE(float, PixelRecorder)
+PS_INSTANTIATE(double, Silent)
+PS_INSTANTIATE(double, CountingRecorder)
+PS_INSTANTIATE(double, PixelRecorder)
+#undef PS_INSTANTIATE
+
+}  // namespace ps::raster

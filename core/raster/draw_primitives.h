@@ -1,0 +1,15 @@
+#pragma once
+#include <span>
+
+#include "raster/bins.h"
+#include "raster/target.h"
+
+namespace ps::raster {
+
+/// Draws triangles or lines into a tile, in the order given. The one kernel of the rasterizer: pictures and the
+/// inspector both come from it.
+template <class Real, class Recorder>
+void draw_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                     std::span<const PrimitiveRef> primitives, Target<Real>& target, Recorder& recorder);
+
+}  // namespace ps::raster

@@ -1,0 +1,120 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "math/vec.h"
+#include "options/settings.h"
+
+namespace ps::raster {
+
+/// Canvas positions in fixed point, counted from the top left of the picture in units of 2^-(subpixel_bits + 1) pixels.
+/// Corners are rounded to 2^-subpixel_bits, so they are even; the spare bit lets samples lie in the middle of a pixel
+/// even with 0 sub-pixel bits.
+struct FixedPoint {
+  std::int64_t x = 0, y = 0;
+  bool operator==(const FixedPoint&) const = default;
+};
+
+/// Triangles must lie within this distance of the picture's top left corner, in pixels, before they are rounded: then a
+/// coordinate has at most 15 + 13 bits, a difference 29, a product 58 and an edge value 60, which fits 64. It is also
+/// the longest side of a picture that the rasterizer draws.
+inline constexpr int guard_band = 32768;
+
+/// The units per pixel of FixedPoint.
+inline std::int64_t fixed_unit(int subpixel_bits) { return std::int64_t{1} << (subpixel_bits + 1); }
+
+/// Rounds a position (pixels from the top left, within the guard band) to the nearest sub-pixel; halves go to even.
+template <class Real>
+inline FixedPoint to_fixed(const Vec2<Real>& position, int subpixel_bits) {
+  const double scale = static_cast<double>(std::int64_t{1} << subpixel_bits);
+  return {2 * std::llrint(static_cast<double>(position.x) * scale),
+          2 * std::llrint(static_cast<double>(position.y) * scale)};
+}
+
+/// Which samples a triangle covers, decided exactly (CGPP 15.6.4; stability.md rows 17-21). Edge i lies opposite corner
+/// i; its value at a sample is twice the area that sample and edge span, positive inside. The three values add up to
+/// `area`, so value / area is the screen-space barycentric weight of corner i. Two triangles that share an edge compute
+/// the same number with opposite signs, so the fill rule gives each sample on it to exactly one of them.
+struct TriangleEdges {
+  std::array<std::int64_t, 3> at_origin{};  ///< values at the sample of pixel (0, 0)
+  std::array<std::int64_t, 3> step_x{};     ///< change from one column to the next
+  std::array<std::int64_t, 3> step_y{};     ///< change from one row to the next
+  std::array<std::int64_t, 3> threshold{};  ///< the sample is inside where value > threshold: -1 if the edge owns ties
+  std::int64_t area = 0;                    ///< twice the triangle's area; positive
+
+  std::array<std::int64_t, 3> at(int column, int row) const {
+    std::array<std::int64_t, 3> value;
+    for (std::size_t i = 0; i < 3; ++i) value[i] = at_origin[i] + step_x[i] * column + step_y[i] * row;
+    return value;
+  }
+  bool inside(const std::array<std::int64_t, 3>& value) const {
+    return value[0] > threshold[0] && value[1] > threshold[1] && value[2] > threshold[2];
+  }
+};
+
+/// How samples lie on the fixed-point grid and who owns ties.
+struct CoverageGrid {
+  int subpixel_bits = 8;
+  FillRule fill_rule = FillRule::top_left;
+  Vec2d sample{0.5, 0.5};  ///< of the sample inside its pixel, a multiple of one half
+};
+
+/// The edges of a triangle in either orientation; nothing for one without area.
+inline std::optional<TriangleEdges> make_edges(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
+  const std::int64_t unit = fixed_unit(grid.subpixel_bits);
+  const FixedPoint sample{static_cast<std::int64_t>(grid.sample.x * static_cast<double>(unit)),
+                          static_cast<std::int64_t>(grid.sample.y * static_cast<double>(unit))};
+  const auto cross = [](const FixedPoint& a, const FixedPoint& b, const FixedPoint& p) {
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  };
+  TriangleEdges edges;
+  const std::int64_t area = cross(corner[0], corner[1], corner[2]);
+  if (area == 0) return {};
+  const std::int64_t sign = area > 0 ? 1 : -1;
+  edges.area = sign * area;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const FixedPoint& a = corner[(i + 1) % 3];
+    const FixedPoint& b = corner[(i + 2) % 3];
+    const std::int64_t dx = sign * (b.x - a.x);
+    const std::int64_t dy = sign * (b.y - a.y);
+    edges.at_origin[i] = dx * (sample.y - a.y) - dy * (sample.x - a.x);
+    edges.step_x[i] = -dy * unit;
+    edges.step_y[i] = dx * unit;
+    switch (grid.fill_rule) {
+    case FillRule::top_left:  // rows grow downwards: a left edge runs up, a top edge runs right
+      edges.threshold[i] = dy < 0 || (dy == 0 && dx > 0) ? -1 : 0;
+      break;
+    case FillRule::inclusive:
+      edges.threshold[i] = -1;
+      break;
+    case FillRule::exclusive:
+      edges.threshold[i] = 0;
+      break;
+    }
+  }
+  return edges;
+}
+
+/// Pixels whose samples may lie inside: a half-open rectangle, not yet cut to the picture.
+struct PixelBox {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+inline PixelBox sample_box(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
+  const std::int64_t unit = fixed_unit(grid.subpixel_bits);
+  const int shift = grid.subpixel_bits + 1;
+  const auto sample_x = static_cast<std::int64_t>(grid.sample.x * static_cast<double>(unit));
+  const auto sample_y = static_cast<std::int64_t>(grid.sample.y * static_cast<double>(unit));
+  const std::int64_t low_x = std::min({corner[0].x, corner[1].x, corner[2].x}) - sample_x;
+  const std::int64_t low_y = std::min({corner[0].y, corner[1].y, corner[2].y}) - sample_y;
+  const std::int64_t high_x = std::max({corner[0].x, corner[1].x, corner[2].x}) - sample_x;
+  const std::int64_t high_y = std::max({corner[0].y, corner[1].y, corner[2].y}) - sample_y;
+  const auto ceiling = [&](std::int64_t v) { return static_cast<int>((v + unit - 1) >> shift); };
+  const auto floor_next = [&](std::int64_t v) { return static_cast<int>((v >> shift) + 1); };
+  return {ceiling(low_x), ceiling(low_y), floor_next(high_x), floor_next(high_y)};
+}
+
+}  // namespace ps::raster

@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "raster/assemble.h"
+#include "raster/corner_attributes.h"
+
+namespace ps::raster {
+
+/// All triangles or lines of a picture in drawing order, with what they were made from.
+template <class Real>
+struct ScreenGeometry {
+  std::vector<VertexBuffer<Real>> vertices;  ///< one for each object
+  std::vector<TriangleRun> runs;
+  std::vector<Batch<Real>> batches;  ///< one for each run
+  Counters counters;                 ///< of the vertex work, counted once
+};
+
+/// Vertex stage and primitive assembly. With an inspected pixel, batches keep what was rejected near it.
+template <class Real>
+ScreenGeometry<Real> make_geometry(const Pass<Real>& pass, std::optional<Vec2i> inspected,
+                                   const ParallelOptions& parallel, Progress& progress);
+
+/// The mesh triangle that a screen triangle came from.
+template <class Real>
+inline CornerSource<Real> corner_source(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                                        const ScreenTriangle<Real>& triangle) {
+  const auto object = static_cast<std::size_t>(pass.surfaces[triangle.surface].object);
+  const Mesh& mesh = *pass.objects[object].mesh;
+  return {&mesh, &mesh.triangles[static_cast<std::size_t>(triangle.triangle)], &geometry.vertices[object],
+          triangle.face_normal};
+}
+
+}  // namespace ps::raster

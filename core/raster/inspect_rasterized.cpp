@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <set>
+
+#include "image/display.h"
+#include "inspect/finish_story.h"
+#include "raster/canvas_items.h"
+#include "raster/draw_primitives.h"
+#include "render/render.h"
+
+namespace ps {
+namespace {
+
+using namespace raster;
+
+PixelBox grown(Vec2i pixel) { return {pixel.x - 1, pixel.y - 1, pixel.x + 2, pixel.y + 2}; }
+
+bool touch(const PixelBox& a, const PixelBox& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
+
+/// Goes through all primitives in drawing order and draws those that come near the pixel, telling of rejected triangles
+/// when their turn comes.
+template <class Real>
+class PixelWalk {
+ public:
+  PixelWalk(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, Vec2i pixel, PixelStory& story)
+      : pass_(pass), geometry_(geometry), pixel_(pixel), story_(story) {
+    for (const Batch<Real>& batch : geometry.batches) {
+      story.triangles_elsewhere += batch.elsewhere;
+      rejected_.insert(rejected_.end(), batch.rejected.begin(), batch.rejected.end());
+    }
+    for (std::size_t i = 0; i < pass.objects.size(); ++i)
+      if (geometry.vertices[i].camera.empty()) story.triangles_elsewhere += pass.objects[i].mesh->triangles.size();
+  }
+
+  void draw(Target<Real>& target, PixelRecorder& recorder) {
+    const std::vector<PrimitiveRef> near = pick_near();
+    const bool in_order = pass_.settings.visibility != Visibility::painter;
+    if (!in_order) report_rejected(recorder, ~std::uint32_t{0});
+    for (const PrimitiveRef& ref : near) {
+      if (in_order) report_rejected(recorder, sequence(ref));
+      draw_primitives(pass_, geometry_, std::span<const PrimitiveRef>(&ref, 1), target, recorder);
+    }
+    report_rejected(recorder, ~std::uint32_t{0});
+    draw_canvas_items(pass_, target, recorder);
+  }
+
+ private:
+  bool filled() const { return pass_.settings.draw == Draw::filled; }
+  const ScreenTriangle<Real>& triangle(const PrimitiveRef& ref) const {
+    return geometry_.batches[ref.batch].triangles[ref.index];
+  }
+  const ScreenLine<Real>& line(const PrimitiveRef& ref) const { return geometry_.batches[ref.batch].lines[ref.index]; }
+  std::uint32_t sequence(const PrimitiveRef& ref) const {
+    return filled() ? triangle(ref).sequence : line(ref).sequence;
+  }
+
+  /// The primitives whose box, grown by a pixel, holds the pixel. Of the pieces that clipping made of one triangle only
+  /// the one that covers the pixel stays, or the first if none does.
+  std::vector<PrimitiveRef> pick_near() {
+    std::vector<PrimitiveRef> near;
+    std::set<std::uint32_t> near_triangles;
+    std::set<std::uint32_t> covered;
+    std::uint64_t triangles = 0;
+    auto last = ~std::uint32_t{0};
+    for (const PrimitiveRef& ref : drawing_order(pass_, geometry_)) {
+      if (sequence(ref) != last) ++triangles;
+      last = sequence(ref);
+      if (!touch(filled() ? triangle(ref).box : line(ref).box, grown(pixel_))) continue;
+      near.push_back(ref);
+      near_triangles.insert(sequence(ref));
+      if (filled() && covers(triangle(ref))) covered.insert(sequence(ref));
+    }
+    story_.triangles_elsewhere += triangles - near_triangles.size();
+    if (!filled()) return near;
+    std::set<std::uint32_t> told;
+    std::erase_if(near, [&](const PrimitiveRef& ref) {
+      if (covers(triangle(ref))) return false;
+      return covered.count(sequence(ref)) > 0 || !told.insert(sequence(ref)).second;
+    });
+    return near;
+  }
+  bool covers(const ScreenTriangle<Real>& candidate) const {
+    const auto edges = make_edges(candidate.corners, pass_.grid);
+    return edges && edges->inside(edges->at(pixel_.x, pixel_.y));
+  }
+  void report_rejected(PixelRecorder& recorder, std::uint32_t before) {
+    for (; told_ < rejected_.size() && rejected_[told_].sequence < before; ++told_)
+      recorder.event([&] { return rejected_[told_].event; });
+  }
+
+  const Pass<Real>& pass_;
+  const ScreenGeometry<Real>& geometry_;
+  Vec2i pixel_;
+  PixelStory& story_;
+  std::vector<RejectedTriangle> rejected_;
+  std::size_t told_ = 0;
+};
+
+template <class Real>
+PixelStory tell(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
+                Progress& progress) {
+  PixelStory story;
+  story.pixel = pixel;
+  story.renderer = Renderer::rasterizer;
+  const Pass<Real> pass = make_pass<Real>(scene, view, settings, Channel::none, prepared);
+  const ScreenGeometry<Real> geometry = make_geometry(pass, pixel, {settings.threads, {}}, progress);
+  const TileRect rect{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1};
+  PixelRecorder recorder(pixel);
+  recorder.counters = geometry.counters;
+  Frame frame = make_frame(scene, {view.camera, 1, 1}, settings, Channel::none);
+  Target<Real> target(frame, rect, settings, Channel::none, pixel);
+  PixelWalk<Real>(pass, geometry, pixel, story).draw(target, recorder);
+  story.linear = Vec3d(target.colour(pixel.x, pixel.y));
+  const Rgb8 levels = display_pixel(story.linear, display_transform(settings));
+  story.display = {levels.r, levels.g, levels.b};
+  recorder.event([&] { return PixelEvent{story.linear, story.display}; });
+  story.counters = recorder.counters;
+  story.events = recorder.take();
+  finish_story(story, scene, settings);
+  return story;
+}
+
+}  // namespace
+
+PixelStory inspect_rasterized(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
+                              Prepared& prepared, Progress& progress) {
+  switch (settings.precision) {
+  case Precision::float32:
+    return tell<float>(scene, view, settings, pixel, prepared, progress);
+  case Precision::float64:
+    return tell<double>(scene, view, settings, pixel, prepared, progress);
+  }
+  return {};
+}
+
+}  // namespace ps

@@ -1,0 +1,60 @@
+#include "raster/pass.h"
+
+namespace ps::raster {
+namespace {
+
+using Textures = std::vector<MipChain>;
+
+/// The textures with the levels that the filter reads.
+std::shared_ptr<const Textures> mip_chains(const Scene& scene, TextureFilter filter, Prepared& prepared) {
+  const bool levels = filter == TextureFilter::trilinear || filter == TextureFilter::mipmap;
+  const MipLevels which = levels ? MipLevels::all : MipLevels::finest_only;
+  return prepared.get<Textures>(Key("raster-textures").add(scene.textures.revision()).add(which), [&] {
+    Textures chains;
+    for (const Texture& texture : *scene.textures) chains.push_back(make_mip_chain(texture.texels, which));
+    return chains;
+  });
+}
+
+}  // namespace
+
+template <class Real>
+Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,
+                     Prepared& prepared) {
+  Pass<Real> pass;
+  pass.scene = &scene;
+  pass.settings = settings;
+  pass.channels = channels;
+  pass.viewport = make_viewport<double>(view, settings);
+  pass.projection = make_canvas_projection<Real>(pass.viewport);
+  pass.camera_space = make_camera_space(view.camera);
+  pass.camera = view.camera;
+  pass.eye = Vec3<Real>(view.camera.position);
+  pass.backward = Vec3<Real>(-view.camera.forward);
+  pass.planes = make_clip_planes<Real>(settings, pass.viewport);
+  pass.grid = {settings.subpixel_bits, settings.fill_rule, pass.viewport.sample};
+  pass.lights = shading_lights<Real>(*scene.lights);
+  pass.objects = make_draw_list(scene, view, settings, pass.viewport, prepared);
+  const LightNeeds needs = light_needs(*scene.lights);
+  bool textured = false;
+  for (const DrawObject& object : pass.objects) {
+    pass.first_surface.push_back(static_cast<std::uint32_t>(pass.surfaces.size()));
+    for (const std::uint32_t index : object.materials) {
+      const Material& material = scene.materials->at(index);
+      Surface<Real> surface;
+      surface.object = object.object;
+      surface.sphere = object.sphere;
+      surface.layout = make_layout(settings, needs, material, *object.mesh, channels);
+      surface.material = shading_material<Real>(material);
+      pass.surfaces.push_back(surface);
+      textured = textured || (surface.layout.uv != AttributeLayout::absent && material.texture >= 0);
+    }
+  }
+  if (textured && settings.textures) pass.textures = mip_chains(scene, settings.texture_filter, prepared);
+  return pass;
+}
+
+template Pass<float> make_pass(const Scene&, const View&, const Settings&, Channel, Prepared&);
+template Pass<double> make_pass(const Scene&, const View&, const Settings&, Channel, Prepared&);
+
+}  // namespace ps::raster

@@ -1,0 +1,66 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "image/mip_chain.h"
+#include "raster/attributes.h"
+#include "raster/clip.h"
+#include "raster/draw_list.h"
+#include "raster/edge_function.h"
+#include "raster/projection.h"
+#include "render/frame.h"
+#include "render/prepared.h"
+#include "scene/scene.h"
+#include "shade/shading_inputs.h"
+
+namespace ps::raster {
+
+/// All triangles of one object that share a material.
+template <class Real>
+struct Surface {
+  int object = 0;
+  bool sphere = false;
+  AttributeLayout layout;
+  ShadingMaterial<Real> material;
+};
+
+/// An object's vertices after the vertex stage.
+template <class Real>
+struct VertexBuffer {
+  std::vector<Vec3<Real>> camera;   ///< camera space
+  std::vector<Vec3<Real>> world;    ///< empty unless shading needs it
+  std::vector<Vec3<Real>> normals;  ///< world space, length 1; empty unless shading needs them
+};
+
+/// Everything that stays the same while one picture is made.
+template <class Real>
+struct Pass {
+  const Scene* scene = nullptr;
+  Settings settings;
+  Channel channels = Channel::none;
+  Viewport<double> viewport;
+  CanvasProjection<Real> projection;
+  CameraSpace camera_space;
+  Camera camera;
+  Vec3<Real> eye{0, 0, 0};
+  Vec3<Real> backward{0, 0, -1};  ///< direction to the viewer in orthographic pictures
+  std::vector<ClipPlane<Real>> planes;
+  CoverageGrid grid;
+  std::vector<ShadingLight<Real>> lights;
+  std::vector<DrawObject> objects;
+  std::vector<std::uint32_t> first_surface;  ///< of each object
+  std::vector<Surface<Real>> surfaces;
+  std::shared_ptr<const std::vector<MipChain>> textures;  ///< null where none is read
+
+  bool perspective() const { return settings.projection == Projection::perspective; }
+  /// Whether attributes are carried as value / z.
+  bool divides() const { return perspective() && settings.interpolation == Interpolation::perspective; }
+  /// From a surface point towards the viewer, world space, not normalised.
+  Vec3<Real> to_eye(const Vec3<Real>& world) const { return perspective() ? eye - world : backward; }
+};
+
+template <class Real>
+Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,
+                     Prepared& prepared);
+
+}  // namespace ps::raster

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include "base/timer.h"
+#include "inspect/recorder.h"
+#include "raster/canvas_items.h"
+#include "raster/draw_primitives.h"
+#include "render/render.h"
+
+namespace ps {
+namespace {
+
+using namespace raster;
+
+constexpr int tile_size = 64;
+
+void require_side(int pixels) {
+  if (pixels > guard_band)
+    throw InputError(fmt::format("a side of {} pixels: the rasterizer draws at most {}", pixels, guard_band));
+}
+
+/// Notes how long each stage took.
+class Stages {
+ public:
+  explicit Stages(Frame& frame) : frame_(frame) {}
+  void done(std::string stage) {
+    frame_.times.push_back({std::move(stage), timer_.milliseconds()});
+    timer_ = Timer();
+  }
+
+ private:
+  Frame& frame_;
+  Timer timer_;
+};
+
+template <class Real>
+Frame draw(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+           Prepared& prepared, Progress& progress) {
+  Frame frame = make_frame(scene, view, settings, request.channels);
+  Stages stages(frame);
+  const ParallelOptions parallel{settings.threads, request.priority};
+  const Pass<Real> pass = make_pass<Real>(scene, view, settings, request.channels, prepared);
+  stages.done("prepare");
+  const ScreenGeometry<Real> geometry = make_geometry(pass, {}, parallel, progress);
+  stages.done("vertices and clipping");
+  const auto bins = bin_primitives(pass, geometry, drawing_order(pass, geometry), tile_size);
+  stages.done("sorting into tiles");
+
+  const std::vector<TileRect> tiles = make_tiles(view.width, view.height, tile_size);
+  std::vector<Counters> counters(tiles.size());
+  parallel_for(static_cast<int>(tiles.size()), parallel, progress, [&](int index, int) {
+    const auto i = static_cast<std::size_t>(index);
+    CountingRecorder recorder;
+    Target<Real> target(frame, tiles[i], settings, request.channels);
+    draw_primitives(pass, geometry, std::span<const PrimitiveRef>(bins[i]), target, recorder);
+    draw_canvas_items(pass, target, recorder);
+    recorder.count(Counter::nan_pixels, target.count_nan_pixels());
+    counters[i] = recorder.counters;
+    if (request.on_tile) request.on_tile(frame, tiles[i]);
+  });
+  frame.counters += geometry.counters;
+  for (const Counters& tile : counters) frame.counters += tile;
+  frame.counters[Counter::lines_drawn] += count_canvas_lines(scene);
+  stages.done("fragments");
+  return frame;
+}
+
+}  // namespace
+
+Frame render_rasterized(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                        Prepared& prepared, Progress& progress) {
+  require_side(view.width);
+  require_side(view.height);
+  switch (settings.precision) {
+  case Precision::float32:
+    return draw<float>(scene, view, settings, request, prepared, progress);
+  case Precision::float64:
+    return draw<double>(scene, view, settings, request, prepared, progress);
+  }
+  return {};
+}
+
+}  // namespace ps

@@ -1,0 +1,154 @@
+#pragma once
+#include <optional>
+
+#include "image/mip_level.h"
+#include "image/texture_sampling.h"
+#include "raster/corner_attributes.h"
+#include "raster/fragment.h"
+#include "raster/geometry.h"
+#include "raster/light_at.h"
+
+namespace ps::raster {
+
+/// What shading found out besides the colour; channels show it.
+template <class Real>
+struct ShadedFragment {
+  Vec3<Real> colour{0, 0, 0};
+  Vec3<Real> normal{0, 0, 0};  ///< world space, length 1; only where the layout asks for a shading normal
+  Vec2<Real> uv{0, 0};
+  Real mip = -1;  ///< level read; -1 without a texture
+};
+
+/// How fast u and v change from pixel to pixel, in texels: derivatives of the interpolated quotients, not differences
+/// between neighbours.
+template <class Real>
+TextureDerivatives<Real> uv_derivatives(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
+                                        const Fragment<Real>& fragment, const Vec2<Real>& uv,
+                                        const Image<Vec3f>& texture) {
+  const auto stride = static_cast<std::size_t>(setup.surface->layout.count);
+  const Real* a = setup.attributes + setup.surface->layout.uv;
+  const Vec2<Real> size(static_cast<Real>(texture.width()), static_cast<Real>(texture.height()));
+  const auto along = [&](const std::array<std::int64_t, 3>& step) {
+    std::array<Real, 3> change;  // of the screen weights
+    for (std::size_t i = 0; i < 3; ++i) change[i] = static_cast<Real>(step[i]) * setup.inverse_area;
+    Vec2<Real> d(change[0] * a[0] + change[1] * a[stride] + change[2] * a[2 * stride],
+                 change[0] * a[1] + change[1] * a[stride + 1] + change[2] * a[2 * stride + 1]);
+    if (pass.divides()) {  // (u/z) / (1/z): the quotient rule
+      const Real depth_change = weighted(change, setup.triangle->inverse_z);
+      d.x = (d.x - uv.x * depth_change) * fragment.z;
+      d.y = (d.y - uv.y * depth_change) * fragment.z;
+    }
+    return Vec2<Real>(d.x * size.x, d.y * size.y);
+  };
+  return {along(setup.edges.step_x), along(setup.edges.step_y)};
+}
+
+/// The texture's colour at the fragment (CGFS ch. 14).
+template <class Real, class Recorder>
+Vec3<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                        ShadedFragment<Real>& shaded, Recorder& recorder) {
+  const int index = setup.surface->material.texture;
+  const MipChain& chain = (*pass.textures)[static_cast<std::size_t>(index)];
+  TextureLookup<Real> lookup{pass.settings.texture_filter, pass.settings.texture_wrap, 0};
+  if (lookup.filter == TextureFilter::trilinear || lookup.filter == TextureFilter::mipmap)
+    lookup.level = mip_level(uv_derivatives(pass, setup, fragment, shaded.uv, *chain.base),
+                             static_cast<Real>(pass.settings.mip_bias));
+  const TextureSample<Real> sample = sample_texture(chain, shaded.uv, lookup);
+  shaded.mip = sample.level;
+  recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
+  recorder.event([&] {
+    TextureEvent event;
+    event.texture = index;
+    event.uv = Vec2d(shaded.uv);
+    event.level = static_cast<double>(lookup.level);
+    event.result = Vec3d(sample_texture(chain, shaded.uv, lookup, &event.texels).colour);
+    return event;
+  });
+  return sample.colour;
+}
+
+template <class Real>
+Vec3<Real> shading_normal(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment) {
+  const int slot = setup.surface->layout.normal;
+  if (slot == AttributeLayout::absent) return setup.triangle->face_normal;
+  return interpolate3(pass, setup, fragment, slot);
+}
+
+template <class Real>
+Vec3<Real> unit(const Vec3<Real>& v) {
+  const Real size = length(v);
+  return size > 0 ? v / size : v;
+}
+
+/// Light on the fragment: computed here (Phong), or carried over from the corners (Gouraud) or the triangle (flat); the
+/// inspector then hears how it was computed there.
+template <class Real, class Recorder>
+Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                              const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                              const Vec3<Real>& normal, Recorder& recorder) {
+  const AttributeLayout& layout = setup.surface->layout;
+  switch (pass.settings.shading) {
+  case Shading::phong: {
+    const bool has_position = layout.position != AttributeLayout::absent;
+    const Vec3<Real> position = has_position ? interpolate3(pass, setup, fragment, layout.position) : Vec3<Real>(0);
+    return light_at(pass, *setup.surface, position, normal, recorder);
+  }
+  case Shading::gouraud: {
+    if constexpr (Recorder::records) {
+      const CornerSource<Real> source = corner_source(pass, geometry, *setup.triangle);
+      for (std::size_t k = 0; k < 3; ++k)
+        light_at(pass, *setup.surface, source.position(k), source.normal(k, pass.settings.normals), recorder);
+    }
+    Lighting<Real> lighting;
+    lighting.light = interpolate3(pass, setup, fragment, layout.light);
+    if (layout.extra != AttributeLayout::absent) lighting.extra = interpolate3(pass, setup, fragment, layout.extra);
+    return lighting;
+  }
+  case Shading::flat: {
+    if constexpr (Recorder::records) {
+      const FlatPoint<Real> point = flat_point(corner_source(pass, geometry, *setup.triangle), pass.settings.normals);
+      light_at(pass, *setup.surface, point.position, point.normal, recorder);
+    }
+    return {flat_constant(setup, 0), flat_constant(setup, 1)};
+  }
+  }
+  return {};
+}
+
+/// The colour of a fragment (CGFS ch. 13 and 14).
+template <class Real, class Recorder>
+ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                                    const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                                    Recorder& recorder) {
+  const Surface<Real>& surface = *setup.surface;
+  const AttributeLayout& layout = surface.layout;
+  ShadedFragment<Real> shaded;
+  recorder.count(Counter::attributes_interpolated, static_cast<std::uint64_t>(layout.count));
+  Vec3<Real> colour = surface.material.colour;
+  if (layout.uv != AttributeLayout::absent) {
+    shaded.uv = {interpolate(pass, setup, fragment, layout.uv), interpolate(pass, setup, fragment, layout.uv + 1)};
+    if (pass.settings.textures && surface.material.texture >= 0)
+      colour *= read_texture(pass, setup, fragment, shaded, recorder);
+  }
+  Vec3<Real> normal(0);
+  if (layout.shading_normal) {
+    normal = shading_normal(pass, setup, fragment);
+    shaded.normal = unit(normal);
+    if (pass.settings.renormalise) normal = shaded.normal;
+  }
+  shaded.colour = colour;
+  if (!layout.lit) return shaded;
+  const Lighting<Real> lighting = light_fragment(pass, geometry, setup, fragment, normal, recorder);
+  shaded.colour = colour * lighting.light + lighting.extra;
+  recorder.event([&] {
+    ShadeEvent event;
+    event.surface = Vec3d(colour);
+    event.light = Vec3d(lighting.light);
+    event.extra = Vec3d(lighting.extra);
+    event.local = Vec3d(shaded.colour);
+    return event;
+  });
+  return shaded;
+}
+
+}  // namespace ps::raster

@@ -1,0 +1,67 @@
+#pragma once
+#include <vector>
+
+#include "base/parallel.h"
+#include "raster/depth_test.h"
+#include "raster/shade_fragment.h"
+#include "render/frame.h"
+
+namespace ps::raster {
+
+/// One tile of the picture while it is drawn: the frame's own pixels, and a depth buffer of its own.
+template <class Real>
+class Target {
+ public:
+  /// `origin` is the array position of the frame's own first pixel: not (0, 0) where the frame holds only a part of the
+  /// picture, which then must not have channels.
+  Target(Frame& frame, const TileRect& rect, const Settings& settings, Channel channels, Vec2i origin = {0, 0})
+      : frame_(frame), rect_(rect), channels_(channels), origin_(origin) {
+    if (settings.visibility == Visibility::depth_buffer)
+      depth_.assign(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()),
+                    empty_depth<Real>(settings.depth_value));
+  }
+
+  const TileRect& rect() const { return rect_; }
+  /// The depth buffer's value at a pixel of the tile. Only with visibility = depth-buffer.
+  Real& depth(int column, int row) {
+    return depth_[static_cast<std::size_t>(row - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
+                  static_cast<std::size_t>(column - rect_.x0)];
+  }
+  bool wants(Channel channel) const { return has(channels_, channel); }
+  Frame& frame() { return frame_; }
+
+  Vec3<Real> colour(int column, int row) const {
+    if constexpr (std::is_same_v<Real, double>)
+      return frame_.colour_double.row(row - origin_.y)[static_cast<std::size_t>(column - origin_.x)];
+    else
+      return frame_.colour.row(row - origin_.y)[static_cast<std::size_t>(column - origin_.x)];
+  }
+  void set_colour(int column, int row, const Vec3<Real>& colour) {
+    frame_.colour.row(row - origin_.y)[static_cast<std::size_t>(column - origin_.x)] = Vec3f(colour);
+    if constexpr (std::is_same_v<Real, double>)
+      frame_.colour_double.row(row - origin_.y)[static_cast<std::size_t>(column - origin_.x)] = colour;
+  }
+
+  /// Pixels of the tile with a NaN in any channel of their colour.
+  std::uint64_t count_nan_pixels() const {
+    std::uint64_t count = 0;
+    for (int row = rect_.y0; row < rect_.y1; ++row)
+      for (int column = rect_.x0; column < rect_.x1; ++column) {
+        const Vec3<Real> c = colour(column, row);
+        if (std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z)) ++count;
+      }
+    return count;
+  }
+
+ private:
+  Frame& frame_;
+  TileRect rect_;
+  Channel channels_;
+  Vec2i origin_;
+  std::vector<Real> depth_;
+};
+
+/// A frame of the background's colour with the wanted channels, each holding what "nothing is seen" means in it.
+Frame make_frame(const Scene& scene, const View& view, const Settings& settings, Channel channels);
+
+}  // namespace ps::raster

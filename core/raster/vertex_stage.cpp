@@ -1,0 +1,101 @@
+#include "raster/vertex_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ps::raster {
+namespace {
+
+constexpr std::size_t vertices_per_job = 8192;
+
+/// A run of one object's positions or normals.
+struct Job {
+  std::size_t object = 0;
+  std::size_t first = 0, last = 0;
+  bool normals = false;
+};
+
+void add_jobs(std::vector<Job>& jobs, std::size_t object, std::size_t count, bool normals) {
+  for (std::size_t first = 0; first < count; first += vertices_per_job)
+    jobs.push_back({object, first, std::min(first + vertices_per_job, count), normals});
+}
+
+/// Whether the corners' own normals are read: for interpolation, at the corners, or for a triangle's mean normal.
+template <class Real>
+bool needs_vertex_normals(const Pass<Real>& pass, const Surface<Real>& surface) {
+  if (pass.settings.normals != Normals::vertex) return false;
+  const bool corner_light = surface.layout.lit && pass.settings.shading != Shading::phong;
+  return surface.layout.normal != AttributeLayout::absent || surface.layout.shading_normal || corner_light;
+}
+
+template <class Real>
+bool needs_world_positions(const Pass<Real>& pass, const Surface<Real>& surface) {
+  const bool corner_light = surface.layout.lit && pass.settings.shading != Shading::phong;
+  return surface.layout.position != AttributeLayout::absent || corner_light;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<bool> cull_objects(const Pass<Real>& pass) {
+  std::vector<bool> culled;
+  for (const DrawObject& object : pass.objects) {
+    const Vec3<Real> centre(pass.camera_space.point(object.bounds.centre));
+    const auto radius = static_cast<Real>(object.bounds.radius);
+    culled.push_back(std::any_of(pass.planes.begin(), pass.planes.end(),
+                                 [&](const ClipPlane<Real>& plane) { return plane.distance(centre) < -radius; }));
+  }
+  return culled;
+}
+
+template <class Real>
+std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled,
+                                                 const ParallelOptions& parallel, Progress& progress) {
+  std::vector<VertexBuffer<Real>> buffers(pass.objects.size());
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < pass.objects.size(); ++i) {
+    if (culled[i]) continue;
+    const Mesh& mesh = *pass.objects[i].mesh;
+    bool world = false;
+    bool normals = false;
+    for (std::size_t k = 0; k < pass.objects[i].materials.size(); ++k) {
+      const Surface<Real>& surface = pass.surfaces[pass.first_surface[i] + k];
+      world = world || needs_world_positions(pass, surface);
+      normals = normals || needs_vertex_normals(pass, surface);
+    }
+    buffers[i].camera.resize(mesh.positions.size());
+    if (world) buffers[i].world.resize(mesh.positions.size());
+    add_jobs(jobs, i, mesh.positions.size(), false);
+    if (normals) {
+      buffers[i].normals.resize(mesh.normals.size());
+      add_jobs(jobs, i, mesh.normals.size(), true);
+    }
+  }
+  parallel_for(static_cast<int>(jobs.size()), parallel, progress, [&](int index, int) {
+    const Job& job = jobs[static_cast<std::size_t>(index)];
+    const DrawObject& object = pass.objects[job.object];
+    VertexBuffer<Real>& buffer = buffers[job.object];
+    for (std::size_t v = job.first; v < job.last; ++v) {
+      if (job.normals) {
+        const Vec3d normal = object.normal_matrix * object.mesh->normals[v];
+        const double length = std::sqrt(dot(normal, normal));
+        buffer.normals[v] = Vec3<Real>(length > 0 ? normal / length : normal);
+      } else {
+        const Vec3d world = object.world(object.mesh->positions[v]);
+        buffer.camera[v] = Vec3<Real>(pass.camera_space.point(world));
+        if (!buffer.world.empty()) buffer.world[v] = Vec3<Real>(world);
+      }
+    }
+  });
+  return buffers;
+}
+
+#define PS_INSTANTIATE(Real)                                                                                           \
+  template std::vector<bool> cull_objects(const Pass<Real>&);                                                          \
+  template std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>&, const std::vector<bool>&,               \
+                                                            const ParallelOptions&, Progress&);
+PS_INSTANTIATE(float)
+PS_INSTANTIATE(double)
+#undef PS_INSTANTIATE
+
+}  // namespace ps::raster

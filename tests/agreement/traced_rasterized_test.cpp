@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "image/display.h"
+#include "options/option.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+/// The two renderers' pictures of one scene, with what both can show: no shadows, no reflections.
+struct Pair {
+  Frame traced;
+  Frame rasterized;
+};
+
+Pair draw_both(const Scene& scene, Settings settings) {
+  const View view{scene.camera, scene.canvas_width, scene.canvas_height};
+  RenderRequest request;
+  request.channels = Channel::ids | Channel::depth;
+  Prepared prepared;
+  Progress progress;
+  settings.shadows = Shadows::none;
+  settings.reflection_depth = 0;
+  settings.draw = Draw::filled;
+  settings.backface_culling = false;
+  Pair pair;
+  settings.renderer = Renderer::ray_tracer;
+  pair.traced = render(scene, view, settings, request, prepared, progress);
+  settings.renderer = Renderer::rasterizer;
+  pair.rasterized = render(scene, view, settings, request, prepared, progress);
+  return pair;
+}
+
+/// Whether the traced picture shows more than one object or triangle within one pixel.
+bool on_outline(const Frame& frame, int x, int y) {
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (frame.ids.contains(x + dx, y + dy) && frame.ids.at(x + dx, y + dy) != frame.ids.at(x, y)) return true;
+  return false;
+}
+
+int level_difference(const Rgb8& a, const Rgb8& b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// Scenes that both renderers draw: everything but canvas items.
+std::vector<std::string> scenes_in_space() {
+  std::vector<std::string> names;
+  for (const BuiltinScene& builtin : builtin_scenes())
+    if (load_scene(builtin.name).canvas_items->empty()) names.push_back(builtin.name);
+  return names;
+}
+
+class Agreement : public testing::TestWithParam<Precision> {};
+
+TEST_P(Agreement, SameObjectsAndTrianglesExceptWithinOnePixelOfOutlines) {
+  const auto names = scenes_in_space();
+  ASSERT_GE(names.size(), 5u);
+  for (const std::string& name : names) {
+    Settings settings;
+    settings.precision = GetParam();
+    const Pair pair = draw_both(load_scene(name), settings);
+    std::int64_t covered = 0, differing = 0, far_off = 0;
+    for (int y = 0; y < pair.traced.height(); ++y)
+      for (int x = 0; x < pair.traced.width(); ++x) {
+        if (pair.traced.ids.at(x, y).object >= 0) ++covered;
+        if (pair.traced.ids.at(x, y) == pair.rasterized.ids.at(x, y)) continue;
+        ++differing;
+        if (!on_outline(pair.traced, x, y)) ++far_off;
+      }
+    RecordProperty(name, static_cast<int>(differing));
+    EXPECT_GT(covered, 1000) << name;
+    EXPECT_EQ(far_off, 0) << name << ": " << differing << " pixels differ in all";
+    EXPECT_LT(differing, 400) << name;
+  }
+}
+
+TEST_P(Agreement, SameColoursAwayFromOutlines) {
+  for (const std::string& name : scenes_in_space()) {
+    const Scene scene = load_scene(name);
+    if (scene_traits(scene).textures) continue;  // rays read the finest level, fragments choose one
+    Settings settings;
+    settings.precision = GetParam();
+    const Pair pair = draw_both(scene, settings);
+    const Image<Rgb8> traced = display_image(pair.traced.colour);
+    const Image<Rgb8> rasterized = display_image(pair.rasterized.colour);
+    std::int64_t compared = 0, above_one = 0;
+    int largest = 0;
+    for (int y = 0; y < traced.height(); ++y)
+      for (int x = 0; x < traced.width(); ++x) {
+        if (on_outline(pair.traced, x, y)) continue;
+        ++compared;
+        const int difference = level_difference(traced.at(x, y), rasterized.at(x, y));
+        largest = std::max(largest, difference);
+        if (difference > 1) ++above_one;
+      }
+    EXPECT_LT(static_cast<double>(above_one), 0.004 * static_cast<double>(compared)) << name;
+    EXPECT_LE(largest, 12) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, Agreement, testing::Values(Precision::float32, Precision::float64),
+                         [](const auto& tested) {
+                           return tested.param == Precision::float32 ? "SinglePrecision" : "DoublePrecision";
+                         });
+
+}  // namespace
+}  // namespace ps
