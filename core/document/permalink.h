@@ -16,6 +16,9 @@ std::string permalink(const Document& document);
 /// and calls attach_scene. Throws InputError for text that permalink() would not write.
 Document parse_permalink(std::string_view text);
 
+/// "side-by-side", "split", "difference", "only-a", "only-b"; throws InputError for anything else.
+CompareMode parse_compare_mode(std::string_view text);
+
 /// "#cgfs" as "%23cgfs" and back. Throws InputError for a broken escape.
 std::string percent_escape(std::string_view text);
 std::string percent_unescape(std::string_view text);

@@ -28,10 +28,13 @@ std::size_t count_events(const std::vector<Event>& events) {
 }
 
 /// What each light does at the hit of ray `ray`, where it is worth a word.
-void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, std::vector<std::string>& parts) {
+void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, const PixelId& hit,
+                       std::vector<std::string>& parts) {
   for (const int index : events_of_ray<LightEvent>(story.events, ray)) {
     const auto& light = event_as<LightEvent>(story.events, index);
-    if (light.blocker)
+    if (light.blocker && *light.blocker == hit)
+      parts.push_back(fmt::format("light {} is blocked by the surface itself", light.light + 1));
+    else if (light.blocker)
       parts.push_back(fmt::format("light {} is blocked by {}", light.light + 1, primitive_name(scene, *light.blocker)));
     else if (light.below_horizon)
       parts.push_back(fmt::format("light {} shines on the other side", light.light + 1));
@@ -51,7 +54,7 @@ std::string ray_verdict(const PixelStory& story, const Scene& scene, int eye) {
   const auto& hit = event_as<HitEvent>(events, hits.back());
   std::vector<std::string> parts{fmt::format("{} won at t = {}", primitive_name(scene, hit.id), number_text(hit.t))};
   if (hit.back_face) parts.push_back("its back is seen");
-  add_light_remarks(story, scene, eye, parts);
+  add_light_remarks(story, scene, eye, hit.id, parts);
   std::size_t bounces = 0;
   for (const Event& event : events)
     if (const auto* ray = std::get_if<RayEvent>(&event.data))

@@ -1,0 +1,39 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/check.h"
+#include "lesson.h"
+
+namespace ps {
+
+/// One line "word rest" of a fenced block, with its place in the lesson's file.
+struct BlockLine {
+  std::string word;
+  std::string rest;
+  SourcePlace place;
+};
+
+/// Carries out one line of a `settings` block: scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare.
+/// Gives false for any other word; throws InputError for a bad value.
+bool read_state_line(const BlockLine& line, LessonState& state);
+
+/// Reads a `claim` block: text, metric, bound, mutation, and any line of a `settings` block, which changes the step's
+/// state for this claim alone. `start` is the step's state.
+Claim read_claim(const std::vector<BlockLine>& lines, const LessonState& start, const SourcePlace& place);
+
+/// Runs `read()`; an InputError without a place is thrown again with the line's in front of its message.
+template <class Read>
+void at_place(const SourcePlace& place, Read&& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    if (error.place().line > 0) throw;
+    throw InputError(fmt::format("{}:{}: {}", place.file, place.line, error.what()));
+  }
+}
+
+}  // namespace ps

@@ -1,0 +1,37 @@
+#include "lesson.h"
+
+#include <fmt/format.h>
+#include <lessons_table.h>
+
+#include <algorithm>
+
+#include "base/atomic_file.h"
+#include "base/paths.h"
+#include "base/spelling.h"
+
+namespace ps {
+namespace {
+
+constexpr std::uintmax_t largest_lesson = 1u << 20;  // bytes
+
+}  // namespace
+
+std::vector<std::string> lesson_names() {
+#define PS_LESSON_NAME(folder) names.push_back(#folder);
+  std::vector<std::string> names;
+  PS_LESSONS(PS_LESSON_NAME)
+#undef PS_LESSON_NAME
+  return names;
+}
+
+Lesson load_lesson(const std::string& name) {
+  const std::vector<std::string> names = lesson_names();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw InputError(fmt::format("unknown lesson '{}'; did you mean '{}'?", name, nearest_word(name, known)));
+  }
+  const std::filesystem::path file = chapter_dir() / name / "lesson.md";
+  return parse_lesson(read_whole_file(file, largest_lesson), name, file.string());
+}
+
+}  // namespace ps

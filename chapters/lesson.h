@@ -1,0 +1,93 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/check.h"
+#include "base/counters.h"
+#include "document/document.h"
+
+/// A lesson is a folder in chapters/ with a lesson.md; CONTRIBUTING.md describes its form.
+
+namespace ps {
+
+/// What a step puts on the screen. Everything starts from the scene's own settings, so that each step can be shown
+/// without those before it.
+struct LessonState {
+  std::string scene;          ///< name or path as load_scene takes it; "./x" in a lesson is a file beside it
+  std::optional<Vec2i> size;  ///< absent: the scene's canvas
+  std::vector<std::string> set_a, set_b;  ///< "key=value", applied in order
+  std::optional<Vec2i> pixel;             ///< absent: the scene's telling pixel
+  Side picked = Side::a;
+  ShownChannel show_a{}, show_b{};
+  CompareMode compare = CompareMode::side_by_side;
+};
+
+/// A number that can be measured on the pictures A and B of a state.
+enum class ClaimMetric {
+  differing_pixels,     ///< pixels whose display levels differ between A and B
+  mean_difference,      ///< mean absolute difference of A and B, display levels
+  max_difference,       ///< largest difference of one channel, display levels
+  counter_a,            ///< a Counter of A; the claim's argument names it
+  counter_b,            ///< the same of B
+  false_shadow_pixels,  ///< pixels of A in a shadow that is not there in double precision without self-hits
+  red_a,                ///< display levels of the picked pixel
+  green_a,
+  blue_a,
+  red_b,
+  green_b,
+  blue_b,
+  object_a,  ///< index of the object that the picked pixel shows; -1 = background
+  object_b,
+  triangle_a,
+  triangle_b
+};
+
+enum class ClaimBound { at_least, at_most, equals };
+
+/// A statement of a lesson that a test checks: a measured number keeps a bound, and no longer does once one option is
+/// set back to its default on both sides (the mutation), so that the option is what makes it true.
+struct Claim {
+  std::string text;
+  LessonState state;
+  ClaimMetric metric = ClaimMetric::differing_pixels;
+  Counter counter = Counter::eye_rays;  ///< metrics counter_a and counter_b only
+  ClaimBound bound = ClaimBound::at_least;
+  double number = 0;
+  std::string mutation;  ///< key of the option that is reset
+  SourcePlace place;
+};
+
+struct LessonStep {
+  std::string title;
+  std::vector<std::string> paragraphs;
+  std::vector<std::string> hints;  ///< what to look for
+  LessonState state;
+  std::vector<Claim> claims;
+};
+
+struct Lesson {
+  std::string name;  ///< the folder
+  std::string title;
+  std::string source;  ///< "CGFS chapter 4"
+  std::vector<std::string> paragraphs;
+  std::vector<LessonStep> steps;
+};
+
+/// Names of all lessons, in the order of their folders.
+std::vector<std::string> lesson_names();
+/// Reads the lesson of that name. Throws InputError for an unknown name (naming the nearest) or a faulty file.
+Lesson load_lesson(const std::string& name);
+/// Reads the text of a lesson.md. `file` is only for messages.
+Lesson parse_lesson(std::string_view text, const std::string& name, const std::string& file);
+
+/// The document that step `step` of the lesson puts on the screen, with the layout and, where it is the same, the
+/// loaded scene of `now`. Throws InputError when the scene cannot be loaded.
+Document lesson_document(const Lesson& lesson, int step, const Document& now);
+
+/// A document for a state alone.
+Document state_document(const LessonState& state, const Document& now);
+
+}  // namespace ps

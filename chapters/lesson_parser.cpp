@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include "block.h"
+#include "lesson.h"
+
+namespace ps {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+
+/// Reads a lesson line by line. Paragraphs are joined lines; "> " begins a hint, "## " a step, "```" a block.
+class LessonParser {
+ public:
+  LessonParser(const std::string& name, const std::string& file) : file_(file) { lesson_.name = name; }
+
+  void read_line(std::string_view line) {
+    ++line_;
+    if (!block_.empty()) return read_block_line(trimmed(line));
+    const std::string_view text = trimmed(line);
+    if (starts_with(text, "```")) {
+      end_paragraph();
+      block_ = trimmed(text.substr(3));
+      block_place_ = place();
+      if (block_ != "settings" && block_ != "claim")
+        throw InputError(place(), fmt::format("a block named '{}'", block_), "```settings or ```claim");
+    } else if (starts_with(text, "## ")) {
+      begin_step(std::string(trimmed(text.substr(3))));
+    } else if (starts_with(text, "# ")) {
+      if (!lesson_.title.empty()) throw InputError(place(), "a second title", "## before the title of a step");
+      lesson_.title = trimmed(text.substr(2));
+    } else if (starts_with(text, "source:")) {
+      lesson_.source = trimmed(text.substr(7));
+    } else {
+      read_text(text);
+    }
+  }
+
+  Lesson finish() {
+    end_paragraph();
+    if (!block_.empty()) throw InputError(block_place_, "a block that does not end", "a line ```");
+    const SourcePlace whole{file_, 0, 0};
+    if (lesson_.title.empty()) throw InputError(whole, "no title", "a line '# Title'");
+    if (lesson_.source.empty()) throw InputError(whole, "no source", "a line 'source: where it comes from'");
+    if (lesson_.steps.empty()) throw InputError(whole, "no steps", "lines '## Title of the step'");
+    for (const LessonStep& step : lesson_.steps)
+      if (step.state.scene.empty())
+        throw InputError(whole, fmt::format("no scene for the step '{}'", step.title), "a line 'scene NAME'");
+    return std::move(lesson_);
+  }
+
+ private:
+  SourcePlace place() const { return {file_, line_, 1}; }
+
+  void read_text(std::string_view text) {
+    const bool hint = starts_with(text, "> ");
+    if (text.empty() || hint != in_hint_) end_paragraph();
+    if (text.empty()) return;
+    in_hint_ = hint;
+    if (hint) text = trimmed(text.substr(2));
+    if (!paragraph_.empty()) paragraph_ += ' ';
+    paragraph_ += text;
+  }
+
+  void end_paragraph() {
+    if (!paragraph_.empty()) {
+      const bool in_step = !lesson_.steps.empty();
+      if (in_hint_ && !in_step) throw InputError(place(), "a hint before the first step", "hints inside steps");
+      auto& target = in_hint_  ? lesson_.steps.back().hints
+                     : in_step ? lesson_.steps.back().paragraphs
+                               : lesson_.paragraphs;
+      target.push_back(std::move(paragraph_));
+    }
+    paragraph_.clear();
+    in_hint_ = false;
+  }
+
+  void begin_step(std::string title) {
+    end_paragraph();
+    LessonStep step;
+    step.title = std::move(title);
+    step.state = common_;
+    lesson_.steps.push_back(std::move(step));
+  }
+
+  void read_block_line(std::string_view text) {
+    if (text == "```") return end_block();
+    if (text.empty()) return;
+    const auto space = text.find(' ');
+    const std::string rest(space == std::string_view::npos ? std::string_view{} : trimmed(text.substr(space)));
+    lines_.push_back({std::string(text.substr(0, space)), rest, place()});
+  }
+
+  void end_block() {
+    const bool in_step = !lesson_.steps.empty();
+    if (block_ == "claim") {
+      if (!in_step) throw InputError(block_place_, "a claim before the first step", "claims inside steps");
+      lesson_.steps.back().claims.push_back(read_claim(lines_, lesson_.steps.back().state, block_place_));
+    } else {
+      LessonState& state = in_step ? lesson_.steps.back().state : common_;
+      for (const BlockLine& line : lines_)
+        at_place(line.place, [&] {
+          if (!read_state_line(line, state))
+            throw InputError(line.place, fmt::format("'{} {}'", line.word, line.rest),
+                             "scene, size, pixel, set, set-b, set-both, show, show-b, picked or compare");
+        });
+    }
+    block_.clear();
+    lines_.clear();
+  }
+
+  std::string file_;
+  Lesson lesson_;
+  LessonState common_;  // of the block before the first step: where each step starts
+  int line_ = 0;
+  bool in_hint_ = false;
+  std::string paragraph_;
+  std::string block_;  // name of the open block; empty outside
+  SourcePlace block_place_;
+  std::vector<BlockLine> lines_;
+};
+
+}  // namespace
+
+Lesson parse_lesson(std::string_view text, const std::string& name, const std::string& file) {
+  LessonParser parser(name, file);
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    parser.read_line(text.substr(0, end));
+    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+  }
+  return parser.finish();
+}
+
+}  // namespace ps

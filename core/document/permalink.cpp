@@ -1,0 +1,173 @@
+#include "document/permalink.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+#include "base/check.h"
+#include "document/number_list.h"
+#include "options/option.h"
+#include "options/scene_settings.h"
+
+namespace ps {
+namespace {
+
+constexpr std::array<std::string_view, 5> compare_keys{"side-by-side", "split", "difference", "only-a", "only-b"};
+
+double parse_in_range(std::string_view text, double low, double high, std::string_view what) {
+  const double value = parse_number_list(text, 1, what).front();
+  if (value < low || value > high)
+    throw InputError(fmt::format("{}: found {}, expected a number from {} to {}", what, text, low, high));
+  return value;
+}
+
+/// One thing that a permalink can hold. `text` gives nothing while the document has the default.
+struct Field {
+  std::string_view key;
+  std::optional<std::string> (*text)(const Document&);
+  void (*parse)(Document&, std::string_view);
+};
+
+using Text = std::optional<std::string>;
+
+Text number_unless(double value, double standard) {
+  return value == standard ? Text{} : Text{fmt::format("{}", value)};
+}
+
+Text text_unless(const std::string& value, const std::string& standard) {
+  return value == standard ? Text{} : Text{value};
+}
+
+Text show_text(ShownChannel show) {
+  return show == ShownChannel{} ? Text{} : Text{std::string(shown_channel(show).key)};
+}
+
+const std::vector<Field>& document_fields() {
+  static const std::vector<Field> fields{
+      {"scene", [](const Document& d) { return text_unless(d.scene_name, ""); },
+       [](Document& d, std::string_view t) { d.scene_name = t; }},
+      {"size",
+       [](const Document& d) {
+         return d.view.width == 0 ? Text{} : Text{fmt::format("{}x{}", d.view.width, d.view.height)};
+       },
+       [](Document& d, std::string_view t) {
+         const Vec2i size = parse_size_text(t);
+         d.view.width = size.x;
+         d.view.height = size.y;
+       }},
+      {"camera", [](const Document& d) { return d.view.camera ? Text{camera_text(*d.view.camera)} : Text{}; },
+       [](Document& d, std::string_view t) { d.view.camera = parse_camera_text(t); }},
+      {"zoom", [](const Document& d) { return number_unless(d.view.zoom, 0); },
+       [](Document& d, std::string_view t) { d.view.zoom = parse_in_range(t, 0, 4096, "zoom"); }},
+      {"middle",
+       [](const Document& d) {
+         const std::array<double, 2> place{d.view.middle.x, d.view.middle.y};
+         return d.view.middle == PictureView{}.middle ? Text{} : Text{number_list_text(place)};
+       },
+       [](Document& d, std::string_view t) {
+         const auto place = parse_number_list(t, 2, "middle");
+         d.view.middle = {place[0], place[1]};
+       }},
+      {"pixel",
+       [](const Document& d) { return d.pixel.x < 0 ? Text{} : Text{fmt::format("{},{}", d.pixel.x, d.pixel.y)}; },
+       [](Document& d, std::string_view t) { d.pixel = parse_pixel_text(t); }},
+      {"picked", [](const Document& d) { return d.picked == Side::a ? Text{} : Text{"b"}; },
+       [](Document& d, std::string_view t) {
+         if (t != "a" && t != "b") throw InputError(fmt::format("picked: found '{}', expected a or b", t));
+         d.picked = t == "a" ? Side::a : Side::b;
+       }},
+      {"show-a", [](const Document& d) { return show_text(d.a.show); },
+       [](Document& d, std::string_view t) { d.a.show = parse_shown_channel(t); }},
+      {"show-b", [](const Document& d) { return show_text(d.b.show); },
+       [](Document& d, std::string_view t) { d.b.show = parse_shown_channel(t); }},
+      {"compare",
+       [](const Document& d) {
+         return text_unless(std::string(compare_keys.at(static_cast<std::size_t>(d.compare))), "side-by-side");
+       },
+       [](Document& d, std::string_view t) { d.compare = parse_compare_mode(t); }},
+      {"split", [](const Document& d) { return number_unless(d.split, 0.5); },
+       [](Document& d, std::string_view t) { d.split = parse_in_range(t, 0, 1, "split"); }},
+      {"gain", [](const Document& d) { return number_unless(d.difference_gain, 1); },
+       [](Document& d, std::string_view t) { d.difference_gain = parse_in_range(t, 0, 1e6, "gain"); }},
+      {"left", [](const Document& d) { return number_unless(d.layout.left, Layout{}.left); },
+       [](Document& d, std::string_view t) { d.layout.left = parse_in_range(t, 0, 1, "left"); }},
+      {"right", [](const Document& d) { return number_unless(d.layout.right, Layout{}.right); },
+       [](Document& d, std::string_view t) { d.layout.right = parse_in_range(t, 0, 1, "right"); }},
+      {"bottom", [](const Document& d) { return number_unless(d.layout.bottom, Layout{}.bottom); },
+       [](Document& d, std::string_view t) { d.layout.bottom = parse_in_range(t, 0, 1, "bottom"); }},
+      {"panels", [](const Document& d) { return d.layout.panels ? Text{} : Text{"off"}; },
+       [](Document& d, std::string_view t) {
+         if (t != "on" && t != "off") throw InputError(fmt::format("panels: found '{}', expected on or off", t));
+         d.layout.panels = t == "on";
+       }},
+      {"left-tab", [](const Document& d) { return text_unless(d.layout.left_tab, Layout{}.left_tab); },
+       [](Document& d, std::string_view t) { d.layout.left_tab = t; }},
+      {"right-tab", [](const Document& d) { return text_unless(d.layout.right_tab, Layout{}.right_tab); },
+       [](Document& d, std::string_view t) { d.layout.right_tab = t; }},
+      {"bottom-tab", [](const Document& d) { return text_unless(d.layout.bottom_tab, Layout{}.bottom_tab); },
+       [](Document& d, std::string_view t) { d.layout.bottom_tab = t; }},
+      {"lesson", [](const Document& d) { return text_unless(d.lesson, ""); },
+       [](Document& d, std::string_view t) { d.lesson = t; }},
+      {"step", [](const Document& d) { return d.step == 0 ? Text{} : Text{fmt::format("{}", d.step)}; },
+       [](Document& d, std::string_view t) {
+         const double step = parse_in_range(t, 0, 1000, "step");
+         if (step != static_cast<int>(step))
+           throw InputError(fmt::format("step: found {}, expected a whole number", t));
+         d.step = static_cast<int>(step);
+       }},
+  };
+  return fields;
+}
+
+void parse_field(Document& document, const std::string& key, const std::string& value) {
+  if (key.rfind("a.", 0) == 0) return parse_assignment(key.substr(2) + "=" + value, document.a.settings);
+  if (key.rfind("b.", 0) == 0) return parse_assignment(key.substr(2) + "=" + value, document.b.settings);
+  if (key.rfind("edit.", 0) == 0) {
+    document.edits.push_back({key.substr(5), value});
+    return;
+  }
+  for (const Field& field : document_fields())
+    if (field.key == key) return field.parse(document, value);
+  throw InputError(fmt::format("permalink: unknown part '{}'", key));
+}
+
+}  // namespace
+
+CompareMode parse_compare_mode(std::string_view text) {
+  for (std::size_t i = 0; i < compare_keys.size(); ++i)
+    if (compare_keys[i] == text) return static_cast<CompareMode>(i);
+  throw InputError(fmt::format("compare: found '{}', expected one of {}", text, fmt::join(compare_keys, " ")));
+}
+
+std::string permalink(const Document& document) {
+  std::string link;
+  const auto add = [&](std::string_view key, std::string_view value) {
+    link += fmt::format("{}{}={}", link.empty() ? "" : "&", percent_escape(key), percent_escape(value));
+  };
+  for (const Field& field : document_fields())
+    if (const auto text = field.text(document)) add(field.key, *text);
+  for (const SceneEdit& edit : document.edits) add("edit." + edit.path, edit.value);
+  for (const Side side : {Side::a, Side::b})
+    for (const std::string& assignment : changed_options(side_of(document, side).settings)) {
+      const auto equals = assignment.find('=');
+      add((side == Side::a ? "a." : "b.") + assignment.substr(0, equals), assignment.substr(equals + 1));
+    }
+  return link;
+}
+
+Document parse_permalink(std::string_view text) {
+  Document document;
+  while (!text.empty()) {
+    const auto end = text.find('&');
+    const std::string_view part = text.substr(0, end);
+    const auto equals = part.find('=');
+    if (equals == std::string_view::npos)
+      throw InputError(fmt::format("permalink: found '{}', expected KEY=VALUE", part));
+    parse_field(document, percent_unescape(part.substr(0, equals)), percent_unescape(part.substr(equals + 1)));
+    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+  }
+  return document;
+}
+
+}  // namespace ps

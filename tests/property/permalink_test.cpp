@@ -1,0 +1,83 @@
+#include "document/permalink.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "options/option.h"
+
+namespace ps {
+namespace {
+
+/// A value that the option's slider or list could give, with all digits for real numbers.
+double any_value(const Option& option) {
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return *rc::gen::inRange(0, 2);
+  case OptionKind::integer:
+  case OptionKind::choice:
+    return *rc::gen::inRange(static_cast<int>(option.minimum), static_cast<int>(option.maximum) + 1);
+  case OptionKind::real:
+    return option.minimum + (option.maximum - option.minimum) * (*rc::gen::inRange(0, 1'000'003) / 1'000'003.0);
+  }
+  return 0;
+}
+
+Settings any_settings() {
+  Settings settings;
+  for (const Option& option : option_table())
+    if (*rc::gen::arbitrary<bool>()) option.set(settings, any_value(option));
+  return settings;
+}
+
+double any_share() { return *rc::gen::inRange(0, 999'983) / 999'983.0; }
+
+/// A coordinate of any size, with digits to the last bit.
+double any_coordinate() { return *rc::gen::inRange(-1'000'000'000, 1'000'000'000) / 7919.0; }
+
+Vec3d any_vector() { return {any_coordinate(), any_coordinate(), any_coordinate()}; }
+
+Document any_document() {
+  Document d;
+  d.scene_name = *rc::gen::arbitrary<std::string>();
+  d.edits.resize(*rc::gen::inRange<std::size_t>(0, 4));
+  for (SceneEdit& edit : d.edits) edit = {*rc::gen::arbitrary<std::string>(), *rc::gen::arbitrary<std::string>()};
+  if (*rc::gen::arbitrary<bool>())
+    d.view.camera =
+        Camera{any_vector(), any_vector(), any_vector(), any_vector(), 1 + any_share(), 1, 0.1 + any_share()};
+  if (*rc::gen::arbitrary<bool>()) {
+    d.view.width = *rc::gen::inRange(1, 16384);
+    d.view.height = *rc::gen::inRange(1, 16384);
+  }
+  d.view.zoom = any_share() * 64;
+  d.view.middle = {any_share(), any_share()};
+  d.a.settings = any_settings();
+  d.b.settings = any_settings();
+  const int channels = static_cast<int>(shown_channels().size());
+  d.a.show = static_cast<ShownChannel>(*rc::gen::inRange(0, channels));
+  d.b.show = static_cast<ShownChannel>(*rc::gen::inRange(0, channels));
+  if (*rc::gen::arbitrary<bool>()) d.pixel = {*rc::gen::inRange(0, 9999), *rc::gen::inRange(0, 9999)};
+  d.picked = *rc::gen::element(Side::a, Side::b);
+  d.compare = static_cast<CompareMode>(*rc::gen::inRange(0, 5));
+  d.split = any_share();
+  d.difference_gain = any_share() * 100;
+  d.layout.left = any_share();
+  d.layout.bottom = any_share();
+  d.layout.panels = *rc::gen::arbitrary<bool>();
+  d.layout.right_tab = *rc::gen::arbitrary<std::string>();
+  d.lesson = *rc::gen::arbitrary<std::string>();
+  d.step = *rc::gen::inRange(0, 100);
+  return d;
+}
+
+RC_GTEST_PROP(Permalink, RoundTripKeepsEverything, ()) {
+  const Document document = any_document();
+  const std::string text = permalink(document);
+  const Document read = parse_permalink(text);
+  RC_ASSERT(read == document);
+  RC_ASSERT(permalink(read) == text);
+  for (const char c : text) RC_ASSERT(c > ' ' && c < 127);
+}
+
+}  // namespace
+}  // namespace ps

@@ -1,0 +1,84 @@
+#include "document/permalink.h"
+
+#include <gtest/gtest.h>
+
+#include "base/check.h"
+#include "document/command_line.h"
+#include "support/stories.h"
+
+namespace ps {
+namespace {
+
+TEST(Permalink, DefaultsLeaveNothing) { EXPECT_EQ(permalink(Document{}), ""); }
+
+TEST(Permalink, HoldsOnlyDifferences) {
+  Document document;
+  document.scene_name = "cgfs/reflections";
+  document.a.settings.reflection_depth = 1;
+  document.b.settings.renderer = Renderer::rasterizer;
+  document.pixel = {312, 204};
+  document.edits = {{"light.2.position", "(1, 2, 3)"}};
+  EXPECT_EQ(permalink(document), "scene=cgfs/reflections&pixel=312,204&edit.light.2.position=%281,%202,%203%29&"
+                                 "a.reflection-depth=1&b.renderer=rasterizer");
+}
+
+TEST(Permalink, EscapesSurvive) {
+  std::string all;
+  for (int c = 0; c < 256; ++c) all += static_cast<char>(c);
+  EXPECT_EQ(percent_unescape(percent_escape(all)), all);
+  EXPECT_EQ(percent_escape("a b&c=d%"), "a%20b%26c%3Dd%25");
+  EXPECT_THROW(percent_unescape("%4"), InputError);
+  EXPECT_THROW(percent_unescape("%zz"), InputError);
+}
+
+TEST(Permalink, BadTextIsAnInputError) {
+  for (const char* bad : {"scene",
+                          "colour=red",
+                          "a.unknown=1",
+                          "a.renderer=raytracer",
+                          "size=0x0",
+                          "size=100000x100000",
+                          "pixel=x",
+                          "zoom=-1",
+                          "split=2",
+                          "split=nan",
+                          "compare=both",
+                          "step=1.5",
+                          "picked=c",
+                          "panels=1",
+                          "show-a=nothing",
+                          "camera=1,2",
+                          "scene=%4",
+                          "b.reflection-depth=65",
+                          "=",
+                          "&"})
+    EXPECT_THROW(parse_permalink(bad), InputError) << bad;
+}
+
+TEST(CommandLine, QuotesForTheShell) {
+  EXPECT_EQ(shell_quote("cgfs/shadows"), "cgfs/shadows");
+  EXPECT_EQ(shell_quote("my scene.obj"), "'my scene.obj'");
+  EXPECT_EQ(shell_quote("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_quote(""), "''");
+}
+
+// Options that the scene's file sets need no flag; one that was set back to its default does.
+TEST(CommandLine, CountsFromTheScenesOwnSettings) {
+  Scene scene = test::book_spheres();
+  scene.settings = {{"reflection-depth", "1"}, {"self-hit", "epsilon"}};
+  Document document = open_document("my spheres.scene", scene);
+  document.a.settings.self_hit = SelfHit::offset;
+  document.a.show = ShownChannel::depth;
+  document.pixel = {3, 4};
+  document.edits = {{"light.2.position", "(1, 2, 3)"}};
+  EXPECT_EQ(render_command(document, Side::a),
+            "pixelscope-cli render 'my spheres.scene' --size 600x600 --edit 'light.2.position=(1, 2, 3)' "
+            "--set self-hit=offset --show depth --out picture.png");
+  EXPECT_EQ(inspect_command(document, Side::b),
+            "pixelscope-cli inspect 'my spheres.scene' --size 600x600 --edit 'light.2.position=(1, 2, 3)' "
+            "--set renderer=rasterizer --pixel 3,4");
+  EXPECT_EQ(window_command(document), "pixelscope --permalink '" + permalink(document) + "'");
+}
+
+}  // namespace
+}  // namespace ps
