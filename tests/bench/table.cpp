@@ -4,18 +4,28 @@ namespace ps::bench {
 
 // One line for each file of benches; they are listed by hand so that nothing depends on the linker.
 Benches memory_benches();
+Benches pictures_benches();
 Benches rays_curve_benches();
+Benches fragments_curve_benches();
 #ifdef PIXELSCOPE_EMBREE
 Benches embree_benches();
+#endif
+#ifdef PIXELSCOPE_LLVMPIPE
+Benches llvmpipe_benches();
 #endif
 
 Benches all_benches() {
   Benches all;
   append(all, memory_benches());
+  append(all, pictures_benches());
 #ifdef PIXELSCOPE_EMBREE
   append(all, embree_benches());
 #endif
+#ifdef PIXELSCOPE_LLVMPIPE
+  append(all, llvmpipe_benches());
+#endif
   append(all, rays_curve_benches());
+  append(all, fragments_curve_benches());
   return all;
 }
 

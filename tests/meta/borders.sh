@@ -24,9 +24,9 @@ library='^(core|chapters)/'
 
 forbid 'Dear ImGui outside app/gui' "$(includes '(.*/)?(imgui|imconfig|imstb)')" "$all" '^(app|tests)/gui/'
 forbid 'SDL outside app/gui/platform and app/gui/input' "$(includes '(.*/)?SDL')" "$all" '^app/gui/(platform|input)/'
-forbid 'OpenGL outside core/hardware and app/gui' \
+forbid 'OpenGL outside core/hardware, app/gui and its yardstick' \
   "$(includes '(GL|GLES[0-9]?|EGL|KHR|epoxy|glad)/|(.*/)?(gl|glew|glcorearb|SDL_opengl[a-z0-9_]*)\.h[>"]')" \
-  "$all" '^(core/hardware|app/gui)/'
+  "$all" '^(core/hardware|app/gui|tests/bench/llvmpipe)/'
 forbid 'X11 or Wayland' "$(includes '(X11|xcb|wayland)[/-]')" "$all"
 forbid 'stb outside core/image' "$(includes '(.*/)?stb_')" "$all" '^core/image/'
 forbid 'A thread started outside core/base' 'std::(jthread|async|thread(?!::))\b|pthread_create' "$library" '^core/base/'
