@@ -21,9 +21,8 @@ Job picture_job(const std::string& name, Renderer renderer) {
   const auto picture = std::make_shared<Picture>();
   picture->scene = load_scene(name);
   picture->view = {picture->scene.camera, 1280, 720};
+  for (const auto& [key, value] : picture->scene.settings) parse_assignment(key + "=" + value, picture->settings);
   picture->settings.renderer = renderer;
-  for (const auto& [key, value] : picture->scene.settings)
-    if (key != "renderer") set_option(picture->settings, key, value);
   Job job;
   job.ours = [picture] {
     Progress progress;

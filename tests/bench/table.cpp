@@ -5,6 +5,7 @@ namespace ps::bench {
 // One line for each file of benches; they are listed by hand so that nothing depends on the linker.
 Benches memory_benches();
 Benches pictures_benches();
+Benches recorder_benches();
 Benches rays_curve_benches();
 Benches fragments_curve_benches();
 #ifdef PIXELSCOPE_EMBREE
@@ -17,6 +18,7 @@ Benches llvmpipe_benches();
 Benches all_benches() {
   Benches all;
   append(all, memory_benches());
+  append(all, recorder_benches());
   append(all, pictures_benches());
 #ifdef PIXELSCOPE_EMBREE
   append(all, embree_benches());

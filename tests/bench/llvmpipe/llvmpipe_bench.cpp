@@ -82,6 +82,7 @@ Job fill_job(TextureFilter filter, bool textured) {
   const double x = 1.0 * width / height, repeats_x = 4, repeats_y = repeats_x * height / width;
   mesh->positions = {{-x, 1, 2}, {-x, -1, 2}, {x, -1, 2}, {x, 1, 2}};
   mesh->uvs = {{0, 0}, {0, repeats_y}, {repeats_x, repeats_y}, {repeats_x, 0}};
+  for (Vec2d& uv : mesh->uvs) uv += 1.0 / 30 / 1024;  // no pixel's centre falls on the edge between two texels
   mesh->materials = {0};
   MeshTriangle lower, upper;
   // The frame is left-handed (x right, y up, z forward), in which the front turns clockwise.
