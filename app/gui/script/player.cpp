@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -226,7 +227,8 @@ void ScriptPlayer::begin_click(const Command& command) {
     const auto place = content_->pixel_place(command.words[0] == "A" ? Side::a : Side::b,
                                              {static_cast<int>(pixel.first), static_cast<int>(pixel.second)});
     if (!place) fail("pixel " + command.words[1] + " of " + command.words[0] + " is not on screen");
-    aim_at_point(place->x, place->y);
+    // Pointer positions are whole: of those inside a pixel at least one screen pixel wide, the one nearest its middle.
+    aim_at_point(std::ceil(place->x - 0.5f), std::ceil(place->y - 0.5f));
     return press(MouseButton::left, 1);
   }
   aim_at(expand(command.words[0]));

@@ -93,6 +93,14 @@ Edit option_control(const Option& option, Settings& settings, const ControlStyle
   return edit;
 }
 
+/// Whether label or choices would be cut in one line; the control then stands below its label.
+bool needs_two_lines(const Option& option, float label_width, float control_width) {
+  if (option.kind == OptionKind::boolean) return false;
+  float widest = 0;
+  for (const Choice& choice : option.choices) widest = std::max(widest, text_width(choice.label));
+  return text_width(option.label) > label_width - px(6) || widest > control_width - px(28);
+}
+
 /// A round arrow drawn as an arc, shown while the row is not at its default.
 bool reset_button(const Option& option, float size) {
   const std::string name = std::string(option.key) + "/reset";
@@ -123,18 +131,22 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
   const float mark = px(14), reset = px(20);
-  const float label_width = std::floor(std::clamp((room - mark - reset) * 0.46f, px(90), px(230)));
+  float label_width = std::floor(std::clamp((room - mark - reset) * 0.46f, px(90), px(230)));
+  if (option.kind == OptionKind::boolean)  // a switch is narrow and can give way to a long label
+    label_width = std::min(std::max(label_width, text_width(option.label) + px(10)), room - mark - reset - px(36));
   const bool different = differs(option, settings, context);
+  const bool stacked = needs_two_lines(option, label_width, room - mark - label_width - reset);
+  const float row_height = stacked ? 2 * height : height;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
 
   // The row's own area: hover, tooltip, right-click.
   ImGui::SetNextItemWidth(room);
-  ImGui::PushClipRect(start, {start.x + room, start.y + height}, true);
+  ImGui::PushClipRect(start, {start.x + room, start.y + row_height}, true);
   const bool row_hovered =
-      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(start, {start.x + room, start.y + height});
+      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(start, {start.x + room, start.y + row_height});
   ImGui::PopClipRect();
   if (context.highlight)
-    draw.AddRectFilled({start.x - px(4), start.y - px(2)}, {start.x + room, start.y + height + px(2)},
+    draw.AddRectFilled({start.x - px(4), start.y - px(2)}, {start.x + room, start.y + row_height + px(2)},
                        colour_u32(p.attention, 0.45), ImGui::GetStyle().FrameRounding);
   if (row_hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("##menu");
 
@@ -144,18 +156,21 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
     draw_text({start.x, start.y}, {start.x + mark, start.y + height}, "≠", colour, 0);
   }
   ImGui::SetCursorScreenPos({start.x + mark, start.y});
-  ImGui::Dummy({label_width, height});
-  draw_text({start.x + mark, start.y}, {start.x + mark + label_width - px(6), start.y + height}, option.label,
+  const float label_room = stacked ? room - mark : label_width;
+  ImGui::Dummy({label_room, height});
+  draw_text({start.x + mark, start.y}, {start.x + mark + label_room - px(6), start.y + height}, option.label,
             reason ? p.text_disabled : p.text, 0);
   option_tooltip(option, settings, context, base.disabled);
 
-  ImGui::SameLine(0, 0);
+  const ImVec2 place =
+      stacked ? ImVec2{start.x + mark, start.y + height} : ImVec2{start.x + mark + label_width, start.y};
+  ImGui::SetCursorScreenPos(place);
   ControlStyle style = base;
-  style.width = room - mark - label_width - reset;
+  style.width = start.x + room - reset - place.x;
   // The label's tooltip explains; the control itself adds only why it is greyed.
   result.edit = option_control(option, settings, style);
   if (option.get(settings) != option.default_value()) {
-    ImGui::SetCursorScreenPos({start.x + room - reset, start.y});
+    ImGui::SetCursorScreenPos({start.x + room - reset, place.y});
     if (reset_button(option, reset)) {
       option.set(settings, option.default_value());
       result.edit = {true, true};
@@ -163,7 +178,7 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   }
   result.request = option_menu(option, settings, context, result.edit);
   ImGui::SetCursorScreenPos(start);
-  ImGui::Dummy({room, height});
+  ImGui::Dummy({room, row_height});
   ImGui::PopID();
   return result;
 }
