@@ -44,7 +44,7 @@ Scene mesh_scene(std::shared_ptr<const Mesh> mesh) {
   ambient.intensity = 0.2;
   point.kind = LightKind::point;
   point.intensity = 0.7;
-  point.position = bounds.centre + bounds.radius * Vec3d{3, -4, 5};
+  point.position = bounds.centre + bounds.radius * Vec3d{5, -1, 2};
   scene.lights = Part<std::vector<Light>>({ambient, point});
   return scene;
 }
