@@ -1,0 +1,223 @@
+// What must hold for every scene and setting: pictures and counters do not depend on threads, and the inspector repeats
+// the picture's own bits.
+#include <cstring>
+#include <mutex>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "image/display.h"
+#include "options/option.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+constexpr Channel all_channels = static_cast<Channel>(0x3ff);
+
+Settings settings_of(const std::vector<std::string>& assignments) {
+  Settings settings;
+  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
+  settings.renderer = Renderer::rasterizer;
+  return settings;
+}
+
+const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+    {"cgfs/reflections", {}},
+    {"cgfs/shading", {"precision=double", "shading=gouraud", "depth-value=z"}},
+    {"cgfs/shading", {"shading=flat", "normals=vertex", "visibility=painter", "backface-culling=off"}},
+    {"cgfs/crates", {"interpolation=affine", "texture-filter=mipmap", "fill-rule=inclusive", "subpixel-bits=2"}},
+    {"cgfs/crates", {"precision=double", "depth-value=distance", "clipping=near", "projection=orthographic"}},
+    {"cgfs/cubes", {"draw=wireframe", "line-algorithm=interpolate"}},
+    {"cgfs/depth", {"visibility=draw-order", "clipping=none", "precision=double"}},
+    {"cgfs/mixing", {}},
+    {"cgfs/lines", {"line-algorithm=bresenham", "precision=double"}},
+};
+
+Frame draw(const Scene& scene, const View& view, const Settings& settings, Channel channels = Channel::none) {
+  Prepared prepared;
+  Progress progress;
+  RenderRequest request;
+  request.channels = channels;
+  return render(scene, view, settings, request, prepared, progress);
+}
+
+/// Equal bits, NaN included.
+template <class T>
+bool same_bits(const Image<T>& a, const Image<T>& b) {
+  return a.width() == b.width() && a.height() == b.height() &&
+         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+}
+
+TEST(Rasterized, IsTheSameForAnyNumberOfThreads) {
+  for (const auto& [name, assignments] : cases) {
+    const Scene scene = load_scene(name);
+    const View view{scene.camera, 331, 203};
+    Settings settings = settings_of(assignments);
+    settings.threads = 1;
+    const Frame one = draw(scene, view, settings, all_channels);
+    EXPECT_GT(one.counters[Counter::pixels_written], 100u) << name;
+    for (const int threads : {2, 7}) {
+      settings.threads = threads;
+      const Frame many = draw(scene, view, settings, all_channels);
+      EXPECT_TRUE(same_bits(one.colour, many.colour) && same_bits(one.colour_double, many.colour_double)) << name;
+      EXPECT_TRUE(same_bits(one.depth, many.depth) && same_bits(one.normal, many.normal)) << name;
+      EXPECT_TRUE(same_bits(one.ids, many.ids) && same_bits(one.barycentric, many.barycentric)) << name;
+      EXPECT_TRUE(same_bits(one.uv, many.uv) && same_bits(one.mip, many.mip)) << name;
+      EXPECT_TRUE(same_bits(one.overdraw, many.overdraw) && same_bits(one.tests, many.tests)) << name;
+      EXPECT_EQ(one.counters, many.counters) << name;
+    }
+  }
+}
+
+TEST(Rasterized, ChannelsDoNotChangeTheColour) {
+  for (const auto& [name, assignments] : cases) {
+    const Scene scene = load_scene(name);
+    const View view{scene.camera, 200, 150};
+    const Settings settings = settings_of(assignments);
+    EXPECT_TRUE(same_bits(draw(scene, view, settings).colour, draw(scene, view, settings, all_channels).colour))
+        << name;
+  }
+}
+
+TEST(Rasterized, InspectorTellsThePicturesOwnBits) {
+  constexpr unsigned seed = 404;
+  std::mt19937 random(seed);
+  for (const auto& [name, assignments] : cases) {
+    const Scene scene = load_scene(name);
+    const View view{scene.camera, 221, 260};
+    const Settings settings = settings_of(assignments);
+    const Frame frame = draw(scene, view, settings, Channel::overdraw);
+    Prepared prepared;
+    Progress progress;
+    for (int trial = 0; trial < 40; ++trial) {
+      const Vec2i pixel{std::uniform_int_distribution<int>(0, view.width - 1)(random),
+                        std::uniform_int_distribution<int>(0, view.height - 1)(random)};
+      const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
+      const Vec3d expected = settings.precision == Precision::float64 ? frame.colour_double.at(pixel.x, pixel.y)
+                                                                      : Vec3d(frame.colour.at(pixel.x, pixel.y));
+      EXPECT_EQ(story.linear, expected) << name << " at " << pixel.x << ", " << pixel.y << ", seed " << seed;
+      const Rgb8 level = display_pixel(expected, display_transform(settings));
+      EXPECT_EQ(story.display, (std::array<int, 3>{level.r, level.g, level.b}));
+      EXPECT_FALSE(story.verdict.empty());
+      ASSERT_FALSE(story.events.empty());
+      EXPECT_TRUE(std::holds_alternative<PixelEvent>(story.events.back().data));
+      std::uint32_t drawn = 0;
+      for (const Event& event : story.events) {
+        drawn += std::holds_alternative<FragmentEvent>(event.data) || std::holds_alternative<LineEvent>(event.data);
+        if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
+          EXPECT_NEAR(fragment->weights_2d[0] + fragment->weights_2d[1] + fragment->weights_2d[2], 1, 1e-5);
+        }
+      }
+      if (name != "cgfs/mixing") {
+        EXPECT_EQ(drawn, frame.overdraw.at(pixel.x, pixel.y)) << name;
+      }
+    }
+  }
+}
+
+TEST(Rasterized, StoryAccountsForEveryTriangle) {
+  const Scene scene = load_scene("cgfs/shading");
+  const Settings settings = settings_of({});
+  Prepared prepared;
+  Progress progress;
+  const View view{scene.camera, 600, 600};
+  for (const Vec2i pixel : {scene.telling_pixel, Vec2i{300, 300}, Vec2i{0, 0}, Vec2i{150, 330}}) {
+    const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
+    std::uint64_t told = 0;
+    for (const Event& event : story.events)
+      told += std::holds_alternative<FragmentEvent>(event.data) || std::holds_alternative<RejectEvent>(event.data);
+    EXPECT_EQ(told + story.triangles_elsewhere, 474u);
+  }
+}
+
+TEST(Rasterized, PaysOnlyForWhatTheSceneNeeds) {
+  const Scene scene = load_scene("cgfs/shading");
+  const View view{scene.camera, 200, 200};
+  const Frame flat = draw(scene, view, settings_of({"lighting=off", "visibility=draw-order"}));
+  EXPECT_EQ(flat.counters[Counter::attributes_interpolated], 0u);
+  EXPECT_EQ(flat.counters[Counter::shading_calls], 0u);
+  EXPECT_EQ(flat.counters[Counter::depth_tests], 0u);
+  const Frame phong = draw(scene, view, settings_of({"visibility=draw-order"}));
+  // Normal and position; no texture coordinates without a texture.
+  EXPECT_EQ(phong.counters[Counter::attributes_interpolated], 6 * phong.counters[Counter::fragments]);
+  EXPECT_EQ(phong.counters[Counter::shading_calls], phong.counters[Counter::fragments]);
+  EXPECT_EQ(phong.counters[Counter::texel_reads], 0u);
+  const Scene crates = load_scene("cgfs/crates");
+  const Frame untextured = draw(crates, view, settings_of({"lighting=off", "textures=off"}));
+  EXPECT_EQ(untextured.counters[Counter::attributes_interpolated], untextured.counters[Counter::depth_tests]);
+  const Frame textured = draw(crates, view, settings_of({"lighting=off", "texture-filter=nearest"}));
+  EXPECT_EQ(textured.counters[Counter::texel_reads], textured.counters[Counter::pixels_written]);
+}
+
+TEST(Rasterized, TellsOfEachTileAndStopsWhenAsked) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const View view{scene.camera, 200, 130};
+  Prepared prepared;
+  Progress progress;
+  std::mutex mutex;
+  std::int64_t pixels = 0;
+  RenderRequest request;
+  request.on_tile = [&](const Frame& frame, const TileRect& rect) {
+    const std::lock_guard lock(mutex);
+    EXPECT_EQ(frame.width(), 200);
+    pixels += rect.width() * rect.height();
+  };
+  const Frame frame = render(scene, view, settings_of({}), request, prepared, progress);
+  EXPECT_EQ(pixels, 200 * 130);
+  EXPECT_FALSE(frame.times.empty());
+  Progress stopped;
+  stopped.request_stop();
+  EXPECT_THROW(render(scene, view, settings_of({}), request, prepared, stopped), Cancelled);
+}
+
+/// CGFS ch. 12: halfway on the screen between z = 2 and z = 10, five sixths along, z says 8.67 where the truth is 6.
+TEST(Rasterized, InterpolatesOneOverZ) {
+  Scene scene;
+  auto mesh = std::make_shared<Mesh>();
+  // A = (-1, 0, 2) and B = (1, 0, 10), made a thin triangle; canvas x of A is -0.5, of B 0.1 of the viewport's width.
+  mesh->positions = {{-1, -1e-2, 2}, {-1, 1e-2, 2}, {1, 0, 10}};
+  mesh->triangles.emplace_back().position = {0, 1, 2};
+  mesh->materials = {0};
+  scene.materials.edit([](std::vector<Material>& m) { m.emplace_back(); });
+  scene.geometry.edit([&](Geometry& g) {
+    g.meshes.push_back(mesh);
+    g.objects.push_back({"strip", Instance{}});
+  });
+  const View view{scene.camera, 600, 600};
+  Prepared prepared;
+  Progress progress;
+  const auto depth_at = [&](const char* value) {
+    Settings settings = settings_of({"sample-position=corner", "precision=double", "backface-culling=off",
+                                     "lighting=off", std::string("depth-value=") + value});
+    // The book's example: t = 5/6 of the way from x = -300 to x = 60 is x = 0.
+    const PixelStory story = inspect(scene, view, settings, {300, 299}, prepared, progress);
+    for (const Event& event : story.events)
+      if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) return fragment->depth_new;
+    return 0.0;
+  };
+  EXPECT_NEAR(depth_at("z"), 8.6667, 1e-3);
+  EXPECT_NEAR(1 / depth_at("inverse-z"), 6.0, 1e-6);
+}
+
+TEST(Rasterized, LowestIndexWinsTies) {
+  Scene scene;
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions = {{-2, -2, 5}, {0, 3, 5}, {2, -2, 5}};
+  for (std::uint32_t i = 0; i < 3; ++i) mesh->triangles.push_back({.position = {0, 1, 2}, .material = i});
+  mesh->materials = {0, 1, 2};
+  scene.materials.edit([](std::vector<Material>& m) { m.resize(3); });
+  scene.geometry.edit([&](Geometry& g) {
+    g.meshes.push_back(mesh);
+    g.objects.push_back({"stack", Instance{}});
+  });
+  for (const char* how : {"visibility=depth-buffer", "visibility=painter"}) {
+    const Frame frame =
+        draw(scene, {scene.camera, 64, 64}, settings_of({how, "backface-culling=off", "lighting=off"}), Channel::ids);
+    EXPECT_EQ(frame.ids.at(32, 32).triangle, 0) << how;
+  }
+}
+
+}  // namespace
+}  // namespace ps
