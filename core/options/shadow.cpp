@@ -54,7 +54,9 @@ std::vector<Option> shadow_rows() {
                     "CGFS ch. 4; pbrt 6.8; Waechter and Binder, Ray Tracing Gems 6",
                     "With the book's epsilon in float, 5.7 % of the ground's pixels reflect themselves."},
            .inactive = needs_secondary_rays},
-          {{"offset", "bounded offset", "Starts outside the bound of the hit point's own rounding error: no knob."},
+          {{"offset", "bounded offset",
+            "Starts outside the bound of the hit point's own rounding error; a sphere leaves its root t = 0 out. No "
+            "knob."},
            {"epsilon", "epsilon", "Ignores hits with t up to epsilon, as in the book."},
            {"normal-bump", "normal bump", "Starts epsilon above the surface along its normal, as in CGPP."}}),
       real<&Settings::shadow_epsilon>(

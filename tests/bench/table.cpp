@@ -4,6 +4,7 @@ namespace ps::bench {
 
 // One line for each file of benches; they are listed by hand so that nothing depends on the linker.
 Benches memory_benches();
+Benches packets_benches();
 Benches pictures_benches();
 Benches recorder_benches();
 Benches rays_curve_benches();
@@ -19,6 +20,7 @@ Benches all_benches() {
   Benches all;
   append(all, memory_benches());
   append(all, recorder_benches());
+  append(all, packets_benches());
   append(all, pictures_benches());
 #ifdef PIXELSCOPE_EMBREE
   append(all, embree_benches());
