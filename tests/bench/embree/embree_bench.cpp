@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <optional>
-
 #include "bench/bench.h"
 #include "bench/embree/embree_scene.h"
 #include "bench/meshes.h"
@@ -15,6 +13,7 @@ namespace {
 constexpr int build_threads = 2;
 constexpr std::size_t most_secondary_rays = 200000;
 enum class RayKinds { primary, shadow, random };
+enum class EmbreeQueries { single, packets };
 
 /// A mesh with its rays, shared by the benches of that mesh, which follow each other.
 struct Subject {
@@ -68,7 +67,7 @@ struct Sides {
   std::vector<BenchHit> our_hits, embree_hits;
 };
 
-Job query_job(const std::string& mesh, RayKinds kind, EmbreeMode mode) {
+Job query_job(const std::string& mesh, RayKinds kind, EmbreeMode mode, EmbreeQueries queries = EmbreeQueries::single) {
   const auto on = subject(mesh);
   const std::vector<BenchRay>& rays = kind == RayKinds::primary  ? on->primary
                                       : kind == RayKinds::shadow ? on->shadow
@@ -85,6 +84,9 @@ Job query_job(const std::string& mesh, RayKinds kind, EmbreeMode mode) {
   if (kind == RayKinds::shadow) {
     job.ours = [sides] { sides->ours.any(sides->rays, sides->our_hits); };
     job.yardstick = [sides] { sides->embree->any(sides->rays, sides->embree_hits); };
+  } else if (queries == EmbreeQueries::packets) {
+    job.ours = [sides] { sides->ours.nearest(sides->rays, sides->our_hits); };
+    job.yardstick = [sides] { sides->embree->nearest_in_packets(sides->rays, sides->embree_hits); };
   } else {
     job.ours = [sides] { sides->ours.nearest(sides->rays, sides->our_hits); };
     job.yardstick = [sides] { sides->embree->nearest(sides->rays, sides->embree_hits); };
@@ -126,6 +128,9 @@ Benches embree_benches() {
       benches.push_back({fmt::format("rays/{}/{}/watertight", kind_name, mesh), "Mray/s", "embree-robust",
                          [mesh, kind = kind] { return query_job(mesh, kind, EmbreeMode::robust); }});
     }
+    benches.push_back({"rays/coherent/" + mesh, "Mray/s", "embree-16-wide", [mesh] {
+                         return query_job(mesh, RayKinds::primary, EmbreeMode::fast, EmbreeQueries::packets);
+                       }});
     benches.push_back({"rays/build/" + mesh, "ms", "embree", [mesh] { return build_job(mesh); }});
   }
   return benches;
