@@ -1,20 +1,37 @@
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "base/check.h"
 #include "base/version.h"
+#include "gui/app/app.h"
 #include "gui/platform/window.h"
 #include "gui/script/script.h"
 #include "gui/shell/shell.h"
 #include "gui/widgets/gallery.h"
+#include "image/image.h"
 
 namespace {
+
+/// "1280x720"
+ps::gui::WindowSize parse_size(const std::string& text) {
+  int width = 0, height = 0, used = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
+      static_cast<std::size_t>(used) != text.size())
+    throw ps::InputError("--size: found " + text + ", expected WIDTHxHEIGHT, such as 600x400");
+  ps::require_image_size(width, height, "--size");
+  return {width, height};
+}
 
 int run(int argc, char** argv) {
   CLI::App cli("Pixelscope, a microscope for pixels");
   ps::gui::ShellOptions shell_options;
+  ps::gui::AppOptions app_options;
+  std::string size;
   bool gallery = false;
   double scale = 0;
   std::string window_size;
@@ -22,6 +39,13 @@ int run(int argc, char** argv) {
   const auto* scale_option =
       cli.add_option("--scale", scale, "Size of type and controls, 0.75 to 4")->check(CLI::Range(0.75, 4.0));
   cli.add_option("--script", shell_options.script, "Drive the window by the commands of a file, then quit");
+  cli.add_option("SCENE", app_options.scene, "A .scene or .obj file, or the name of a built-in scene");
+  cli.add_option("--lesson", app_options.lesson, "Begin a lesson, by its name");
+  cli.add_option("--set", app_options.set, "KEY=VALUE: an option of picture A; may be given again")
+      ->allow_extra_args(false);
+  cli.add_option("--set-b", app_options.set_b, "KEY=VALUE: an option of picture B")->allow_extra_args(false);
+  cli.add_option("--permalink", app_options.permalink, "Open the state that a permalink tells of")->excludes("SCENE");
+  cli.add_option("--size", size, "Size of the pictures in pixels, WIDTHxHEIGHT");
   cli.add_flag("--widget-gallery", gallery)->group("");  // for our own tests, as is the next
   cli.add_option("--window-size", window_size)
       ->group("")
@@ -39,9 +63,19 @@ int run(int argc, char** argv) {
     shell_options.height = static_cast<int>(height);
   }
 
+  if (!size.empty()) {
+    const auto wanted = parse_size(size);
+    app_options.width = wanted.width;
+    app_options.height = wanted.height;
+  }
+  app_options.remember = shell_options.script.empty() || std::getenv("XDG_STATE_HOME");
+
+  std::optional<ps::Document> document;
+  if (!gallery) document = ps::gui::first_document(app_options);  // bad input ends here, before a window opens
   ps::gui::Shell shell(shell_options);
-  const std::unique_ptr<ps::gui::Content> content = ps::gui::make_gallery(shell);
-  return shell.run(*content);
+  if (gallery) return shell.run(*ps::gui::make_gallery(shell));
+  ps::gui::App app(shell, app_options, std::move(*document));
+  return shell.run(app);
 }
 
 }  // namespace

@@ -4,12 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "document/document.h"
 #include "math/vec.h"
 
 namespace ps::gui {
-
-/// The two pictures that are compared.
-enum class Side { a, b };
 
 /// A place in the window, in its pixels from the top left.
 struct WindowPoint {

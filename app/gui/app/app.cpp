@@ -1,0 +1,240 @@
+#include "gui/app/app.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "document/permalink.h"
+#include "gui/app/timings_panel.h"
+#include "gui/input/actions.h"
+#include "gui/platform/state_file.h"
+#include "gui/widgets/widgets.h"
+#include "options/option.h"
+#include "scene/load.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr const char* first_scene = "cgfs/reflections";
+constexpr const char* layout_key = "app/layout";
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                          ImGuiWindowFlags_NoScrollWithMouse;
+
+/// A region with its heading; call ImGui::EndChild() after what is in it.
+void begin_region(const char* name, const Area& area, const char* heading) {
+  ImGui::SetCursorScreenPos(area.min);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(12), px(8)});
+  ImGui::BeginChild(name, {area.width(), area.height()}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
+                        ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  const FontScope font(Face::bold);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextUnformatted(heading);
+  ImGui::PopStyleColor();
+}
+
+std::string layout_text(const Layout& layout) {
+  return fmt::format("{} {} {}", layout.left, layout.right, layout.bottom);
+}
+
+void read_layout(const std::string& text, Layout& layout) {
+  std::istringstream words(text);
+  double left = 0, right = 0, bottom = 0;
+  if (!(words >> left >> right >> bottom)) return;
+  const auto sensible = [](double share) { return share > 0 && share < 0.6; };
+  if (sensible(left) && sensible(right) && sensible(bottom)) {
+    layout.left = left;
+    layout.right = right;
+    layout.bottom = bottom;
+  }
+}
+
+std::filesystem::path autosave_folder(const AppOptions& options) {
+  return options.remember ? StateFile::default_path().parent_path() : std::filesystem::path();
+}
+
+}  // namespace
+
+Document first_document(const AppOptions& options) {
+  Document document;
+  if (!options.permalink.empty()) {
+    document = parse_permalink(options.permalink);
+    attach_scene(document, load_scene(document.scene_name));
+  } else {
+    const std::string scene = options.scene.empty() ? first_scene : options.scene;
+    document = open_document(scene, load_scene(scene));
+  }
+  for (const auto& assignment : options.set) parse_assignment(assignment, document.a.settings);
+  for (const auto& assignment : options.set_b) parse_assignment(assignment, document.b.settings);
+  if (options.width > 0) document.view.width = options.width;
+  if (options.height > 0) document.view.height = options.height;
+  return document;
+}
+
+App::App(Shell& shell, const AppOptions& options, Document document)
+    : shell_(shell),
+      session_(
+          {.wake = [&shell] { shell.wake(); },
+           .remembered = [&shell](const std::string& key) { return shell.remembered(key); },
+           .remember = [&shell](const std::string& key, std::string value) { shell.remember(key, std::move(value)); }}),
+      autosave_(autosave_folder(options)) {
+  const auto left_behind = autosave_.take_left_behind();
+  const bool nothing_asked = options.scene.empty() && options.permalink.empty() && options.lesson.empty();
+  if (left_behind && nothing_asked) {
+    try {
+      AppOptions restored;
+      restored.permalink = *left_behind;
+      document = first_document(restored);
+      session_.say(Message::Kind::information,
+                   "Pixelscope did not end properly the last time. This is what was open then.");
+    } catch (const InputError&) {
+      // What cannot be read back is no use to anyone.
+    }
+  }
+  read_layout(shell.remembered(layout_key), document.layout);
+  session_.start(std::move(document));
+  if (!options.lesson.empty()) go_to_step(session_, options.lesson, 0);
+  add_actions();
+}
+
+void App::set_option(Side side, const std::string& assignment) {
+  Settings settings = session_.settings(side);
+  parse_assignment(assignment, settings);
+  session_.set_settings(side, settings, fmt::format("{}: {}", letter_of(side), assignment));
+  shell_.wake();
+}
+
+bool App::busy() const { return session_.busy(); }
+
+std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
+  const auto& area = pictures_.areas[index_of(side)];
+  if (!area) return {};
+  const ImVec2 at = pictures_.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, *area);
+  if (!area->contains(at)) return {};
+  return WindowPoint{at.x, at.y};
+}
+
+bool App::may_close() {
+  remember_layout();
+  return true;
+}
+
+void App::remember_layout() { shell_.remember(layout_key, layout_text(session_.document().layout)); }
+
+void App::draw() {
+  const double now = ImGui::GetTime();
+  const double passed = std::min(now - last_draw_, 0.1);
+  last_draw_ = now;
+  session_.update();
+  flying_now_ = fly_camera(session_, pictures_, passed);
+  collect_pictures(session_, pictures_);
+
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  ImGui::Begin("pixelscope", nullptr, fixed_window | ImGuiWindowFlags_MenuBar);
+  ImGui::PopStyleVar(3);
+  menu_bar();
+  const float top = ImGui::GetCursorScreenPos().y, status_height = ImGui::GetFrameHeight() + px(6);
+  layout({{0, top}, {size.x, size.y - status_height}});
+  ImGui::SetCursorScreenPos({px(12), size.y - status_height + px(3)});
+  ImGui::BeginChild("status", {size.x - px(24), status_height - px(3)}, false, fixed_window);
+  status_bar(session_, pictures_, status_bar_, "Click a pixel to see how it got its colour.   ? shows all keys.");
+  ImGui::EndChild();
+  ImGui::End();
+  message_bars(session_, px(8), size.x - px(8), size.y - status_height);
+  file_dialog();
+  publish();
+  autosave_.save(session_.permalink());
+  if (session_.busy()) shell_.wake_after(0.1);  // progress moves also between tiles
+}
+
+void App::layout(const Area& area) {
+  Layout shares = session_.document().layout;
+  const float margin = px(6);
+  const float width = area.width(), height = area.height();
+  if (!shares.panels) {
+    pictures_panel(session_, pictures_, {{area.min.x + margin, area.min.y}, {area.max.x - margin, area.max.y}});
+    return;
+  }
+  const float grip = px(6), least = px(180);
+  auto left = std::round(static_cast<float>(shares.left) * width);
+  auto right = std::round(static_cast<float>(1 - shares.right) * width);
+  auto bottom = std::round(static_cast<float>(1 - shares.bottom) * height);
+  const float most_left = std::max(least, width * 0.5f - grip),
+              least_right = std::min(width - least, width * 0.5f + grip);
+  left = std::clamp(left, std::min(px(250), most_left), most_left);
+  right = std::clamp(right, least_right, std::max(width - px(300), least_right));
+  bottom = std::clamp(bottom, height * 0.3f, std::max(height - px(36), height * 0.3f));
+
+  left_region({area.min, {area.min.x + left, area.max.y}});
+  right_region({{area.min.x + right + grip, area.min.y}, area.max});
+  bottom_region({{area.min.x + left + grip, area.min.y + bottom + grip}, {area.min.x + right, area.max.y}});
+  pictures_panel(session_, pictures_,
+                 {{area.min.x + left + grip + margin, area.min.y}, {area.min.x + right - margin, area.min.y + bottom}});
+
+  bool moved = false, finished = false;
+  const auto line = [&](const char* name, SplitterAxis axis, ImVec2 at, float length, float& position, float low,
+                        float high) {
+    ImGui::SetCursorScreenPos(at);
+    const Edit edit = splitter(name, axis, length, position, low, high);
+    moved = moved || edit.changed;
+    finished = finished || edit.finished;
+  };
+  line("split/left", SplitterAxis::left_right, {area.min.x + left, area.min.y}, height, left, px(200), most_left);
+  line("split/right", SplitterAxis::left_right, {area.min.x + right, area.min.y}, height, right, least_right,
+       width - px(200));
+  line("split/bottom", SplitterAxis::up_down, {area.min.x + left + grip, area.min.y + bottom}, right - left - grip,
+       bottom, height * 0.3f, height - px(36));
+  if (moved)
+    session_.navigate([&](Document& document) {
+      document.layout.left = left / width;
+      document.layout.right = 1 - right / width;
+      document.layout.bottom = 1 - bottom / height;
+    });
+  if (finished) remember_layout();
+}
+
+void App::left_region(const Area& area) {
+  Area options = area;
+  if (lessons_.open(session_)) {
+    const float height = area.height(), grip = px(6);
+    float divide = std::round(height * lesson_share_);
+    begin_region("lesson", {area.min, {area.max.x, area.min.y + divide}}, "LESSON");
+    lesson_panel(session_, lessons_);
+    ImGui::EndChild();
+    ImGui::SetCursorScreenPos({area.min.x, area.min.y + divide});
+    if (splitter("split/lesson", SplitterAxis::up_down, area.width(), divide, height * 0.2f, height * 0.8f).changed)
+      lesson_share_ = divide / height;
+    options.min.y += divide + grip;
+  }
+  begin_region("left", options, "OPTIONS");
+  if (session_.has_scene()) options_panel(session_, options_panel_);
+  ImGui::EndChild();
+}
+
+void App::right_region(const Area& area) {
+  begin_region("right", area, "PIXEL");
+  pixel_panel(session_, pixel_panel_, [this](const std::string& text) {
+    shell_.set_clipboard(text);
+    session_.say(Message::Kind::information, "Copied to the clipboard.");
+  });
+  ImGui::EndChild();
+}
+
+void App::bottom_region(const Area& area) {
+  begin_region("bottom", area, "TIMINGS");
+  timings_panel(session_);
+  ImGui::EndChild();
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,92 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gui/app/autosave.h"
+#include "gui/app/file_dialog.h"
+#include "gui/app/lesson_panel.h"
+#include "gui/app/lights_panel.h"
+#include "gui/app/options_panel.h"
+#include "gui/app/pictures_panel.h"
+#include "gui/app/pixel_panel.h"
+#include "gui/app/session.h"
+#include "gui/app/status_bar.h"
+#include "gui/shell/content.h"
+#include "gui/shell/shell.h"
+
+namespace ps::gui {
+
+/// What the window shows first.
+struct AppOptions {
+  std::string scene;                    ///< path or built-in name; empty = the first-start scene
+  std::string permalink;                ///< instead of a scene
+  std::string lesson;                   ///< folder name of a lesson to begin
+  std::vector<std::string> set, set_b;  ///< "key=value" for A and for B
+  int width = 0, height = 0;            ///< picture size; 0 = the scene's own
+  bool remember = true;                 ///< restore after a crash; off for scripts
+};
+
+/// The document that the options ask for. Throws InputError for a scene, option or permalink that is not to be had.
+Document first_document(const AppOptions& options);
+
+/// Everything inside the window.
+class App final : public Content {
+ public:
+  App(Shell& shell, const AppOptions& options, Document first);
+
+  void draw() override;
+  bool busy() const override;
+  bool animating() const override { return flying_now_; }
+  void open(const std::string& path_or_name) override { session_.open(path_or_name); }
+  void set_option(Side side, const std::string& assignment) override;
+  std::optional<WindowPoint> pixel_place(Side side, Vec2i pixel) const override;
+  bool may_close() override;
+
+ private:
+  // app_actions.cpp
+  void add_actions();
+  void add_view_actions();
+  void add_pixel_actions();
+  void add_camera_actions();
+  void add_lesson_actions();
+  void nudge(Vec2i by);
+  void turn(double right, double up);
+  void move_light(double right, double up, double forward);
+  void next_channel(int by);
+  void set_compare(CompareMode mode);
+  void zoom_to(double zoom);
+  // save_pictures.cpp
+  void save_pictures(const std::filesystem::path& path);
+  // menus.cpp
+  void menu_bar();
+  void scene_menu();
+  void lesson_menu();
+  void view_menu();
+  float compare_buttons_width() const;
+  void compare_buttons(float left);
+  void file_dialog();
+  // app.cpp
+  void layout(const Area& area);
+  void left_region(const Area& area);
+  void right_region(const Area& area);
+  void bottom_region(const Area& area);
+  void publish();
+  void remember_layout();
+
+  Shell& shell_;
+  Session session_;
+  PicturesState pictures_;
+  OptionsPanelState options_panel_;
+  PixelPanelState pixel_panel_;
+  StatusBarState status_bar_;
+  FileDialog files_;
+  LessonShelf lessons_;
+  float lesson_share_ = 0.5f;  ///< of the left region's height, while a lesson is open
+  Autosave autosave_;
+  bool flying_now_ = false;
+  double last_draw_ = 0;
+};
+
+}  // namespace ps::gui

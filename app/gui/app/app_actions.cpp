@@ -1,0 +1,283 @@
+// Everything that can be done by a key, a menu or the palette, in one table.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gui/app/app.h"
+#include "gui/app/camera_moves.h"
+#include "gui/input/actions.h"
+#include "render/channel_picture.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double turn_step = 5 * std::numbers::pi / 180;  // radians for one press
+constexpr int far_nudge = 10;                             // pixels, with Shift
+constexpr double light_share = 0.05;                      // of the scene's reach, for one press
+
+}  // namespace
+
+void App::set_compare(CompareMode mode) {
+  session_.navigate(
+      [&](Document& document) { document.compare = document.compare == mode ? CompareMode::side_by_side : mode; });
+}
+
+void App::zoom_to(double zoom) {
+  session_.navigate([&](Document& document) {
+    document.view.zoom = zoom;
+    // One to one is about the picked pixel, which is what one wants to look at.
+    const Vec2i size = pictures_.pictures[0].size();
+    const auto picked = session_.pixel();
+    document.view.middle = {0.5, 0.5};
+    if (zoom > 0 && picked && size.x > 0 && size.y > 0)
+      document.view.middle = {(picked->x + 0.5) / size.x, (picked->y + 0.5) / size.y};
+  });
+}
+
+void App::nudge(Vec2i by) {
+  const auto picked = session_.pixel();
+  const View view = session_.view();
+  if (!picked) {
+    session_.set_pixel(Vec2i(view.width / 2, view.height / 2));
+    return;
+  }
+  session_.set_pixel(
+      Vec2i(std::clamp(picked->x + by.x, 0, view.width - 1), std::clamp(picked->y + by.y, 0, view.height - 1)));
+}
+
+void App::turn(double right, double up) {
+  const Camera next = turned(session_.view().camera, right, up, session_.scene().camera.up);
+  session_.edit("turn the camera", "turn", [&](Document& document) { document.view.camera = next; });
+}
+
+void App::next_channel(int by) {
+  const int count = static_cast<int>(shown_channels().size());
+  session_.edit("show another channel", "channel", [&](Document& document) {
+    const int next = (static_cast<int>(document.a.show) + by + count) % count;
+    document.a.show = document.b.show = static_cast<ShownChannel>(next);
+  });
+}
+
+void App::add_actions() {
+  auto& actions = shell_.actions();
+  const auto open_scene = [this] { return session_.has_scene(); };
+  actions.add({.name = "open", .label = "Open a scene file...", .group = "Scene", .keys = "Ctrl+O", .run = [this] {
+                 files_.ask(FilePurpose::open_scene);
+               }});
+  actions.add({.name = "reload",
+               .label = "Reload the scene",
+               .group = "Scene",
+               .keys = "Ctrl+R",
+               .run = [this] { session_.reload(); },
+               .enabled = open_scene});
+  actions.add({.name = "save-picture",
+               .label = "Save the pictures...",
+               .group = "Scene",
+               .keys = "P",
+               .run = [this] { files_.ask(FilePurpose::save_picture); },
+               .enabled = open_scene});
+  actions.add({.name = "copy-permalink",
+               .label = "Copy permalink",
+               .group = "Scene",
+               .keys = "C",
+               .run =
+                   [this] {
+                     shell_.set_clipboard(session_.permalink());
+                     session_.say(Message::Kind::information,
+                                  "The permalink is on the clipboard: pixelscope --permalink TEXT");
+                   },
+               .enabled = open_scene});
+  actions.add({.name = "undo",
+               .label = "Undo",
+               .group = "Edit",
+               .keys = "Ctrl+Z",
+               .kind = ActionKind::repeat,
+               .run = [this] { session_.undo(); },
+               .enabled = [this] { return session_.can_undo(); }});
+  actions.add({.name = "redo",
+               .label = "Redo",
+               .group = "Edit",
+               .keys = "Ctrl+Shift+Z Ctrl+Y",
+               .kind = ActionKind::repeat,
+               .run = [this] { session_.redo(); },
+               .enabled = [this] { return session_.can_redo(); }});
+  add_view_actions();
+  add_pixel_actions();
+  add_camera_actions();
+  add_lesson_actions();
+}
+
+void App::add_view_actions() {
+  auto& actions = shell_.actions();
+  const auto not_flying = [this] { return !flying(pictures_); };
+  const auto compare = [&](const char* name, const char* label, const char* keys, CompareMode mode) {
+    actions.add({.name = name,
+                 .label = label,
+                 .group = "Compare",
+                 .keys = keys,
+                 .run = [this, mode] { set_compare(mode); },
+                 .enabled = not_flying,
+                 .checked = [this, mode] { return session_.document().compare == mode; }});
+  };
+  actions.add(
+      {.name = "side-by-side",
+       .label = "Side by side",
+       .group = "Compare",
+       .keys = "",
+       .run = [this] { session_.navigate([](Document& document) { document.compare = CompareMode::side_by_side; }); },
+       .checked = [this] { return session_.document().compare == CompareMode::side_by_side; }});
+  compare("split", "Split: drag the divider", "X", CompareMode::split);
+  compare("difference", "Difference B - A", "D", CompareMode::difference);
+  compare("only-a", "Only A", "", CompareMode::only_a);
+  compare("only-b", "Only B", "", CompareMode::only_b);
+  actions.add({.name = "flicker",
+               .label = "Flicker: A and B change places while held",
+               .group = "Compare",
+               .keys = "F",
+               .kind = ActionKind::hold,
+               .run_hold = [this](bool on) { pictures_.flip = on; },
+               .enabled = not_flying});
+  actions.add({.name = "loupe",
+               .label = "Loupe while held",
+               .group = "View",
+               .keys = "Z",
+               .kind = ActionKind::hold,
+               .run_hold = [this](bool on) { pictures_.loupe = on; },
+               .enabled = not_flying});
+  actions.add({.name = "fit", .label = "Fit the picture", .group = "View", .keys = "0", .run = [this] { zoom_to(0); }});
+  actions.add(
+      {.name = "one-to-one", .label = "One to one", .group = "View", .keys = "1", .run = [this] { zoom_to(1); }});
+  const auto zoom_by = [this](double factor) {
+    zoom_to(std::clamp(pictures_.transform.zoom * factor, smallest_zoom, largest_zoom));
+  };
+  actions.add({.name = "zoom-in",
+               .label = "Zoom in on the pixel",
+               .group = "View",
+               .keys = "=",
+               .kind = ActionKind::repeat,
+               .run = [zoom_by] { zoom_by(2); }});
+  actions.add({.name = "zoom-out",
+               .label = "Zoom out",
+               .group = "View",
+               .keys = "-",
+               .kind = ActionKind::repeat,
+               .run = [zoom_by] { zoom_by(0.5); }});
+  actions.add({.name = "grid",
+               .label = "Grid and numbers in large pixels",
+               .group = "View",
+               .keys = "G",
+               .run = [this] { pictures_.grid = !pictures_.grid; },
+               .checked = [this] { return pictures_.grid; }});
+  actions.add({.name = "channel-next", .label = "Next channel", .group = "View", .keys = "N", .run = [this] {
+                 next_channel(1);
+               }});
+  actions.add({.name = "channel-before", .label = "Channel before", .group = "View", .keys = "Shift+N", .run = [this] {
+                 next_channel(-1);
+               }});
+  actions.add(
+      {.name = "panels",
+       .label = "Panels",
+       .group = "View",
+       .keys = "Tab",
+       .run =
+           [this] { session_.navigate([](Document& document) { document.layout.panels = !document.layout.panels; }); },
+       .checked = [this] { return session_.document().layout.panels; }});
+}
+
+void App::add_pixel_actions() {
+  auto& actions = shell_.actions();
+  struct Direction {
+    const char *name, *label, *key;
+    Vec2i by;
+  };
+  for (const auto& [name, label, key, by] :
+       {Direction{"left", "left", "Left", {-1, 0}}, Direction{"right", "right", "Right", {1, 0}},
+        Direction{"up", "up", "Up", {0, -1}}, Direction{"down", "down", "Down", {0, 1}}}) {
+    actions.add({.name = fmt::format("pixel-{}", name),
+                 .label = fmt::format("Pixel {}", label),
+                 .group = "Pixel",
+                 .keys = key,
+                 .kind = ActionKind::repeat,
+                 .run = [this, by] { nudge(by); }});
+    actions.add({.name = fmt::format("pixel-{}-far", name),
+                 .label = fmt::format("Ten pixels {}", label),
+                 .group = "Pixel",
+                 .keys = fmt::format("Shift+{}", key),
+                 .kind = ActionKind::repeat,
+                 .run = [this, by] { nudge(by * far_nudge); }});
+  }
+}
+
+void App::add_lesson_actions() {
+  auto& actions = shell_.actions();
+  const auto in_lesson = [this] { return !session_.document().lesson.empty(); };
+  const auto add = [&](const char* name, const char* label, const char* keys, std::function<void()> run,
+                       std::function<bool()> enabled) {
+    actions.add({.name = name,
+                 .label = label,
+                 .group = "Lesson",
+                 .keys = keys,
+                 .run = std::move(run),
+                 .enabled = std::move(enabled)});
+  };
+  add(
+      "step-next", "Next step", "Enter PageDown", [this] { move_step(session_, lessons_, 1); }, in_lesson);
+  add(
+      "step-before", "Step before", "PageUp", [this] { move_step(session_, lessons_, -1); }, in_lesson);
+  add("lesson-after", "Lesson after", "]", [this] { move_lesson(session_, 1); }, {});
+  add("lesson-before", "Lesson before", "[", [this] { move_lesson(session_, -1); }, {});
+  add(
+      "lesson-close", "Close the lesson", "", [this] { close_lesson(session_); }, in_lesson);
+}
+
+void App::add_camera_actions() {
+  auto& actions = shell_.actions();
+  struct Turn {
+    const char *name, *label, *keys;
+    double right, up;
+  };
+  for (const auto& [name, label, keys, right, up] :
+       {Turn{"turn-left", "Turn left", "Ctrl+Left", -1, 0}, Turn{"turn-right", "Turn right", "Ctrl+Right", 1, 0},
+        Turn{"turn-up", "Turn up", "Ctrl+Up", 0, 1}, Turn{"turn-down", "Turn down", "Ctrl+Down", 0, -1}})
+    actions.add({.name = name,
+                 .label = label,
+                 .group = "Camera",
+                 .keys = keys,
+                 .kind = ActionKind::repeat,
+                 .run = [this, right, up] { turn(right * turn_step, up * turn_step); }});
+  actions.add({.name = "fly",
+               .label = "Fly: W A S D Q E move the camera",
+               .group = "Camera",
+               .keys = "`",
+               .run = [this] { pictures_.fly = !pictures_.fly; },
+               .checked = [this] { return pictures_.fly; }});
+  actions.add({.name = "reset-view", .label = "Reset camera and zoom", .group = "Camera", .keys = "R", .run = [this] {
+                 session_.edit("reset the camera", [](Document& document) { document.view.camera.reset(); });
+                 zoom_to(0);
+               }});
+  struct Push {
+    const char *name, *label, *keys;
+    double right, up, forward;
+  };
+  for (const auto& [name, label, keys, right, up, forward] :
+       {Push{"light-away", "Light away from the camera", "I", 0, 0, 1},
+        Push{"light-near", "Light nearer", "K", 0, 0, -1}, Push{"light-left", "Light left", "J", -1, 0, 0},
+        Push{"light-right", "Light right", "L", 1, 0, 0}, Push{"light-down", "Light down", "U", 0, -1, 0},
+        Push{"light-up", "Light up", "O", 0, 1, 0}})
+    actions.add({.name = name,
+                 .label = label,
+                 .group = "Light",
+                 .keys = keys,
+                 .kind = ActionKind::repeat,
+                 .run = [this, right, up,
+                         forward] { move_light(right * light_share, up * light_share, forward * light_share); },
+                 .enabled =
+                     [this] {
+                       return selected_light(session_.scene(), options_panel_.selected_light) <
+                              static_cast<int>(session_.scene().lights->size());
+                     }});
+}
+
+}  // namespace ps::gui

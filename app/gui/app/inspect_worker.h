@@ -1,0 +1,56 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "gui/app/newest_job.h"
+#include "gui/app/render_worker.h"
+#include "inspect/story.h"
+
+namespace ps::gui {
+
+/// A pixel to be told about, in the scene and with the settings of `picture`.
+struct StoryRequest {
+  PictureRequest picture;
+  Vec2i pixel{0, 0};  ///< array position; must lie in the view
+};
+
+/// Tells the stories of pixels in the background, the newest request only. All members are for the window's thread and
+/// return at once.
+class InspectWorker {
+ public:
+  using InspectCall =
+      std::function<PixelStory(const Scene&, const View&, const Settings&, Vec2i, Prepared&, Progress&)>;
+
+  /// `wake` is called from the worker's thread when a story is ready; it must not block.
+  InspectWorker(std::shared_ptr<Prepared> prepared, std::function<void()> wake, InspectCall inspect_call = {});
+
+  /// Starts on `request` unless it is the newest one already.
+  void request(const StoryRequest& request);
+  /// Forgets the story and what is on its way.
+  void clear();
+  /// The newest finished story, which may still be that of an earlier request; nullptr if there is none.
+  std::shared_ptr<const PixelStory> story() const;
+  bool busy() const;
+  /// Why the newest request failed; empty if it did not.
+  std::string message() const;
+
+ private:
+  const std::shared_ptr<Prepared> prepared_;
+  const std::function<void()> wake_;
+  const InspectCall inspect_;
+
+  mutable std::mutex mutex_;  // guards all down to message_
+  std::optional<StoryRequest> wanted_;
+  std::uint64_t generation_ = 0;
+  bool busy_ = false;
+  std::shared_ptr<const PixelStory> story_;
+  std::string message_;
+
+  NewestJob job_;  // last, so that its thread ends before what it uses
+};
+
+}  // namespace ps::gui

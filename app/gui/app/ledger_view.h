@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "inspect/story.h"
+
+namespace ps::gui {
+
+/// The pixel's colour as an indented sum with its numbers aligned. Answers the event of the line that was clicked, or
+/// -1. Lines of `selected_event` are marked.
+int ledger_view(const std::string& name, const PixelStory& story, int selected_event);
+
+}  // namespace ps::gui

@@ -1,0 +1,108 @@
+#include "gui/app/lesson_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+
+const Lesson* LessonShelf::open(Session& session) {
+  const std::string& wanted = session.document().lesson;
+  if (wanted.empty()) return nullptr;
+  if (wanted != name_) {
+    name_ = wanted;
+    lesson_.reset();
+    try {
+      lesson_ = load_lesson(wanted);
+    } catch (const InputError& error) {
+      session.say(Message::Kind::error, error.what());
+    }
+  }
+  return lesson_ ? &*lesson_ : nullptr;
+}
+
+void go_to_step(Session& session, const std::string& name, int step) {
+  try {
+    const Lesson lesson = load_lesson(name);
+    if (lesson.steps.empty()) return;
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    const int target = std::clamp(step, 0, last);
+    session.edit(fmt::format("{}, step {}", lesson.title, target + 1),
+                 [&](Document& document) { document = lesson_document(lesson, target, document); });
+  } catch (const InputError& error) {
+    session.say(Message::Kind::error, error.what());
+  }
+}
+
+void move_step(Session& session, LessonShelf& shelf, int by) {
+  const Lesson* lesson = shelf.open(session);
+  if (!lesson) return;
+  const int step = session.document().step + by;
+  if (step >= 0 && step < static_cast<int>(lesson->steps.size())) go_to_step(session, lesson->name, step);
+}
+
+void move_lesson(Session& session, int by) {
+  const auto names = lesson_names();
+  if (names.empty()) return;
+  const auto here = std::find(names.begin(), names.end(), session.document().lesson);
+  if (here == names.end()) {
+    go_to_step(session, names.front(), 0);
+    return;
+  }
+  const auto place = std::distance(names.begin(), here) + by;
+  if (place >= 0 && place < std::ssize(names)) go_to_step(session, names[static_cast<std::size_t>(place)], 0);
+}
+
+void close_lesson(Session& session) {
+  session.edit("close the lesson", [](Document& document) {
+    document.lesson.clear();
+    document.step = 0;
+  });
+}
+
+void lesson_panel(Session& session, LessonShelf& shelf) {
+  const NameScope scope("lesson");
+  const Lesson* lesson = shelf.open(session);
+  if (!lesson || lesson->steps.empty()) return;
+  const int count = static_cast<int>(lesson->steps.size());
+  const int index = std::clamp(session.document().step, 0, count - 1);
+  const auto& step = lesson->steps[static_cast<std::size_t>(index)];
+  {
+    const FontScope font(Face::heading);
+    ImGui::TextWrapped("%s", lesson->title.c_str());
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  value_text("place", fmt::format("step {} of {}   {}", index + 1, count, lesson->source));
+  ImGui::PopStyleColor();
+
+  const float buttons = ImGui::GetFrameHeightWithSpacing() + px(4);
+  ImGui::BeginChild("text", {0, -buttons});
+  std::string text = "## " + step.title + "\n\n";
+  if (index == 0)
+    for (const auto& paragraph : lesson->paragraphs) text += paragraph + "\n\n";
+  for (const auto& paragraph : step.paragraphs) text += paragraph + "\n\n";
+  for (const auto& hint : step.hints) text += "- " + hint + "\n";
+  rich_text(text);
+  ImGui::EndChild();
+
+  int target = index;
+  if (button("before", "Back", Emphasis::plain,
+             {.tooltip = "The step before (Page Up).", .disabled = index == 0 ? "This is the first step." : ""}))
+    target = index - 1;
+  ImGui::SameLine();
+  if (button("next", "Next", Emphasis::primary,
+             {.tooltip = "The next step (Enter or Page Down).",
+              .disabled = index + 1 == count ? "This is the last step." : ""}))
+    target = index + 1;
+  ImGui::SameLine();
+  if (button("again", "Again", Emphasis::quiet, {.tooltip = "Puts this step's settings back.", .disabled = {}}))
+    go_to_step(session, lesson->name, index);
+  ImGui::SameLine();
+  const bool close = button("close", "Close", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
+  if (target != index) go_to_step(session, lesson->name, target);
+  if (close) close_lesson(session);
+}
+
+}  // namespace ps::gui

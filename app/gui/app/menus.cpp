@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "gui/app/app.h"
+#include "gui/app/picture_text.h"
+#include "gui/input/actions.h"
+#include "gui/widgets/widgets.h"
+#include "scene/load.h"
+
+namespace ps::gui {
+namespace {
+
+/// "cgfs" of "cgfs/shadows".
+std::string book_of(const std::string& name) { return name.substr(0, name.find('/')); }
+
+std::string book_title(const std::string& book) {
+  if (book == "cgfs") return "Computer Graphics from Scratch";
+  if (book == "cgpp") return "Computer Graphics: Principles and Practice";
+  if (book == "lab") return "Laboratory";
+  return book;
+}
+
+}  // namespace
+
+void App::scene_menu() {
+  if (!begin_menu("menu/scene", "Scene")) return;
+  const auto& actions = shell_.actions();
+  static const std::vector<BuiltinScene> scenes = builtin_scenes();
+  std::string book;
+  for (const auto& scene : scenes) {
+    if (book_of(scene.name) != book) {
+      book = book_of(scene.name);
+      const FontScope font(Face::small);
+      ImGui::TextDisabled("%s", book_title(book).c_str());
+    }
+    if (menu_item("scene/" + scene.name, scene.title, {}, session_.document().scene_name == scene.name))
+      session_.open(scene.name);
+    tooltip(scene.description);
+  }
+  ImGui::Separator();
+  menu_action(actions, "open");
+  if (!session_.recent().empty() && begin_menu("menu/recent", "Recent")) {
+    for (const auto& name : std::vector<std::string>(session_.recent()))
+      if (menu_item("recent/" + name, name)) session_.open(name);
+    end_menu();
+  }
+  menu_action(actions, "reload");
+  ImGui::Separator();
+  menu_action(actions, "save-picture");
+  menu_action(actions, "copy-permalink");
+  ImGui::Separator();
+  menu_action(actions, "quit");
+  end_menu();
+}
+
+void App::lesson_menu() {
+  if (!begin_menu("menu/lesson", "Lesson")) return;
+  for (const auto& name : lesson_names()) {
+    static std::map<std::string, std::string> titles;
+    auto [entry, is_new] = titles.try_emplace(name, name);
+    if (is_new) {
+      try {
+        const Lesson lesson = load_lesson(name);
+        entry->second = lesson.source.empty() ? lesson.title : fmt::format("{}: {}", lesson.source, lesson.title);
+      } catch (const InputError& error) {
+        session_.say(Message::Kind::error, error.what());
+      }
+    }
+    if (menu_item("lesson/" + name, entry->second, {}, session_.document().lesson == name))
+      go_to_step(session_, name, 0);
+  }
+  ImGui::Separator();
+  for (const char* name : {"step-next", "step-before", "lesson-after", "lesson-before", "lesson-close"})
+    menu_action(shell_.actions(), name);
+  end_menu();
+}
+
+void App::view_menu() {
+  if (!begin_menu("menu/view", "View")) return;
+  const auto& actions = shell_.actions();
+  const auto items = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) menu_action(actions, name);
+    ImGui::Separator();
+  };
+  items({"undo", "redo"});
+  items({"side-by-side", "split", "difference", "only-a", "only-b"});
+  items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid"});
+  items({"channel-next", "channel-before"});
+  items({"panels", "fullscreen"});
+  items({"reset-view", "fly"});
+  for (const char* name : {"dark-theme", "larger-type", "smaller-type", "standard-type"}) menu_action(actions, name);
+  end_menu();
+}
+
+void App::menu_bar() {
+  if (!ImGui::BeginMenuBar()) return;
+  scene_menu();
+  lesson_menu();
+  view_menu();
+  if (begin_menu("menu/help", "Help")) {
+    for (const char* name : {"help", "palette"}) menu_action(shell_.actions(), name);
+    end_menu();
+  }
+  const std::string title = session_.scene().title.empty() ? session_.document().scene_name : session_.scene().title;
+  const std::string text =
+      title == session_.document().scene_name ? title : fmt::format("{}   {}", session_.document().scene_name, title);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  const float left = std::max(ImGui::GetCursorPosX() + px(24), (ImGui::GetWindowWidth() - width) / 2);
+  const float modes = compare_buttons_width();
+  if (left + width + px(20) < ImGui::GetWindowWidth() - modes) {
+    ImGui::SetCursorPosX(left);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+  }
+  compare_buttons(ImGui::GetWindowWidth() - modes);
+  ImGui::EndMenuBar();
+}
+
+namespace {
+struct Mode {
+  CompareMode mode;
+  const char *name, *label, *help;
+};
+constexpr std::array modes{
+    Mode{CompareMode::side_by_side, "side-by-side", "A | B", "Both pictures side by side."},
+    Mode{CompareMode::split, "split", "Split",
+         "One picture: A on the left of a divider that you drag, B on the right (X)."},
+    Mode{CompareMode::difference, "difference", "Difference", "What parts B from A, enlarged by a gain (D)."}};
+}  // namespace
+
+float App::compare_buttons_width() const {
+  float width = px(12);
+  for (const auto& mode : modes)
+    width += ImGui::CalcTextSize(mode.label).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
+  return width + px(12);
+}
+
+/// How the pictures stand to each other, always in sight: it is what the window is about.
+void App::compare_buttons(float left) {
+  ImGui::SetCursorPosX(left);
+  const NameScope scope("compare");
+  for (const auto& mode : modes)
+    if (button_on_off(mode.name, mode.label, session_.document().compare == mode.mode,
+                      {.tooltip = mode.help, .disabled = {}}))
+      session_.navigate([&](Document& document) { document.compare = mode.mode; });
+}
+
+void App::file_dialog() {
+  const auto answer = files_.draw();
+  if (!answer) return;
+  switch (answer->purpose) {
+  case FilePurpose::open_scene: {
+    // A built-in name may be typed as well; the dialog puts its folder before what is not absolute.
+    std::error_code error;
+    const std::string typed = files_.typed();
+    const bool is_file = std::filesystem::exists(answer->path, error);
+    session_.open(is_file ? answer->path.string() : typed);
+    break;
+  }
+  case FilePurpose::save_picture:
+    save_pictures(answer->path);
+    break;
+  }
+}
+
+}  // namespace ps::gui

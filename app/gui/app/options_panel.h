@@ -1,0 +1,28 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "gui/app/session.h"
+#include "options/option.h"
+
+namespace ps::gui {
+
+/// What the options panel remembers of itself.
+struct OptionsPanelState {
+  Side side = Side::a;
+  std::string search;
+  bool only_differences = false;
+  int selected_light = 0;
+  bool lights_open = false;
+  std::map<std::string, bool, std::less<>> open;  ///< groups; those that are missing are as at the first start
+};
+
+/// All rows of the option table for one side at a time, in their groups, with search and comparison with the other
+/// side.
+void options_panel(Session& session, OptionsPanelState& state);
+
+/// Whether a row is shown for what was typed into the search box: every word must occur in its key, label, group or
+/// help, in any case.
+bool option_matches(const Option& option, const std::string& search);
+
+}  // namespace ps::gui

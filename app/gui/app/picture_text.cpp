@@ -1,0 +1,99 @@
+#include "gui/app/picture_text.h"
+
+#include <fmt/format.h>
+
+#include "options/option.h"
+
+namespace ps::gui {
+namespace {
+
+std::string label_of(std::string_view key, const Settings& settings) {
+  const Option* option = find_option(key);
+  if (!option) return {};
+  return std::string(option->choices[static_cast<std::size_t>(option->get(settings))].label);
+}
+
+std::string plural(std::uint64_t count, const std::string& one) {
+  return fmt::format("{} {}{}", count_text(count), one, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string count_text(std::uint64_t count) {
+  if (count >= 100'000) {
+    const double value = static_cast<double>(count);
+    if (count >= 1'000'000'000) return fmt::format("{:.3g} G", value / 1e9);
+    return fmt::format("{:.3g} M", value / 1e6);
+  }
+  if (count >= 1000) return fmt::format("{},{:03}", count / 1000, count % 1000);
+  return std::to_string(count);
+}
+
+std::string time_text(double milliseconds) {
+  if (milliseconds >= 1000) return fmt::format("{:.2f} s", milliseconds / 1000);
+  if (milliseconds >= 100) return fmt::format("{:.0f} ms", milliseconds);
+  if (milliseconds >= 10) return fmt::format("{:.1f} ms", milliseconds);
+  return fmt::format("{:.2f} ms", milliseconds);
+}
+
+std::string title_text(const Settings& settings, const SceneTraits& traits) {
+  std::string text = label_of("renderer", settings);
+  switch (settings.renderer) {
+  case Renderer::ray_tracer:
+    if (traits.reflective && settings.reflection_depth > 0)
+      text += fmt::format(", {} reflection{}", settings.reflection_depth, settings.reflection_depth == 1 ? "" : "s");
+    break;
+  case Renderer::rasterizer:
+    if (settings.draw == Draw::filled && settings.lighting) text += ", " + label_of("shading", settings);
+    break;
+  }
+  for (const auto& option : option_table()) {
+    if (option.key == "renderer" || option.key == "reflection-depth" || option.key == "shading") continue;
+    if (option.get(settings) == option.default_value() || inactive_reason(option, settings, traits)) continue;
+    text += fmt::format(", {} = {}", option.key, option_text(option, settings));
+  }
+  return text;
+}
+
+std::string footer_text(const RenderStatus& status, const RenderResult* result) {
+  switch (status.state) {
+  case RenderState::failed:
+    return "not rendered: " + status.message;
+  case RenderState::cancelled:
+    return "cancelled; any change renders again";
+  case RenderState::idle:
+  case RenderState::coarse:
+  case RenderState::full:
+  case RenderState::done:
+    break;
+  }
+  if (!result) return "rendering";
+  const Counters& c = result->frame.counters;
+  std::string text = time_text(result->milliseconds);
+  switch (result->request.settings.renderer) {
+  case Renderer::ray_tracer: {
+    const auto rays = c[Counter::eye_rays] + c[Counter::shadow_rays] + c[Counter::reflection_rays];
+    text += fmt::format("   {}", plural(rays, "ray"));
+    break;
+  }
+  case Renderer::rasterizer:
+    text += fmt::format("   {}   {}", plural(c[Counter::triangles_drawn], "triangle"),
+                        plural(c[Counter::fragments], "fragment"));
+    break;
+  }
+  // A pixel without a number is worth more attention than all the others.
+  if (const auto nan = c[Counter::nan_pixels]; nan > 0) text += fmt::format("   {} NaN!", plural(nan, "pixel"));
+  return text;
+}
+
+std::string counters_text(const RenderResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);
+    if (const auto value = result.frame.counters[counter]; value > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : "\n", value, counter_label(counter));
+  }
+  return text;
+}
+
+}  // namespace ps::gui

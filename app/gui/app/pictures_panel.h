@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "gui/app/picture_transform.h"
+#include "gui/app/picture_view.h"
+#include "gui/app/session.h"
+#include "image/difference.h"
+
+namespace ps::gui {
+
+/// What the mouse is over.
+struct Hover {
+  Side side = Side::a;
+  Vec2i pixel{0, 0};
+};
+
+/// What dragging in a picture does until the button is released.
+enum class PictureDrag { none, undecided, pan, look, orbit, divider };
+
+/// What the pictures remember of themselves. The document holds the rest.
+struct PicturesState {
+  std::array<ShownPicture, 2> pictures;
+  std::array<bool, 2> fresh{};            ///< changed since their hash was taken
+  std::array<std::uint64_t, 2> hashes{};  ///< of the pictures' levels, for tests
+  ShownPicture difference;
+  bool difference_stale = true;
+  bool identical = false;  ///< A and B, when the difference was last made
+  DifferenceMode difference_mode = DifferenceMode::absolute;
+
+  bool grid = true;
+  bool flip = false;   ///< held: each picture gives way to the other
+  bool loupe = false;  ///< held
+  bool fly = false;    ///< letters move the camera
+
+  std::array<std::optional<Area>, 2> areas;  ///< where each side was drawn in the last frame
+  PictureTransform transform;                ///< shared by all views
+  std::optional<Hover> hover;
+  PictureDrag drag = PictureDrag::none;
+  ImVec2 drag_from{0, 0};
+};
+
+/// Takes over what the renderers have made since the last frame.
+void collect_pictures(Session& session, PicturesState& state);
+
+/// Both pictures as the document's compare mode has them, with titles, times and everything the mouse can do in them.
+void pictures_panel(Session& session, PicturesState& state, const Area& area);
+
+/// Mouse in one picture; call right after its invisible button. `split_at` is the divider's place in the window, if
+/// there is one.
+void picture_input(Session& session, PicturesState& state, Side side, const Area& area, std::optional<float> split_at);
+
+/// Whether letters fly the camera now.
+bool flying(const PicturesState& state);
+/// Moves the camera by the keys held, for one frame. Answers whether any was.
+bool fly_camera(Session& session, const PicturesState& state, double seconds);
+
+}  // namespace ps::gui

@@ -1,0 +1,167 @@
+#include "gui/app/pixel_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gui/app/ledger_view.h"
+#include "gui/app/picture_text.h"
+#include "gui/widgets/widgets.h"
+#include "inspect/story_json.h"
+#include "math/conventions.h"
+
+namespace ps::gui {
+namespace {
+
+std::string prefix(Side side) { return side == Side::a ? "a" : "b"; }
+
+void swatch(const std::array<int, 3>& display, float size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size, at.y + size}, IM_COL32(display[0], display[1], display[2], 255), px(3));
+  list.AddRect(at, {at.x + size, at.y + size}, colour_u32(palette().line_strong), px(3));
+  ImGui::Dummy({size, size});
+}
+
+/// The pixel in both ways of counting, with the colours it has in A and B.
+void place(Session& session, Vec2i pixel) {
+  const View view = session.view();
+  const Vec2i book = book_pixel(pixel.x, pixel.y, view.width, view.height);
+  const FontScope font(Face::mono);
+  value_text("pixel", fmt::format("array ({}, {})   book ({}, {})", pixel.x, pixel.y, book.x, book.y));
+  tooltip("array: column and row from the top left.\nbook: x to the right and y upwards from the middle.");
+}
+
+void verdict(const PixelStory& story, Side side) {
+  ImGui::PushStyleColor(ImGuiCol_Text, side == Side::a ? palette().a_text : palette().b_text);
+  {
+    const FontScope font(Face::bold);
+    ImGui::Text("%c", letter_of(side));
+  }
+  ImGui::PopStyleColor();
+  ImGui::SameLine(0, px(8));
+  swatch(story.display, ImGui::GetTextLineHeight());
+  ImGui::SameLine(0, px(8));
+  {
+    const FontScope font(Face::mono);
+    value_text(prefix(side) + "/colour", fmt::format("{} {} {}", story.display[0], story.display[1], story.display[2]));
+  }
+  tooltip("Red, green and blue as displayed, 0 to 255.");
+  const FontScope font(Face::heading);
+  ImGui::PushTextWrapPos(0);
+  value_text(prefix(side) + "/verdict", story.verdict);
+  ImGui::PopTextWrapPos();
+}
+
+void work(const PixelStory& story, const std::string& name) {
+  if (!ImGui::BeginTable(name.c_str(), 2, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("work", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed, px(90));
+  const auto row = [](std::string_view label, std::uint64_t count) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(label.data(), label.data() + label.size());
+    ImGui::TableNextColumn();
+    number_text(count_text(count), 0, std::to_string(count));
+  };
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);
+    if (story.counters[counter] > 0) row(counter_label(counter), story.counters[counter]);
+  }
+  if (story.triangles_elsewhere > 0) row("triangles elsewhere", story.triangles_elsewhere);
+  ImGui::EndTable();
+}
+
+void full_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story,
+                const std::function<void(const std::string&)>& copy) {
+  auto& cursor = state.cursors[index_of(side)];
+  const std::string name = prefix(side);
+  verdict(story, side);
+  ImGui::Spacing();
+  if (section("events", "What happened", state.events_open, fmt::format("{} events", story.events.size())))
+    story_tree_view(name, story, session.scene(), cursor);
+  if (section("sum", "The colour as a sum", state.sum_open)) {
+    if (const int clicked = ledger_view(name, story, cursor.selected); clicked >= 0) {
+      cursor.selected = clicked;
+      cursor.reveal = true;
+      state.events_open = true;
+    }
+  }
+  if (section("work", "Work for this pixel", state.work_open)) work(story, name + "/work");
+  ImGui::Spacing();
+  if (button("copy-text", "Copy as text", Emphasis::quiet)) copy(story_text(story, session.scene()));
+  ImGui::SameLine();
+  if (button("copy-json", "Copy as JSON", Emphasis::quiet)) copy(story_json(story, session.scene(), session.view()));
+}
+
+void both(const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {
+  for (const Side side : both_sides) {
+    const auto& story = stories[index_of(side)];
+    if (!story) continue;
+    verdict(*story, side);
+    ImGui::PushID(letter_of(side));
+    ledger_view(prefix(side), *story, -1);
+    ImGui::PopID();
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+  }
+  if (!stories[0] || !stories[1]) return;
+  std::array<int, 3> apart{};
+  for (std::size_t i = 0; i < 3; ++i) apart[i] = stories[1]->display[i] - stories[0]->display[i];
+  const bool same = apart == std::array<int, 3>{};
+  value_text("both/difference",
+             same ? "Both pictures have the same colour here."
+                  : fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255)", apart[0], apart[1], apart[2]));
+}
+
+void nothing_picked(Session& session) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(session.has_scene() ? "Click a pixel in either picture to see how it got its colour.\n\n"
+                                               "The arrow keys then go from pixel to pixel."
+                                             : "Nothing is open.");
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+/// A new story gets a fresh cursor, unless it is that of the same pixel with the same events.
+void follow(PixelPanelState& state, Side side, const std::shared_ptr<const PixelStory>& story) {
+  auto& told = state.told[index_of(side)];
+  if (told == story) return;
+  auto& cursor = state.cursors[index_of(side)];
+  if (!told || !story || told->pixel != story->pixel || told->events.size() != story->events.size())
+    cursor = StoryCursor{};
+  told = story;
+}
+
+}  // namespace
+
+void pixel_panel(Session& session, PixelPanelState& state, const std::function<void(const std::string&)>& copy) {
+  const NameScope scope("pixel");
+  const auto picked = session.pixel();
+  if (!picked) {
+    nothing_picked(session);
+    return;
+  }
+  place(session, *picked);
+  static constexpr std::array tabs{Choice{"a", "A", "The pixel in picture A."},
+                                   Choice{"b", "B", "The pixel in picture B."},
+                                   Choice{"both", "Both", "The sums of A and B together."}};
+  int tab = static_cast<int>(state.tab);
+  if (tab_row("side", tabs, tab)) state.tab = static_cast<PixelPanelState::Tab>(tab);
+  const std::array stories{session.story(Side::a), session.story(Side::b)};
+  for (const Side side : both_sides) follow(state, side, stories[index_of(side)]);
+
+  ImGui::BeginChild("story");
+  if (state.tab == PixelPanelState::Tab::both) {
+    both(stories);
+  } else {
+    const Side side = state.tab == PixelPanelState::Tab::a ? Side::a : Side::b;
+    if (const auto message = session.inspector(side).message(); !message.empty())
+      ImGui::TextWrapped("%s", message.c_str());
+    if (const auto& story = stories[index_of(side)]) full_story(session, state, side, *story, copy);
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace ps::gui

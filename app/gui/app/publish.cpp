@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include "gui/app/app.h"
+#include "gui/shell/values.h"
+#include "options/option.h"
+
+namespace ps::gui {
+namespace {
+
+/// FNV-1a over the displayed levels: equal pictures have equal hashes, on every machine.
+std::uint64_t picture_hash(const Image<Rgb8>& levels) {
+  std::uint64_t hash = 14695981039346656037ull;
+  const auto add = [&](std::uint8_t byte) { hash = (hash ^ byte) * 1099511628211ull; };
+  for (const Rgb8& level : levels.pixels()) {
+    add(level.r);
+    add(level.g);
+    add(level.b);
+  }
+  return hash;
+}
+
+std::string_view state_word(RenderState state) {
+  switch (state) {
+  case RenderState::idle:
+    return "idle";
+  case RenderState::coarse:
+    return "coarse";
+  case RenderState::full:
+    return "full";
+  case RenderState::done:
+    return "done";
+  case RenderState::cancelled:
+    return "cancelled";
+  case RenderState::failed:
+    return "failed";
+  }
+  return "idle";
+}
+
+std::string_view compare_word(CompareMode mode) {
+  switch (mode) {
+  case CompareMode::side_by_side:
+    return "side-by-side";
+  case CompareMode::split:
+    return "split";
+  case CompareMode::difference:
+    return "difference";
+  case CompareMode::only_a:
+    return "only-a";
+  case CompareMode::only_b:
+    return "only-b";
+  }
+  return "side-by-side";
+}
+
+bool rendering(RenderState state) { return state == RenderState::coarse || state == RenderState::full; }
+
+std::string colour_text(const std::array<int, 3>& display) {
+  return fmt::format("{} {} {}", display[0], display[1], display[2]);
+}
+
+void publish_side(Session& session, const PicturesState& pictures, Side side) {
+  Values& out = values();
+  const std::string name = side == Side::a ? "a/" : "b/";
+  const auto status = session.renderer(side).status();
+  const auto result = session.renderer(side).result();
+  out.publish(name + "state", state_word(status.state));
+  out.publish(name + "renders", status.renders_done);
+  const auto& levels = pictures.pictures[index_of(side)].levels;
+  out.publish(name + "picture", fmt::format("{:016x}", pictures.hashes[index_of(side)]));
+  out.publish(name + "size", fmt::format("{}x{}", levels.width(), levels.height()));
+  out.publish(name + "show", shown_channel(session.shown(side)).key);
+  std::string changed;
+  for (const auto& assignment : changed_options(session.settings(side)))
+    changed += (changed.empty() ? "" : " ") + assignment;
+  out.publish(name + "settings", changed);
+  for (const auto& option : option_table())
+    out.publish(name + "option/" + std::string(option.key), option_text(option, session.settings(side)));
+  if (result)
+    for (std::size_t i = 0; i < counter_count; ++i)
+      out.publish(name + "counter/" + std::string(counter_key(static_cast<Counter>(i))),
+                  result->frame.counters[static_cast<Counter>(i)]);
+  const auto story = session.story(side);
+  out.publish(name + "verdict", story ? story->verdict : "");
+  out.publish(name + "colour", story ? colour_text(story->display) : "");
+  out.publish(name + "events", story ? static_cast<int>(story->events.size()) : 0);
+}
+
+}  // namespace
+
+/// What scripts and tests may ask for.
+void App::publish() {
+  Values& out = values();
+  for (const Side side : both_sides) {
+    // Not while tiles arrive: large pictures take long to add up.
+    if (pictures_.fresh[index_of(side)] && !rendering(session_.renderer(side).status().state)) {
+      pictures_.hashes[index_of(side)] = picture_hash(pictures_.pictures[index_of(side)].levels);
+      pictures_.fresh[index_of(side)] = false;
+    }
+    publish_side(session_, pictures_, side);
+  }
+  const Document& document = session_.document();
+  out.publish("scene", document.scene_name);
+  out.publish("compare", compare_word(document.compare));
+  out.publish("identical", pictures_.hashes[0] == pictures_.hashes[1]);
+  const auto picked = session_.pixel();
+  out.publish("pixel", picked ? fmt::format("{},{}", picked->x, picked->y) : "none");
+  out.publish("permalink", session_.permalink());
+  out.publish("undo", session_.undo_label());
+  out.publish("redo", session_.redo_label());
+  out.publish("messages", static_cast<int>(session_.messages().size()));
+  out.publish("message", session_.messages().empty() ? "" : session_.messages().back().text);
+  out.publish("zoom", pictures_.transform.zoom);
+  out.publish("panels", document.layout.panels);
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "base/version.h"
+#include "gui/app/app.h"
+#include "image/file.h"
+
+namespace ps::gui {
+
+/// Writes what is shown of A and B to NAME-a.png and NAME-b.png, and of the difference to NAME-difference.png when it
+/// is on the screen. The permalink goes along, so that the state can be had again from the file.
+void App::save_pictures(const std::filesystem::path& path) {
+  SaveOptions options;
+  options.texts = {{"Software", fmt::format("Pixelscope {}", version())}, {"permalink", session_.permalink()}};
+  auto named = [&](const char* suffix) {
+    auto result = path;
+    std::string extension = path.extension().string();
+    if (extension.empty()) extension = ".png";
+    result.replace_filename(path.stem().string() + suffix + extension);
+    return result;
+  };
+  try {
+    for (const Side side : both_sides)
+      save_image(named(side == Side::a ? "-a" : "-b"), pictures_.pictures[index_of(side)].levels, options);
+    const bool difference = session_.document().compare == CompareMode::difference;
+    if (difference) save_image(named("-difference"), pictures_.difference.levels, options);
+    session_.say(Message::Kind::information,
+                 fmt::format("Saved {} and {}{}.", named("-a").string(), named("-b").filename().string(),
+                             difference ? " and the difference" : ""));
+  } catch (const InputError& error) {
+    session_.say(Message::Kind::error, error.what());
+  }
+}
+
+}  // namespace ps::gui

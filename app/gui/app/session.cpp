@@ -1,0 +1,270 @@
+#include "gui/app/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "document/permalink.h"
+#include "scene/load.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr std::size_t recent_limit = 10;
+constexpr const char* recent_key = "session/recent";
+
+/// Where the user is, as opposed to what was changed: undo leaves it alone.
+void keep_place(const Document& from, Document& to) {
+  const auto camera = to.view.camera;
+  const int width = to.view.width, height = to.view.height;
+  to.view = from.view;
+  to.view.camera = camera;
+  to.view.width = width;
+  to.view.height = height;
+  to.pixel = from.pixel;
+  to.picked = from.picked;
+  to.compare = from.compare;
+  to.split = from.split;
+  to.difference_gain = from.difference_gain;
+  to.layout = from.layout;
+}
+
+bool inside(Vec2i pixel, const View& view) {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height;
+}
+
+}  // namespace
+
+Session::Session(SessionHost host) : host_(std::move(host)), watch_(host_.wake) {
+  for (const Side side : both_sides) {
+    renderers_[index_of(side)] = std::make_unique<RenderWorker>(prepared_, host_.wake);
+    inspectors_[index_of(side)] = std::make_unique<InspectWorker>(prepared_, host_.wake);
+  }
+  if (host_.remembered) {
+    std::istringstream lines(host_.remembered(recent_key));
+    for (std::string line; std::getline(lines, line);)
+      if (!line.empty()) recent_.push_back(line);
+  }
+}
+
+Session::~Session() = default;
+
+bool Session::update() {
+  const bool arrived = take_loaded();
+  if (watch_.take_changed()) reload();
+  if (has_scene()) request_work();
+  return arrived;
+}
+
+std::optional<Vec2i> Session::pixel() const {
+  if (!has_scene() || !inside(document_.pixel, view())) return {};
+  return document_.pixel;
+}
+
+std::shared_ptr<const PixelStory> Session::story(Side side) const {
+  const auto wanted = pixel();
+  if (!wanted) return nullptr;
+  return inspectors_[index_of(side)]->story();
+}
+
+bool Session::busy() const {
+  if (loading()) return true;
+  return std::any_of(both_sides.begin(), both_sides.end(), [&](Side side) {
+    const auto state = renderers_[index_of(side)]->status().state;
+    return state == RenderState::coarse || state == RenderState::full || inspectors_[index_of(side)]->busy();
+  });
+}
+
+void Session::edit(const std::string& what, const std::string& drag, const std::function<void(Document&)>& apply) {
+  if (!has_scene()) return;
+  Document changed = document_;
+  apply(changed);
+  if (changed == document_) return;
+  document_ = changed;
+  history_->push(std::move(changed), what, drag);
+  document_changed();
+}
+
+void Session::end_drag() {
+  if (history_) history_->end_drag();
+}
+
+void Session::set_settings(Side side, const Settings& settings, const std::string& what, const std::string& drag) {
+  edit(what, drag, [&](Document& document) { side_of(document, side).settings = settings; });
+}
+
+void Session::navigate(const std::function<void(Document&)>& apply) {
+  if (has_scene()) apply(document_);
+}
+
+void Session::set_pixel(std::optional<Vec2i> pixel) {
+  navigate([&](Document& document) { document.pixel = pixel.value_or(Vec2i(-1, -1)); });
+}
+
+std::string Session::undo_label() const { return can_undo() ? history_->entries()[history_->place()].label : ""; }
+std::string Session::redo_label() const { return can_redo() ? history_->entries()[history_->place() + 1].label : ""; }
+
+void Session::undo() {
+  if (!can_undo()) return;
+  history_->undo();
+  const Document before = std::exchange(document_, history_->current());
+  keep_place(before, document_);
+  document_changed();
+}
+
+void Session::redo() {
+  if (!can_redo()) return;
+  history_->redo();
+  const Document before = std::exchange(document_, history_->current());
+  keep_place(before, document_);
+  document_changed();
+}
+
+void Session::start(Document document) { take_up(std::move(document), Reason::open); }
+
+void Session::open(const std::string& path_or_name) {
+  load([path_or_name] { return open_document(path_or_name, load_scene(path_or_name)); }, Reason::open);
+}
+
+void Session::open_permalink(const std::string& text) {
+  load(
+      [text] {
+        Document document = parse_permalink(text);
+        attach_scene(document, load_scene(document.scene_name));
+        return document;
+      },
+      Reason::open);
+}
+
+void Session::reload() {
+  if (!has_scene()) return;
+  load(
+      [document = document_]() mutable {
+        attach_scene(document, load_scene(document.scene_name));
+        return document;
+      },
+      Reason::reload);
+}
+
+std::string Session::permalink() const { return has_scene() ? ps::permalink(document_) : ""; }
+
+void Session::load(std::function<Document()> make, Reason reason) {
+  loader_.start([this, make = std::move(make), reason](Progress& progress) {
+    Loaded loaded;
+    loaded.reason = reason;
+    try {
+      loaded.document = make();
+    } catch (const std::exception& error) {
+      loaded.error = error.what();
+    }
+    progress.check();
+    {
+      const std::lock_guard lock(loaded_mutex_);
+      loaded_ = std::move(loaded);
+    }
+    if (host_.wake) host_.wake();
+  });
+}
+
+bool Session::take_loaded() {
+  std::optional<Loaded> loaded;
+  {
+    const std::lock_guard lock(loaded_mutex_);
+    loaded = std::exchange(loaded_, std::nullopt);
+  }
+  if (!loaded) return false;
+  if (!loaded->document) {
+    say(Message::Kind::error,
+        has_scene() ? fmt::format("{} (the scene before stays open)", loaded->error) : loaded->error);
+    return false;
+  }
+  take_up(std::move(*loaded->document), loaded->reason);
+  return true;
+}
+
+void Session::take_up(Document document, Reason reason) {
+  switch (reason) {
+  case Reason::open:
+    if (has_scene()) {
+      document.layout = document_.layout;
+    }
+    std::erase_if(messages_, [](const Message& message) { return message.kind != Message::Kind::error; });
+    note_recent(document.scene_name);
+    break;
+  case Reason::reload:
+    keep_place(document_, document);
+    break;
+  }
+  document_ = document;
+  if (!history_)
+    history_.emplace(std::move(document), "start");
+  else
+    history_->push(std::move(document), reason == Reason::open ? "open " + document_.scene_name : "reload");
+  watched_.clear();  // a reload may have brought other files
+  document_changed();
+}
+
+void Session::document_changed() {
+  traits_ = scene_traits(document_.scene);
+  if (watched_ == document_.scene_name) return;
+  watched_ = document_.scene_name;
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : files_of(document_.base)) files.emplace_back(file);
+  watch_.watch(files);
+}
+
+void Session::request_work() {
+  const auto range = common_range();
+  for (const Side side : both_sides) {
+    PictureRequest request{document_.scene, view(), settings(side), shown(side), range};
+    if (const auto picked = pixel())
+      inspectors_[index_of(side)]->request({request, *picked});
+    else
+      inspectors_[index_of(side)]->clear();
+    renderers_[index_of(side)]->request(request);
+  }
+}
+
+/// Two heat maps of the same kind share one scale, so that equal colours mean equal numbers.
+std::optional<ValueRange> Session::common_range() {
+  if (shown(Side::a) != shown(Side::b) || shown(Side::a) == ShownChannel::colour) {
+    ranged_ = {};
+    return {};
+  }
+  const std::array results{renderers_[0]->result(), renderers_[1]->result()};
+  if (results == ranged_) return range_;
+  const auto needs = shown_channel(shown(Side::a)).needs;
+  std::optional<ValueRange> common;
+  for (const auto& result : results) {
+    if (!result || (result->channels | needs) != result->channels) return range_;
+    const auto range = channel_range(result->frame, shown(Side::a));
+    if (!range) continue;
+    common = common ? ValueRange{std::min(common->low, range->low), std::max(common->high, range->high)} : *range;
+  }
+  ranged_ = results;
+  range_ = common;
+  return range_;
+}
+
+void Session::note_recent(const std::string& name) {
+  std::erase(recent_, name);
+  recent_.insert(recent_.begin(), name);
+  if (recent_.size() > recent_limit) recent_.resize(recent_limit);
+  std::string lines;
+  for (const auto& entry : recent_) lines += entry + '\n';
+  if (host_.remember) host_.remember(recent_key, lines);
+}
+
+void Session::say(Message::Kind kind, std::string text) {
+  const bool known =
+      std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) { return message.text == text; });
+  if (!known) messages_.push_back({kind, std::move(text)});
+}
+
+void Session::dismiss(std::size_t index) {
+  if (index < messages_.size()) messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,136 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+#include "document/history.h"
+#include "gui/app/file_watch.h"
+#include "gui/app/inspect_worker.h"
+#include "gui/app/newest_job.h"
+#include "gui/app/render_worker.h"
+#include "gui/shell/content.h"
+
+namespace ps::gui {
+
+inline constexpr std::array both_sides{Side::a, Side::b};
+inline Side other_side(Side side) { return side == Side::a ? Side::b : Side::a; }
+inline char letter_of(Side side) { return side == Side::a ? 'A' : 'B'; }
+inline std::size_t index_of(Side side) { return side == Side::a ? 0 : 1; }
+
+/// Something that the user should read.
+struct Message {
+  enum class Kind { information, warning, error } kind = Kind::information;
+  std::string text;
+};
+
+/// What the session needs from the window around it. All may be empty.
+struct SessionHost {
+  std::function<void()> wake;  ///< from any thread: there is something new
+  std::function<std::string(const std::string& key)> remembered;
+  std::function<void(const std::string& key, std::string value)> remember;
+};
+
+/// All of the program that is not a widget: the document with its history, the scene files, and the work in the
+/// background. For the window's thread; nothing here waits for work.
+class Session {
+ public:
+  explicit Session(SessionHost host);
+  ~Session();
+
+  /// Once per frame: takes up loaded scenes and changed files, and asks for the renders and stories that the document
+  /// needs now. Answers whether a new scene has arrived.
+  bool update();
+
+  // --- what there is ---
+  bool has_scene() const { return history_.has_value(); }
+  const Document& document() const { return document_; }
+  const Scene& scene() const { return document_.scene; }
+  const SceneTraits& traits() const { return traits_; }
+  const Settings& settings(Side side) const { return side_of(document_, side).settings; }
+  ShownChannel shown(Side side) const { return side_of(document_, side).show; }
+  View view() const { return view_of(document_); }
+  std::optional<Vec2i> pixel() const;
+  RenderWorker& renderer(Side side) { return *renderers_[index_of(side)]; }
+  InspectWorker& inspector(Side side) { return *inspectors_[index_of(side)]; }
+  /// The story of the picked pixel; nullptr while there is none.
+  std::shared_ptr<const PixelStory> story(Side side) const;
+  bool busy() const;
+
+  // --- changing it; `what` names the step in the history ---
+  /// Makes one step. Steps with the same `drag` (not empty) in a row become one, until end_drag().
+  void edit(const std::string& what, const std::string& drag, const std::function<void(Document&)>& apply);
+  void edit(const std::string& what, const std::function<void(Document&)>& apply) { edit(what, {}, apply); }
+  void end_drag();
+  void set_settings(Side side, const Settings& settings, const std::string& what, const std::string& drag = {});
+  /// Moves around without leaving a step: zoom, compare mode, layout, the picked pixel. Undo keeps these as they are.
+  void navigate(const std::function<void(Document&)>& apply);
+  void set_pixel(std::optional<Vec2i> pixel);
+  bool can_undo() const { return history_ && history_->can_undo(); }
+  bool can_redo() const { return history_ && history_->can_redo(); }
+  /// What undo and redo would take back or do again.
+  std::string undo_label() const;
+  std::string redo_label() const;
+  void undo();
+  void redo();
+
+  // --- scenes ---
+  /// Shows a document that is complete. The first thing to call.
+  void start(Document document);
+  /// Loads in the background; the scene that is open stays until it has come, and for good if it cannot be read.
+  void open(const std::string& path_or_name);
+  void open_permalink(const std::string& text);
+  void reload();
+  bool loading() const { return loader_.busy(); }
+  void cancel_loading() { loader_.cancel(); }
+  const std::vector<std::string>& recent() const { return recent_; }
+  std::string permalink() const;
+
+  // --- messages ---
+  const std::vector<Message>& messages() const { return messages_; }
+  void say(Message::Kind kind, std::string text);
+  void dismiss(std::size_t index);
+
+ private:
+  enum class Reason { open, reload };
+  struct Loaded {
+    std::optional<Document> document;
+    std::string error;
+    Reason reason = Reason::open;
+  };
+  void load(std::function<Document()> make, Reason reason);
+  bool take_loaded();
+  void take_up(Document document, Reason reason);
+  /// Brings what depends on the document's scene up to date.
+  void document_changed();
+  void request_work();
+  std::optional<ValueRange> common_range();
+  void note_recent(const std::string& name);
+
+  SessionHost host_;
+  std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();
+  Document document_;               // with where the user is now
+  std::optional<History> history_;  // empty before the first scene
+  SceneTraits traits_;
+  std::string watched_;                                        // name of the scene whose files are watched
+  std::array<std::shared_ptr<const RenderResult>, 2> ranged_;  // results that range_ was made from
+  std::optional<ValueRange> range_;
+  std::vector<Message> messages_;
+  std::vector<std::string> recent_;
+
+  std::mutex loaded_mutex_;
+  std::optional<Loaded> loaded_;
+
+  // Last, so that their threads end before what they use.
+  std::array<std::unique_ptr<RenderWorker>, 2> renderers_;
+  std::array<std::unique_ptr<InspectWorker>, 2> inspectors_;
+  FileWatch watch_;
+  NewestJob loader_;
+};
+
+}  // namespace ps::gui

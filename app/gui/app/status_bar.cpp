@@ -1,0 +1,119 @@
+#include "gui/app/status_bar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gui/widgets/widgets.h"
+#include "inspect/names.h"
+#include "math/conventions.h"
+#include "render/channel_picture.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double patience = 0.4;  // seconds of work before it is shown
+
+bool rendering(Session& session, Side side) {
+  const auto state = session.renderer(side).status().state;
+  return state == RenderState::coarse || state == RenderState::full;
+}
+
+MessageKind kind_of(Message::Kind kind) {
+  switch (kind) {
+  case Message::Kind::information:
+    return MessageKind::information;
+  case Message::Kind::warning:
+    return MessageKind::warning;
+  case Message::Kind::error:
+    return MessageKind::error;
+  }
+  return MessageKind::information;
+}
+
+void progress(Session& session, float width) {
+  if (session.loading()) {
+    if (progress_bar("progress", "loading", 0, width)) session.cancel_loading();
+    return;
+  }
+  const bool a = rendering(session, Side::a), b = rendering(session, Side::b);
+  double fraction = 1;
+  for (const Side side : both_sides)
+    if (rendering(session, side)) fraction = std::min(fraction, session.renderer(side).status().fraction);
+  const char* label = a && b ? "rendering A and B" : a ? "rendering A" : "rendering B";
+  if (progress_bar("progress", label, fraction, width))
+    for (const Side side : both_sides) session.renderer(side).cancel();
+}
+
+}  // namespace
+
+std::string hover_text(Session& session, const PicturesState& pictures) {
+  if (!pictures.hover) return {};
+  const auto [side, pixel] = *pictures.hover;
+  const auto result = session.renderer(side).result();
+  const auto& levels = pictures.pictures[index_of(side)].levels;
+  if (!levels.contains(pixel.x, pixel.y)) return {};
+  const Vec2i book = book_pixel(pixel.x, pixel.y, levels.width(), levels.height());
+  const Rgb8 level = levels.at(pixel.x, pixel.y);
+  std::string text = fmt::format("{}   array ({}, {})   book ({}, {})   {} {} {}", letter_of(side), pixel.x, pixel.y,
+                                 book.x, book.y, level.r, level.g, level.b);
+  const bool fresh = result && result->frame.width() == levels.width() && result->frame.height() == levels.height();
+  if (!fresh) return text;
+  const ShownChannel channel = session.shown(side);
+  if (channel != ShownChannel::colour && (result->channels | shown_channel(channel).needs) == result->channels)
+    text += "   " + channel_value_text(result->frame, channel, session.settings(side), pixel);
+  if (has(result->channels, Channel::ids)) {
+    const PixelId id = result->frame.ids.at(pixel.x, pixel.y);
+    text += "   " + (id.object < 0 ? std::string("background") : primitive_name(result->request.scene, id));
+  }
+  return text;
+}
+
+void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const std::string& hint) {
+  const NameScope scope("status");
+  const double now = ImGui::GetTime();
+  const bool working = session.loading() || rendering(session, Side::a) || rendering(session, Side::b);
+  if (!working)
+    state.busy_since = -1;
+  else if (state.busy_since < 0)
+    state.busy_since = now;
+  const bool shown = working && now - state.busy_since >= patience;
+  const float progress_width = px(330);
+  const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+
+  const std::string hover = hover_text(session, pictures);
+  ImGui::AlignTextToFramePadding();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(at, {at.x + width - (shown ? progress_width + px(12) : 0), at.y + px(40)}, true);
+  if (hover.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted(hint.c_str());
+    ImGui::PopStyleColor();
+  } else {
+    const FontScope font(Face::mono);
+    ImGui::TextUnformatted(hover.c_str());
+  }
+  controls().record("status/hover", hover);
+  ImGui::PopClipRect();
+  if (!shown) return;
+  ImGui::SameLine(left + width - progress_width);
+  progress(session, progress_width);
+}
+
+void message_bars(Session& session, float left, float right, float bottom) {
+  const auto& messages = session.messages();
+  if (messages.empty()) return;
+  ImGui::SetNextWindowPos({left, bottom}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSize({right - left, 0});
+  ImGui::Begin("messages", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (!message_bar(fmt::format("message/{}", i), kind_of(messages[i].kind), messages[i].text)) continue;
+    session.dismiss(i);
+    break;
+  }
+  ImGui::End();
+}
+
+}  // namespace ps::gui

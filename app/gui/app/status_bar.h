@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+
+#include "gui/app/pictures_panel.h"
+#include "gui/app/session.h"
+
+namespace ps::gui {
+
+/// What is under the mouse: both names of the pixel, its value and its object. Empty if the mouse is over no picture.
+std::string hover_text(Session& session, const PicturesState& pictures);
+
+/// When long work began; the bar shows work only after a while, so that quick work does not flicker.
+struct StatusBarState {
+  double busy_since = -1;
+};
+
+/// The line at the lower edge: what is under the mouse, or `hint` otherwise, and the progress of long work with cancel.
+void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const std::string& hint);
+
+/// Messages, one below the other, ending at `bottom` (window pixels), over what is there.
+void message_bars(Session& session, float left, float right, float bottom);
+
+}  // namespace ps::gui

@@ -1,0 +1,208 @@
+// The background renderer without a window: which render runs, what is shown, and that bits do not change on the way.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <thread>
+
+#include "gui/app/inspect_worker.h"
+#include "gui/app/render_worker.h"
+
+namespace ps::gui {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int size = 32;
+
+PictureRequest request_with(double near) {
+  PictureRequest request;
+  request.view.width = size;
+  request.view.height = size;
+  request.settings.near = near;
+  return request;
+}
+
+/// Waits for something that another thread brings about. Far longer than it can take, so that only a hang fails.
+template <class Condition>
+bool comes_true(Condition condition) {
+  for (int i = 0; i < 20000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(1ms);
+  }
+  return false;
+}
+
+/// A renderer whose pixels all have the red `near` / 255, and which stops before its last tile while the gate is
+/// closed.
+class GatedRenderer {
+ public:
+  explicit GatedRenderer(bool open) : open_(open) {}
+
+  Frame operator()(const View& view, const Settings& settings, const RenderRequest& request, Progress& progress) {
+    ++calls;
+    Frame frame;
+    frame.colour = Image<Vec3f>(view.width, view.height, Vec3f(static_cast<float>(settings.near / 255), 0, 0));
+    frame.ids = Image<PixelId>(view.width, view.height);
+    if (request.on_tile) request.on_tile(frame, {0, 0, view.width, view.height / 2});
+    ++waiting;
+    while (!open_) {
+      progress.check();
+      std::this_thread::sleep_for(100us);
+    }
+    if (request.on_tile) request.on_tile(frame, {0, view.height / 2, view.width, view.height});
+    return frame;
+  }
+  RenderWorker::RenderCall call() {
+    return [this](const Scene&, const View& view, const Settings& settings, const RenderRequest& request, Prepared&,
+                  Progress& progress) { return (*this)(view, settings, request, progress); };
+  }
+  void open() { open_ = true; }
+
+  std::atomic<int> calls{0}, waiting{0};
+
+ private:
+  std::atomic<bool> open_;
+};
+
+TEST(RenderWorker, ShowsTheWholePictureInTheEnd) {
+  GatedRenderer renderer(true);
+  std::atomic<int> wakes{0};
+  RenderWorker worker(
+      std::make_shared<Prepared>(), [&] { ++wakes; }, renderer.call());
+  worker.request(request_with(200));
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
+  Image<Rgb8> picture;
+  worker.collect(picture);
+  EXPECT_EQ(picture, Image<Rgb8>(size, size, Rgb8{200, 0, 0}));
+  EXPECT_GT(wakes, 0);
+  EXPECT_TRUE(worker.collect(picture).empty()) << "nothing changed since";
+  EXPECT_EQ(worker.result()->frame.width(), size);
+}
+
+TEST(RenderWorker, NewestRequestWins) {
+  GatedRenderer renderer(false);
+  RenderWorker worker(
+      std::make_shared<Prepared>(), [] {}, renderer.call());
+  for (int near = 1; near <= 50; ++near) worker.request(request_with(near));
+  ASSERT_TRUE(comes_true([&] { return renderer.waiting > 0; }));
+  worker.request(request_with(77));
+  renderer.open();
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
+  EXPECT_EQ(worker.result()->request.settings.near, 77);
+  EXPECT_EQ(worker.status().renders_done, 1u) << "no earlier request came to its end";
+  Image<Rgb8> picture;
+  worker.collect(picture);
+  EXPECT_EQ(picture, Image<Rgb8>(size, size, Rgb8{77, 0, 0}));
+}
+
+TEST(RenderWorker, CancellingKeepsWhatHasArrived) {
+  GatedRenderer renderer(false);
+  RenderWorker worker(
+      std::make_shared<Prepared>(), [] {}, renderer.call());
+  worker.request(request_with(50));
+  ASSERT_TRUE(comes_true([&] { return renderer.waiting > 0; }));
+  worker.cancel();
+  EXPECT_EQ(worker.status().state, RenderState::cancelled);
+  EXPECT_EQ(worker.result(), nullptr);
+  Image<Rgb8> picture;
+  worker.collect(picture);
+  ASSERT_EQ(picture.width(), size);
+  EXPECT_EQ(picture.at(0, 0), (Rgb8{50, 0, 0}));
+  EXPECT_NE(picture.at(0, size - 1), (Rgb8{50, 0, 0}));
+
+  renderer.open();
+  worker.request(request_with(50));
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; })) << "the same can be asked again";
+}
+
+TEST(RenderWorker, DisplayOptionsDoNotRenderAgain) {
+  GatedRenderer renderer(true);
+  RenderWorker worker(
+      std::make_shared<Prepared>(), [] {}, renderer.call());
+  auto request = request_with(64);
+  worker.request(request);
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
+  const int calls = renderer.calls;
+  const auto result = worker.result();
+
+  request.settings.exposure = 2;
+  worker.request(request);
+  Image<Rgb8> picture;
+  ASSERT_TRUE(comes_true([&] {
+    worker.collect(picture);
+    return picture.at(size / 2, size / 2) == Rgb8{128, 0, 0};
+  }));
+  EXPECT_EQ(renderer.calls, calls);
+  EXPECT_EQ(worker.result(), result) << "the frame is still the same one";
+  EXPECT_EQ(worker.status().renders_begun, 1u);
+
+  request.settings.shading = Shading::flat;
+  worker.request(request);
+  ASSERT_TRUE(comes_true([&] { return worker.status().renders_done == 2; })) << "anything else does render";
+  EXPECT_GT(renderer.calls, calls);
+}
+
+TEST(RenderWorker, TakesUpAChangeOfDisplayDuringARender) {
+  GatedRenderer renderer(false);
+  RenderWorker worker(
+      std::make_shared<Prepared>(), [] {}, renderer.call());
+  auto request = request_with(64);
+  worker.request(request);
+  ASSERT_TRUE(comes_true([&] { return renderer.waiting > 0; }));
+  request.settings.exposure = 2;
+  worker.request(request);
+  renderer.open();
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
+  Image<Rgb8> picture;
+  worker.collect(picture);
+  EXPECT_EQ(picture, Image<Rgb8>(size, size, Rgb8{128, 0, 0}));
+  EXPECT_EQ(worker.status().renders_begun, 1u);
+}
+
+TEST(RenderWorker, ReportsAnErrorAndGoesOn) {
+  GatedRenderer renderer(true);
+  RenderWorker worker(
+      std::make_shared<Prepared>(), [] {},
+      [&](const Scene&, const View& view, const Settings& settings, const RenderRequest& request, Prepared&,
+          Progress& progress) -> Frame {
+        if (settings.near == 13) throw InputError("no such thing");
+        return renderer(view, settings, request, progress);
+      });
+  worker.request(request_with(13));
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::failed; }));
+  EXPECT_EQ(worker.status().message, "no such thing");
+  worker.request(request_with(14));
+  ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
+  EXPECT_TRUE(worker.status().message.empty());
+}
+
+TEST(InspectWorker, TellsTheNewestPixelOnly) {
+  std::atomic<bool> open{false};
+  std::atomic<int> calls{0};
+  InspectWorker worker(
+      std::make_shared<Prepared>(), [] {},
+      [&](const Scene&, const View&, const Settings&, Vec2i pixel, Prepared&, Progress& progress) {
+        ++calls;
+        while (!open) progress.check();
+        PixelStory story;
+        story.pixel = pixel;
+        return story;
+      });
+  for (int x = 0; x < 20; ++x) worker.request({request_with(1), {x, 3}});
+  EXPECT_TRUE(worker.busy());
+  EXPECT_EQ(worker.story(), nullptr);
+  open = true;
+  ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
+  EXPECT_EQ(worker.story()->pixel, Vec2i(19, 3));
+  EXPECT_LT(calls, 20);
+
+  const int before = calls;
+  worker.request({request_with(1), {19, 3}});
+  EXPECT_FALSE(worker.busy()) << "the same pixel again is nothing new";
+  EXPECT_EQ(calls, before);
+}
+
+}  // namespace
+}  // namespace ps::gui
