@@ -10,7 +10,7 @@
 
 namespace ps {
 
-/// One change to the scene as it was loaded: a path and a value as scene/edit.h reads them.
+/// One change to the scene as it was loaded: a path and a value as set_property of scene/edit.h reads them.
 struct SceneEdit {
   std::string path;
   std::string value;

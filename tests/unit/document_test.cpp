@@ -44,6 +44,34 @@ TEST(Document, CameraAndSizeOverrideTheScene) {
   EXPECT_EQ(view_of(document), (View{camera, 8, 9}));
 }
 
+TEST(Document, EditsReplaceEarlierOnesOfTheSamePath) {
+  Document document = open_document("x", test::book_spheres());
+  edit_scene(document, {"light.1.intensity", "0.25"});
+  edit_scene(document, {"light.2.intensity", "0.125"});
+  edit_scene(document, {"light.1.intensity", "0.75"});
+  EXPECT_EQ((*document.scene.lights)[1].intensity, 0.75);
+  EXPECT_EQ((*document.scene.lights)[2].intensity, 0.125);
+  EXPECT_EQ((*document.base.lights)[1].intensity, 0.5);
+  EXPECT_EQ(document.edits.size(), 2u);
+  EXPECT_EQ(document.scene.geometry.revision(), document.base.geometry.revision());
+}
+
+TEST(Document, AnEditThatDoesNotFitChangesNothing) {
+  Document document = open_document("x", test::book_spheres());
+  EXPECT_THROW(edit_scene(document, {"light.9.intensity", "1"}), InputError);
+  EXPECT_THROW(edit_scene(document, {"light.1.intensity", "bright"}), InputError);
+  EXPECT_TRUE(document.edits.empty());
+  EXPECT_EQ((*document.scene.lights)[1].intensity, 0.5);
+}
+
+TEST(Document, AttachingASceneAppliesTheEdits) {
+  Document document;
+  document.edits = {{"light.1.intensity", "0.25"}};
+  attach_scene(document, test::book_spheres());
+  EXPECT_EQ((*document.scene.lights)[1].intensity, 0.25);
+  EXPECT_EQ((*document.base.lights)[1].intensity, 0.5);
+}
+
 TEST(SceneSettings, UnknownOnesNameTheScene) {
   Scene scene = test::book_spheres();
   scene.settings = {{"reflection-dept", "1"}};

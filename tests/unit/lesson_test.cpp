@@ -161,10 +161,10 @@ TEST(Lessons, EveryFolderIsReadAndHasWhatALessonNeeds) {
 
 TEST(Lessons, UnknownNamesNameTheNearest) {
   try {
-    load_lesson("cgfs_04_shadow");
+    load_lesson("cgfs_14_texture");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "unknown lesson 'cgfs_04_shadow'; did you mean 'cgfs_04_shadows_and_reflections'?");
+    EXPECT_STREQ(error.what(), "unknown lesson 'cgfs_14_texture'; did you mean 'cgfs_14_textures'?");
   }
 }
 

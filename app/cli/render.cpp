@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "base/timer.h"
+#include "base/version.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/output_file.h"
+#include "cli/scene_arguments.h"
+#include "document/permalink.h"
+#include "image/file.h"
+#include "options/option.h"
+#include "render/display_frame.h"
+#include "render/render.h"
+
+namespace ps::cli {
+namespace {
+
+struct RenderArguments {
+  SceneArguments scene;
+  std::string output;
+  std::string show = "colour";
+  std::string stats;
+};
+
+/// Everything about a finished picture except its pixels.
+std::string stats_json(const Document& document, const View& view, const Frame& frame, double milliseconds) {
+  const Settings& settings = document.a.settings;
+  nlohmann::ordered_json json{{"program", fmt::format("pixelscope {}", version())},
+                              {"scene", document.scene_name},
+                              {"size", {view.width, view.height}},
+                              {"permalink", permalink(document)},
+                              {"threads", resolve_threads({settings.threads, WorkerPriority::normal})}};
+  for (const Option& option : option_table()) json["settings"][std::string(option.key)] = option_text(option, settings);
+  for (std::size_t i = 0; i < counter_count; ++i)
+    json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = frame.counters.values[i];
+  json["time_ms"] = milliseconds;
+  json["stages"] = nlohmann::ordered_json::array();
+  for (const StageTime& time : frame.times)
+    json["stages"].push_back({{"stage", time.stage}, {"time_ms", time.milliseconds}});
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void save_picture(const RenderArguments& arguments, const Document& document, const Frame& frame) {
+  if (lower_extension(arguments.output) == ".pfm") {
+    save_pfm(arguments.output, frame.colour);
+    return;
+  }
+  const Settings& settings = document.a.settings;
+  const ShownChannel show = document.a.show;
+  SaveOptions options;
+  options.texts = {{"Software", fmt::format("pixelscope {}", version())}, {"permalink", permalink(document)}};
+  if (show == ShownChannel::colour)
+    save_image(arguments.output, display_frame(frame, settings), options);
+  else
+    save_image(arguments.output, channel_picture(frame, show, settings).levels, options);
+}
+
+int run_render(const RenderArguments& arguments) {
+  require_output_file(arguments.output, OutputKind::picture);
+  if (!arguments.stats.empty()) require_output_file(arguments.stats, OutputKind::any);
+  const ShownChannel show = parse_shown_channel(arguments.show);
+  if (lower_extension(arguments.output) == ".pfm" && show != ShownChannel::colour)
+    throw InputError("--show: a .pfm file holds the colours alone");
+  Document document = load_document(arguments.scene);
+  document.a.show = show;
+  const View view = view_of(document);
+  Prepared prepared;
+  RenderRequest request;
+  request.channels = shown_channel(show).needs;
+  const Timer timer;
+  const Frame frame = render(document.scene, view, document.a.settings, request, prepared, interruptible_progress());
+  const double milliseconds = timer.milliseconds();
+  save_picture(arguments, document, frame);
+  if (!arguments.stats.empty()) write_file_atomically(arguments.stats, stats_json(document, view, frame, milliseconds));
+  return 0;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("render", "make a picture of a scene");
+  const auto arguments = std::make_shared<RenderArguments>();
+  add_scene_arguments(*command, arguments->scene);
+  command->add_option("--out", arguments->output, "the file to write: .png, .ppm or .pfm")->required();
+  std::string views;
+  for (const ShownChannelRow& row : shown_channels()) views += fmt::format("{}{}", views.empty() ? "" : " ", row.key);
+  command->add_option("--show", arguments->show, "what to show of each pixel: " + views)->type_name("VIEW");
+  command->add_option("--stats", arguments->stats, "a JSON file for times and counters");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run_render(*arguments); }; });
+}
+
+}  // namespace ps::cli

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/run_cli.h"
+
+namespace ps {
+namespace {
+
+using test::run_cli;
+using test::ScratchFolder;
+
+constexpr const char* good_scene = "sphere { center = (0, 0, 3) radius = 1 color = (255, 0, 0) }\n";
+
+/// The program must refuse with status 2 and one line on standard error that holds `message`.
+void expect_refused(const std::vector<std::string>& arguments, const std::string& message) {
+  const auto result = run_cli(arguments);
+  EXPECT_EQ(result.status, 2) << result.out << result.err;
+  EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  EXPECT_TRUE(result.out.empty()) << result.out;
+}
+
+/// Renders a scene file with this text into the folder: refused, and no picture is left.
+void expect_scene_refused(const std::string& text, const std::string& message) {
+  const ScratchFolder folder;
+  const std::string scene = folder.write("bad.scene", text);
+  expect_refused({"render", scene, "--size", "8x8", "--out", folder.file("picture.png")}, message);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"bad.scene"});
+}
+
+TEST(CliBadInput, Scenes) {
+  expect_scene_refused("", "bad.scene");
+  expect_scene_refused("sphere { centre = (0, 0, 3) radius = 1 }", "bad.scene:1:10");
+  expect_scene_refused("sphere { center = radius = 1 }", "bad.scene:1:");
+  expect_scene_refused("sphere { center = (0, nan, 3) radius = 1 }", "bad.scene:1:");
+  expect_scene_refused("sphere { center = (0, 0, 3) radius = -1 }", "bad.scene:1:");
+  expect_scene_refused("sphere { center = (0, 0, 3)", "bad.scene:1:");
+  expect_scene_refused("instance { model = nothing position = (0, 0, 0) }", "bad.scene:1:");
+}
+
+TEST(CliBadInput, Objects) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("picture.png");
+  const auto refused = [&](const char* name, const char* text) {
+    expect_refused({"render", folder.write(name, text), "--size", "8x8", "--out", out}, name);
+  };
+  refused("empty.obj", "");
+  refused("no_faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  refused("too_high.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+  refused("too_low.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n");
+  refused("zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n");
+  EXPECT_FALSE(std::filesystem::exists(out));
+  const auto fine = run_cli({"render", folder.write("relative.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"),
+                             "--size", "8x8", "--out", out});
+  EXPECT_EQ(fine.status, 0) << fine.err;
+  EXPECT_TRUE(std::filesystem::exists(out));
+}
+
+TEST(CliBadInput, RenderArguments) {
+  const ScratchFolder folder;
+  const std::string scene = folder.write("good.scene", good_scene);
+  const std::string out = folder.file("picture.png");
+  const auto refused = [&](std::vector<std::string> more, const char* message) {
+    std::vector<std::string> arguments{"render", scene, "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refused(arguments, message);
+  };
+  refused({"--size", "0x0"}, "0 x 0");
+  refused({"--size", "100000x100000"}, "100000 x 100000");
+  refused({"--size", "10"}, "WIDTHxHEIGHT");
+  refused({"--set", "reflection-dept=1"}, "did you mean 'reflection-depth'");
+  refused({"--set", "reflection-depth=65"}, "reflection-depth");
+  refused({"--set", "shadow-epsilon=nan"}, "shadow-epsilon");
+  refused({"--set", "renderer"}, "KEY=VALUE");
+  refused({"--show", "nothing"}, "nothing");
+  refused({"--camera", "1,2,3"}, "camera");
+  refused({"--edit", "light"}, "PATH=VALUE");
+  refused({"--edit", "light.7.intensity=1"}, "light.7");
+  refused({"--frobnicate"}, "--frobnicate");
+  refused({"--stats", folder.file("nowhere/stats.json")}, "does not exist");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"good.scene"});
+}
+
+TEST(CliBadInput, Files) {
+  const ScratchFolder folder;
+  const std::string scene = folder.write("good.scene", good_scene);
+  expect_refused({"render", folder.file("missing.scene"), "--out", folder.file("a.png")}, "missing.scene");
+  expect_refused({"render", "cgfs/nothing", "--out", folder.file("a.png")}, "cgfs/nothing");
+  expect_refused({"render", scene, "--out", folder.file("nowhere/a.png")}, "does not exist");
+  expect_refused({"render", scene, "--out", folder.file("a.gif")}, ".gif");
+  expect_refused({"render", scene}, "--out");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"good.scene"});
+}
+
+TEST(CliBadInput, Pixels) {
+  expect_refused({"inspect", "cgfs/spheres", "--pixel", "600,0"}, "600,0");
+  expect_refused({"inspect", "cgfs/spheres", "--pixel", "-1,0"}, "-1,0");
+  expect_refused({"inspect", "cgfs/spheres", "--pixel", "left"}, "left");
+  expect_refused({"inspect", "cgfs/spheres"}, "--pixel");
+}
+
+TEST(CliBadInput, Pictures) {
+  const ScratchFolder folder;
+  const std::string scene = folder.write("good.scene", good_scene);
+  const std::string whole = folder.file("whole.png");
+  ASSERT_EQ(run_cli({"render", scene, "--size", "64x64", "--out", whole}).status, 0);
+  const std::string bytes = [&] {
+    std::string text;
+    if (FILE* file = std::fopen(whole.c_str(), "rb")) {
+      for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
+      std::fclose(file);
+    }
+    return text;
+  }();
+  ASSERT_GT(bytes.size(), 100u);
+  std::string wrong_sum = bytes;
+  wrong_sum[29] = static_cast<char>(wrong_sum[29] ^ 1);  // the CRC of the first chunk
+  expect_refused({"compare", whole, folder.write("short.png", bytes.substr(0, bytes.size() / 2))}, "short.png");
+  expect_refused({"compare", whole, folder.write("sum.png", wrong_sum)}, "sum.png");
+  expect_refused({"compare", whole, folder.write("empty.png", "")}, "empty.png");
+  expect_refused({"compare", whole, folder.file("missing.png")}, "missing.png");
+  const std::string small = folder.file("small.png");
+  ASSERT_EQ(run_cli({"render", scene, "--size", "8x8", "--out", small}).status, 0);
+  expect_refused({"compare", whole, small}, "8");
+}
+
+TEST(CliBadInput, Commands) {
+  expect_refused({}, "subcommand");
+  expect_refused({"frobnicate"}, "frobnicate");
+  expect_refused({"options", "--xml"}, "--xml");
+  expect_refused({"lessons", "show", "nothing"}, "unknown lesson 'nothing'");
+  expect_refused({"lessons", "check", "nothing"}, "unknown lesson 'nothing'");
+}
+
+}  // namespace
+}  // namespace ps

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/version.h"
+#include "document/permalink.h"
+#include "image/file.h"
+#include "options/option.h"
+#include "support/run_cli.h"
+
+namespace ps {
+namespace {
+
+using nlohmann::json;
+using test::run_cli;
+using test::ScratchFolder;
+
+/// The story of a pixel and the picture must show the same levels.
+void expect_inspect_equals_render(const std::string& scene, const std::vector<std::string>& settings) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("picture.png");
+  std::vector<std::string> common{scene, "--size", "120x90"};
+  for (const std::string& setting : settings) common.insert(common.end(), {"--set", setting});
+  std::vector<std::string> render{"render", "--out", out};
+  render.insert(render.end(), common.begin(), common.end());
+  const auto rendered = run_cli(render);
+  ASSERT_EQ(rendered.status, 0) << rendered.err;
+  const Image<Rgb8> picture = load_levels(out);
+  ASSERT_EQ(picture.width(), 120);
+  ASSERT_EQ(picture.height(), 90);
+  for (const Vec2i pixel : {Vec2i{0, 0}, Vec2i{119, 89}, Vec2i{60, 45}, Vec2i{41, 60}, Vec2i{80, 50}}) {
+    std::vector<std::string> inspect{"inspect", "--json", "--pixel",
+                                     std::to_string(pixel.x) + "," + std::to_string(pixel.y)};
+    inspect.insert(inspect.end(), common.begin(), common.end());
+    const auto inspected = run_cli(inspect);
+    ASSERT_EQ(inspected.status, 0) << inspected.err;
+    const json story = json::parse(inspected.out);
+    const Rgb8 level = picture.at(pixel.x, pixel.y);
+    EXPECT_EQ(story["colour"]["display"], json({level.r, level.g, level.b})) << inspected.out;
+    EXPECT_EQ(story["pixel"], json({pixel.x, pixel.y}));
+    EXPECT_FALSE(story["verdict"].get<std::string>().empty());
+    EXPECT_FALSE(story["events"].empty());
+    std::array<double, 3> sum{};
+    for (const json& line : story["ledger"])
+      if (line["level"] == 0)
+        for (std::size_t i = 0; i < 3; ++i) sum[i] += line["value"][i].get<double>();
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(sum[i], story["colour"]["linear"][i].get<double>(), 2e-6);
+  }
+}
+
+TEST(Cli, InspectShowsWhatRenderStoresForRays) {
+  expect_inspect_equals_render("cgfs/reflections", {});
+  expect_inspect_equals_render("cgfs/mirrors", {"exposure=1.5", "colour-depth=15"});
+  expect_inspect_equals_render("cgfs/shadows", {"precision=double", "self-hit=epsilon", "sample-position=corner"});
+}
+
+TEST(Cli, InspectShowsWhatRenderStoresForFragments) {
+  expect_inspect_equals_render("cgfs/shading", {"renderer=rasterizer", "gamma=2.2"});
+  expect_inspect_equals_render("cgfs/crates", {"renderer=rasterizer", "texture-filter=bilinear"});
+  expect_inspect_equals_render("cgfs/depth", {"renderer=rasterizer", "visibility=painter"});
+  expect_inspect_equals_render("cgfs/reflections", {"renderer=rasterizer", "precision=double"});
+}
+
+TEST(Cli, OptionsListsTheWholeTable) {
+  const auto result = run_cli({"options", "--json"});
+  ASSERT_EQ(result.status, 0);
+  const json options = json::parse(result.out);
+  ASSERT_EQ(options.size(), option_table().size());
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    EXPECT_EQ(options[i]["key"], option_table()[i].key);
+    EXPECT_EQ(options[i]["default"], option_text(option_table()[i], Settings{}));
+  }
+  const auto text = run_cli({"options"});
+  for (const Option& option : option_table())
+    EXPECT_NE(text.out.find(fmt::format("  {} ", option.key)), std::string::npos) << option.key;
+}
+
+TEST(Cli, PicturesHoldTheirPermalink) {
+  const ScratchFolder folder;
+  const std::string out = folder.file("picture.png");
+  ASSERT_EQ(
+      run_cli({"render", "cgfs/reflections", "--size", "20x10", "--set", "reflection-depth=1", "--out", out}).status,
+      0);
+  for (const ImageText& text : load_texts(out))
+    if (text.key == "permalink") {
+      const Document document = parse_permalink(text.value);
+      EXPECT_EQ(document.scene_name, "cgfs/reflections");
+      EXPECT_EQ(document.view.width, 20);
+      EXPECT_EQ(document.a.settings.reflection_depth, 1);
+      return;
+    }
+  FAIL() << "no permalink in the picture";
+}
+
+TEST(Cli, StatsTellOfTheWork) {
+  const ScratchFolder folder;
+  const std::string stats = folder.file("stats.json");
+  ASSERT_EQ(run_cli({"render", "cgfs/spheres", "--size", "20x10", "--set", "threads=1", "--out", folder.file("a.ppm"),
+                     "--stats", stats})
+                .status,
+            0);
+  std::ifstream file(stats);
+  const json read = json::parse(file);
+  EXPECT_EQ(read["counters"]["eye-rays"], 200);
+  EXPECT_EQ(read["threads"], 1);
+  EXPECT_EQ(read["settings"]["renderer"], "ray-tracer");
+  EXPECT_EQ(read["program"], fmt::format("pixelscope {}", version()));
+  EXPECT_GE(read["time_ms"].get<double>(), 0);
+}
+
+TEST(Cli, CompareCountsDifferences) {
+  const ScratchFolder folder;
+  const std::string a = folder.write("a.ppm", "P3 2 1 255 0 0 0 10 20 30\n");
+  const std::string b = folder.write("b.ppm", "P3 2 1 255 0 0 0 10 26 30\n");
+  const json same = json::parse(run_cli({"compare", a, a, "--json"}).out);
+  EXPECT_EQ(same["identical"], true);
+  EXPECT_TRUE(same["psnr"].is_null());
+  const auto result = run_cli({"compare", a, b, "--json", "--diff", folder.file("d.png")});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json different = json::parse(result.out);
+  EXPECT_EQ(different["identical"], false);
+  EXPECT_EQ(different["differing"], 1);
+  EXPECT_EQ(different["max"], 6);
+  EXPECT_EQ(different["mae"], 1);  // one channel of six differs, by 6
+  EXPECT_EQ(load_levels(folder.file("d.png")).at(1, 0), (Rgb8{0, 6, 0}));
+}
+
+TEST(Cli, HelpAndVersionSucceed) {
+  const auto version_result = run_cli({"--version"});
+  EXPECT_EQ(version_result.status, 0);
+  EXPECT_NE(version_result.out.find(version()), std::string::npos);
+  EXPECT_EQ(run_cli({"--help"}).status, 0);
+  EXPECT_EQ(run_cli({"render", "--help"}).status, 0);
+}
+
+TEST(Cli, ScenesAreListed) {
+  const auto result = run_cli({"scenes"});
+  EXPECT_EQ(result.status, 0);
+  for (const char* name : {"cgfs/spheres", "cgfs/shadows", "cgfs/reflections", "cgfs/crates"})
+    EXPECT_NE(result.out.find(name), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace ps

@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/check.h"
+#include "options/option.h"
+
+namespace ps {
+namespace {
+
+template <class Enum>
+std::size_t up_to(Enum last) {
+  return static_cast<std::size_t>(last) + 1;
+}
+
+/// How many enumerators each choice has, by its last one.
+const std::map<std::string_view, std::size_t>& enumerator_counts() {
+  static const std::map<std::string_view, std::size_t> counts{{"renderer", up_to(Renderer::rasterizer)},
+                                                              {"sample-position", up_to(SamplePosition::corner)},
+                                                              {"projection", up_to(Projection::orthographic)},
+                                                              {"viewport-fit", up_to(ViewportFit::stretch)},
+                                                              {"field-of-view-span", up_to(FieldOfViewSpan::centres)},
+                                                              {"clipping", up_to(Clipping::none)},
+                                                              {"visibility", up_to(Visibility::draw_order)},
+                                                              {"depth-value", up_to(DepthValue::distance)},
+                                                              {"fill-rule", up_to(FillRule::exclusive)},
+                                                              {"draw", up_to(Draw::points)},
+                                                              {"line-algorithm", up_to(LineAlgorithm::bresenham)},
+                                                              {"shading", up_to(Shading::flat)},
+                                                              {"normals", up_to(Normals::triangle)},
+                                                              {"normal-transform", up_to(NormalTransform::model)},
+                                                              {"highlight", up_to(Highlight::blinn_phong)},
+                                                              {"interpolation", up_to(Interpolation::affine)},
+                                                              {"texture-filter", up_to(TextureFilter::nearest)},
+                                                              {"texture-wrap", up_to(TextureWrap::mirror)},
+                                                              {"shadows", up_to(Shadows::none)},
+                                                              {"self-hit", up_to(SelfHit::normal_bump)},
+                                                              {"epsilon-unit", up_to(EpsilonUnit::distance)},
+                                                              {"accelerator", up_to(Accelerator::none)},
+                                                              {"triangle-test", up_to(TriangleTest::moeller_trumbore)},
+                                                              {"sphere-test", up_to(SphereTest::quadratic)},
+                                                              {"precision", up_to(Precision::float64)},
+                                                              {"simd", up_to(Simd::avx512)},
+                                                              {"colour-depth", up_to(ColourDepth::bits15)}};
+  return counts;
+}
+
+bool kebab_case(std::string_view key) {
+  if (key.empty() || !std::islower(static_cast<unsigned char>(key.front())) || key.back() == '-') return false;
+  for (const char c : key)
+    if (c != '-' && !std::islower(static_cast<unsigned char>(c)) && !std::isdigit(static_cast<unsigned char>(c)))
+      return false;
+  return key.find("--") == std::string_view::npos;
+}
+
+/// Values worth trying: the ends of the range, the default, and some between.
+std::vector<double> values_of(const Option& option) {
+  std::vector<double> values;
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return {0, 1};
+  case OptionKind::choice:
+    for (std::size_t i = 0; i < option.choices.size(); ++i) values.push_back(static_cast<double>(i));
+    return values;
+  case OptionKind::integer:
+    for (double v = option.minimum; v <= option.maximum; ++v) values.push_back(v);
+    return values;
+  case OptionKind::real:
+    for (int i = 0; i <= 7; ++i) values.push_back(option.minimum + (option.maximum - option.minimum) * (i / 7.0));
+    values.push_back(option.default_value());
+    return values;
+  }
+  return values;
+}
+
+TEST(OptionTable, KeysAndLabelsAreUniqueAndWellFormed) {
+  std::set<std::string_view> keys;
+  std::set<std::pair<std::string_view, std::string_view>> labels;
+  for (const Option& option : option_table()) {
+    EXPECT_TRUE(keys.insert(option.key).second) << option.key;
+    EXPECT_TRUE(labels.insert({option.group, option.label}).second) << option.label;
+    EXPECT_TRUE(kebab_case(option.key)) << option.key;
+    EXPECT_FALSE(option.label.empty()) << option.key;
+    EXPECT_FALSE(option.group.empty()) << option.key;
+    EXPECT_EQ(find_option(option.key), &option);
+  }
+  EXPECT_EQ(find_option("no-such-option"), nullptr);
+}
+
+TEST(OptionTable, EveryRowIsExplained) {
+  for (const Option& option : option_table()) {
+    EXPECT_FALSE(option.help.what.empty()) << option.key;
+    EXPECT_FALSE(option.help.source.empty()) << option.key;
+    std::set<std::string_view> keys;
+    for (const Choice& choice : option.choices) {
+      EXPECT_TRUE(keys.insert(choice.key).second) << option.key;
+      EXPECT_TRUE(kebab_case(choice.key) || std::isdigit(static_cast<unsigned char>(choice.key.front()))) << choice.key;
+      EXPECT_FALSE(choice.label.empty()) << choice.key;
+      EXPECT_FALSE(choice.help.empty()) << option.key << " " << choice.key;
+    }
+  }
+}
+
+TEST(OptionTable, ChoicesAreTheEnumerators) {
+  for (const Option& option : option_table()) {
+    if (option.kind != OptionKind::choice) {
+      EXPECT_TRUE(option.choices.empty()) << option.key;
+      continue;
+    }
+    const auto count = enumerator_counts().find(option.key);
+    ASSERT_NE(count, enumerator_counts().end()) << option.key;
+    EXPECT_EQ(option.choices.size(), count->second) << option.key;
+  }
+}
+
+TEST(OptionTable, DefaultsLieInRange) {
+  for (const Option& option : option_table()) {
+    if (option.kind == OptionKind::boolean) continue;
+    EXPECT_GE(option.default_value(), option.minimum) << option.key;
+    EXPECT_LE(option.default_value(), option.maximum) << option.key;
+    EXPECT_LT(option.minimum, option.maximum) << option.key;
+  }
+}
+
+TEST(OptionTable, TextKeepsEveryValue) {
+  for (const Option& option : option_table())
+    for (const double value : values_of(option)) {
+      Settings settings;
+      option.set(settings, value);
+      EXPECT_EQ(option.get(settings), value) << option.key;
+      Settings read;
+      parse_option(option, option_text(option, settings), read);
+      EXPECT_EQ(read, settings) << option.key << " = " << option_text(option, settings);
+    }
+}
+
+/// A row whose setter writes another row's member would pass every other test.
+TEST(OptionTable, EachRowMovesItsOwnMemberAlone) {
+  for (const Option& option : option_table())
+    for (const double value : values_of(option)) {
+      Settings settings;
+      option.set(settings, value);
+      for (const Option& other : option_table()) {
+        if (&other != &option) {
+          EXPECT_EQ(other.get(settings), other.default_value()) << option.key << " " << other.key;
+        }
+      }
+      EXPECT_EQ(settings == Settings{}, value == option.default_value()) << option.key;
+    }
+}
+
+TEST(OptionTable, RefusesWhatIsOutOfRange) {
+  Settings settings;
+  for (const Option& option : option_table()) {
+    EXPECT_THROW(parse_option(option, "", settings), InputError) << option.key;
+    EXPECT_THROW(parse_option(option, "nonsense", settings), InputError) << option.key;
+    if (option.kind == OptionKind::integer || option.kind == OptionKind::real) {
+      for (const char* bad : {"nan", "inf", "1e400", "1 ", "0x1", "-1e31"}) {
+        EXPECT_THROW(parse_option(option, bad, settings), InputError) << option.key << " " << bad;
+      }
+    }
+    if (option.kind == OptionKind::integer) {
+      EXPECT_THROW(parse_option(option, "1.5", settings), InputError) << option.key;
+    }
+  }
+  EXPECT_EQ(settings, Settings{});
+}
+
+TEST(OptionTable, ChangedOptionsRebuildTheSettings) {
+  Settings settings;
+  settings.reflection_depth = 7;
+  settings.self_hit = SelfHit::epsilon;
+  settings.gamma = 2.2;
+  Settings rebuilt;
+  for (const std::string& assignment : changed_options(settings)) parse_assignment(assignment, rebuilt);
+  EXPECT_EQ(rebuilt, settings);
+  EXPECT_EQ(changed_options(settings).size(), 3u);
+  EXPECT_TRUE(changed_options(Settings{}).empty());
+}
+
+}  // namespace
+}  // namespace ps
