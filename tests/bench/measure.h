@@ -16,7 +16,7 @@ inline double steady_seconds() {
 struct MeasureOptions {
   int repeats = 7;
   int fewest_repeats = 3;
-  double budget = 1.2;  ///< seconds for one bench, both sides together; fewer repeats if it would take longer
+  double budget = 1.0;  ///< seconds for one bench, both sides together; fewer repeats if it would take longer
   double shortest_sample = 0.005;  ///< seconds; shorter calls are repeated within one sample
 };
 
