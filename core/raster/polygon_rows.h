@@ -13,8 +13,8 @@ struct PolygonRow {
   bool operator==(const PolygonRow&) const = default;
 };
 
-/// The rows of a convex polygon given by whole pixels, from its lowest y to its highest (LAB 4): every edge is walked by
-/// interpolation, and each row keeps the leftmost and rightmost pixel met. All edges count as inside, so neighbours
+/// The rows of a convex polygon given by whole pixels, from its lowest y to its highest (LAB 4): every edge is walked
+/// by interpolation, and each row keeps the leftmost and rightmost pixel met. All edges count as inside, so neighbours
 /// overlap on theirs. Empty for no corners.
 std::vector<PolygonRow> polygon_rows(std::span<const Vec2i> corners);
 
