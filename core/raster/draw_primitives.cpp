@@ -32,6 +32,7 @@ class TriangleDrawer {
     recorder_.count(Counter::coverage_tests,
                     static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0));
     if (target_.wants(Channel::tests)) count_tests(box);
+    batched_ = can_batch();
     std::array<std::int64_t, 3> row_values = setup_.edges.at(box.x0, box.y0);
     for (int row = box.y0; row < box.y1; ++row) {
       std::array<std::int64_t, 3> values = row_values;
@@ -39,6 +40,7 @@ class TriangleDrawer {
         if (setup_.edges.inside(values)) cover(column, row, values);
         for (std::size_t i = 0; i < 3; ++i) values[i] += setup_.edges.step_x[i];
       }
+      if (batched_) finish_row(row);
       for (std::size_t i = 0; i < 3; ++i) row_values[i] += setup_.edges.step_y[i];
     }
   }
@@ -67,6 +69,7 @@ class TriangleDrawer {
       return;
     }
     if (depth_buffer_) target_.depth(column, row) = depth;
+    if (batched_) return put_aside(fragment);
     const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_);
     recorder_.event([&] {
       return WriteEvent{event_id(setup_), Vec3d(target_.colour(column, row)), Vec3d(shaded.colour),
@@ -76,6 +79,54 @@ class TriangleDrawer {
     recorder_.count(Counter::pixels_written);
     target_.set_colour(column, row, shaded.colour);
     if (pass_.channels != Channel::none) write_channels(fragment, shaded);
+  }
+
+  /// Whether the fast path shades this triangle: no texture, no light with a colour of its own.
+  bool can_batch() const {
+    if constexpr (!std::is_same_v<Real, float> || Recorder::records) return false;
+    const ShadingMaterial<Real>& material = setup_.surface->material;
+    const AttributeLayout& layout = setup_.surface->layout;
+    return pass_.shade_batch && layout.lit && layout.uv == AttributeLayout::absent && !material.ambient_colour &&
+           !material.specular_colour && (!material.specular || *material.specular > 0);
+  }
+
+  /// Keeps a visible fragment until its row is finished. A row of a tile always fits.
+  void put_aside(const Fragment<Real>& fragment) {
+    const auto i = static_cast<std::size_t>(batch_.count++);
+    batch_.columns[i] = fragment.column;
+    for (std::size_t k = 0; k < 3; ++k) batch_.weights[k][i] = static_cast<float>(fragment.weights[k]);
+    batch_.z[i] = static_cast<float>(fragment.z);
+  }
+
+  /// Shades and writes the fragments put aside.
+  void finish_row(int row) {
+    if constexpr (std::is_same_v<Real, float>) {
+      if (batch_.count == 0) return;
+      const ShadingMaterial<float>& material = setup_.surface->material;
+      const AttributeLayout& layout = setup_.surface->layout;
+      BatchShading shading;
+      shading.attributes = setup_.attributes;
+      shading.stride = layout.count;
+      shading.normal = layout.normal;
+      shading.position = layout.position;
+      shading.face_normal = setup_.triangle->face_normal;
+      shading.eye = pass_.eye;
+      shading.colour = material.colour;
+      shading.specular = pass_.settings.specular && material.specular;
+      shading.exponent = material.specular.value_or(1);
+      shading.renormalise = pass_.settings.renormalise;
+      shading.highlight = pass_.settings.highlight;
+      shading.lights = pass_.lights;
+      pass_.shade_batch(shading, batch_);
+      const auto count = static_cast<std::uint64_t>(batch_.count);
+      recorder_.count(Counter::attributes_interpolated, count * static_cast<std::uint64_t>(layout.count));
+      recorder_.count(Counter::shading_calls, count);
+      recorder_.count(Counter::light_samples, count * pass_.lights.size());
+      recorder_.count(Counter::pixels_written, count);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(batch_.count); ++i)
+        target_.set_colour(batch_.columns[i], row, {batch_.red[i], batch_.green[i], batch_.blue[i]});
+      batch_.count = 0;
+    }
   }
 
   void write_channels(const Fragment<Real>& fragment, const ShadedFragment<Real>& shaded) {
@@ -120,6 +171,8 @@ class TriangleDrawer {
   Target<Real>& target_;
   Recorder& recorder_;
   bool depth_buffer_;
+  bool batched_ = false;  ///< the triangle at hand is shaded in batches
+  ShadeBatch batch_;
   TriangleSetup<Real> setup_;
 };
 

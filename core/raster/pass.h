@@ -8,6 +8,7 @@
 #include "raster/draw_list.h"
 #include "raster/edge_function.h"
 #include "raster/projection.h"
+#include "raster/shade_batch.h"
 #include "render/frame.h"
 #include "render/prepared.h"
 #include "scene/scene.h"
@@ -51,6 +52,8 @@ struct Pass {
   std::vector<std::uint32_t> first_surface;  ///< of each object
   std::vector<Surface<Real>> surfaces;
   std::shared_ptr<const std::vector<MipChain>> textures;  ///< null where none is read
+
+  ShadeFragments shade_batch = nullptr;  ///< the fast path, where the settings allow it; nullptr = clear path
 
   bool perspective() const { return settings.projection == Projection::perspective; }
   /// Whether attributes are carried as value / z.

@@ -19,6 +19,7 @@ class Target {
     if (settings.visibility == Visibility::depth_buffer)
       depth_.assign(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()),
                     empty_depth<Real>(settings.depth_value));
+    nan_written_ = has_nan(colour(rect.x0, rect.y0));  // a background of NaN
   }
 
   const TileRect& rect() const { return rect_; }
@@ -37,27 +38,30 @@ class Target {
       return frame_.colour.row(row - origin_.y)[static_cast<std::size_t>(column - origin_.x)];
   }
   void set_colour(int column, int row, const Vec3<Real>& colour) {
+    nan_written_ = nan_written_ || has_nan(colour);
     frame_.colour.row(row - origin_.y)[static_cast<std::size_t>(column - origin_.x)] = Vec3f(colour);
     if constexpr (std::is_same_v<Real, double>)
       frame_.colour_double.row(row - origin_.y)[static_cast<std::size_t>(column - origin_.x)] = colour;
   }
 
-  /// Pixels of the tile with a NaN in any channel of their colour.
+  /// Pixels of the tile with a NaN in any channel of their colour. Only looks where a NaN was written or has been
+  /// there from the start.
   std::uint64_t count_nan_pixels() const {
+    if (!nan_written_) return 0;
     std::uint64_t count = 0;
     for (int row = rect_.y0; row < rect_.y1; ++row)
-      for (int column = rect_.x0; column < rect_.x1; ++column) {
-        const Vec3<Real> c = colour(column, row);
-        if (std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z)) ++count;
-      }
+      for (int column = rect_.x0; column < rect_.x1; ++column) count += has_nan(colour(column, row)) ? 1u : 0u;
     return count;
   }
 
  private:
+  static bool has_nan(const Vec3<Real>& c) { return c.x != c.x || c.y != c.y || c.z != c.z; }
+
   Frame& frame_;
   TileRect rect_;
   Channel channels_;
   Vec2i origin_;
+  bool nan_written_ = false;
   std::vector<Real> depth_;
 };
 

@@ -117,6 +117,31 @@ TEST(Rasterized, InspectorTellsThePicturesOwnBits) {
   }
 }
 
+/// The fast path repeats the clear path's operations: pictures and counters are the same to the last bit.
+TEST(Rasterized, IsTheSameOnEverySimdTarget) {
+  const std::vector<std::vector<std::string>> variants{{},
+                                                       {"highlight=blinn-phong"},
+                                                       {"renormalise=off"},
+                                                       {"normals=triangle", "visibility=painter"},
+                                                       {"specular=off", "depth-value=distance"}};
+  for (const char* name : {"cgfs/shading", "cgfs/reflections", "cgfs/crates", "cgfs/camera"}) {
+    const Scene scene = load_scene(name);
+    for (const auto& variant : variants) {
+      Settings settings = settings_of(variant);
+      settings.textures = false;
+      settings.simd = Simd::off;
+      const Frame clear = draw(scene, {scene.camera, 317, 211}, settings);
+      EXPECT_GT(clear.counters[Counter::shading_calls], 1000u) << name;
+      for (const Simd simd : {Simd::automatic, Simd::sse4, Simd::avx2, Simd::avx512}) {
+        settings.simd = simd;
+        const Frame fast = draw(scene, {scene.camera, 317, 211}, settings);
+        EXPECT_TRUE(same_bits(clear.colour, fast.colour)) << name << ", target " << static_cast<int>(simd);
+        EXPECT_EQ(clear.counters, fast.counters) << name;
+      }
+    }
+  }
+}
+
 TEST(Rasterized, StoryAccountsForEveryTriangle) {
   const Scene scene = load_scene("cgfs/shading");
   const Settings settings = settings_of({});

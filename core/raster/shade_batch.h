@@ -1,0 +1,45 @@
+#pragma once
+#include <array>
+#include <span>
+
+#include "math/vec.h"
+#include "options/settings.h"
+#include "shade/shading_inputs.h"
+
+namespace ps::raster {
+
+/// The fast path for the common case: Phong shading in float with perspective-correct interpolation, without textures,
+/// for a row of one triangle's visible fragments at once. It repeats shade_fragment.h and shade/illumination.h
+/// operation by operation, so every colour is the same to the last bit; a test holds them together.
+struct ShadeBatch {
+  static constexpr int capacity = 64;
+  using Lanes = std::array<float, capacity>;
+  int count = 0;
+  std::array<int, capacity> columns{};
+  alignas(64) std::array<Lanes, 3> weights{};  ///< on the screen
+  alignas(64) Lanes z{};
+  alignas(64) Lanes red{}, green{}, blue{};  ///< the result
+};
+
+/// What the fragments of a batch share.
+struct BatchShading {
+  const float* attributes = nullptr;  ///< of corner 0, carried as value / z; corners follow each other
+  int stride = 0;                     ///< scalars of a corner
+  int normal = -1, position = -1;     ///< first scalar of each; -1 = face_normal, and the origin
+  Vec3f face_normal{0, 0, 1};
+  Vec3f eye{0, 0, 0};
+  Vec3f colour{1, 1, 1};
+  float exponent = 1;
+  bool specular = false;  ///< the material shines and highlights are on
+  bool renormalise = true;
+  Highlight highlight = Highlight::phong;
+  std::span<const ShadingLight<float>> lights;
+};
+
+using ShadeFragments = void (*)(const BatchShading& shading, ShadeBatch& batch);
+
+/// The function for this setting on this processor; nullptr means the clear path. A target that the processor lacks
+/// gives the best one below it.
+ShadeFragments shade_function(Simd simd);
+
+}  // namespace ps::raster
