@@ -169,6 +169,15 @@ void ScriptPlayer::wait_for_idle() {
     watching_ = !state_.idle;
     return state_.idle ? Turn::done : Turn::again;
   });
+  // Work that ended after the last frame is not on the screen yet: one frame more, and still nothing to do.
+  part([this] {
+    after_frames(1);
+    return Turn::done;
+  });
+  part([this] {
+    if (!state_.idle) wait_for_idle();
+    return Turn::done;
+  });
 }
 
 void ScriptPlayer::wait_until(const Command& command) {
