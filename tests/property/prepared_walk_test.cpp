@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "render/display_frame.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "support/random_scene.h"
+
+namespace ps {
+namespace {
+
+constexpr int walks = 500;
+constexpr int steps = 4;
+
+using Random = std::mt19937;
+
+double share(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
+
+int below(Random& random, int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); }
+
+/// Values that keep a small picture cheap: no more threads, tessellations or bounces than a test can afford.
+double random_value(const Option& option, Random& random) {
+  if (option.key == "threads") return below(random, 4);
+  if (option.key == "reflection-depth") return below(random, 5);
+  if (option.key == "tessellation") return 0.3 + 3 * share(random);
+  if (option.key == "near") return 0.5 + share(random);
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return below(random, 2);
+  case OptionKind::choice:
+    return below(random, static_cast<int>(option.choices.size()));
+  case OptionKind::integer:
+    return option.minimum + below(random, static_cast<int>(option.maximum - option.minimum) + 1);
+  case OptionKind::real:
+    return option.minimum + (option.maximum - option.minimum) * share(random) * share(random);
+  }
+  return 0;
+}
+
+void move_object(Scene& scene, Random& random) {
+  const Vec3d offset{share(random) - 0.5, share(random) - 0.5, share(random) - 0.5};
+  scene.geometry.edit([&](Geometry& geometry) {
+    Object& object =
+        geometry.objects[static_cast<std::size_t>(below(random, static_cast<int>(geometry.objects.size())))];
+    if (auto* sphere = std::get_if<Sphere>(&object.shape))
+      sphere->centre += offset;
+    else
+      std::get<Instance>(object.shape).transform.translation += offset;
+  });
+}
+
+/// One random edit of the scene; each part of it can be the one that changes.
+void edit(Scene& scene, Random& random) {
+  switch (below(random, 4)) {
+  case 0:
+    return move_object(scene, random);
+  case 1:
+    return scene.lights.edit([&](std::vector<Light>& lights) {
+      if (!lights.empty())
+        lights[static_cast<std::size_t>(below(random, static_cast<int>(lights.size())))].intensity = share(random);
+    });
+  case 2:
+    return scene.materials.edit([&](std::vector<Material>& materials) {
+      if (materials.empty()) return;
+      Material& material = materials[static_cast<std::size_t>(below(random, static_cast<int>(materials.size())))];
+      material.colour = {share(random), share(random), share(random)};
+      material.reflective = share(random);
+    });
+  case 3:
+    scene.camera.position += Vec3d{share(random) - 0.5, share(random) - 0.5, share(random) - 0.5};
+    return;
+  }
+}
+
+Frame frame(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared) {
+  Progress progress;
+  RenderRequest request;
+  request.channels = Channel::depth | Channel::ids;
+  return render(scene, view, settings, request, prepared, progress);
+}
+
+template <class T>
+bool same_bits(const Image<T>& a, const Image<T>& b) {
+  return a.width() == b.width() && a.height() == b.height() &&
+         (a.empty() || std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0);
+}
+
+// The metamorphic test of Prepared: whatever was rendered before, a picture made with what is kept from it equals one
+// made from nothing. A product whose key leaves out something that it reads fails here.
+TEST(Prepared, KeepsNothingStaleOnRandomWalks) {
+  const char* wish = std::getenv("PIXELSCOPE_TEST_SEED");
+  const unsigned seed = wish ? static_cast<unsigned>(std::atoi(wish)) : std::random_device{}();
+  RecordProperty("seed", std::to_string(seed));
+  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
+  Random random(seed);
+  const auto table = option_table();
+  const std::vector<Scene> scenes{load_scene("cgfs/reflections"), load_scene("cgfs/crates"), load_scene("cgfs/depth"),
+                                  test::random_scene(seed)};
+  for (int walk = 0; walk < walks; ++walk) {
+    Scene scene = scenes[static_cast<std::size_t>(walk) % scenes.size()];
+    Settings settings = settings_for(scene);
+    settings.threads = 1;
+    settings.renderer = walk / 4 % 2 == 0 ? Renderer::ray_tracer : Renderer::rasterizer;
+    Prepared kept;
+    std::string trace;
+    for (int step = 0; step < steps; ++step) {
+      if (below(random, 3) == 0) {
+        edit(scene, random);
+        trace += " edit";
+      } else {
+        const Option& option = table[static_cast<std::size_t>(below(random, static_cast<int>(table.size())))];
+        option.set(settings, random_value(option, random));
+        trace += " " + std::string(option.key) + "=" + option_text(option, settings);
+      }
+      const View view{scene.camera, 20 + 4 * below(random, 2), 16};
+      const Frame with = frame(scene, view, settings, kept);
+      Prepared nothing;
+      const Frame without = frame(scene, view, settings, nothing);
+      ASSERT_TRUE(same_bits(with.colour, without.colour)) << scene.name << trace;
+      ASSERT_TRUE(same_bits(with.depth, without.depth)) << scene.name << trace;
+      ASSERT_EQ(with.ids, without.ids) << scene.name << trace;
+      ASSERT_EQ(with.counters, without.counters) << scene.name << trace;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ps
