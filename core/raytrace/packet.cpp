@@ -135,8 +135,8 @@ HWY_INLINE V3 fold(const PacketScene& scene, const Bounce* bounces, int last) {
   return colour;
 }
 
-/// Follows the rays of one packet through all bounces.
-V3 trace(const PacketScene& scene, PacketRay ray, M active, Count& count) {
+/// Follows the rays of one packet through all bounces. `first` notes what the eye rays hit.
+V3 trace(const PacketScene& scene, PacketRay ray, M active, PacketHit& first, Count& count) {
   const D d;
   Bounce bounces[65];
   int bounce = 0;
@@ -144,6 +144,7 @@ V3 trace(const PacketScene& scene, PacketRay ray, M active, Count& count) {
     count.rays += hn::CountTrue(d, active);
     const PacketHit hit = search(scene, ray, active, Search::nearest, count.sphere_tests);
     const M found = hn::And(active, hn::Ge(hit.index, hn::Zero(d)));
+    if (bounce == 0) first = hit;
     Bounce& now = bounces[bounce];
     now.hit = found;
     now.mirrored = no_lane();
@@ -183,25 +184,44 @@ HWY_INLINE PacketRay eye_rays(const PacketScene& scene, int x, int y) {
           splat(scene.far), From::eye};
 }
 
+/// The results of one packet as plain numbers.
+struct Lanes {
+  HWY_ALIGN float red[HWY_MAX_BYTES / 4], green[HWY_MAX_BYTES / 4], blue[HWY_MAX_BYTES / 4];
+  HWY_ALIGN float t[HWY_MAX_BYTES / 4], index[HWY_MAX_BYTES / 4];
+};
+
+void store(const PacketScene& scene, const Lanes& lanes, int x, int y, int width, Frame& frame) {
+  for (int i = 0; i < width; ++i) {
+    frame.colour.at(x + i, y) = {lanes.red[i], lanes.green[i], lanes.blue[i]};
+    const bool hit = lanes.index[i] >= 0;
+    if (!frame.ids.empty())
+      frame.ids.at(x + i, y) = hit ? scene.spheres[static_cast<std::size_t>(lanes.index[i])].id : PixelId{};
+    if (!frame.depth.empty())
+      frame.depth.at(x + i, y) = hit ? lanes.t[i] * scene.viewport.distance : std::numeric_limits<float>::infinity();
+  }
+}
+
 }  // namespace
 
-void trace_packets(const PacketScene& scene, const TileRect& tile, Image<Vec3f>& colour, Counters& counters) {
+void trace_packets(const PacketScene& scene, const TileRect& tile, Frame& frame, Counters& counters) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  HWY_ALIGN float red[HWY_MAX_BYTES / 4], green[HWY_MAX_BYTES / 4], blue[HWY_MAX_BYTES / 4];
+  Lanes stored;
   Count count;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; x += lanes) {
       const int width = std::min(lanes, tile.x1 - x);
       const M active = hn::FirstN(d, static_cast<std::size_t>(width));
-      const V3 result = trace(scene, eye_rays(scene, x, y), active, count);
+      PacketHit first{hn::Zero(d), splat(-1)};
+      const V3 result = trace(scene, eye_rays(scene, x, y), active, first, count);
       const M nan = hn::Or(hn::Or(hn::Ne(result.x, result.x), hn::Ne(result.y, result.y)), hn::Ne(result.z, result.z));
       count.nan_pixels += hn::CountTrue(d, hn::And(active, nan));
-      hn::Store(result.x, d, red);
-      hn::Store(result.y, d, green);
-      hn::Store(result.z, d, blue);
-      Vec3f* const pixels = colour.row(y).data() + x;
-      for (int i = 0; i < width; ++i) pixels[i] = {red[i], green[i], blue[i]};
+      hn::Store(result.x, d, stored.red);
+      hn::Store(result.y, d, stored.green);
+      hn::Store(result.z, d, stored.blue);
+      hn::Store(first.t, d, stored.t);
+      hn::Store(first.index, d, stored.index);
+      store(scene, stored, x, y, width, frame);
     }
   }
   const auto pixel_count = static_cast<std::uint64_t>(tile.width()) * static_cast<std::uint64_t>(tile.height());

@@ -15,6 +15,7 @@ namespace ps {
 /// operation by operation, so the picture and the counters are the same to the last bit; a test holds them together.
 
 struct PacketSphere {
+  PixelId id;
   float x = 0, y = 0, z = 0, radius = 1;
   float eye_c = 0;  ///< |eye - centre|^2 - radius^2, as the robust sphere test computes it
   Vec3f colour{1, 1, 1};
@@ -39,7 +40,7 @@ struct PacketScene {
 /// The scene for the fast path, or nothing if it does not cover what is asked for.
 std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const RenderRequest& request);
 
-using TracePackets = void (*)(const PacketScene& scene, const TileRect& tile, Image<Vec3f>& colour, Counters& counters);
+using TracePackets = void (*)(const PacketScene& scene, const TileRect& tile, Frame& frame, Counters& counters);
 
 /// The function for this setting on this processor; nullptr means the clear path. A target that the processor lacks
 /// gives the best one below it.

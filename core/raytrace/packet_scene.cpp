@@ -19,9 +19,10 @@ bool covers(const ShadingMaterial<float>& material) {
   return highlight && !material.ambient_colour && !material.specular_colour;
 }
 
-PacketSphere packet_sphere(const TracedSphere<float>& sphere, const ShadingMaterial<float>& material,
+PacketSphere packet_sphere(const PixelId& id, const TracedSphere<float>& sphere, const ShadingMaterial<float>& material,
                            const Vec3f& eye) {
   PacketSphere result;
+  result.id = id;
   result.x = sphere.centre.x;
   result.y = sphere.centre.y;
   result.z = sphere.centre.z;
@@ -41,14 +42,15 @@ PacketSphere packet_sphere(const TracedSphere<float>& sphere, const ShadingMater
 std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const RenderRequest& request) {
   const TracedGeometry<float>& geometry = *inputs.geometry;
   const Settings& settings = inputs.settings;
-  if (request.channels != Channel::none || !covers(settings) || !geometry.triangles.empty() ||
+  constexpr Channel stored = Channel::ids | Channel::depth;
+  if ((request.channels | stored) != stored || !covers(settings) || !geometry.triangles.empty() ||
       geometry.spheres.size() > most_spheres)
     return {};
   PacketScene scene;
   for (const Primitive& primitive : geometry.primitives) {
     const ShadingMaterial<float>& material = inputs.materials[primitive.material];
     if (!covers(material)) return {};
-    scene.spheres.push_back(packet_sphere(geometry.spheres[primitive.shape], material, inputs.eye));
+    scene.spheres.push_back(packet_sphere(primitive.id, geometry.spheres[primitive.shape], material, inputs.eye));
   }
   scene.lights = inputs.lights;
   scene.viewport = inputs.viewport;

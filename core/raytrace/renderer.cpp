@@ -99,7 +99,7 @@ class TileTracer {
   }
   void trace(const TileRect& tile, Frame& frame, Counters& counters) const {
     if (scene_)
-      packets_(*scene_, tile, frame.colour, counters);
+      packets_(*scene_, tile, frame, counters);
     else
       render_tile(inputs_, tile, frame, counters);
   }

@@ -26,7 +26,7 @@ enum class Channel : std::uint32_t {
   mip = 1u << 8,       ///< texture level of detail used; -1 where no texture was read
   shadow = 1u << 9,    ///< bit i set: light i is blocked at the visible point
 };
-inline Channel operator|(Channel a, Channel b) {
+constexpr Channel operator|(Channel a, Channel b) {
   return static_cast<Channel>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
 inline bool has(Channel set, Channel one) {

@@ -17,7 +17,9 @@ Frame traced(const Scene& scene, const View& view, Settings settings, Simd simd)
   settings.simd = simd;
   Prepared prepared;
   Progress progress;
-  return render_traced(scene, view, settings, {}, prepared, progress);
+  RenderRequest request;
+  request.channels = Channel::ids | Channel::depth;
+  return render_traced(scene, view, settings, request, prepared, progress);
 }
 
 bool takes_the_fast_path(const Scene& scene, const View& view, const Settings& settings) {
@@ -33,6 +35,8 @@ void expect_same_on_all_targets(const Scene& scene, const View& view, const Sett
     ASSERT_EQ(
         std::memcmp(clear.colour.pixels().data(), fast.colour.pixels().data(), clear.colour.pixels().size_bytes()), 0);
     ASSERT_EQ(clear.counters, fast.counters);
+    ASSERT_TRUE(clear.ids == fast.ids);
+    ASSERT_TRUE(clear.depth == fast.depth);
   }
 }
 
