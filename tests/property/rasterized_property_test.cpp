@@ -46,8 +46,8 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, Chann
 /// Equal bits, NaN included.
 template <class T>
 bool same_bits(const Image<T>& a, const Image<T>& b) {
-  return a.width() == b.width() && a.height() == b.height() &&
-         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+  if (a.width() != b.width() || a.height() != b.height()) return false;
+  return a.empty() || std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
 }
 
 TEST(Rasterized, IsTheSameForAnyNumberOfThreads) {
