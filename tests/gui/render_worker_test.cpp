@@ -8,6 +8,9 @@
 
 #include "gui/app/inspect_worker.h"
 #include "gui/app/render_worker.h"
+#include "render/display_frame.h"
+#include "render/render.h"
+#include "scene/load.h"
 
 namespace ps::gui {
 namespace {
@@ -176,6 +179,24 @@ TEST(RenderWorker, ReportsAnErrorAndGoesOn) {
   worker.request(request_with(14));
   ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
   EXPECT_TRUE(worker.status().message.empty());
+}
+
+TEST(RenderWorker, BitsAreThoseOfADirectRender) {
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+    PictureRequest request;
+    request.scene = load_scene("cgfs/reflections");
+    request.view = {request.scene.camera, 90, 70};
+    request.settings.renderer = renderer;
+    RenderWorker worker(std::make_shared<Prepared>(), [] {});
+    worker.request(request);
+    ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
+    const Frame direct = render(request.scene, request.view, request.settings);
+    EXPECT_EQ(worker.result()->frame.colour, direct.colour);
+    EXPECT_EQ(worker.result()->frame.counters, direct.counters);
+    Image<Rgb8> picture;
+    worker.collect(picture);
+    EXPECT_EQ(picture, display_frame(direct, request.settings));
+  }
 }
 
 TEST(InspectWorker, TellsTheNewestPixelOnly) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // ClosePopupToLevel
 
 #include <algorithm>
 #include <sstream>
@@ -110,7 +111,7 @@ void App::set_option(Side side, const std::string& assignment) {
   shell_.wake();
 }
 
-bool App::busy() const { return session_.busy(); }
+bool App::busy() const { return session_.busy() || session_.has_news(); }
 
 std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
   const auto& area = pictures_.areas[index_of(side)];
@@ -127,10 +128,26 @@ bool App::may_close() {
 
 void App::remember_layout() { shell_.remember(layout_key, layout_text(session_.document().layout)); }
 
+/// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
+void App::close_on_escape() {
+  if (!ImGui::IsKeyPressed(parse_chord("Esc").scancode, false)) return;
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
+    ImGui::ClosePopupToLevel(0, true);
+    return;
+  }
+  pictures_.fly = false;
+  session_.navigate([](Document& document) {
+    document.layout.panels = true;
+    if (document.compare == CompareMode::only_a || document.compare == CompareMode::only_b)
+      document.compare = CompareMode::side_by_side;
+  });
+}
+
 void App::draw() {
   const double now = ImGui::GetTime();
   const double passed = std::min(now - last_draw_, 0.1);
   last_draw_ = now;
+  close_on_escape();
   session_.update();
   flying_now_ = fly_camera(session_, pictures_, passed);
   collect_pictures(session_, pictures_);
@@ -172,8 +189,8 @@ void App::layout(const Area& area) {
   auto bottom = std::round(static_cast<float>(1 - shares.bottom) * height);
   const float most_left = std::max(least, width * 0.5f - grip),
               least_right = std::min(width - least, width * 0.5f + grip);
-  left = std::clamp(left, std::min(px(250), most_left), most_left);
-  right = std::clamp(right, least_right, std::max(width - px(300), least_right));
+  left = std::clamp(left, std::min(px(210), most_left), most_left);
+  right = std::clamp(right, least_right, std::max(width - px(240), least_right));
   bottom = std::clamp(bottom, height * 0.3f, std::max(height - px(36), height * 0.3f));
 
   left_region({area.min, {area.min.x + left, area.max.y}});

@@ -59,6 +59,7 @@ class App final : public Content {
   void zoom_to(double zoom);
   // save_pictures.cpp
   void save_pictures(const std::filesystem::path& path);
+  void save_scene_as(std::filesystem::path path);
   // menus.cpp
   void menu_bar();
   void scene_menu();
@@ -68,6 +69,7 @@ class App final : public Content {
   void compare_buttons(float left);
   void file_dialog();
   // app.cpp
+  void close_on_escape();
   void layout(const Area& area);
   void left_region(const Area& area);
   void right_region(const Area& area);

@@ -78,6 +78,12 @@ void App::add_actions() {
                .keys = "P",
                .run = [this] { files_.ask(FilePurpose::save_picture); },
                .enabled = open_scene});
+  actions.add({.name = "save-scene",
+               .label = "Save the scene with its changes...",
+               .group = "Scene",
+               .keys = "Ctrl+S",
+               .run = [this] { files_.ask(FilePurpose::save_scene); },
+               .enabled = open_scene});
   actions.add({.name = "copy-permalink",
                .label = "Copy permalink",
                .group = "Scene",

@@ -23,6 +23,8 @@ bool fits(const std::filesystem::path& path, FilePurpose purpose) {
     return extension == ".scene" || extension == ".obj";
   case FilePurpose::save_picture:
     return extension == ".png" || extension == ".ppm";
+  case FilePurpose::save_scene:
+    return extension == ".scene";
   }
   return false;
 }
@@ -46,7 +48,15 @@ Listing list(const std::filesystem::path& folder, FilePurpose purpose) {
 }
 
 const char* title_of(FilePurpose purpose) {
-  return purpose == FilePurpose::open_scene ? "Open a scene" : "Save the pictures";
+  switch (purpose) {
+  case FilePurpose::open_scene:
+    return "Open a scene";
+  case FilePurpose::save_picture:
+    return "Save the pictures";
+  case FilePurpose::save_scene:
+    return "Save the scene";
+  }
+  return "";
 }
 
 }  // namespace
@@ -79,7 +89,8 @@ void FileDialog::list_folder(std::optional<Answer>& answer) {
     controls().record("file/name/" + name, name);
   }
   if (found.folders.empty() && found.files.empty())
-    ImGui::TextUnformatted(purpose_ == FilePurpose::open_scene ? "No .scene or .obj file here." : "No picture here.");
+    ImGui::TextUnformatted(purpose_ == FilePurpose::open_scene ? "No .scene or .obj file here."
+                                                               : "Nothing of the kind here.");
   ImGui::EndChild();
 }
 
@@ -100,9 +111,11 @@ std::optional<FileDialog::Answer> FileDialog::draw() {
   typed_.copy(buffer.data(), buffer.size() - 1);
   ImGui::SetNextItemWidth(-1);
   if (opens) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputTextWithHint("##path", purpose_ == FilePurpose::open_scene ? "path or name" : "picture.png",
-                               buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##path",
+                                                purpose_ == FilePurpose::open_scene     ? "path or name"
+                                                : purpose_ == FilePurpose::save_picture ? "picture.png"
+                                                                                        : "my.scene",
+                                                buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   typed_ = buffer.data();
   controls().record("file/path", typed_);
   const std::string nothing = typed_.empty() ? "Choose a file or type its path." : "";

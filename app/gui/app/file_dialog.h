@@ -6,7 +6,7 @@
 
 namespace ps::gui {
 
-enum class FilePurpose { open_scene, save_picture };
+enum class FilePurpose { open_scene, save_picture, save_scene };
 
 /// Asks for a path: a list of the folder's files, and a line to type into. The only dialog that waits for an answer.
 class FileDialog {

@@ -35,6 +35,7 @@ void InspectWorker::request(const StoryRequest& request) {
       story_ = std::move(story);
       message_ = std::move(message);
       busy_ = false;
+      news_ = true;
     }
     if (wake_) wake_();
   });
@@ -42,6 +43,7 @@ void InspectWorker::request(const StoryRequest& request) {
 
 void InspectWorker::clear() {
   const std::lock_guard lock(mutex_);
+  if (!wanted_) return;
   ++generation_;
   wanted_.reset();
   story_ = nullptr;

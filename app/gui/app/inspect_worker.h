@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,6 +36,9 @@ class InspectWorker {
   /// The newest finished story, which may still be that of an earlier request; nullptr if there is none.
   std::shared_ptr<const PixelStory> story() const;
   bool busy() const;
+  /// A story or an error has come since take_news().
+  bool has_news() const { return news_; }
+  void take_news() { news_ = false; }
   /// Why the newest request failed; empty if it did not.
   std::string message() const;
 
@@ -49,6 +53,7 @@ class InspectWorker {
   bool busy_ = false;
   std::shared_ptr<const PixelStory> story_;
   std::string message_;
+  std::atomic<bool> news_{false};
 
   NewestJob job_;  // last, so that its thread ends before what it uses
 };

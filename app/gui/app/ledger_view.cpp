@@ -9,6 +9,9 @@
 namespace ps::gui {
 namespace {
 
+constexpr double number_width = 72, swatch_size = 13, indent_step = 12;
+constexpr double room_for_one_line = 250;  // beside the numbers, for the words
+
 ImU32 swatch_colour(const Vec3d& value) {
   const auto level = [](double v) { return static_cast<int>(std::clamp(v, 0.0, 1.0) * 255 + 0.5); };
   return IM_COL32(level(value.x), level(value.y), level(value.z), 255);
@@ -20,54 +23,78 @@ bool tells_only(const PixelStory& story, const LedgerLine& line) {
          line.value == Vec3d(0, 0, 0);
 }
 
+/// Where the parts of a line go.
+struct Columns {
+  float left = 0, right = 0;  // window pixels
+  bool one_line = true;       // words and numbers side by side; else the numbers stand below the words
+
+  float number_right(int channel) const {
+    return right - px(swatch_size + 8) - px(number_width) * static_cast<float>(2 - channel);
+  }
+};
+
+void number_at(ImDrawList& list, ImFont* font, float right, float top, const std::string& text, ImU32 colour) {
+  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  list.AddText(font, font->FontSize, {right - width, top}, colour, text.c_str());
+}
+
+void headings(const Columns& columns) {
+  auto& list = *ImGui::GetWindowDrawList();
+  ImFont* font = theme().font(Face::small);
+  const float top = ImGui::GetCursorScreenPos().y;
+  int channel = 0;
+  for (const char* name : {"red", "green", "blue"})
+    number_at(list, font, columns.number_right(channel++), top, name, colour_u32(palette().text_quiet));
+  ImGui::Dummy({1, font->FontSize});
+}
+
+bool line_row(const std::string& name, const LedgerLine& line, bool selected, const Columns& columns) {
+  auto& list = *ImGui::GetWindowDrawList();
+  ImFont *words = theme().font(Face::body), *digits = theme().font(Face::mono);
+  const float pitch = std::max(words->FontSize, digits->FontSize) + px(3);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = columns.one_line ? pitch : 2 * pitch;
+  const bool clicked = ImGui::Selectable(("##" + name).c_str(), selected, 0, {0, height});
+  controls().record(name, line.term);
+  tooltip(fmt::format("{}\n{}  {}  {}", line.term, full_number(line.value.x), full_number(line.value.y),
+                      full_number(line.value.z)));
+  const float left = at.x + px(indent_step) * static_cast<float>(line.level) + px(4);
+  const float words_end = columns.one_line ? columns.number_right(0) - px(number_width) : columns.right;
+  const ImU32 ink = colour_u32(palette().text);
+  const ImVec4 clip(left, at.y, words_end, at.y + height);
+  list.AddText(words, words->FontSize, {left, at.y}, ink, line.term.c_str(), nullptr, 0, &clip);
+  const float top = columns.one_line ? at.y : at.y + pitch;
+  for (int channel = 0; channel < 3; ++channel)
+    number_at(list, digits, columns.number_right(channel), top, short_number(line.value[channel]), ink);
+  const float size = px(swatch_size);
+  const ImVec2 corner{columns.right - size, top + (pitch - size) / 2 - px(1)};
+  list.AddRectFilled(corner, {corner.x + size, corner.y + size}, swatch_colour(line.value));
+  list.AddRect(corner, {corner.x + size, corner.y + size}, colour_u32(palette().line_strong));
+  return clicked;
+}
+
 }  // namespace
 
 int ledger_view(const std::string& name, const PixelStory& story, int selected_event) {
   int clicked = -1;
-  if (!ImGui::BeginTable((name + "/ledger").c_str(), 5, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_PadOuterX))
-    return clicked;
-  const float number_width = px(58);
-  ImGui::TableSetupColumn("term", ImGuiTableColumnFlags_WidthStretch);
-  for (const char* channel : {"red", "green", "blue"})
-    ImGui::TableSetupColumn(channel, ImGuiTableColumnFlags_WidthFixed, number_width);
-  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, px(14));
-
-  ImGui::TableNextRow();
-  for (const char* heading : {"", "red", "green", "blue", ""}) {
-    ImGui::TableNextColumn();
-    const FontScope font(Face::small);
-    const float width = ImGui::CalcTextSize(heading).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.f, ImGui::GetContentRegionAvail().x - width));
-    ImGui::TextUnformatted(heading);
-  }
+  Columns columns;
+  columns.left = ImGui::GetCursorScreenPos().x;
+  columns.right = columns.left + ImGui::GetContentRegionAvail().x;
+  columns.one_line = columns.right - columns.left - px(3 * number_width + swatch_size) >= px(room_for_one_line);
+  headings(columns);
   int index = 0;
   for (const auto& line : story.ledger) {
-    if (tells_only(story, line)) continue;
-    const float indent = px(14) * static_cast<float>(line.level);
-    if (indent > 0) ImGui::Indent(indent);
-    if (table_row(fmt::format("{}/ledger/{}", name, index), line.term, line.event >= 0 && line.event == selected_event))
+    const std::string row = fmt::format("{}/ledger/{}", name, index++);
+    if (tells_only(story, line)) {
+      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+      ImGui::PushTextWrapPos(0);
+      value_text(row, line.term);
+      ImGui::PopTextWrapPos();
+      ImGui::PopStyleColor();
+    } else if (line_row(row, line, line.event >= 0 && line.event == selected_event, columns)) {
       clicked = line.event;
-    tooltip(line.term);
-    if (indent > 0) ImGui::Unindent(indent);
-    for (const double value : {line.value.x, line.value.y, line.value.z}) {
-      ImGui::TableNextColumn();
-      number_text(value);
     }
-    ImGui::TableNextColumn();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float size = px(14);
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size, at.y + size}, swatch_colour(line.value));
-    ImGui::GetWindowDrawList()->AddRect(at, {at.x + size, at.y + size}, colour_u32(palette().line));
-    ImGui::Dummy({size, size});
-    ++index;
   }
-  ImGui::EndTable();
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::PushTextWrapPos(0);
-  for (const auto& line : story.ledger)
-    if (tells_only(story, line)) value_text(fmt::format("{}/display/{}", name, index++), line.term);
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
   return clicked;
 }
 

@@ -3,10 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
+namespace {
+
+/// rich_text knows bold and code; *emphasis* reads as well without its marks.
+std::string without_emphasis(const std::string& text) {
+  static const std::regex mark(R"((^|[^*])\*([^*\s](?:[^*]*[^*\s])?)\*(?!\*))");
+  return std::regex_replace(text, mark, "$1$2");
+}
+
+}  // namespace
 
 const Lesson* LessonShelf::open(Session& session) {
   const std::string& wanted = session.document().lesson;
@@ -74,7 +84,9 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
     ImGui::TextWrapped("%s", lesson->title.c_str());
   }
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::PushTextWrapPos(0);
   value_text("place", fmt::format("step {} of {}   {}", index + 1, count, lesson->source));
+  ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 
   const float buttons = ImGui::GetFrameHeightWithSpacing() + px(4);
@@ -84,7 +96,7 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
     for (const auto& paragraph : lesson->paragraphs) text += paragraph + "\n\n";
   for (const auto& paragraph : step.paragraphs) text += paragraph + "\n\n";
   for (const auto& hint : step.hints) text += "- " + hint + "\n";
-  rich_text(text);
+  rich_text(without_emphasis(text));
   ImGui::EndChild();
 
   int target = index;

@@ -20,6 +20,7 @@ std::string book_title(const std::string& book) {
   if (book == "cgfs") return "Computer Graphics from Scratch";
   if (book == "cgpp") return "Computer Graphics: Principles and Practice";
   if (book == "lab") return "Laboratory";
+  if (book == "models") return "Models";
   return book;
 }
 
@@ -50,6 +51,7 @@ void App::scene_menu() {
   menu_action(actions, "reload");
   ImGui::Separator();
   menu_action(actions, "save-picture");
+  menu_action(actions, "save-scene");
   menu_action(actions, "copy-permalink");
   ImGui::Separator();
   menu_action(actions, "quit");
@@ -163,6 +165,9 @@ void App::file_dialog() {
   }
   case FilePurpose::save_picture:
     save_pictures(answer->path);
+    break;
+  case FilePurpose::save_scene:
+    save_scene_as(answer->path);
     break;
   }
 }

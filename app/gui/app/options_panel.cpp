@@ -26,6 +26,13 @@ bool differs(const Option& option, const Session& session) {
 /// Groups that show most of what changes a picture are open at the first start.
 bool open_at_first(std::string_view group) { return group == option_table().front().group || group == "Shading"; }
 
+/// Goes on in the same line if a button with this label has room there.
+void same_line_if_fits(const char* label) {
+  const float room = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x;
+  const auto& style = ImGui::GetStyle();
+  if (ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x + style.ItemSpacing.x + px(4) <= room) ImGui::SameLine();
+}
+
 void header(Session& session, OptionsPanelState& state) {
   static constexpr std::array tabs{Choice{"a", "A", "Options of the left picture."},
                                    Choice{"b", "B", "Options of the right picture."}};
@@ -48,11 +55,11 @@ void header(Session& session, OptionsPanelState& state) {
   if (button("copy-to-other", copy, Emphasis::plain,
              {.tooltip = "Gives the other picture all options of this one.", .disabled = same}))
     session.set_settings(other, session.settings(state.side), fmt::format("copy options of {} to {}", here, there));
-  ImGui::SameLine();
+  same_line_if_fits("Swap");
   if (button("swap", "Swap", Emphasis::plain,
              {.tooltip = "A takes the options of B, and B those of A.", .disabled = same}))
     session.edit("swap A and B", [](Document& document) { std::swap(document.a.settings, document.b.settings); });
-  ImGui::SameLine();
+  same_line_if_fits("Reset all");
   // Which renderer a side uses is what it is for; resetting the rest keeps the comparison.
   Settings defaults;
   defaults.renderer = session.settings(state.side).renderer;

@@ -88,11 +88,11 @@ void title(Session& session, Side side, const Area& row) {
 }
 
 /// The line below a picture: how long it took and what it cost; a thin bar while it is being made.
-void footer(Session& session, Side side, const Area& row) {
+void footer(Session& session, Side side, const Area& row, const std::string& before = {}) {
   auto& list = *ImGui::GetWindowDrawList();
   const auto status = session.renderer(side).status();
   const auto result = session.renderer(side).result();
-  const std::string text = footer_text(status, result.get());
+  const std::string text = before + footer_text(status, result.get());
   clipped_text(list, Face::small, {row.min.x, row.min.y + px(5)}, row.width(), colour_u32(palette().text_quiet), text);
   ImGui::SetCursorScreenPos(row.min);
   ImGui::Dummy({row.width(), row.height()});
@@ -314,8 +314,8 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area) {
     state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
     difference_view(session, state, title_row, inner);
     const float middle = (area.min.x + area.max.x) / 2;
-    footer(session, Side::a, {footer_row.min, {middle, footer_row.max.y}});
-    footer(session, Side::b, {{middle, footer_row.min.y}, footer_row.max});
+    footer(session, Side::a, {footer_row.min, {middle, footer_row.max.y}}, "A   ");
+    footer(session, Side::b, {{middle, footer_row.min.y}, footer_row.max}, "B   ");
     break;
   }
   case CompareMode::only_a:

@@ -77,7 +77,8 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   const std::string name = prefix(side);
   verdict(story, side);
   ImGui::Spacing();
-  if (section("events", "What happened", state.events_open, fmt::format("{} events", story.events.size())))
+  if (section("events", "What happened", state.events_open,
+              fmt::format("{} event{}", story.events.size(), story.events.size() == 1 ? "" : "s")))
     story_tree_view(name, story, session.scene(), cursor);
   if (section("sum", "The colour as a sum", state.sum_open)) {
     if (const int clicked = ledger_view(name, story, cursor.selected); clicked >= 0) {

@@ -111,7 +111,8 @@ ChannelLegend RenderWorker::legend() const {
 }
 
 std::vector<TileRect> RenderWorker::collect(Image<Rgb8>& picture) {
-  woken_.store(false);
+  woken_ = false;
+  news_ = false;
   const std::lock_guard lock(mutex_);
   if (picture.width() != picture_.width() || picture.height() != picture_.height()) {
     picture = picture_;
@@ -152,6 +153,7 @@ void RenderWorker::render_both(const Run& run, Progress& progress) {
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
     if (run.generation != generation_) return;
+    news_ = true;
     state_ = RenderState::failed;
     message_ = error.what();
   }
@@ -216,6 +218,7 @@ void RenderWorker::publish(const Image<Rgb8>& pixels, const TileRect& rect, cons
       picture_ = Image<Rgb8>(run.request.view.width, run.request.view.height, not_yet_there);
     copy_enlarged(pixels, place, divisor, picture_);
     changed_.push_back(place);
+    news_ = true;
   }
   wake();
 }
@@ -235,6 +238,7 @@ void RenderWorker::show_whole(const std::shared_ptr<const RenderResult>& result,
         changed_ = {whole(picture_.width(), picture_.height())};
         if (result_ != result) ++done_;
         result_ = result;
+        news_ = true;
         state_ = RenderState::done;
         unseen_ = 0;
         break;

@@ -70,6 +70,8 @@ class RenderWorker {
   std::shared_ptr<const RenderResult> result() const;
   /// What the colours mean, of the newest whole picture.
   ChannelLegend legend() const;
+  /// Something has come since collect().
+  bool has_news() const { return news_; }
   /// Copies what changed since the last call into `picture` (resizing it as needed) and returns the changed rectangles.
   std::vector<TileRect> collect(Image<Rgb8>& picture);
 
@@ -110,6 +112,7 @@ class RenderWorker {
   Image<Rgb8> picture_;
   std::vector<TileRect> changed_;
 
+  std::atomic<bool> news_{false};   // set, under the lock, before anyone can see what is new
   std::atomic<bool> woken_{false};  // and not collected since
 
   NewestJob job_;  // last, so that its thread ends before what it uses

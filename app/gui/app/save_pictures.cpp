@@ -4,6 +4,7 @@
 #include "base/version.h"
 #include "gui/app/app.h"
 #include "image/file.h"
+#include "scene/scene_writer.h"
 
 namespace ps::gui {
 
@@ -27,6 +28,19 @@ void App::save_pictures(const std::filesystem::path& path) {
     session_.say(Message::Kind::information,
                  fmt::format("Saved {} and {}{}.", named("-a").string(), named("-b").filename().string(),
                              difference ? " and the difference" : ""));
+  } catch (const InputError& error) {
+    session_.say(Message::Kind::error, error.what());
+  }
+}
+
+/// Writes the scene as it is now, with its edits and the camera that is looked through.
+void App::save_scene_as(std::filesystem::path path) {
+  if (path.extension().empty()) path += ".scene";
+  try {
+    Scene scene = session_.scene();
+    scene.camera = session_.view().camera;
+    save_scene(scene, path);
+    session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
   } catch (const InputError& error) {
     session_.say(Message::Kind::error, error.what());
   }

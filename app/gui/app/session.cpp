@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/check.h"
 #include "document/permalink.h"
 #include "scene/load.h"
 
@@ -54,6 +55,7 @@ Session::~Session() = default;
 bool Session::update() {
   const bool arrived = take_loaded();
   if (watch_.take_changed()) reload();
+  for (const auto& inspector : inspectors_) inspector->take_news();
   if (has_scene()) request_work();
   return arrived;
 }
@@ -77,10 +79,25 @@ bool Session::busy() const {
   });
 }
 
+bool Session::has_news() const {
+  {
+    const std::lock_guard lock(loaded_mutex_);
+    if (loaded_) return true;
+  }
+  return std::any_of(both_sides.begin(), both_sides.end(), [&](Side side) {
+    return renderers_[index_of(side)]->has_news() || inspectors_[index_of(side)]->has_news();
+  });
+}
+
 void Session::edit(const std::string& what, const std::string& drag, const std::function<void(Document&)>& apply) {
   if (!has_scene()) return;
   Document changed = document_;
-  apply(changed);
+  try {
+    apply(changed);
+  } catch (const InputError& error) {
+    say(Message::Kind::error, error.what());
+    return;
+  }
   if (changed == document_) return;
   document_ = changed;
   history_->push(std::move(changed), what, drag);

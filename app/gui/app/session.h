@@ -60,10 +60,14 @@ class Session {
   InspectWorker& inspector(Side side) { return *inspectors_[index_of(side)]; }
   /// The story of the picked pixel; nullptr while there is none.
   std::shared_ptr<const PixelStory> story(Side side) const;
+  /// Something is loading, rendering or being told.
   bool busy() const;
+  /// Something has come that update() and RenderWorker::collect() have not taken up yet.
+  bool has_news() const;
 
   // --- changing it; `what` names the step in the history ---
-  /// Makes one step. Steps with the same `drag` (not empty) in a row become one, until end_drag().
+  /// Makes one step. An InputError from `apply` becomes a message and leaves the document as it was. Steps with the
+  /// same `drag` (not empty) in a row become one, until end_drag().
   void edit(const std::string& what, const std::string& drag, const std::function<void(Document&)>& apply);
   void edit(const std::string& what, const std::function<void(Document&)>& apply) { edit(what, {}, apply); }
   void end_drag();
@@ -123,7 +127,7 @@ class Session {
   std::vector<Message> messages_;
   std::vector<std::string> recent_;
 
-  std::mutex loaded_mutex_;
+  mutable std::mutex loaded_mutex_;
   std::optional<Loaded> loaded_;
 
   // Last, so that their threads end before what they use.

@@ -15,6 +15,7 @@ namespace {
 using Results = std::array<std::shared_ptr<const RenderResult>, 2>;
 
 constexpr double label_width = 172, number_width = 82;
+constexpr double table_width = label_width + 3 * number_width + 40;
 
 void columns() {
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, px(label_width));
@@ -61,7 +62,7 @@ std::optional<double> stage_time(const std::shared_ptr<const RenderResult>& resu
 }
 
 void times(const Results& results) {
-  if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, {px(table_width), 0})) return;
   columns();
   heading("Time, ms");
   std::vector<std::string> stages;
@@ -79,7 +80,7 @@ void times(const Results& results) {
 }
 
 void counters(const Results& results) {
-  if (!ImGui::BeginTable("counters", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  if (!ImGui::BeginTable("counters", 4, ImGuiTableFlags_SizingFixedFit, {px(table_width), 0})) return;
   columns();
   heading("Work");
   for (std::size_t i = 0; i < counter_count; ++i) {
@@ -104,7 +105,7 @@ void timings_panel(Session& session) {
   const NameScope scope("timings");
   const Results results{session.renderer(Side::a).result(), session.renderer(Side::b).result()};
   ImGui::BeginChild("timings", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
-  const float column = px(label_width + 3 * number_width + 60);
+  const float column = px(table_width + 20);
   const bool beside = ImGui::GetContentRegionAvail().x >= 2 * column;
   ImGui::BeginGroup();
   times(results);
