@@ -38,7 +38,7 @@ void draw_grid(ImDrawList& list, const TileRect& pixels, const PictureTransform&
   }
 }
 
-std::string levels_text(Rgb8 level) { return fmt::format("{}\n{}\n{}", level.r, level.g, level.b); }
+std::string levels_text(Rgb8 level) { return fmt::format("{:3}\n{:3}\n{:3}", level.r, level.g, level.b); }
 
 /// Black or white, whichever reads better on the colour.
 ImU32 readable_on(Rgb8 colour) {
@@ -84,6 +84,7 @@ void draw_mark(ImDrawList& list, ImVec2 min, ImVec2 max) {
   const float gap = px(3), arm = px(8);
   const auto strokes = [&](ImU32 colour, float thickness) {
     list.AddRect(low, high, colour, 0, 0, thickness);
+    if (high.x - low.x > px(24)) return;  // large enough to be found without arms, which would lie on its neighbours
     list.AddLine({low.x - gap - arm, middle.y}, {low.x - gap, middle.y}, colour, thickness);
     list.AddLine({high.x + gap, middle.y}, {high.x + gap + arm, middle.y}, colour, thickness);
     list.AddLine({middle.x, low.y - gap - arm}, {middle.x, low.y - gap}, colour, thickness);
