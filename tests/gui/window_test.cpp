@@ -57,8 +57,8 @@ TEST(Window, MisspeltControlNamesSimilarOnes) {
 
 TEST(Window, IdleWindowDrawsNothing) {
   const auto folder = ps::fresh_output_folder("gui-idle");
-  const auto result =
-      play("wait idle\nprint window/frames\nwait 1500\nprint window/frames\n", folder, "1024x768", "--widget-gallery");
+  const auto result = play("wait idle\nwait 500\nprint window/frames\nwait 1500\nprint window/frames\n", folder,
+                           "1024x768", "--widget-gallery");
   ASSERT_EQ(result.status, 0) << result.errors;
   std::istringstream lines(result.output);
   int before = 0, after = 0;

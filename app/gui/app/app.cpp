@@ -63,6 +63,7 @@ std::filesystem::path autosave_folder(const AppOptions& options) {
 }  // namespace
 
 Document first_document(const AppOptions& options) {
+  if (!options.lesson.empty()) load_lesson(options.lesson);
   Document document;
   if (!options.permalink.empty()) {
     document = parse_permalink(options.permalink);

@@ -28,7 +28,8 @@ struct AppOptions {
   bool remember = true;                 ///< restore after a crash; off for scripts
 };
 
-/// The document that the options ask for. Throws InputError for a scene, option or permalink that is not to be had.
+/// The document that the options ask for. Throws InputError for a scene, lesson, option or permalink that is not
+/// to be had.
 Document first_document(const AppOptions& options);
 
 /// Everything inside the window.

@@ -212,6 +212,8 @@ void Session::take_up(Document document, Reason reason) {
     break;
   case Reason::reload:
     keep_place(document_, document);
+    // What was wrong with the file has been mended.
+    std::erase_if(messages_, [&](const Message& message) { return message.text.starts_with(document.scene_name); });
     break;
   }
   document_ = document;
@@ -278,6 +280,16 @@ void Session::say(Message::Kind kind, std::string text) {
   const bool known =
       std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) { return message.text == text; });
   if (!known) messages_.push_back({kind, std::move(text)});
+}
+
+bool Session::expire_messages(double now) {
+  constexpr double long_enough = 6;  // seconds
+  for (auto& message : messages_)
+    if (message.since < 0) message.since = now;
+  const auto passing = [](const Message& message) { return message.kind == Message::Kind::information; };
+  std::erase_if(messages_,
+                [&](const Message& message) { return passing(message) && now - message.since > long_enough; });
+  return std::any_of(messages_.begin(), messages_.end(), passing);
 }
 
 void Session::dismiss(std::size_t index) {

@@ -27,6 +27,7 @@ inline std::size_t index_of(Side side) { return side == Side::a ? 0 : 1; }
 struct Message {
   enum class Kind { information, warning, error } kind = Kind::information;
   std::string text;
+  double since = -1;  ///< seconds on the window's clock when it was first seen; negative before
 };
 
 /// What the session needs from the window around it. All may be empty.
@@ -99,6 +100,9 @@ class Session {
   const std::vector<Message>& messages() const { return messages_; }
   void say(Message::Kind kind, std::string text);
   void dismiss(std::size_t index);
+  /// Takes information away that has been seen for long enough; warnings and errors stay until they are dismissed.
+  /// Answers whether some is still to go.
+  bool expire_messages(double now);
 
  private:
   enum class Reason { open, reload };

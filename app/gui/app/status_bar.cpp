@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
 #include "inspect/names.h"
 #include "math/conventions.h"
@@ -101,6 +102,7 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
 }
 
 void message_bars(Session& session, float left, float right, float bottom) {
+  if (session.expire_messages(ImGui::GetTime())) redraw_after(1);
   const auto& messages = session.messages();
   if (messages.empty()) return;
   ImGui::SetNextWindowPos({left, bottom}, ImGuiCond_Always, {0, 1});
