@@ -33,6 +33,9 @@ void same_line_if_fits(const char* label) {
   if (ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x + style.ItemSpacing.x + px(4) <= room) ImGui::SameLine();
 }
 
+/// Whether a script looks for the option's control, which is out of sight while its group is closed.
+bool wanted_by_script(const Option* option) { return controls().reveals(full_name(option->key)); }
+
 void header(Session& session, OptionsPanelState& state) {
   static constexpr std::array tabs{Choice{"a", "A", "Options of the left picture."},
                                    Choice{"b", "B", "Options of the right picture."}};
@@ -136,6 +139,7 @@ void options_panel(Session& session, OptionsPanelState& state) {
     // A filter shows what it finds; how the groups stand without it is not lost.
     bool filtered_open = true;
     bool& shown_open = state.search.empty() && !state.only_differences ? open : filtered_open;
+    shown_open = shown_open || std::any_of(shown.begin(), shown.end(), wanted_by_script);
     const std::string note = different > 0 ? fmt::format("{} differ", different) : "";
     if (section("group/" + group, group, shown_open, note))
       for (const Option* option : shown) row(session, state, *option);

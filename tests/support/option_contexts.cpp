@@ -1,0 +1,105 @@
+#include "support/option_contexts.h"
+
+#include <algorithm>
+
+#include "base/paths.h"
+#include "options/scene_settings.h"
+#include "render/display_frame.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps::test {
+namespace {
+
+std::string lesson_scene(const std::string& name) { return (chapter_dir() / "cgfs_14_textures" / name).string(); }
+
+Outcome outcome(const Scene& scene, int width, int height, const Settings& settings, Prepared& prepared) {
+  Progress progress;
+  const Frame frame = render(scene, {scene.camera, width, height}, settings, {}, prepared, progress);
+  return {display_frame(frame, settings), frame.counters};
+}
+
+std::vector<double> other_values(const Option& option, const Settings& settings) {
+  const double now = option.get(settings);
+  std::vector<double> values;
+  if (option.kind == OptionKind::boolean) return {1 - now};
+  if (option.kind == OptionKind::choice)
+    for (std::size_t i = 0; i < option.choices.size(); ++i) values.push_back(static_cast<double>(i));
+  else
+    values = {std::clamp(now * 2 + 1, option.minimum, option.maximum), option.minimum, option.maximum};
+  std::erase(values, now);
+  return values;
+}
+
+}  // namespace
+
+const std::vector<OptionContext>& option_contexts() {
+  static const std::vector<OptionContext> all{
+      {"cgfs/reflections", {}},
+      {"cgfs/reflections", {"renderer=rasterizer"}},
+      {"cgfs/reflections", {"self-hit=epsilon"}},
+      {"cgfs/reflections", {"self-hit=epsilon", "shadow-epsilon=0.1"}},
+      {"cgfs/shading", {"renderer=rasterizer"}},
+      {"cgfs/shading", {"triangle-test=moeller-trumbore"}},
+      {"cgfs/shading", {"triangle-test=moeller-trumbore", "triangle-epsilon=1"}},
+      {"cgfs/crates", {"renderer=rasterizer"}},
+      {"cgfs/depth", {"renderer=rasterizer"}},
+      {"cgfs/lines", {"renderer=rasterizer"}},
+      {"cgfs/wireframe", {"renderer=rasterizer"}},
+      {"lab/flattened", {"renderer=rasterizer"}},
+      {"cgfs/cubes", {"renderer=rasterizer", "subpixel-bits=0"}},
+      {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
+      {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
+  };
+  return all;
+}
+
+struct OptionResponses::Loaded {
+  Scene scene;
+  Settings settings;
+  Prepared prepared;
+  std::optional<Outcome> before;
+};
+
+OptionResponses::OptionResponses(int width, int height) : width_(width), height_(height) {
+  for (const OptionContext& context : option_contexts()) {
+    auto loaded = std::make_unique<Loaded>();
+    loaded->scene = load_scene(context.scene);
+    loaded->settings = settings_for(loaded->scene);
+    for (const std::string& assignment : context.assignments) parse_assignment(assignment, loaded->settings);
+    loaded_.push_back(std::move(loaded));
+  }
+}
+
+OptionResponses::~OptionResponses() = default;
+
+const Settings& OptionResponses::settings(std::size_t context) const { return loaded_[context]->settings; }
+
+const Outcome& OptionResponses::unchanged(std::size_t context) {
+  Loaded& my = *loaded_[context];
+  if (!my.before) my.before = outcome(my.scene, width_, height_, my.settings, my.prepared);
+  return *my.before;
+}
+
+std::optional<OptionResponse> OptionResponses::find_in(std::size_t context, const Option& option, bool pictures_only) {
+  Loaded& my = *loaded_[context];
+  if (inactive_reason(option, my.settings, scene_traits(my.scene))) return {};
+  const Outcome& before = unchanged(context);
+  for (const double value : other_values(option, my.settings)) {
+    Settings changed = my.settings;
+    option.set(changed, value);
+    Outcome after = outcome(my.scene, width_, height_, changed, my.prepared);
+    if (pictures_only ? after.picture != before.picture : after != before)
+      return OptionResponse{context, option_text(option, changed), before, std::move(after)};
+  }
+  return {};
+}
+
+std::optional<OptionResponse> OptionResponses::find(const Option& option) {
+  for (const bool pictures_only : {true, false})
+    for (std::size_t context = 0; context < loaded_.size(); ++context)
+      if (auto response = find_in(context, option, pictures_only)) return response;
+  return {};
+}
+
+}  // namespace ps::test
