@@ -101,22 +101,24 @@ Fields fields(const RejectEvent& e) {
 }
 
 Fields fields(const FragmentEvent& e) {
-  return {{"id", e.id},
-          {"corner-0", list(e.corners[0])},
-          {"corner-1", list(e.corners[1])},
-          {"corner-2", list(e.corners[2])},
-          {"corner-depth", list(e.corner_depth)},
-          {"edges", list(e.edges)},
-          {"tie-owned", std::vector<bool>(e.tie_owned.begin(), e.tie_owned.end())},
-          {"weights-2d", list(e.weights_2d)},
-          {"weights", list(e.weights)},
-          {"z", e.z},
-          {"inverse-z", e.inverse_z},
-          {"depth-test", std::string(depth_verdict_key(e.depth))},
-          {"depth-stored", e.depth_stored},
-          {"depth-new", e.depth_new},
-          {"back-face", e.back_face},
-          {"clipped-into", whole(e.clipped_into)}};
+  Fields f{{"id", e.id},
+           {"corner-0", list(e.corners[0])},
+           {"corner-1", list(e.corners[1])},
+           {"corner-2", list(e.corners[2])},
+           {"corner-depth", list(e.corner_depth)},
+           {"edges", list(e.edges)},
+           {"tie-owned", std::vector<bool>(e.tie_owned.begin(), e.tie_owned.end())},
+           {"weights-2d", list(e.weights_2d)},
+           {"weights", list(e.weights)},
+           {"z", e.z},
+           {"inverse-z", e.inverse_z},
+           {"depth-test", std::string(depth_verdict_key(e.depth))},
+           {"depth-stored", e.depth_stored},
+           {"depth-new", e.depth_new},
+           {"back-face", e.back_face},
+           {"clipped-into", whole(e.clipped_into)}};
+  if (e.sphere_triangle >= 0) f.push_back({"sphere-triangle", whole(e.sphere_triangle)});
+  return f;
 }
 
 Fields fields(const WriteEvent& e) {

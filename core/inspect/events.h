@@ -146,7 +146,8 @@ struct FragmentEvent {
   enum class Depth { passed, failed, off } depth = Depth::off;
   double depth_stored = 0, depth_new = 0;  ///< in the stored depth value; meaningless when off
   bool back_face = false;
-  int clipped_into = 1;  ///< number of triangles that clipping made of the original
+  int sphere_triangle = -1;  ///< which of the triangles that stand for a sphere; -1 for triangles of a model
+  int clipped_into = 1;      ///< number of triangles that clipping made of the original
 };
 
 /// A fragment that passed wrote the pixel.

@@ -5,6 +5,7 @@
 
 #include "raster/canvas_line.h"
 #include "raster/corner_attributes.h"
+#include "raster/fragment_event.h"
 #include "raster/guard_band.h"
 #include "raster/light_at.h"
 #include "raster/near_pixel.h"
@@ -247,6 +248,7 @@ class Assembler {
     event.id = {object_.object, static_cast<std::int32_t>(index_)};
     event.reason = reason;
     event.detail = detail;
+    name_by_object(object_.sphere, event);
     batch_.rejected.push_back({sequence_, event});
   }
 

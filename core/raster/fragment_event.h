@@ -19,9 +19,17 @@ inline std::array<double, 3> edges_in_pixels(const std::array<std::int64_t, 3>& 
   return edges;
 }
 
+/// A sphere is one primitive: its events carry triangle 0, as rays' do.
 template <class Real>
 PixelId event_id(const TriangleSetup<Real>& setup) {
-  return {setup.surface->object, setup.triangle->triangle};
+  return {setup.surface->object, setup.surface->sphere ? 0 : setup.triangle->triangle};
+}
+
+/// The same for a triangle that drew nothing, with its number among those that stand for the sphere as a detail.
+inline void name_by_object(bool sphere, RejectEvent& event) {
+  if (!sphere) return;
+  event.detail += (event.detail.empty() ? "" : ", ") + ("its triangle " + std::to_string(event.id.triangle));
+  event.id.triangle = 0;
 }
 
 /// All that is known of a covered sample before it is shaded. `stored` is the depth buffer's value before the test.
@@ -31,6 +39,7 @@ FragmentEvent fragment_event(const Pass<Real>& pass, const TriangleSetup<Real>& 
                              Real depth) {
   FragmentEvent event;
   event.id = event_id(setup);
+  if (setup.surface->sphere) event.sphere_triangle = setup.triangle->triangle;
   const int bits = pass.grid.subpixel_bits;
   const std::array<Real, 3> weights = space_weights(pass, setup, fragment);
   event.edges = edges_in_pixels(values, bits);
@@ -55,11 +64,12 @@ template <class Real>
 RejectEvent not_covered_event(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
                               const std::array<std::int64_t, 3>& values) {
   RejectEvent event;
-  event.id = event_id(setup);
+  event.id = {setup.surface->object, setup.triangle->triangle};
   event.reason = RejectReason::not_covered;
   for (std::size_t i = 0; i < 3 && event.detail.empty(); ++i)
     if (values[i] <= setup.edges.threshold[i]) event.detail = "edge " + std::to_string(i);
   event.edges = edges_in_pixels(values, pass.grid.subpixel_bits);
+  name_by_object(setup.surface->sphere, event);
   return event;
 }
 

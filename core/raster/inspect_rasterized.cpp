@@ -5,6 +5,8 @@
 #include "inspect/finish_story.h"
 #include "raster/canvas_items.h"
 #include "raster/draw_primitives.h"
+#include "raster/fragment_event.h"
+#include "raster/near_pixel.h"
 #include "render/render.h"
 
 namespace ps {
@@ -35,9 +37,14 @@ class PixelWalk {
     const std::vector<PrimitiveRef> near = pick_near();
     const bool in_order = pass_.settings.visibility != Visibility::painter;
     if (!in_order) report_rejected(recorder, ~std::uint32_t{0});
-    for (const PrimitiveRef& ref : near) {
-      if (in_order) report_rejected(recorder, sequence(ref));
-      draw_primitives(pass_, geometry_, std::span<const PrimitiveRef>(&ref, 1), target, recorder);
+    for (std::size_t i = 0; i < near.size();) {
+      if (in_order) report_rejected(recorder, sequence(near[i]));
+      const std::size_t first = i;
+      const std::uint64_t before = recorder.counters[Counter::pixels_written];
+      for (; i < near.size() && sequence(near[i]) == sequence(near[first]); ++i)
+        draw_primitives(pass_, geometry_, std::span<const PrimitiveRef>(&near[i], 1), target, recorder);
+      if (!filled() && recorder.counters[Counter::pixels_written] == before)
+        report_untouched(recorder, line(near[first]));
     }
     report_rejected(recorder, ~std::uint32_t{0});
     draw_canvas_items(pass_, target, recorder);
@@ -53,8 +60,31 @@ class PixelWalk {
     return filled() ? triangle(ref).sequence : line(ref).sequence;
   }
 
-  /// The primitives whose box, grown by a pixel, holds the pixel. Of the pieces that clipping made of one triangle only
-  /// the one that covers the pixel stays, or the first if none does.
+  /// A triangle of which only edges or corners are drawn is near when its area is; a filled one when its box is.
+  bool is_near(const PrimitiveRef& ref) const {
+    if (filled()) return touch(triangle(ref).box, grown(pixel_));
+    const ScreenLine<Real>& edge = line(ref);
+    const auto object = static_cast<std::size_t>(pass_.surfaces[edge.surface].object);
+    const MeshTriangle& mesh = pass_.objects[object].mesh->triangles[static_cast<std::size_t>(edge.triangle)];
+    std::array<Vec3<Real>, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = geometry_.vertices[object].camera[mesh.position[k]];
+    return near_pixel(pass_, corners, pixel_);
+  }
+  /// Tells of a triangle near the pixel whose edges, or corners, all pass by it.
+  void report_untouched(PixelRecorder& recorder, const ScreenLine<Real>& edge) const {
+    recorder.event([&] {
+      const Surface<Real>& surface = pass_.surfaces[edge.surface];
+      RejectEvent event;
+      event.id = {surface.object, edge.triangle};
+      event.reason = RejectReason::not_covered;
+      event.detail = pass_.settings.draw == Draw::points ? "no corner lies in it" : "no edge passes through it";
+      name_by_object(surface.sphere, event);
+      return event;
+    });
+  }
+
+  /// The primitives near the pixel. Of the pieces that clipping made of one triangle only the one that covers the pixel
+  /// stays, or the first if none does.
   std::vector<PrimitiveRef> pick_near() {
     std::vector<PrimitiveRef> near;
     std::set<std::uint32_t> near_triangles;
@@ -64,7 +94,7 @@ class PixelWalk {
     for (const PrimitiveRef& ref : drawing_order(pass_, geometry_)) {
       if (sequence(ref) != last) ++triangles;
       last = sequence(ref);
-      if (!touch(filled() ? triangle(ref).box : line(ref).box, grown(pixel_))) continue;
+      if (!is_near(ref)) continue;
       near.push_back(ref);
       near_triangles.insert(sequence(ref));
       if (filled() && covers(triangle(ref))) covered.insert(sequence(ref));

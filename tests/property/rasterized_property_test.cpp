@@ -244,5 +244,35 @@ TEST(Rasterized, LowestIndexWinsTies) {
   }
 }
 
+/// A pixel inside a triangle of which only edges or corners are drawn is told why it stays empty; a sphere's events
+/// name the sphere, as rays' do, and keep the number of the triangle that stands for it as a detail.
+TEST(Rasterized, InspectorNamesWhatPassesBy) {
+  Prepared prepared;
+  Progress progress;
+  const Scene cubes = load_scene("cgfs/wireframe");
+  for (const auto& [how, detail] :
+       {std::pair{"draw=wireframe", "no edge passes through it"}, std::pair{"draw=points", "no corner lies in it"}}) {
+    const Settings settings = settings_of({how, "backface-culling=off"});
+    const PixelStory story = inspect(cubes, {cubes.camera, 600, 600}, settings, {200, 320}, prepared, progress);
+    int told = 0;
+    for (const Event& event : story.events)
+      if (const auto* reject = std::get_if<RejectEvent>(&event.data))
+        told += reject->reason == RejectReason::not_covered && reject->detail == detail;
+    EXPECT_EQ(told, 2) << how;  // one triangle of the front square and one of the back square lie there
+    EXPECT_EQ(story.triangles_elsewhere + static_cast<std::uint64_t>(told), 24u) << how;
+  }
+  const Scene spheres = load_scene("cgfs/spheres");
+  const PixelStory story =
+      inspect(spheres, {spheres.camera, 600, 600}, settings_of({}), {300, 400}, prepared, progress);
+  int fragments = 0;
+  for (const Event& event : story.events)
+    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
+      ++fragments;
+      EXPECT_EQ(fragment->id.triangle, 0);
+      EXPECT_GE(fragment->sphere_triangle, 0);
+    }
+  EXPECT_GE(fragments, 1);
+}
+
 }  // namespace
 }  // namespace ps

@@ -1,0 +1,41 @@
+// The pixel that a scene's inspector opens on shows something, whichever renderer draws it.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+PixelStory story_of(const Scene& scene, Renderer renderer) {
+  Settings settings = settings_for(scene);
+  settings.renderer = renderer;
+  const View view{scene.camera, scene.canvas_width, scene.canvas_height};
+  Prepared prepared;
+  Progress progress;
+  return inspect(scene, view, settings, scene.telling_pixel, prepared, progress);
+}
+
+template <class Event>
+bool tells_of(const PixelStory& story) {
+  return std::any_of(story.events.begin(), story.events.end(),
+                     [](const auto& event) { return std::holds_alternative<Event>(event.data); });
+}
+
+TEST(TellingPixel, ShowsSomethingInBothRenderers) {
+  for (const auto& listed : builtin_scenes()) {
+    SCOPED_TRACE(listed.name);
+    const Scene scene = load_scene(listed.name);
+    const PixelStory drawn = story_of(scene, Renderer::rasterizer);
+    EXPECT_TRUE(tells_of<WriteEvent>(drawn) || tells_of<LineEvent>(drawn)) << drawn.verdict;
+    if (scene.geometry->objects.empty()) continue;  // shapes on the canvas are not for rays
+    const PixelStory traced = story_of(scene, Renderer::ray_tracer);
+    EXPECT_TRUE(tells_of<HitEvent>(traced)) << traced.verdict;
+  }
+}
+
+}  // namespace
+}  // namespace ps
