@@ -32,7 +32,8 @@ class TriangleDrawer {
     recorder_.count(Counter::coverage_tests,
                     static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0));
     if (target_.wants(Channel::tests)) count_tests(box);
-    batched_ = can_batch();
+    if constexpr (std::is_same_v<Real, float> && !Recorder::records)
+      if (draw_fast(box)) return;
     std::array<std::int64_t, 3> row_values = setup_.edges.at(box.x0, box.y0);
     for (int row = box.y0; row < box.y1; ++row) {
       std::array<std::int64_t, 3> values = row_values;
@@ -40,7 +41,6 @@ class TriangleDrawer {
         if (setup_.edges.inside(values)) cover(column, row, values);
         for (std::size_t i = 0; i < 3; ++i) values[i] += setup_.edges.step_x[i];
       }
-      if (batched_) finish_row(row);
       for (std::size_t i = 0; i < 3; ++i) row_values[i] += setup_.edges.step_y[i];
     }
   }
@@ -69,7 +69,6 @@ class TriangleDrawer {
       return;
     }
     if (depth_buffer_) target_.depth(column, row) = depth;
-    if (batched_) return put_aside(fragment);
     const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_);
     recorder_.event([&] {
       return WriteEvent{event_id(setup_), Vec3d(target_.colour(column, row)), Vec3d(shaded.colour),
@@ -81,52 +80,90 @@ class TriangleDrawer {
     if (pass_.channels != Channel::none) write_channels(fragment, shaded);
   }
 
+  /// The fast path: coverage, depth and shading of many samples at once. False if it cannot draw this triangle.
+  bool draw_fast(const PixelBox& box) {
+    if (!pass_.shade_batch || !can_batch()) return false;
+    TriangleScan scan;
+    scan.edges = &setup_.edges;
+    scan.box = box;
+    scan.inverse_area = setup_.inverse_area;
+    scan.inverse_z = setup_.triangle->inverse_z;
+    scan.stored_depth = setup_.triangle->z;
+    scan.depth_value = pass_.settings.depth_value;
+    scan.depth = depth_buffer_ ? &target_.depth(box.x0, box.y0) : nullptr;
+    scan.depth_stride = target_.rect().width();
+    scan.frame_width = target_.frame().width();
+    if (!can_scan(scan)) return false;
+    const BatchShading shading = batch_shading();
+    ScanCounts counts;
+    std::uint64_t shaded = 0;
+    for (int row = box.y0; row < box.y1;) {
+      row = pass_.scan_triangle(scan, row, batch_, counts);
+      if (batch_.count == 0) continue;
+      pass_.shade_batch(shading, batch_);
+      target_.set_colours(batch_);
+      shaded += static_cast<std::uint64_t>(batch_.count);
+      batch_.count = 0;
+    }
+    count_fast(counts, shaded);
+    return true;
+  }
+
+  /// The same numbers that the clear path counts fragment by fragment.
+  void count_fast(const ScanCounts& counts, std::uint64_t shaded) {
+    const AttributeLayout& layout = setup_.surface->layout;
+    recorder_.count(Counter::fragments, counts.fragments);
+    if (depth_buffer_) {
+      recorder_.count(Counter::depth_tests, counts.fragments);
+      recorder_.count(Counter::attributes_interpolated, counts.fragments);
+      recorder_.count(Counter::depth_failures, counts.depth_failures);
+    }
+    recorder_.count(Counter::attributes_interpolated, shaded * static_cast<std::uint64_t>(layout.count));
+    recorder_.count(Counter::pixels_written, shaded);
+    if (!layout.lit || pass_.settings.shading != Shading::phong) return;
+    recorder_.count(Counter::shading_calls, shaded);
+    recorder_.count(Counter::light_samples, shaded * pass_.lights.size());
+  }
+
   /// Whether the fast path shades this triangle: no texture, no light with a colour of its own.
   bool can_batch() const {
-    if constexpr (!std::is_same_v<Real, float> || Recorder::records) return false;
     const ShadingMaterial<Real>& material = setup_.surface->material;
-    const AttributeLayout& layout = setup_.surface->layout;
-    return pass_.shade_batch && layout.lit && layout.uv == AttributeLayout::absent && !material.ambient_colour &&
+    return setup_.surface->layout.uv == AttributeLayout::absent && !material.ambient_colour &&
            !material.specular_colour && (!material.specular || *material.specular > 0);
   }
 
-  /// Keeps a visible fragment until its row is finished. A row of a tile always fits.
-  void put_aside(const Fragment<Real>& fragment) {
-    const auto i = static_cast<std::size_t>(batch_.count++);
-    batch_.columns[i] = fragment.column;
-    for (std::size_t k = 0; k < 3; ++k) batch_.weights[k][i] = static_cast<float>(fragment.weights[k]);
-    batch_.z[i] = static_cast<float>(fragment.z);
+  BatchShading batch_shading() const {
+    const ShadingMaterial<float>& material = setup_.surface->material;
+    const AttributeLayout& layout = setup_.surface->layout;
+    BatchShading shading;
+    shading.attributes = setup_.attributes;
+    shading.stride = layout.count;
+    shading.normal = layout.normal;
+    shading.position = layout.position;
+    shading.light = layout.light;
+    shading.face_normal = setup_.triangle->face_normal;
+    shading.eye = pass_.eye;
+    shading.colour = material.colour;
+    shading.specular = pass_.settings.specular && material.specular;
+    shading.exponent = material.specular.value_or(1);
+    shading.renormalise = pass_.settings.renormalise;
+    shading.highlight = pass_.settings.highlight;
+    shading.lights = pass_.lights;
+    if (layout.flat_light) shading.constant = flat_constant(setup_, 0);
+    shading.source = light_source(layout);
+    return shading;
   }
-
-  /// Shades and writes the fragments put aside.
-  void finish_row(int row) {
-    if constexpr (std::is_same_v<Real, float>) {
-      if (batch_.count == 0) return;
-      const ShadingMaterial<float>& material = setup_.surface->material;
-      const AttributeLayout& layout = setup_.surface->layout;
-      BatchShading shading;
-      shading.attributes = setup_.attributes;
-      shading.stride = layout.count;
-      shading.normal = layout.normal;
-      shading.position = layout.position;
-      shading.face_normal = setup_.triangle->face_normal;
-      shading.eye = pass_.eye;
-      shading.colour = material.colour;
-      shading.specular = pass_.settings.specular && material.specular;
-      shading.exponent = material.specular.value_or(1);
-      shading.renormalise = pass_.settings.renormalise;
-      shading.highlight = pass_.settings.highlight;
-      shading.lights = pass_.lights;
-      pass_.shade_batch(shading, batch_);
-      const auto count = static_cast<std::uint64_t>(batch_.count);
-      recorder_.count(Counter::attributes_interpolated, count * static_cast<std::uint64_t>(layout.count));
-      recorder_.count(Counter::shading_calls, count);
-      recorder_.count(Counter::light_samples, count * pass_.lights.size());
-      recorder_.count(Counter::pixels_written, count);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(batch_.count); ++i)
-        target_.set_colour(batch_.columns[i], row, {batch_.red[i], batch_.green[i], batch_.blue[i]});
-      batch_.count = 0;
+  BatchLight light_source(const AttributeLayout& layout) const {
+    if (!layout.lit) return BatchLight::none;
+    switch (pass_.settings.shading) {
+    case Shading::phong:
+      return BatchLight::equation;
+    case Shading::gouraud:
+      return BatchLight::corners;
+    case Shading::flat:
+      return BatchLight::constant;
     }
+    return BatchLight::equation;
   }
 
   void write_channels(const Fragment<Real>& fragment, const ShadedFragment<Real>& shaded) {
@@ -171,7 +208,6 @@ class TriangleDrawer {
   Target<Real>& target_;
   Recorder& recorder_;
   bool depth_buffer_;
-  bool batched_ = false;  ///< the triangle at hand is shaded in batches
   ShadeBatch batch_;
   TriangleSetup<Real> setup_;
 };

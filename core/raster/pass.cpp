@@ -51,8 +51,10 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
     }
   }
   if constexpr (std::is_same_v<Real, float>)
-    if (settings.shading == Shading::phong && pass.divides() && channels == Channel::none)
+    if (pass.divides() && channels == Channel::none) {
       pass.shade_batch = shade_function(settings.simd);
+      pass.scan_triangle = scan_function(settings.simd);
+    }
   if (textured && settings.textures) pass.textures = mip_chains(scene, settings.texture_filter, prepared);
   return pass;
 }

@@ -8,6 +8,7 @@
 #include "raster/draw_list.h"
 #include "raster/edge_function.h"
 #include "raster/projection.h"
+#include "raster/scan_triangle.h"
 #include "raster/shade_batch.h"
 #include "render/frame.h"
 #include "render/prepared.h"
@@ -54,6 +55,7 @@ struct Pass {
   std::shared_ptr<const std::vector<MipChain>> textures;  ///< null where none is read
 
   ShadeFragments shade_batch = nullptr;  ///< the fast path, where the settings allow it; nullptr = clear path
+  ScanTriangle scan_triangle = nullptr;  ///< together with it
 
   bool perspective() const { return settings.projection == Projection::perspective; }
   /// Whether attributes are carried as value / z.

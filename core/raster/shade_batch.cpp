@@ -1,5 +1,7 @@
 #include "raster/shade_batch.h"
 
+#include "raster/simd_choice.h"
+
 // This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS HWY_SSSE3
@@ -96,6 +98,32 @@ HWY_INLINE void add_casting_light(const BatchShading& shading, const ShadingLigh
   add_light(sum, bright, light.colour, hn::Mul(intensity, raised));
 }
 
+HWY_INLINE V3 light_of_equation(const BatchShading& shading, const ShadeBatch& batch, int lane) {
+  const D d;
+  const V zero = hn::Zero(d);
+  V3 normal = interpolate3(shading, batch, lane, shading.normal, shading.face_normal);
+  if (shading.renormalise) {
+    const V size = length(normal);
+    normal = choose(hn::Gt(size, zero), divide(normal, size), normal);
+  }
+  const V3 position = interpolate3(shading, batch, lane, shading.position, Vec3f(0));
+  const V normal_length = length(normal);
+  V3 sum{zero, zero, zero};
+  for (const ShadingLight<float>& light : shading.lights) {
+    if (light.kind == LightKind::ambient)
+      add_light(sum, hn::Eq(zero, zero), light.colour, splat(light.intensity));
+    else
+      add_casting_light(shading, light, position, normal, normal_length, sum);
+  }
+  return sum;
+}
+
+HWY_INLINE void store(D d, const V3& colour, ShadeBatch& batch, int lane) {
+  hn::Store(colour.x, d, batch.red.data() + lane);
+  hn::Store(colour.y, d, batch.green.data() + lane);
+  hn::Store(colour.z, d, batch.blue.data() + lane);
+}
+
 }  // namespace
 
 void shade_fragments(const BatchShading& shading, ShadeBatch& batch) {
@@ -103,23 +131,26 @@ void shade_fragments(const BatchShading& shading, ShadeBatch& batch) {
   const int lanes = static_cast<int>(hn::Lanes(d));
   const V zero = hn::Zero(d);
   for (int lane = 0; lane < batch.count; lane += lanes) {
-    V3 normal = interpolate3(shading, batch, lane, shading.normal, shading.face_normal);
-    if (shading.renormalise) {
-      const V size = length(normal);
-      normal = choose(hn::Gt(size, zero), divide(normal, size), normal);
-    }
-    const V3 position = interpolate3(shading, batch, lane, shading.position, Vec3f(0));
-    const V normal_length = length(normal);
     V3 sum{zero, zero, zero};
-    for (const ShadingLight<float>& light : shading.lights) {
-      if (light.kind == LightKind::ambient)
-        add_light(sum, hn::Eq(zero, zero), light.colour, splat(light.intensity));
-      else
-        add_casting_light(shading, light, position, normal, normal_length, sum);
+    switch (shading.source) {
+    case BatchLight::none:
+      store(d, splat3(shading.colour), batch, lane);
+      continue;
+    case BatchLight::constant:
+      sum = splat3(shading.constant);
+      break;
+    case BatchLight::corners:
+      sum = interpolate3(shading, batch, lane, shading.light, Vec3f(0));
+      break;
+    case BatchLight::equation:
+      sum = light_of_equation(shading, batch, lane);
+      break;
     }
-    hn::Store(hn::Add(hn::Mul(splat(shading.colour.x), sum.x), zero), d, batch.red.data() + lane);
-    hn::Store(hn::Add(hn::Mul(splat(shading.colour.y), sum.y), zero), d, batch.green.data() + lane);
-    hn::Store(hn::Add(hn::Mul(splat(shading.colour.z), sum.z), zero), d, batch.blue.data() + lane);
+    store(d,
+          {hn::Add(hn::Mul(splat(shading.colour.x), sum.x), zero),
+           hn::Add(hn::Mul(splat(shading.colour.y), sum.y), zero),
+           hn::Add(hn::Mul(splat(shading.colour.z), sum.z), zero)},
+          batch, lane);
   }
 }
 
@@ -133,13 +164,9 @@ namespace ps::raster {
 ShadeFragments shade_function(Simd simd) {
 #if HWY_ARCH_X86
   const std::int64_t have = hwy::SupportedTargets();
-  const auto may_use = [&](Simd target, std::int64_t bit) {
-    return (have & bit) != 0 && (simd == Simd::automatic || static_cast<int>(simd) >= static_cast<int>(target));
-  };
-  if (simd == Simd::off) return nullptr;
-  if (may_use(Simd::avx512, HWY_AVX3)) return N_AVX3::shade_fragments;
-  if (may_use(Simd::avx2, HWY_AVX2)) return N_AVX2::shade_fragments;
-  if (may_use(Simd::sse4, HWY_SSE4)) return N_SSE4::shade_fragments;
+  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::shade_fragments;
+  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::shade_fragments;
+  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::shade_fragments;
 #else
   static_cast<void>(simd);
 #endif

@@ -8,24 +8,31 @@
 
 namespace ps::raster {
 
-/// The fast path for the common case: Phong shading in float with perspective-correct interpolation, without textures,
-/// for a row of one triangle's visible fragments at once. It repeats shade_fragment.h and shade/illumination.h
-/// operation by operation, so every colour is the same to the last bit; a test holds them together.
+/// The fast path of shading: perspective-correct pictures in float, for many of one triangle's visible fragments at
+/// once. It repeats shade_fragment.h and shade/illumination.h operation by operation, so every colour is the same to
+/// the last bit; a test holds them together.
 struct ShadeBatch {
-  static constexpr int capacity = 64;
-  using Lanes = std::array<float, capacity>;
+  static constexpr int capacity = 512;
+  static constexpr std::size_t room = capacity + 16;  ///< whole vectors are written
+  using Lanes = std::array<float, room>;
   int count = 0;
-  std::array<int, capacity> columns{};
-  alignas(64) std::array<Lanes, 3> weights{};  ///< on the screen
-  alignas(64) Lanes z{};
-  alignas(64) Lanes red{}, green{}, blue{};  ///< the result
+  alignas(64) std::array<std::int32_t, room> pixels;  ///< index into the picture, row by row
+  alignas(64) std::array<Lanes, 3> weights;           ///< on the screen
+  alignas(64) Lanes z;
+  alignas(64) Lanes red, green, blue;  ///< the result
 };
+
+/// Where the light on a fragment comes from.
+enum class BatchLight { none, equation, corners, constant };
 
 /// What the fragments of a batch share.
 struct BatchShading {
   const float* attributes = nullptr;  ///< of corner 0, carried as value / z; corners follow each other
   int stride = 0;                     ///< scalars of a corner
   int normal = -1, position = -1;     ///< first scalar of each; -1 = face_normal, and the origin
+  int light = -1;                     ///< first scalar of the corners' light (Gouraud)
+  BatchLight source = BatchLight::equation;
+  Vec3f constant{0, 0, 0};  ///< the light of the whole triangle (flat)
   Vec3f face_normal{0, 0, 1};
   Vec3f eye{0, 0, 0};
   Vec3f colour{1, 1, 1};

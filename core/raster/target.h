@@ -17,7 +17,7 @@ class Target {
   Target(Frame& frame, const TileRect& rect, const Settings& settings, Channel channels, Vec2i origin = {0, 0})
       : frame_(frame), rect_(rect), channels_(channels), origin_(origin) {
     if (settings.visibility == Visibility::depth_buffer)
-      depth_.assign(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()),
+      depth_.assign(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()) + vector_room,
                     empty_depth<Real>(settings.depth_value));
     nan_written_ = has_nan(colour(rect.x0, rect.y0));  // a background of NaN
   }
@@ -27,6 +27,17 @@ class Target {
   Real& depth(int column, int row) {
     return depth_[static_cast<std::size_t>(row - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
                   static_cast<std::size_t>(column - rect_.x0)];
+  }
+  /// Writes many pixels, named by their index in the picture. Only where the frame holds all of it, in float.
+  void set_colours(const ShadeBatch& batch) {
+    Vec3f* pixels = frame_.colour.pixels().data();
+    bool nan = false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+      const Vec3f colour(batch.red[i], batch.green[i], batch.blue[i]);
+      nan = nan || has_nan(Vec3<Real>(colour));
+      pixels[batch.pixels[i]] = colour;
+    }
+    nan_written_ = nan_written_ || nan;
   }
   bool wants(Channel channel) const { return has(channels_, channel); }
   Frame& frame() { return frame_; }
@@ -62,6 +73,7 @@ class Target {
   Channel channels_;
   Vec2i origin_;
   bool nan_written_ = false;
+  static constexpr std::size_t vector_room = 16;  ///< the fast path reads and writes back whole vectors
   std::vector<Real> depth_;
 };
 
