@@ -1,0 +1,86 @@
+// Frustum, image plane with pixel grid, picked pixel, near plane and lights.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "inspect/names.h"
+#include "inspect/space_parts.h"
+
+namespace ps {
+namespace {
+
+constexpr int most_grid_lines = 24;        // along the longer side
+constexpr double arrow_share = 0.28;       // length of a directional light's arrow, of the bounds' radius
+constexpr double arrow_start_share = 1.1;  // how far outside it begins
+
+std::vector<Vec3d> rectangle(const SpaceImage& image, const Vec2d& low, const Vec2d& high, double z) {
+  return {image.at_depth(low, z), image.at_depth({high.x, low.y}, z), image.at_depth(high, z),
+          image.at_depth({low.x, high.y}, z)};
+}
+
+/// Every how many pixels a line is drawn: 1, 2, 5, 10, 20, ...
+int grid_step(int pixels) {
+  for (int power = 1;; power *= 10)
+    for (const int digit : {1, 2, 5})
+      if (pixels <= digit * power * most_grid_lines) return digit * power;
+}
+
+void add_grid(const SpaceImage& image, SpaceModel& model) {
+  const int step = grid_step(std::max(image.columns(), image.rows()));
+  const double w = image.columns(), h = image.rows();
+  const auto line = [&](const Vec2d& from, const Vec2d& to) {
+    model.items.push_back({SpaceKind::pixel_grid, SpaceShape::line, {image.at(from), image.at(to)}});
+  };
+  for (int x = step; x < image.columns(); x += step) line({x, 0}, {x, h});
+  for (int y = step; y < image.rows(); y += step) line({0, y}, {w, y});
+}
+
+}  // namespace
+
+void add_camera(const SpaceInputs& inputs, SpaceModel& model) {
+  const SpaceImage& image = inputs.image;
+  const double w = image.columns(), h = image.rows();
+  const double plane = inputs.view.camera.projection_plane_d;
+  const std::vector<Vec3d> corners = rectangle(image, {0, 0}, {w, h}, plane);
+  const std::vector<Vec3d> behind = rectangle(image, {0, 0}, {w, h}, 0);
+  for (std::size_t i = 0; i < 4; ++i)
+    model.items.push_back({SpaceKind::frustum, SpaceShape::line, {behind[i], corners[i]}});
+  model.items.back().label = "camera";
+  add_grid(image, model);
+  model.items.push_back({SpaceKind::image_plane, SpaceShape::outline, corners});
+  const double near = image.near_depth(inputs.settings.near);
+  if (near > 0 && near < 10 * inputs.bounds.radius) {
+    model.items.push_back({SpaceKind::clip_plane, SpaceShape::outline, rectangle(image, {0, 0}, {w, h}, near)});
+    model.items.back().label = near == plane ? "near plane = image plane" : "near plane";
+  }
+  if (!inputs.story) return;
+  const Vec2d pixel(inputs.story->pixel);
+  model.items.push_back({SpaceKind::pixel_cell, SpaceShape::area, rectangle(image, pixel, pixel + Vec2d(1, 1), plane)});
+}
+
+void add_lights(const SpaceInputs& inputs, SpaceModel& model) {
+  int index = -1;
+  for (const Light& light : *inputs.scene.lights) {
+    ++index;
+    SpaceItem item{SpaceKind::light, SpaceShape::point, {light.position}};
+    item.label = light_name(inputs.scene, index);
+    switch (light.kind) {
+    case LightKind::ambient:
+      continue;
+    case LightKind::point:
+      break;
+    case LightKind::directional: {
+      const double length = glm::length(light.direction);
+      if (!(length > 0)) continue;
+      const double r = inputs.bounds.radius;
+      const Vec3d from = inputs.bounds.centre + light.direction / length * (r * arrow_start_share);
+      item.shape = SpaceShape::arrow;
+      item.points = {from, from - light.direction / length * (r * arrow_share)};
+      break;
+    }
+    }
+    model.items.push_back(std::move(item));
+  }
+}
+
+}  // namespace ps

@@ -1,0 +1,79 @@
+#include "inspect/space_orbit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "render/viewport.h"
+
+namespace ps {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double fill = 0.92;  // how much of the picture the bounds may take
+
+/// Gram-Schmidt from forward and up; right keeps its side.
+Mat3d right_angled(const Camera& base) {
+  const Vec3d forward = glm::normalize(base.forward);
+  const Vec3d up = glm::normalize(base.up - forward * dot(base.up, forward));
+  Vec3d right = cross(up, forward);
+  if (dot(right, base.right) < 0) right = -right;
+  return {right, up, forward};
+}
+
+}  // namespace
+
+SpaceOrbit preset_orbit(SpacePreset preset, const SpaceBounds& bounds, double aspect) {
+  SpaceOrbit orbit;
+  orbit.pivot = bounds.centre;
+  const double half_angle = std::atan(space_view_height / 2 * std::min(aspect, 1.0));
+  orbit.distance = fill * bounds.radius / std::sin(half_angle);
+  switch (preset) {
+  case SpacePreset::outside:
+    orbit.yaw = -58 * degree;
+    orbit.pitch = 24 * degree;
+    break;
+  case SpacePreset::front:
+    break;
+  case SpacePreset::side:
+    orbit.yaw = -90 * degree;
+    break;
+  case SpacePreset::top:
+    orbit.yaw = -90 * degree;
+    orbit.pitch = 90 * degree;
+    break;
+  }
+  return orbit;
+}
+
+View orbit_view(const SpaceOrbit& orbit, const Camera& base, int width, int height) {
+  const Mat3d axes = right_angled(base);
+  const Vec3d &right = axes[0], &up = axes[1], &forward = axes[2];
+  const double cy = std::cos(orbit.yaw), sy = std::sin(orbit.yaw);
+  const double cp = std::cos(orbit.pitch), sp = std::sin(orbit.pitch);
+  const Vec3d ahead = forward * cy + right * sy;
+  View view;
+  view.width = width;
+  view.height = height;
+  view.camera.forward = ahead * cp - up * sp;
+  view.camera.up = up * cp + ahead * sp;
+  view.camera.right = right * cy - forward * sy;
+  view.camera.position = orbit.pivot - view.camera.forward * orbit.distance;
+  view.camera.viewport_height = space_view_height;
+  view.camera.viewport_width = space_view_height * width / height;
+  view.camera.projection_plane_d = 1;
+  return view;
+}
+
+View through_camera(const View& picture, const Settings& settings, double margin, int width, int height) {
+  const Viewport<double> seen = make_viewport<double>(picture, settings);
+  View view{picture.camera, width, height};
+  // The image fits whichever side is tighter.
+  const double aspect = static_cast<double>(width) / height;
+  view.camera.viewport_height = margin * std::max(seen.height, seen.width / aspect);
+  view.camera.viewport_width = view.camera.viewport_height * aspect;
+  return view;
+}
+
+}  // namespace ps

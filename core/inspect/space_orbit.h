@@ -1,0 +1,33 @@
+#pragma once
+#include "inspect/space_model.h"
+#include "render/view.h"
+
+namespace ps {
+
+/// From where the space view looks at the scene: angles in radians about the axes of the scene's own camera.
+struct SpaceOrbit {
+  Vec3d pivot{0, 0, 0};  ///< what is in the middle
+  double yaw = 0;        ///< 0 = looking as the camera does, positive = turned to its right
+  double pitch = 0;      ///< how far above it the viewer stands
+  double distance = 1;   ///< from the pivot, world units
+  bool operator==(const SpaceOrbit&) const = default;
+};
+
+enum class SpacePreset {
+  outside,  ///< from the right, above and a little behind
+  front,    ///< as the camera looks
+  side,     ///< from its right: the camera at the left, the scene at the right
+  top       ///< from above, likewise
+};
+
+/// The height of what is seen at a distance of 1.
+inline constexpr double space_view_height = 0.75;
+
+/// The orbit that shows all of `bounds` in a picture of this shape (width / height).
+SpaceOrbit preset_orbit(SpacePreset preset, const SpaceBounds& bounds, double aspect);
+/// The view of an orbit about the axes of `base`, which are brought to right angles and length 1 with their handedness.
+View orbit_view(const SpaceOrbit& orbit, const Camera& base, int width, int height);
+/// The view through the picture's own camera, with `margin` (1 = none) around its image.
+View through_camera(const View& picture, const Settings& settings, double margin, int width, int height);
+
+}  // namespace ps

@@ -1,0 +1,175 @@
+// The events of a ray tracer's story in space.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "inspect/names.h"
+#include "inspect/number_text.h"
+#include "inspect/space_parts.h"
+#include "inspect/story_tree.h"
+
+namespace ps {
+namespace {
+
+constexpr double endless_share = 1.2;   // how long a ray that meets nothing is drawn, of the bounds' radius
+constexpr double sunward_share = 0.75;  // likewise a shadow ray towards a directional light
+
+class RayParts {
+ public:
+  RayParts(const SpaceInputs& inputs, SpaceModel& model)
+      : inputs_(inputs), events_(inputs.story->events), model_(model) {}
+
+  void add() {
+    for (int i = 0; i < static_cast<int>(events_.size()); ++i) {
+      const EventData& data = events_[static_cast<std::size_t>(i)].data;
+      if (const auto* ray = std::get_if<RayEvent>(&data)) {
+        if (ray->kind == RayKind::shadow)
+          add_shadow_ray(i, *ray);
+        else
+          add_ray(i, *ray);
+      } else if (const auto* hit = std::get_if<HitEvent>(&data)) {
+        add_hit(i, *hit);
+      } else if (const auto* light = std::get_if<LightEvent>(&data)) {
+        add_light(i, *light);
+      } else if (const auto* node = std::get_if<NodeEvent>(&data)) {
+        add_node(i, *node);
+      }
+    }
+  }
+
+ private:
+  const Event& event(int i) const { return events_[static_cast<std::size_t>(i)]; }
+
+  /// An item that belongs to an event, with the share and the bounces of the ray that it is part of.
+  SpaceItem part_of(int index) const {
+    SpaceItem item;
+    item.event = index;
+    for (int i = index; i >= 0; i = event(i).parent)
+      if (const auto* ray = std::get_if<RayEvent>(&event(i).data); ray && ray->kind != RayKind::shadow) {
+        item.contribution = ray->share;
+        item.level = ray->depth;
+        break;
+      }
+    return item;
+  }
+
+  Vec3d along(const RayEvent& ray, double share_of_radius) const {
+    const double length = std::sqrt(dot(ray.direction, ray.direction));
+    return ray.origin + ray.direction * (share_of_radius * inputs_.bounds.radius / (length > 0 ? length : 1));
+  }
+
+  void add_ray(int index, const RayEvent& ray) {
+    SpaceItem item = part_of(index);
+    item.kind = ray.kind == RayKind::eye ? SpaceKind::eye_ray : SpaceKind::reflection_ray;
+    item.shape = SpaceShape::arrow;
+    // One that leaves the scene may have to cross all of it first.
+    item.points = {ray.origin, along(ray, ray.kind == RayKind::eye ? 2 * endless_share : endless_share)};
+    for (const int hit : events_of_ray<HitEvent>(events_, index))
+      item.points[1] = event_as<HitEvent>(events_, hit).point;
+    if (ray.kind == RayKind::reflection) item.label = number_text(ray.share) + " of the colour";
+    model_.items.push_back(std::move(item));
+  }
+
+  /// The light that a shadow ray asked about is reported right after it, under the same ray.
+  const LightEvent* light_after(int index) const {
+    for (int i = index + 1; i < static_cast<int>(events_.size()); ++i) {
+      if (event(i).parent != event(index).parent) continue;
+      return std::get_if<LightEvent>(&event(i).data);
+    }
+    return nullptr;
+  }
+
+  /// Where the blocker was met: the accepted test with the smallest t. `any hit` ends at the first one.
+  std::optional<double> blocked_at(int index) const {
+    std::optional<double> nearest;
+    const auto take = [&](std::optional<double> t) {
+      if (t && (!nearest || *t < *nearest)) nearest = t;
+    };
+    const RayEvent& ray = event_as<RayEvent>(events_, index);
+    for (const int i : events_of_ray<SphereTestEvent>(events_, index)) {
+      const auto& test = event_as<SphereTestEvent>(events_, i);
+      if (test.outcome != TestOutcome::accepted || !test.roots) continue;
+      take((*test.roots)[0] > ray.t_min ? (*test.roots)[0] : (*test.roots)[1]);
+    }
+    for (const int i : events_of_ray<TriangleTestEvent>(events_, index)) {
+      const auto& test = event_as<TriangleTestEvent>(events_, i);
+      if (test.outcome == TestOutcome::accepted) take(test.t);
+    }
+    return nearest;
+  }
+
+  void add_shadow_ray(int index, const RayEvent& ray) {
+    const LightEvent* light = light_after(index);
+    SpaceItem item = part_of(index);
+    item.shape = SpaceShape::line;
+    item.points = {ray.origin,
+                   std::isfinite(ray.t_max) ? ray.origin + ray.direction * ray.t_max : along(ray, sunward_share)};
+    item.kind = SpaceKind::shadow_ray_lit;
+    if (light && light->blocker) {
+      item.kind = SpaceKind::shadow_ray_blocked;
+      if (const auto t = blocked_at(index)) item.points[1] = ray.origin + ray.direction * *t;
+      item.label = fmt::format("blocked by {}", primitive_name(inputs_.scene, *light->blocker));
+    }
+    model_.items.push_back(std::move(item));
+    if (light) asked_[event(index).parent].push_back(light);
+  }
+
+  /// Lights that no shadow ray was sent to: shadows are off.
+  void add_light(int index, const LightEvent& light) {
+    if (light.kind == LightKind::ambient) return;
+    for (const LightEvent* asked : asked_[event(index).parent])
+      if (asked == &light) return;
+    const auto hits = events_of_ray<HitEvent>(events_, event(index).parent);
+    if (hits.empty()) return;
+    const Vec3d from = event_as<HitEvent>(events_, hits.front()).point;
+    SpaceItem item = part_of(index);
+    item.kind = SpaceKind::light_direction;
+    const RayEvent towards{RayKind::shadow, from, light.to_light, 0, 1, 0, 0};
+    item.points = {from, light.kind == LightKind::point ? from + light.to_light : along(towards, sunward_share)};
+    model_.items.push_back(std::move(item));
+  }
+
+  void add_hit(int index, const HitEvent& hit) {
+    SpaceItem item = part_of(index);
+    item.kind = SpaceKind::hit_point;
+    item.shape = SpaceShape::point;
+    item.points = {hit.point};
+    item.label = primitive_name(inputs_.scene, hit.id);
+    const SpaceItem like = item;
+    if (const auto corners = world_triangle(inputs_.scene, hit.id)) add_triangle(*corners, hit.weights, like, model_);
+    model_.items.push_back(std::move(item));
+    add_normal(SpaceKind::shading_normal, hit.point, hit.shading_normal, like, inputs_, model_);
+    const Vec3d apart = hit.shading_normal - hit.geometric_normal;
+    if (dot(apart, apart) > 1e-6)
+      add_normal(SpaceKind::geometric_normal, hit.point, hit.geometric_normal, like, inputs_, model_);
+  }
+
+  /// A box is drawn once, however many rays come to it; entered if any ray did.
+  void add_node(int index, const NodeEvent& node) {
+    const auto [place, first] = nodes_.try_emplace(node.node, model_.items.size());
+    if (!first) {
+      if (node.entered) model_.items[place->second].emphasised = true;
+      return;
+    }
+    SpaceItem item = part_of(index);
+    item.kind = SpaceKind::node;
+    item.shape = SpaceShape::box;
+    item.points = {node.low, node.high};
+    item.level = node.level;
+    item.emphasised = node.entered;
+    model_.items.push_back(std::move(item));
+  }
+
+  const SpaceInputs& inputs_;
+  const std::vector<Event>& events_;
+  SpaceModel& model_;
+  std::map<int, std::vector<const LightEvent*>> asked_;  // by the event that they belong to
+  std::map<int, std::size_t> nodes_;                     // item of each node
+};
+
+}  // namespace
+
+void add_rays(const SpaceInputs& inputs, SpaceModel& model) { RayParts(inputs, model).add(); }
+
+}  // namespace ps

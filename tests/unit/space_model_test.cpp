@@ -1,0 +1,218 @@
+// The story of a pixel in space, against closed forms.
+#include "inspect/space_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "inspect/space_parts.h"
+#include "inspect/story_tree.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+struct Told {
+  Scene scene;
+  View view;
+  Settings settings;
+  PixelStory story;
+  SpaceModel model;
+};
+
+Told tell(const std::string& name, Vec2i pixel, Renderer renderer, int size = 600) {
+  Told told;
+  told.scene = load_scene(name);
+  told.view = {told.scene.camera, size, size};
+  told.settings.renderer = renderer;
+  told.settings.precision = Precision::float64;
+  Prepared prepared;
+  Progress progress;
+  told.story = inspect(told.scene, told.view, told.settings, pixel, prepared, progress);
+  told.model = build_space(told.scene, told.view, told.settings, &told.story);
+  return told;
+}
+
+std::vector<const SpaceItem*> items_of(const SpaceModel& model, SpaceKind kind) {
+  std::vector<const SpaceItem*> found;
+  for (const SpaceItem& item : model.items)
+    if (item.kind == kind) found.push_back(&item);
+  return found;
+}
+
+template <class T>
+int events_of(const PixelStory& story) {
+  int count = 0;
+  for (const Event& event : story.events) count += std::holds_alternative<T>(event.data) ? 1 : 0;
+  return count;
+}
+
+double area(const std::vector<Vec3d>& p) { return glm::length(cross(p[1] - p[0], p[2] - p[0])) / 2; }
+
+// CGFS ch. 2: on a canvas of W x W pixels the viewport of size 1 at distance 1 puts the edges of column c at
+// c / W - 1/2; the camera of ch. 5 turns the frame.
+TEST(SpaceModel, EyeRayPassesThroughItsPixelOnTheImage) {
+  const unsigned seed = 17;
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> any(0, 199);
+  for (const char* name : {"cgfs/reflections", "cgfs/camera"})
+    for (int i = 0; i < 20; ++i) {
+      const Vec2i pixel(any(random), any(random));
+      const Told told = tell(name, pixel, Renderer::ray_tracer, 200);
+      const auto rays = items_of(told.model, SpaceKind::eye_ray);
+      ASSERT_EQ(rays.size(), 1u);
+      const Camera& camera = told.view.camera;
+      const Vec3d along = rays[0]->points[1] - rays[0]->points[0];
+      const Mat3d frame(camera.right, camera.up, camera.forward);  // the book's is not quite orthonormal
+      const Vec3d in_camera = glm::inverse(frame) * along;
+      const Vec3d at_plane = along / in_camera.z;
+      const double x = in_camera.x / in_camera.z, y = in_camera.y / in_camera.z;
+      EXPECT_GT(x, pixel.x / 200.0 - 0.5) << "seed " << seed;
+      EXPECT_LT(x, (pixel.x + 1) / 200.0 - 0.5) << "seed " << seed;
+      EXPECT_LT(y, 0.5 - pixel.y / 200.0) << "seed " << seed;
+      EXPECT_GT(y, 0.5 - (pixel.y + 1) / 200.0) << "seed " << seed;
+      const auto cells = items_of(told.model, SpaceKind::pixel_cell);
+      ASSERT_EQ(cells.size(), 1u);
+      Vec3d middle(0);
+      for (const Vec3d& corner : cells[0]->points) middle += corner / 4.0;
+      EXPECT_LT(glm::length(middle - (camera.position + at_plane)), 1e-12) << "seed " << seed;
+    }
+}
+
+TEST(SpaceModel, HitsLieOnTheirRaysAndOnTheirSpheres) {
+  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  EXPECT_EQ(count_of(told.model, SpaceKind::hit_point), events_of<HitEvent>(told.story));
+  EXPECT_GE(count_of(told.model, SpaceKind::reflection_ray), 1);
+  for (const SpaceItem* hit : items_of(told.model, SpaceKind::hit_point)) {
+    const auto& event = event_as<HitEvent>(told.story.events, hit->event);
+    const auto& sphere =
+        std::get<Sphere>(told.scene.geometry->objects[static_cast<std::size_t>(event.id.object)].shape);
+    EXPECT_NEAR(glm::length(hit->points[0] - sphere.centre), sphere.radius, 1e-9 * sphere.radius);
+    const int ray = ray_of(told.story.events, hit->event);
+    const auto& from = event_as<RayEvent>(told.story.events, ray);
+    const Vec3d offset = hit->points[0] - from.origin;
+    EXPECT_LT(glm::length(cross(offset, glm::normalize(from.direction))), 1e-9);
+    for (const SpaceItem& item : told.model.items)
+      if (item.event == ray && (item.kind == SpaceKind::eye_ray || item.kind == SpaceKind::reflection_ray)) {
+        EXPECT_EQ(item.points[1], hit->points[0]);
+      }
+  }
+}
+
+TEST(SpaceModel, NormalsAreAsLongAsTheRendererHadThem) {
+  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  const auto normals = items_of(told.model, SpaceKind::shading_normal);
+  ASSERT_EQ(static_cast<int>(normals.size()), events_of<HitEvent>(told.story));
+  for (const SpaceItem* arrow : normals) {
+    const Vec3d drawn = arrow->points[1] - arrow->points[0];
+    EXPECT_NEAR(glm::length(drawn), normal_length(told.model.bounds), 1e-9);
+    const auto& hit = event_as<HitEvent>(told.story.events, arrow->event);
+    EXPECT_NEAR(dot(glm::normalize(drawn), hit.shading_normal), 1, 1e-12);
+  }
+}
+
+TEST(SpaceModel, ShadowRaysEndAtTheirLightOrOnTheirBlocker) {
+  int blocked = 0;
+  for (const Vec2i pixel : {Vec2i(300, 420), Vec2i(180, 470), Vec2i(420, 330), Vec2i(250, 480), Vec2i(100, 400)}) {
+    const Told told = tell("cgfs/reflections", pixel, Renderer::ray_tracer);
+    int shadow_rays = 0;
+    for (const Event& event : told.story.events)
+      if (const auto* ray = std::get_if<RayEvent>(&event.data)) shadow_rays += ray->kind == RayKind::shadow ? 1 : 0;
+    EXPECT_EQ(count_of(told.model, SpaceKind::shadow_ray_lit) + count_of(told.model, SpaceKind::shadow_ray_blocked),
+              shadow_rays);
+    int blockers = 0;
+    for (const Event& event : told.story.events)
+      if (const auto* light = std::get_if<LightEvent>(&event.data)) blockers += light->blocker ? 1 : 0;
+    EXPECT_EQ(count_of(told.model, SpaceKind::shadow_ray_blocked), blockers);
+    EXPECT_EQ(count_of(told.model, SpaceKind::light_direction), 0);
+    for (const SpaceItem* ray : items_of(told.model, SpaceKind::shadow_ray_blocked)) {
+      double nearest = 1e30;  // distance from some sphere's surface
+      for (const Object& object : told.scene.geometry->objects) {
+        const auto& sphere = std::get<Sphere>(object.shape);
+        nearest = std::min(nearest, std::abs(glm::length(ray->points[1] - sphere.centre) - sphere.radius));
+      }
+      EXPECT_LT(nearest, 1e-6);
+      ++blocked;
+    }
+    for (const SpaceItem* ray : items_of(told.model, SpaceKind::shadow_ray_lit)) {
+      const auto& event = event_as<RayEvent>(told.story.events, ray->event);
+      if (std::isfinite(event.t_max)) {
+        EXPECT_LT(glm::length(ray->points[1] - Vec3d(2, 1, 0)), 1e-2);
+      }
+    }
+  }
+  EXPECT_GT(blocked, 0);
+}
+
+TEST(SpaceModel, WithoutShadowsTheLightsAreOnlyDirections) {
+  Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  told.settings.shadows = Shadows::none;
+  told.settings.reflection_depth = 0;
+  Prepared prepared;
+  Progress progress;
+  told.story = inspect(told.scene, told.view, told.settings, {300, 420}, prepared, progress);
+  told.model = build_space(told.scene, told.view, told.settings, &told.story);
+  EXPECT_EQ(count_of(told.model, SpaceKind::shadow_ray_lit), 0);
+  EXPECT_EQ(count_of(told.model, SpaceKind::light_direction), 2);
+}
+
+TEST(SpaceModel, ThreeAreasFillTheHitTriangle) {
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+    const Told told = tell("cgfs/crates", {180, 330}, renderer);
+    const auto triangles = items_of(told.model, SpaceKind::triangle);
+    const auto parts = items_of(told.model, SpaceKind::barycentric_area);
+    ASSERT_EQ(parts.size(), 3u);
+    const SpaceItem* whole = nullptr;
+    for (const SpaceItem* triangle : triangles)
+      if (triangle->event == parts[0]->event) whole = triangle;
+    ASSERT_TRUE(whole);
+    double sum = 0;
+    for (const SpaceItem* part : parts) {
+      EXPECT_NEAR(area(part->points) / area(whole->points), part->weight, 1e-6);
+      sum += area(part->points);
+    }
+    EXPECT_NEAR(sum, area(whole->points), 1e-6 * sum);
+  }
+}
+
+// Fragments know their corners on the canvas only; unprojected, they are the model's own corners again, as near as the
+// sub-pixel grid allows.
+TEST(SpaceModel, FragmentTrianglesAreTheModelsInTheWorld) {
+  const Told told = tell("cgfs/crates", {180, 330}, Renderer::rasterizer);
+  int compared = 0;
+  for (const SpaceItem* triangle : items_of(told.model, SpaceKind::triangle)) {
+    const auto& fragment = event_as<FragmentEvent>(told.story.events, triangle->event);
+    if (fragment.clipped_into > 1) continue;
+    const auto world = world_triangle(told.scene, fragment.id);
+    ASSERT_TRUE(world);
+    for (const Vec3d& corner : triangle->points) {
+      double nearest = 1e30;
+      for (const Vec3d& true_corner : *world) nearest = std::min(nearest, glm::length(corner - true_corner));
+      const double pixel_size = dot(corner - told.view.camera.position, told.view.camera.forward) / 600;
+      EXPECT_LT(nearest, pixel_size / 256);
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 0);
+  EXPECT_EQ(count_of(told.model, SpaceKind::hit_point), events_of<FragmentEvent>(told.story));
+}
+
+TEST(SpaceModel, StepsAreInOrderAndEachHasSomethingToShow) {
+  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  ASSERT_FALSE(told.model.steps.empty());
+  for (std::size_t i = 1; i < told.model.steps.size(); ++i) EXPECT_LT(told.model.steps[i - 1], told.model.steps[i]);
+  EXPECT_EQ(told.model.steps.front(), 0);
+}
+
+TEST(SpaceModel, GroundDoesNotMakeTheSceneSmall) {
+  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  EXPECT_LT(told.model.bounds.radius, 10);  // the ground's radius is 5000
+  for (const Vec3d& seen : {Vec3d(0, 0, 0), Vec3d(0, -1, 3), Vec3d(-2, 0, 4), Vec3d(2, 0, 4)})
+    EXPECT_LT(glm::length(seen - told.model.bounds.centre), told.model.bounds.radius);
+}
+
+}  // namespace
+}  // namespace ps
