@@ -1,136 +1,249 @@
 #include "accel/bvh.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "accel/binned_split.h"
 
 namespace ps {
 namespace {
 
-constexpr int bin_count = 16;
-constexpr std::uint32_t leaf_size = 4;
-constexpr double traversal_cost = 1;  // of a node, in primitive tests
+constexpr std::uint32_t chunk_size = 1u << 15;    // primitives that one step of a parallel pass takes
+constexpr std::uint32_t subtree_size = 1u << 15;  // up to this many are one worker's job
+
+/// A range of references that will become a node.
+template <class Real>
+struct Range {
+  std::uint32_t node = 0;
+  std::uint32_t begin = 0, end = 0;
+  int depth = 0;
+  Extent<Real> boxes, centroids;  ///< of what it holds; centroids times 2
+  std::uint32_t count() const { return end - begin; }
+};
+
+/// The part of a large range that one step of a parallel pass takes.
+template <class Real>
+struct Chunk {
+  std::size_t range = 0;
+  std::uint32_t begin = 0, end = 0;
+  BinSet<Real> bins;
+  std::uint32_t left = 0, right = 0;  ///< where its share of the two sides goes
+  std::array<Extent<Real>, 2> centroids;
+};
 
 template <class Real>
 class Builder {
  public:
-  explicit Builder(std::span<const Box<Real>> boxes) : boxes_(boxes) {
-    centroids_.reserve(boxes.size());
-    for (const Box<Real>& box : boxes) centroids_.push_back(box.low * Real(0.5) + box.high * Real(0.5));
-  }
+  Builder(std::span<const Box<Real>> boxes, int threads) : boxes_(boxes), options_{threads, WorkerPriority::normal} {}
 
   Bvh<Real> build() {
-    bvh_.order.resize(boxes_.size());
-    std::iota(bvh_.order.begin(), bvh_.order.end(), 0u);
-    if (boxes_.empty()) return std::move(bvh_);
+    if (boxes_.empty()) return {};
+    const auto count = static_cast<std::uint32_t>(boxes_.size());
+    bvh_.order.resize(count);
     bvh_.nodes.emplace_back();
-    fill(0, 0, static_cast<std::uint32_t>(boxes_.size()), 0);
+    references_[0].resize(count);
+    Range<Real> root = reference_all();
+    if (count > subtree_size) references_[1].resize(count);
+    std::vector<Range<Real>> large{root};
+    for (int side = 0; !large.empty(); side = 1 - side) large = split_large(large, side);
+    build_subtrees();
     bvh_.reach = bvh_.nodes[0].box.reach();
     return std::move(bvh_);
   }
 
  private:
-  struct Bin {
-    Box<Real> box;
-    std::uint32_t count = 0;
-  };
-  struct Split {
-    int axis = -1;  // -1: none is worth it
-    int bin = 0;    // the first bin of the right side
+  struct Subtree {
+    Range<Real> range;
+    int side = 0;  ///< which of the two arrays holds its references
+    std::vector<BvhNode<Real>> nodes;
   };
 
-  void fill(std::uint32_t node, std::uint32_t begin, std::uint32_t end, int depth) {
-    Box<Real> box, middle;
-    for (std::uint32_t i = begin; i < end; ++i) {
-      box.include(boxes_[bvh_.order[i]]);
-      middle.include(centroids_[bvh_.order[i]]);
+  template <class Body>
+  void in_parallel(std::size_t count, Body&& body) {
+    Progress progress;
+    parallel_for(static_cast<int>(count), options_, progress,
+                 [&](int index, int) { body(static_cast<std::size_t>(index)); });
+  }
+
+  Range<Real> reference_all() {
+    const auto count = static_cast<std::uint32_t>(boxes_.size());
+    std::vector<std::array<Extent<Real>, 2>> parts((count + chunk_size - 1) / chunk_size);
+    in_parallel(parts.size(), [&](std::size_t part) {
+      const std::uint32_t begin = static_cast<std::uint32_t>(part) * chunk_size;
+      const std::uint32_t end = std::min(count, begin + chunk_size);
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const Reference<Real> reference(boxes_[i], i);
+        references_[0][i] = reference;
+        parts[part][0].include(reference);
+        Lanes4<Real> centroid;
+        reference.centroid(centroid);
+        parts[part][1].include(centroid);
+      }
+    });
+    Range<Real> root{0, 0, count, 0, {}, {}};
+    for (const auto& part : parts) {
+      root.boxes.include(part[0]);
+      root.centroids.include(part[1]);
     }
-    bvh_.nodes[node].box = box;
-    const std::uint32_t split = depth < bvh_max_depth - 1 ? partition(begin, end, box, middle) : begin;
-    if (split == begin || split == end) {
-      bvh_.nodes[node].first = begin;
-      bvh_.nodes[node].count = end - begin;
+    return root;
+  }
+
+  /// Splits every range with the help of all threads, moving its references from one array to the other. Returns the
+  /// children that are still large; the rest wait in subtrees_. Nothing depends on the number of threads: unions and
+  /// counts come out the same in any grouping, and the two sides keep their order.
+  std::vector<Range<Real>> split_large(const std::vector<Range<Real>>& ranges, int side) {
+    std::vector<Range<Real>> large;
+    std::vector<Chunk<Real>> chunks;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      if (ranges[i].count() <= subtree_size) {
+        subtrees_.push_back({ranges[i], side, {}});
+        continue;
+      }
+      for (std::uint32_t begin = ranges[i].begin; begin < ranges[i].end; begin += chunk_size)
+        chunks.push_back({i, begin, std::min(ranges[i].end, begin + chunk_size), {}, 0, 0, {}});
+    }
+    const auto& from = references_[static_cast<std::size_t>(side)];
+    auto& to = references_[static_cast<std::size_t>(1 - side)];
+    in_parallel(chunks.size(), [&](std::size_t i) {
+      Chunk<Real>& chunk = chunks[i];
+      chunk.bins.add(std::span(from).subspan(chunk.begin, chunk.end - chunk.begin), ranges[chunk.range].centroids,
+                     most_bins);
+    });
+    const std::vector<Split<Real>> splits = choose_splits(ranges, chunks);
+    in_parallel(chunks.size(), [&](std::size_t i) {
+      Chunk<Real>& chunk = chunks[i];
+      const Split<Real>& split = splits[chunk.range];
+      std::array<std::uint32_t, 2> next{chunk.left, chunk.right};
+      for (std::uint32_t k = chunk.begin; k < chunk.end; ++k) {
+        Lanes4<Real> centroid;
+        from[k].centroid(centroid);
+        const std::size_t goes = split.axis < 0 || split.is_left(centroid) ? 0 : 1;
+        to[next[goes]++] = from[k];
+        chunk.centroids[goes].include(centroid);
+      }
+    });
+    for (std::size_t i = 0, c = 0; i < ranges.size(); ++i) {
+      if (ranges[i].count() <= subtree_size) continue;
+      std::array<Extent<Real>, 2> centroids;
+      for (; c < chunks.size() && chunks[c].range == i; ++c)
+        for (std::size_t k = 0; k < 2; ++k) centroids[k].include(chunks[c].centroids[k]);
+      if (splits[i].axis < 0) {
+        subtrees_.push_back({ranges[i], 1 - side, {}});
+        continue;
+      }
+      for (const Range<Real>& child : children(bvh_.nodes, ranges[i], splits[i], centroids)) large.push_back(child);
+    }
+    return large;
+  }
+
+  static std::vector<Split<Real>> choose_splits(const std::vector<Range<Real>>& ranges,
+                                                std::vector<Chunk<Real>>& chunks) {
+    std::vector<Split<Real>> splits(ranges.size());
+    for (std::size_t first = 0, last = 0; first < chunks.size(); first = last) {
+      const Range<Real>& range = ranges[chunks[first].range];
+      BinSet<Real> bins = chunks[first].bins;
+      for (last = first + 1; last < chunks.size() && chunks[last].range == chunks[first].range; ++last)
+        bins.add(chunks[last].bins);
+      const Split<Real> split = bins.best_split(range.count(), range.boxes, range.centroids);
+      std::uint32_t left = range.begin, right = range.begin + split.left_count;
+      for (std::size_t i = first; i < last; ++i) {
+        chunks[i].left = left;
+        chunks[i].right = right;
+        const std::uint32_t count = chunks[i].end - chunks[i].begin;
+        const std::uint32_t goes_left = split.axis < 0 ? count : chunks[i].bins.left_of(split);
+        left += goes_left;
+        right += count - goes_left;
+      }
+      splits[chunks[first].range] = split;
+    }
+    return splits;
+  }
+
+  /// Makes an inner node of range.node, whose two children become the last nodes.
+  static std::array<Range<Real>, 2> children(std::vector<BvhNode<Real>>& nodes, const Range<Real>& range,
+                                             const Split<Real>& split, const std::array<Extent<Real>, 2>& centroids) {
+    const auto first = static_cast<std::uint32_t>(nodes.size());
+    nodes[range.node] = {range.boxes.box(), first, 0};
+    nodes.resize(nodes.size() + 2);
+    const std::uint32_t middle = range.begin + split.left_count;
+    return {Range<Real>{first, range.begin, middle, range.depth + 1, split.left, centroids[0]},
+            Range<Real>{first + 1, middle, range.end, range.depth + 1, split.right, centroids[1]}};
+  }
+
+  /// Each worker builds whole subtrees; then they are put behind each other.
+  void build_subtrees() {
+    in_parallel(subtrees_.size(), [&](std::size_t i) {
+      Subtree& subtree = subtrees_[i];
+      subtree.nodes.reserve(subtree.range.count());
+      subtree.nodes.emplace_back();
+      Range<Real> range = subtree.range;
+      range.node = 0;
+      fill(subtree, range);
+    });
+    std::vector<std::uint32_t> shift;
+    std::size_t size = bvh_.nodes.size();
+    for (const Subtree& subtree : subtrees_) {
+      shift.push_back(static_cast<std::uint32_t>(size) - 1);  // its root has a place already
+      size += subtree.nodes.size() - 1;
+    }
+    bvh_.nodes.resize(size);
+    in_parallel(subtrees_.size(), [&](std::size_t i) {
+      Subtree& subtree = subtrees_[i];
+      for (std::size_t k = 0; k < subtree.nodes.size(); ++k) {
+        BvhNode<Real> node = subtree.nodes[k];
+        if (node.count == 0) node.first += shift[i];
+        bvh_.nodes[k == 0 ? subtree.range.node : shift[i] + k] = node;
+      }
+      std::vector<BvhNode<Real>>().swap(subtree.nodes);
+    });
+  }
+
+  void fill(Subtree& subtree, const Range<Real>& range) {
+    const auto& references = references_[static_cast<std::size_t>(subtree.side)];
+    const bool whole = range.count() == boxes_.size();
+    const std::uint32_t leaf = whole ? bvh_no_tree : bvh_leaf;
+    Split<Real> split;
+    if (range.count() > leaf && range.depth < bvh_max_depth - 1) {
+      BinSet<Real> bins;
+      bins.add(std::span(references).subspan(range.begin, range.count()), range.centroids, bins_for(range.count()));
+      split = bins.best_split(range.count(), range.boxes, range.centroids);
+    }
+    if (split.axis < 0) {
+      subtree.nodes[range.node] = {range.boxes.box(), range.begin, range.count()};
+      for (std::uint32_t i = range.begin; i < range.end; ++i) bvh_.order[i] = references[i].primitive();
       return;
     }
-    const auto children = static_cast<std::uint32_t>(bvh_.nodes.size());
-    bvh_.nodes[node].first = children;
-    bvh_.nodes.resize(bvh_.nodes.size() + 2);
-    fill(children, begin, split, depth + 1);
-    fill(children + 1, split, end, depth + 1);
+    const std::array<Extent<Real>, 2> centroids = partition(subtree.side, range, split);
+    for (const Range<Real>& child : children(subtree.nodes, range, split, centroids)) fill(subtree, child);
   }
 
-  /// Sorts [begin, end) into two sides and returns where the right one begins; begin = leave it whole.
-  std::uint32_t partition(std::uint32_t begin, std::uint32_t end, const Box<Real>& box, const Box<Real>& middle) {
-    const std::uint32_t count = end - begin;
-    if (count <= (begin == 0 && count == boxes_.size() ? bvh_no_tree : leaf_size)) return begin;
-    const Split split = best_split(begin, end, box, middle);
-    if (split.axis < 0) return begin;
-    const auto first = bvh_.order.begin();
-    const auto right = std::partition(first + begin, first + end, [&](std::uint32_t primitive) {
-      return bin_of(centroids_[primitive], split.axis, middle) < split.bin;
+  std::array<Extent<Real>, 2> partition(int side, const Range<Real>& range, const Split<Real>& split) {
+    Reference<Real>* const references = references_[static_cast<std::size_t>(side)].data();
+    std::array<Extent<Real>, 2> centroids;
+    std::partition(references + range.begin, references + range.end, [&](const Reference<Real>& reference) {
+      Lanes4<Real> centroid;
+      reference.centroid(centroid);
+      const bool left = split.is_left(centroid);
+      centroids[left ? 0 : 1].include(centroid);
+      return left;
     });
-    return static_cast<std::uint32_t>(right - first);
+    return centroids;
   }
-
-  static int bin_of(const Vec3<Real>& centroid, int axis, const Box<Real>& middle) {
-    const Real share = (centroid[axis] - middle.low[axis]) / (middle.high[axis] - middle.low[axis]);
-    return std::clamp(static_cast<int>(share * bin_count), 0, bin_count - 1);
-  }
-
-  Split best_split(std::uint32_t begin, std::uint32_t end, const Box<Real>& box, const Box<Real>& middle) const {
-    Split best;
-    const double area = static_cast<double>(box.half_area());
-    const std::uint32_t count = end - begin;
-    // Large nodes are always split; a leaf of moderate size may stay whole.
-    double best_cost = count > 4 * leaf_size ? std::numeric_limits<double>::infinity() : count * area;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(middle.high[axis] > middle.low[axis])) continue;
-      std::array<Bin, bin_count> bins;
-      for (std::uint32_t i = begin; i < end; ++i) {
-        const std::uint32_t primitive = bvh_.order[i];
-        Bin& bin = bins[static_cast<std::size_t>(bin_of(centroids_[primitive], axis, middle))];
-        bin.box.include(boxes_[primitive]);
-        ++bin.count;
-      }
-      std::array<double, bin_count> right_cost{};
-      Bin right;
-      for (int i = bin_count - 1; i > 0; --i) {
-        add(right, bins[static_cast<std::size_t>(i)]);
-        right_cost[static_cast<std::size_t>(i)] = cost(right);
-      }
-      Bin left;
-      for (int i = 1; i < bin_count; ++i) {
-        add(left, bins[static_cast<std::size_t>(i - 1)]);
-        if (left.count == 0 || left.count == count) continue;
-        const double total = traversal_cost * area + cost(left) + right_cost[static_cast<std::size_t>(i)];
-        if (total < best_cost) {
-          best_cost = total;
-          best = {axis, i};
-        }
-      }
-    }
-    return best;
-  }
-
-  static void add(Bin& sum, const Bin& bin) {
-    if (bin.count == 0) return;  // an empty box would make the union infinite
-    sum.box.include(bin.box);
-    sum.count += bin.count;
-  }
-  static double cost(const Bin& bin) { return static_cast<double>(bin.box.half_area()) * bin.count; }
 
   std::span<const Box<Real>> boxes_;
-  std::vector<Vec3<Real>> centroids_;
+  ParallelOptions options_;
+  std::array<std::vector<Reference<Real>>, 2> references_;
+  std::vector<Subtree> subtrees_;
   Bvh<Real> bvh_;
 };
 
 }  // namespace
 
 template <class Real>
-Bvh<Real> build_bvh(std::span<const Box<Real>> boxes) {
-  return Builder<Real>(boxes).build();
+Bvh<Real> build_bvh(std::span<const Box<Real>> boxes, int threads) {
+  return Builder<Real>(boxes, threads).build();
 }
 
-template Bvh<float> build_bvh(std::span<const Box<float>>);
-template Bvh<double> build_bvh(std::span<const Box<double>>);
+template Bvh<float> build_bvh(std::span<const Box<float>>, int);
+template Bvh<double> build_bvh(std::span<const Box<double>>, int);
 
 }  // namespace ps

@@ -31,9 +31,9 @@ inline constexpr int bvh_max_depth = 64;
 inline constexpr std::uint32_t bvh_no_tree = 8;
 
 /// Builds the tree from the primitives' boxes, splitting where the surface-area heuristic, estimated over bins of
-/// centroids, costs least (Wald 2007).
+/// centroids, costs least (Wald 2007). The tree does not depend on the number of threads (0 = one per processor).
 template <class Real>
-Bvh<Real> build_bvh(std::span<const Box<Real>> boxes);
+Bvh<Real> build_bvh(std::span<const Box<Real>> boxes, int threads = 0);
 
 /// The accelerator interface (accel/none.h). The nearer child comes first. The root is entered without a test.
 template <class Real, class Visit, class Recorder>

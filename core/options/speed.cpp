@@ -22,9 +22,10 @@ std::vector<Option> speed_rows() {
       choice<&Settings::simd>(
           {.key = "simd",
            .label = "SIMD",
-           .help = {"How many pixels one instruction works on.", "the fast path",
-                    "Only speed changes: every width gives the same bits. Double precision and the less common options "
-                    "run without it."},
+           .help =
+               {"How many pixels, boxes or triangles one instruction works on.", "the fast path",
+                "Only speed changes: every width gives the same bits. Triangles are found in a wider tree, so nodes "
+                "and tests are counted differently. Double precision runs without it."},
            .effect = OptionEffect::speed},
           {{"auto", "best there is", "The widest that this processor has."},
            {"off", "off", "The clear path: one after another."},

@@ -125,9 +125,10 @@ std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeom
   Key key("traced bvh");
   key.add(scene.geometry.revision()).add(precision_key<Real>);
   return prepared.get<Bvh<Real>>(key, [&] {
-    std::vector<Box<Real>> boxes;
-    boxes.reserve(geometry.primitives.size());
-    for (const Primitive& primitive : geometry.primitives) boxes.push_back(primitive_box(geometry, primitive));
+    std::vector<Box<Real>> boxes(geometry.primitives.size());
+    for_each_range(boxes.size(), 0, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) boxes[i] = primitive_box(geometry, geometry.primitives[i]);
+    });
     return build_bvh<Real>(boxes);
   });
 }

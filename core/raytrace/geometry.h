@@ -6,6 +6,7 @@
 
 #include "accel/box.h"
 #include "accel/bvh.h"
+#include "accel/wide_bvh.h"
 #include "options/settings.h"
 #include "render/frame.h"
 #include "render/prepared.h"
@@ -68,5 +69,13 @@ std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, 
 template <class Real>
 std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeometry<Real>& geometry,
                                             Prepared& prepared);
+
+/// What the SIMD queries search: the triangles in a tree eight wide; everything else in a tree of its own.
+struct WideGeometry {
+  WideBvh triangles;
+  Bvh<float> others;  ///< its order holds numbers of primitives
+};
+std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                  Prepared& prepared);
 
 }  // namespace ps

@@ -32,21 +32,45 @@ class Intersector {
     Hit<Real> best;
     best.t = ray.t_max;
     Query query{ray, dot(ray.direction, ray.direction), {}};
-    if (!geometry_.triangles.empty()) query.shear = Shear<Real>(ray.direction);
     const auto visit = [&](std::uint32_t primitive) { return test(query, primitive, best) && any; };
+    if constexpr (std::is_same_v<Real, float> && !Recorder::records) {
+      if (inputs_.wide) {
+        search_wide(query, visit, any, best);
+        return best;
+      }
+    }
+    if (!geometry_.triangles.empty()) query.shear = Shear<Real>(ray.direction);
     if (!inputs_.bvh) {
       const NoAccelerator all{static_cast<std::uint32_t>(geometry_.primitives.size())};
       for_each_candidate(all, SlabRay<Real>(), best.t, visit, recorder_);
       return best;
     }
     SlabRay<Real> slabs;
-    if (inputs_.bvh->nodes.size() > 1) {
-      Real reach = geometry_.reach;
-      for (int axis = 0; axis < 3; ++axis) reach = std::max(reach, std::abs(ray.origin[axis]));
-      slabs = SlabRay<Real>(ray.origin, ray.direction, inputs_.box_padding * reach);
-    }
+    if (inputs_.bvh->nodes.size() > 1) slabs = padded_slabs(ray);
     for_each_candidate(*inputs_.bvh, slabs, best.t, visit, recorder_);
     return best;
+  }
+
+  SlabRay<Real> padded_slabs(const Ray<Real>& ray) const {
+    Real reach = geometry_.reach;
+    for (int axis = 0; axis < 3; ++axis) reach = std::max(reach, std::abs(ray.origin[axis]));
+    return SlabRay<Real>(ray.origin, ray.direction, inputs_.box_padding * reach);
+  }
+
+  /// The fast path: what is not a triangle first, in its own tree, then the triangles with SIMD.
+  template <class Visit>
+  void search_wide(const Query& query, Visit&& visit, bool any, Hit<Real>& best) const {
+    const SlabRay<Real> slabs = padded_slabs(query.ray);
+    if (!inputs_.wide->others.nodes.empty()) {
+      for_each_candidate(inputs_.wide->others, slabs, best.t, visit, recorder_);
+      if (any && best.found()) return;
+    }
+    const WideQuery wide{query.ray, slabs, inputs_.triangle_epsilon};
+    const WideSearches& searches = inputs_.wide_searches;
+    WideCount count;
+    (any ? searches.any : searches.nearest)(inputs_.wide->triangles, wide, best, count);
+    recorder_.count(Counter::node_visits, count.nodes);
+    recorder_.count(Counter::triangle_tests, count.triangles);
   }
 
   bool test(const Query& query, std::uint32_t index, Hit<Real>& best) const {

@@ -114,7 +114,8 @@ template <class Real>
 Frame render_in(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                 Prepared& prepared, Progress& progress) {
   const Timer preparing;
-  const TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, view, settings, prepared);
+  TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, view, settings, prepared);
+  if (has(request.channels, Channel::tests)) inputs.wide.reset();  // a picture of the tests that inspection lists
   Frame frame = empty_frame<Real>(view, request);
   frame.times.push_back({"prepare", preparing.milliseconds()});
 

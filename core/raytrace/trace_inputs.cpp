@@ -23,6 +23,11 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   TraceInputs<Real> inputs;
   inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
   if (settings.accelerator == Accelerator::bvh) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
+  if constexpr (std::is_same_v<Real, float>) {
+    const bool triangles = settings.accelerator == Accelerator::bvh && !inputs.geometry->triangles.empty();
+    if (triangles) inputs.wide_searches = wide_searches(settings.simd, settings.triangle_test);
+    if (inputs.wide_searches.nearest) inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
+  }
   inputs.materials = shading_materials<Real>(*scene.materials);
   inputs.lights = shading_lights<Real>(*scene.lights);
   for (const Texture& texture : *scene.textures) inputs.textures.push_back(texture.texels);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "raytrace/geometry.h"
+#include "raytrace/wide_search.h"
 #include "render/viewport.h"
 #include "shade/shading_inputs.h"
 
@@ -13,6 +14,10 @@ template <class Real>
 struct TraceInputs {
   std::shared_ptr<const TracedGeometry<Real>> geometry;
   std::shared_ptr<const Bvh<Real>> bvh;  ///< absent with accelerator = none
+  /// The SIMD form of `bvh` for queries that nobody inspects; absent where it does not apply. It finds the same hits,
+  /// but visits nodes of its own.
+  std::shared_ptr<const WideGeometry> wide;
+  WideSearches wide_searches;
   std::vector<ShadingMaterial<Real>> materials;
   std::vector<ShadingLight<Real>> lights;
   std::vector<std::shared_ptr<const Image<Vec3f>>> textures;

@@ -40,13 +40,20 @@ void OurRays::any(std::span<const BenchRay> rays, std::span<BenchHit> hits) cons
 
 void OurRays::rebuild() {
   Prepared empty;
-  content_->inputs.bvh = traced_bvh<float>(content_->scene, *content_->inputs.geometry, empty);
+  TraceInputs<float>& inputs = content_->inputs;
+  inputs.bvh.reset();
+  inputs.wide.reset();
+  inputs.bvh = traced_bvh<float>(content_->scene, *inputs.geometry, empty);
+  inputs.wide = wide_geometry(content_->scene, *inputs.geometry, empty);
 }
 
 double OurRays::bytes_per_triangle() const {
-  const TracedGeometry<float>& geometry = *content_->inputs.geometry;
-  const Bvh<float>& bvh = *content_->inputs.bvh;
+  const TraceInputs<float>& inputs = content_->inputs;
+  const TracedGeometry<float>& geometry = *inputs.geometry;
+  const Bvh<float>& bvh = *inputs.bvh;
   const std::size_t bytes = bvh.nodes.size() * sizeof(BvhNode<float>) + bvh.order.size() * sizeof(std::uint32_t) +
+                            inputs.wide->triangles.nodes.size() * sizeof(WideNode) +
+                            inputs.wide->triangles.blocks.size() * sizeof(TriangleBlock) +
                             geometry.primitives.size() * sizeof(Primitive) +
                             geometry.triangles.size() * sizeof(TracedTriangle<float>) +
                             geometry.attributes.size() * sizeof(TriangleAttributes<float>);

@@ -1,0 +1,204 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+
+#include "accel/box.h"
+
+namespace ps {
+
+/// x, y, z and one more number that the processor handles together with them (GCC and clang vectors; a processor
+/// without the registers works through them one by one).
+template <class Real>
+struct FourLanes;
+template <>
+struct FourLanes<float> {
+  typedef float Type __attribute__((vector_size(16)));
+  typedef std::int32_t Index __attribute__((vector_size(16)));
+};
+template <>
+struct FourLanes<double> {
+  typedef double Type __attribute__((vector_size(32)));
+  typedef std::int64_t Index __attribute__((vector_size(32)));
+};
+template <class Real>
+using Lanes4 = typename FourLanes<Real>::Type;
+
+/// A box in four lanes; the last lane means nothing. Empty at first.
+template <class Real>
+struct Extent {
+  static constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  Lanes4<Real> low{infinity, infinity, infinity, infinity};
+  Lanes4<Real> high{-infinity, -infinity, -infinity, -infinity};
+
+  void include(const Extent& other) {
+    low = other.low < low ? other.low : low;
+    high = other.high > high ? other.high : high;
+  }
+  void include(const Lanes4<Real>& point) {
+    low = point < low ? point : low;
+    high = point > high ? point : high;
+  }
+  Box<Real> box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
+  double half_area() const {
+    const Lanes4<Real> size = high - low;
+    return static_cast<double>(size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+  }
+};
+
+/// A primitive while the tree is built: its box, with its number in the lane that is free.
+template <class Real>
+struct Reference : Extent<Real> {
+  Reference() = default;
+  Reference(const Box<Real>& box, std::uint32_t primitive) {
+    this->low = Lanes4<Real>{box.low.x, box.low.y, box.low.z, 0};
+    this->high = Lanes4<Real>{box.high.x, box.high.y, box.high.z, 0};
+    std::memcpy(reinterpret_cast<char*>(&this->high) + 3 * sizeof(Real), &primitive, sizeof primitive);
+  }
+  std::uint32_t primitive() const {
+    std::uint32_t result = 0;
+    std::memcpy(&result, reinterpret_cast<const char*>(&this->high) + 3 * sizeof(Real), sizeof result);
+    return result;
+  }
+  /// Twice the centroid. Not returned by value: the calling convention of wide vectors varies.
+  void centroid(Lanes4<Real>& result) const { result = this->low + this->high; }
+};
+
+inline constexpr int most_bins = 16;
+/// Small nodes are split about as well with fewer bins.
+inline int bins_for(std::uint32_t count) { return count <= 24 ? 8 : most_bins; }
+
+/// Into which bin a centroid falls on each axis. On an axis without extent all fall into bin 0.
+template <class Real>
+struct Binning {
+  Lanes4<Real> low{}, scale{}, last{};
+  Binning() = default;
+  Binning(const Extent<Real>& centroids, int bins) : low(centroids.low) {
+    for (int axis = 0; axis < 4; ++axis) {
+      const Real size = centroids.high[axis] - centroids.low[axis];
+      const Real per_unit = static_cast<Real>(bins) / size;
+      const bool usable = axis < 3 && size > 0 && per_unit < std::numeric_limits<Real>::infinity();
+      scale[axis] = usable ? per_unit : 0;
+      last[axis] = static_cast<Real>(bins - 1);
+    }
+  }
+  void find(const Lanes4<Real>& centroid, typename FourLanes<Real>::Index& bins) const {
+    const Lanes4<Real> share = (centroid - low) * scale;
+    bins = __builtin_convertvector(share < last ? share : last, typename FourLanes<Real>::Index);
+  }
+};
+
+/// Where a node is cut: references whose bin on `axis` is below `bin` go left.
+template <class Real>
+struct Split {
+  int axis = -1;  ///< -1: it stays whole
+  int bin = 0;
+  std::uint32_t left_count = 0;
+  Extent<Real> left, right;
+  Binning<Real> binning;
+  /// `centroid` is that of a reference.
+  bool is_left(const Lanes4<Real>& centroid) const {
+    typename FourLanes<Real>::Index index;
+    binning.find(centroid, index);
+    return index[axis] < bin;
+  }
+};
+
+inline constexpr std::uint32_t bvh_leaf = 4;
+inline constexpr double bvh_traversal_cost = 1;  ///< of a node, in tests of up to four primitives
+
+/// Boxes and counts of the references by bin, for all three axes at once (Wald 2007).
+template <class Real>
+class BinSet {
+ public:
+  void add(std::span<const Reference<Real>> references, const Extent<Real>& centroids, int bins) {
+    bins_ = bins;
+    binning_ = Binning<Real>(centroids, bins);
+    for (const Reference<Real>& reference : references) {
+      Lanes4<Real> centroid;
+      typename FourLanes<Real>::Index index;
+      reference.centroid(centroid);
+      binning_.find(centroid, index);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto bin = static_cast<std::size_t>(index[axis]);
+        boxes_[static_cast<std::size_t>(axis)][bin].include(reference);
+        ++counts_[static_cast<std::size_t>(axis)][bin];
+      }
+    }
+  }
+  void add(const BinSet& other) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t bin = 0; bin < most_bins; ++bin) {
+        boxes_[axis][bin].include(other.boxes_[axis][bin]);
+        counts_[axis][bin] += other.counts_[axis][bin];
+      }
+  }
+
+  /// The cut that costs least by the surface-area heuristic, primitives counting in groups of four as they are tested.
+  /// Large nodes are always cut if they can be; one of moderate size may stay whole.
+  Split<Real> best_split(std::uint32_t count, const Extent<Real>& box, const Extent<Real>& centroids) const {
+    const double area = box.half_area();
+    double best_cost = count > 4 * bvh_leaf ? std::numeric_limits<double>::infinity() : groups(count) * area;
+    int best_axis = -1, best_bin = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(centroids.high[axis] > centroids.low[axis]) || !(binning_.scale[axis] > 0)) continue;
+      const auto& boxes = boxes_[static_cast<std::size_t>(axis)];
+      const auto& counts = counts_[static_cast<std::size_t>(axis)];
+      std::array<double, most_bins> right_cost;
+      Extent<Real> side;
+      std::uint32_t sum = 0;
+      for (int i = bins_ - 1; i > 0; --i) {
+        const auto k = static_cast<std::size_t>(i);
+        side.include(boxes[k]);
+        sum += counts[k];
+        right_cost[k] = sum == 0 ? 0 : side.half_area() * groups(sum);
+      }
+      side = {};
+      sum = 0;
+      for (int i = 1; i < bins_; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        side.include(boxes[k - 1]);
+        sum += counts[k - 1];
+        if (sum == 0 || sum == count) continue;
+        const double total = bvh_traversal_cost * area + side.half_area() * groups(sum) + right_cost[k];
+        if (total < best_cost) {
+          best_cost = total;
+          best_axis = axis;
+          best_bin = i;
+        }
+      }
+    }
+    return best_axis < 0 ? Split<Real>() : describe(best_axis, best_bin);
+  }
+
+  /// How many of these references go left.
+  std::uint32_t left_of(const Split<Real>& split) const {
+    std::uint32_t sum = 0;
+    for (int i = 0; i < split.bin; ++i)
+      sum += counts_[static_cast<std::size_t>(split.axis)][static_cast<std::size_t>(i)];
+    return sum;
+  }
+
+ private:
+  static double groups(std::uint32_t count) { return static_cast<double>((count + 3) / 4); }
+
+  Split<Real> describe(int axis, int bin) const {
+    Split<Real> split;
+    split.axis = axis;
+    split.bin = bin;
+    split.binning = binning_;
+    split.left_count = left_of(split);
+    for (int i = 0; i < bins_; ++i)
+      (i < bin ? split.left : split.right).include(boxes_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)]);
+    return split;
+  }
+
+  std::array<std::array<Extent<Real>, most_bins>, 3> boxes_;
+  std::array<std::array<std::uint32_t, most_bins>, 3> counts_{};
+  int bins_ = most_bins;
+  Binning<Real> binning_;
+};
+
+}  // namespace ps

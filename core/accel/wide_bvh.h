@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "accel/bvh.h"
+
+namespace ps {
+
+inline constexpr int wide_width = 8;        ///< children of a node
+inline constexpr int wide_block_width = 4;  ///< triangles of a block
+
+/// Up to eight children whose boxes are tested by the same instructions. A child with blocks is a leaf: `blocks`
+/// TriangleBlocks from `child` on; with 0 it is the node `child`. Places without a child hold an empty box.
+struct alignas(64) WideNode {
+  /// Planes of the children's boxes: low x, high x, low y, high y, low z, high z.
+  float planes[6][wide_width];
+  std::uint32_t child[wide_width];
+  std::uint32_t blocks[wide_width];
+};
+
+/// Corners of four triangles side by side. Places without a triangle hold NaN, which no test accepts.
+struct alignas(32) TriangleBlock {
+  float corner[3][3][wide_block_width];  ///< [corner a b c][axis][lane]
+  std::uint32_t primitive[wide_block_width];
+};
+
+/// A tree eight wide over triangles, for queries of single rays with SIMD. Node 0 is the root.
+struct WideBvh {
+  std::vector<WideNode> nodes;
+  std::vector<TriangleBlock> blocks;
+  /// More entries can never wait while one ray is followed.
+  static constexpr int most_waiting = bvh_max_depth * (wide_width - 1) + 1;
+};
+
+/// A triangle's corners, and its number among all primitives.
+struct WideTriangle {
+  Vec3f a, b, c;
+  std::uint32_t primitive = 0;
+};
+
+/// Turns a tree of two-wide nodes over `triangles` into one of eight-wide nodes by opening, again and again, the child
+/// with the largest surface. `triangle(i)` is called for the entries of bvh.order, from several threads.
+template <class TriangleOf>
+WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads = 0);
+
+/// The two steps of widen(): nodes alone, with the range of bvh.order that each block takes, then the corners.
+struct BlockRange {
+  std::uint32_t first = 0, count = 0;
+};
+std::vector<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks);
+void clear_block(TriangleBlock& block);
+void put_triangle(TriangleBlock& block, std::size_t lane, const WideTriangle& triangle);
+void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& body);
+
+template <class TriangleOf>
+WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads) {
+  WideBvh wide;
+  std::vector<BlockRange> ranges;
+  wide.nodes = widen_nodes(bvh, ranges);
+  wide.blocks.resize(ranges.size());
+  for_each_range(ranges.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      clear_block(wide.blocks[i]);
+      for (std::uint32_t k = 0; k < ranges[i].count; ++k)
+        put_triangle(wide.blocks[i], k, triangle(bvh.order[ranges[i].first + k]));
+    }
+  });
+  return wide;
+}
+
+}  // namespace ps

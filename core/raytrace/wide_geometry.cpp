@@ -1,0 +1,39 @@
+#include "raytrace/geometry.h"
+
+namespace ps {
+namespace {
+
+WideTriangle wide_triangle(const TracedGeometry<float>& geometry, std::uint32_t primitive) {
+  const TracedTriangle<float>& triangle = geometry.triangles[geometry.primitives[primitive].shape];
+  return {triangle.a, triangle.b, triangle.c, primitive};
+}
+
+/// A tree over some of the primitives.
+Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives) {
+  std::vector<Box<float>> boxes;
+  boxes.reserve(primitives.size());
+  for (const std::uint32_t primitive : primitives)
+    boxes.push_back(primitive_box(geometry, geometry.primitives[primitive]));
+  Bvh<float> bvh = build_bvh<float>(boxes);
+  for (std::uint32_t& entry : bvh.order) entry = primitives[entry];
+  return bvh;
+}
+
+}  // namespace
+
+std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                  Prepared& prepared) {
+  Key key("wide geometry");
+  key.add(scene.geometry.revision());
+  return prepared.get<WideGeometry>(key, [&] {
+    const auto triangle = [&](std::uint32_t primitive) { return wide_triangle(geometry, primitive); };
+    if (geometry.triangles.size() == geometry.primitives.size())  // the tree that is there anyway
+      return WideGeometry{widen(*traced_bvh<float>(scene, geometry, prepared), triangle), {}};
+    std::vector<std::uint32_t> triangles, others;
+    for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i)
+      (geometry.primitives[i].kind == PrimitiveKind::triangle ? triangles : others).push_back(i);
+    return WideGeometry{widen(tree_over(geometry, triangles), triangle), tree_over(geometry, others)};
+  });
+}
+
+}  // namespace ps

@@ -1,0 +1,35 @@
+#pragma once
+#include "accel/slab.h"
+#include "accel/wide_bvh.h"
+#include "options/settings.h"
+#include "raytrace/ray.h"
+
+namespace ps {
+
+/// The fast path for triangles: single rays through a tree eight wide, four triangles at a time. Only boxes are tested
+/// differently from the clear path; a triangle's t and weights come from the same operations in the same order, and
+/// the lowest primitive wins ties, so both find the same hit to the last bit.
+
+struct WideQuery {
+  const Ray<float>& ray;
+  SlabRay<float> slabs;
+  float triangle_epsilon = 0;  ///< for Moeller-Trumbore
+};
+
+/// Work done by queries. The same on every SIMD target.
+struct WideCount {
+  std::uint64_t nodes = 0;
+  std::uint64_t triangles = 0;
+};
+
+/// Improves `best`, whose t is at most ray.t_max, by the nearest triangle, or by any.
+using WideSearch = void (*)(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count);
+
+struct WideSearches {
+  WideSearch nearest = nullptr, any = nullptr;
+};
+
+/// The functions for this test on this processor, or none (simd = off, or a processor that is not covered).
+WideSearches wide_searches(Simd simd, TriangleTest test);
+
+}  // namespace ps

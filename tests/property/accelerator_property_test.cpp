@@ -1,0 +1,203 @@
+// All accelerators must find the very hit that testing everything finds: the same primitive, t and weights to the last
+// bit. Rays are aimed within an ulp of vertices and edges, where boxes and triangles are easiest to miss; random rays
+// would not notice a wrong box in a million.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "raytrace/intersector.h"
+#include "support/closed_sphere.h"
+
+namespace {
+
+using namespace ps;
+
+struct Place {
+  const char* name;
+  double size;
+  Vec3d centre;
+};
+const Place places[] = {{"at the origin", 1, {0, 0, 0}},
+                        {"tiny", 1e-6, {0, 0, 0}},
+                        {"huge", 1e7, {3e6, 0, -1e6}},
+                        {"far away", 1, {2e4, -3e4, 1e4}}};
+
+/// Two closed spheres of triangles, one in the other, loose triangles of all sizes, and a few true spheres.
+Scene aimed_scene(const Place& place, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto number = [&](double size) { return (static_cast<double>(random()) * 0x1p-31 - 1) * size; };
+  const auto vector = [&](double size) {
+    const double x = number(size), y = number(size);
+    return Vec3d(x, y, number(size));
+  };
+  auto mesh = std::make_shared<Mesh>();
+  mesh->materials = {0};
+  const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    const auto first = static_cast<std::uint32_t>(mesh->positions.size());
+    for (const Vec3d& corner : {a, b, c}) mesh->positions.push_back(corner);
+    MeshTriangle triangle;
+    triangle.position = {first, first + 1, first + 2};
+    mesh->triangles.push_back(triangle);
+  };
+  for (const double radius : {1.0, 2.5}) {
+    const test::ClosedSphere sphere = test::closed_sphere(12, 18, radius * place.size, place.centre);
+    for (std::size_t i = 0; i < sphere.triangles.size(); ++i) {
+      const TracedTriangle<float> t = sphere.triangle(i);
+      add(Vec3d(t.a), Vec3d(t.b), Vec3d(t.c));
+    }
+  }
+  for (int i = 0; i < 150; ++i) {
+    const double size = place.size * std::exp(number(4) - 3);
+    const Vec3d corner = place.centre + vector(3 * place.size);
+    add(corner, corner + vector(size), corner + vector(size));
+    if (i % 10 == 0) add(corner, corner + vector(size), corner + vector(size));
+  }
+  for (int i = 0; i < 10; ++i) {  // a copy of an earlier triangle: ties everywhere
+    const auto copy = mesh->triangles[random() % mesh->triangles.size()];
+    mesh->triangles.push_back(copy);
+  }
+  Geometry geometry;
+  geometry.meshes = {mesh};
+  for (int i = 0; i < 12; ++i)
+    geometry.objects.push_back({"ball", Sphere{place.centre + vector(2 * place.size), place.size * 0.1 * (i + 1), 0}});
+  geometry.objects.insert(geometry.objects.begin() + 5, {"mesh", Instance{}});
+  Scene scene;
+  scene.geometry = Part<Geometry>(std::move(geometry));
+  scene.materials = Part<std::vector<Material>>({Material{}});
+  return scene;
+}
+
+template <class Real>
+std::vector<Ray<Real>> aimed_rays(const TracedGeometry<Real>& geometry, const Place& place, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto unit = [&] { return static_cast<Real>(static_cast<double>(random()) * 0x1p-32); };
+  const auto within_an_ulp = [&](Real x) {
+    const Real towards = std::numeric_limits<Real>::infinity() * static_cast<Real>(static_cast<int>(random() % 3) - 1);
+    return random() % 3 == 0 || std::isnan(towards) ? x : std::nextafter(x, towards);
+  };
+  std::vector<Ray<Real>> rays;
+  for (int i = 0; i < 1500; ++i) {
+    const auto& triangle = geometry.triangles[random() % geometry.triangles.size()];
+    Vec3<Real> target = triangle.a;
+    if (i % 3 == 1) target = triangle.a + (triangle.b - triangle.a) * unit();
+    if (i % 3 == 2) target = (triangle.a + triangle.b + triangle.c) / Real(3);
+    Ray<Real> ray;
+    for (int axis = 0; axis < 3; ++axis) {
+      ray.origin[axis] =
+          static_cast<Real>(place.centre[axis]) + (unit() - Real(0.5)) * static_cast<Real>(6 * place.size);
+      target[axis] = within_an_ulp(target[axis]);
+      if (random() % 8 == 0) ray.origin[axis] = target[axis];  // along a plane or an axis, in a box's side
+    }
+    if (ray.origin == target) continue;
+    ray.direction = target - ray.origin;
+    ray.t_max = i % 5 == 0 ? Real(1) : std::numeric_limits<Real>::infinity();
+    if (i % 7 == 0) {  // leaves the surface of a triangle
+      const auto start = static_cast<std::uint32_t>(random() % geometry.primitives.size());
+      if (geometry.primitives[start].kind == PrimitiveKind::triangle) ray.start = start;
+      ray.direction = ray.direction * Real(0.001);
+    }
+    rays.push_back(ray);
+  }
+  return rays;
+}
+
+template <class Real>
+bool same_bits(const Hit<Real>& a, const Hit<Real>& b) {
+  if (a.primitive != b.primitive) return false;
+  return !a.found() || (std::memcmp(&a.t, &b.t, sizeof a.t) == 0 &&
+                        std::memcmp(a.weights.data(), b.weights.data(), sizeof a.weights) == 0);
+}
+
+/// How many of the rays find something else with `inputs` than by testing everything.
+template <class Real>
+int differences(const TraceInputs<Real>& inputs, const std::vector<Ray<Real>>& rays) {
+  TraceInputs<Real> everything = inputs;
+  everything.bvh.reset();
+  everything.wide.reset();
+  Silent silent;
+  const Intersector<Real, Silent> clear(everything, silent), fast(inputs, silent);
+  int result = 0;
+  for (const Ray<Real>& ray : rays) {
+    const Hit<Real> expected = clear.nearest(ray);
+    const bool same = same_bits(expected, fast.nearest(ray)) && expected.found() == fast.any(ray).found();
+    result += same ? 0 : 1;
+  }
+  return result;
+}
+
+struct Way {
+  Accelerator accelerator;
+  Simd simd;
+};
+const Way ways[] = {{Accelerator::bvh, Simd::off},
+                    {Accelerator::bvh, Simd::sse4},
+                    {Accelerator::bvh, Simd::avx2},
+                    {Accelerator::bvh, Simd::avx512}};
+
+template <class Real>
+void expect_same_hits(TriangleTest test) {
+  for (unsigned seed = 81; seed < 84; ++seed) {
+    for (const Place& place : places) {
+      SCOPED_TRACE(std::string(place.name) + ", seed " + std::to_string(seed));
+      const Scene scene = aimed_scene(place, seed);
+      Prepared prepared;
+      for (const Way& way : ways) {
+        SCOPED_TRACE(std::to_string(static_cast<int>(way.accelerator)) + "/" +
+                     std::to_string(static_cast<int>(way.simd)));
+        Settings settings;
+        settings.triangle_test = test;
+        settings.accelerator = way.accelerator;
+        settings.simd = way.simd;
+        const TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, View{}, settings, prepared);
+        EXPECT_EQ(differences(inputs, aimed_rays(*inputs.geometry, place, seed)), 0);
+      }
+    }
+  }
+}
+
+TEST(Accelerators, FindTheHitOfTheWatertightTest) { expect_same_hits<float>(TriangleTest::watertight); }
+TEST(Accelerators, FindTheHitOfMoellerTrumbore) { expect_same_hits<float>(TriangleTest::moeller_trumbore); }
+TEST(Accelerators, FindTheHitInDouble) { expect_same_hits<double>(TriangleTest::watertight); }
+
+TEST(Accelerators, BoxesThatAreNotGrownLoseHits) {
+  int lost = 0;
+  for (const Place& place : places) {
+    const Scene scene = aimed_scene(place, 81);
+    Prepared prepared;
+    TraceInputs<float> inputs = make_trace_inputs<float>(scene, View{}, {}, prepared);
+    inputs.box_padding = 0;
+    lost += differences(inputs, aimed_rays(*inputs.geometry, place, 81));
+  }
+  EXPECT_GT(lost, 0) << "the rays of these tests are too easy";
+}
+
+TEST(Accelerators, TheTreeDoesNotDependOnThreads) {
+  std::mt19937 random(85);
+  const auto unit = [&] { return static_cast<float>(random()) * 0x1p-32f; };
+  std::vector<Box<float>> boxes(150000);  // enough for the parallel part of the builder
+  for (Box<float>& box : boxes) {
+    const Vec3f corner{unit(), unit() * unit(), unit()};
+    box.include(corner);
+    box.include(corner + Vec3f(unit() * 0.01f, unit() * 0.01f, unit() * 0.01f));
+  }
+  const Bvh<float> one = build_bvh<float>(boxes, 1);
+  std::vector<int> seen(boxes.size(), 0);
+  for (const std::uint32_t primitive : one.order) ++seen[primitive];
+  EXPECT_EQ(seen, std::vector<int>(boxes.size(), 1));
+  for (const int threads : {2, 7}) {
+    const Bvh<float> other = build_bvh<float>(boxes, threads);
+    EXPECT_EQ(one.order, other.order);
+    ASSERT_EQ(one.nodes.size(), other.nodes.size());
+    EXPECT_EQ(std::memcmp(one.nodes.data(), other.nodes.data(), one.nodes.size() * sizeof one.nodes[0]), 0);
+  }
+  for (const BvhNode<float>& node : one.nodes) {  // each node holds its children and its primitives
+    Box<float> content;
+    for (std::uint32_t i = 0; i < node.count; ++i) content.include(boxes[one.order[node.first + i]]);
+    if (node.count == 0)
+      for (std::uint32_t k = 0; k < 2; ++k) content.include(one.nodes[node.first + k].box);
+    ASSERT_TRUE(content.low == node.box.low && content.high == node.box.high);
+  }
+}
+
+}  // namespace
