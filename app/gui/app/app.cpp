@@ -190,8 +190,8 @@ void App::layout(const Area& area) {
   auto bottom = std::round(static_cast<float>(1 - shares.bottom) * height);
   const float most_left = std::max(least, width * 0.5f - grip),
               least_right = std::min(width - least, width * 0.5f + grip);
-  left = std::clamp(left, std::min(px(210), most_left), most_left);
-  right = std::clamp(right, least_right, std::max(width - px(240), least_right));
+  left = std::clamp(left, std::min(px(250), width * 0.26f), most_left);
+  right = std::clamp(right, least_right, std::max(width - std::min(px(290), width * 0.3f), least_right));
   bottom = std::clamp(bottom, height * 0.3f, std::max(height - px(36), height * 0.3f));
 
   left_region({area.min, {area.min.x + left, area.max.y}});
@@ -208,9 +208,10 @@ void App::layout(const Area& area) {
     moved = moved || edit.changed;
     finished = finished || edit.finished;
   };
-  line("split/left", SplitterAxis::left_right, {area.min.x + left, area.min.y}, height, left, px(200), most_left);
+  line("split/left", SplitterAxis::left_right, {area.min.x + left, area.min.y}, height, left,
+       std::min(px(250), width * 0.26f), most_left);
   line("split/right", SplitterAxis::left_right, {area.min.x + right, area.min.y}, height, right, least_right,
-       width - px(200));
+       width - std::min(px(290), width * 0.3f));
   line("split/bottom", SplitterAxis::up_down, {area.min.x + left + grip, area.min.y + bottom}, right - left - grip,
        bottom, height * 0.3f, height - px(36));
   if (moved)

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 
 namespace ps::gui {
 namespace {
@@ -61,8 +61,10 @@ bool line_row(const std::string& name, const LedgerLine& line, bool selected, co
   const float left = at.x + px(indent_step) * static_cast<float>(line.level) + px(4);
   const float words_end = columns.one_line ? columns.number_right(0) - px(number_width) : columns.right;
   const ImU32 ink = colour_u32(palette().text);
-  const ImVec4 clip(left, at.y, words_end, at.y + height);
-  list.AddText(words, words->FontSize, {left, at.y}, ink, line.term.c_str(), nullptr, 0, &clip);
+  {
+    const FontScope font(Face::body);
+    draw_text({left, at.y}, {words_end, at.y + words->FontSize}, line.term, palette().text, 0);
+  }
   const float top = columns.one_line ? at.y : at.y + pitch;
   for (int channel = 0; channel < 3; ++channel)
     number_at(list, digits, columns.number_right(channel), top, short_number(line.value[channel]), ink);

@@ -35,8 +35,7 @@ PictureDrag drag_of_button(const ImGuiIO& io, std::optional<float> split_at) {
   if (ImGui::IsMouseDown(ImGuiMouseButton_Middle)) return PictureDrag::pan;
   if (io.KeyAlt) return PictureDrag::orbit;
   if (io.KeyCtrl) return PictureDrag::look;
-  constexpr float reach = 10;
-  if (split_at && std::abs(io.MousePos.x - *split_at) <= px(reach)) return PictureDrag::divider;
+  if (split_at && std::abs(io.MousePos.x - *split_at) <= px(divider_reach)) return PictureDrag::divider;
   return PictureDrag::undecided;
 }
 
@@ -116,7 +115,7 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
     if (state.drag == PictureDrag::look || state.drag == PictureDrag::orbit) session.end_drag();
     state.drag = PictureDrag::none;
   }
-  const bool on_divider = split_at && std::abs(io.MousePos.x - *split_at) <= px(10);
+  const bool on_divider = split_at && std::abs(io.MousePos.x - *split_at) <= px(divider_reach);
   if (state.drag == PictureDrag::divider || (hovered && state.drag == PictureDrag::none && on_divider))
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 }

@@ -62,7 +62,7 @@ void title(Session& session, Side side, const Area& row) {
   auto& list = *ImGui::GetWindowDrawList();
   const float size = px(22), top = row.min.y + (row.height() - size) / 2;
   badge(list, {row.min.x, top}, size, side);
-  const float choice_width = std::min(px(118), row.width() * 0.45f);
+  const float choice_width = std::min(px(124), row.width() * 0.39f);
   const float text_left = row.min.x + size + px(8);
   const ImVec4 colour = side == Side::a ? palette().a_text : palette().b_text;
   const std::string text = title_text(session.settings(side), session.traits());
@@ -71,7 +71,7 @@ void title(Session& session, Side side, const Area& row) {
 
   ImGui::SetCursorScreenPos(row.min);
   ImGui::InvisibleButton(side == Side::a ? "title-a" : "title-b", {row.width() - choice_width - px(8), row.height()});
-  controls().record(full_name("title"), text);
+  controls().record("title", text);
   tooltip(text + "\nDouble-click: this picture alone, and back.");
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
     session.navigate([&](Document& document) {
@@ -150,7 +150,10 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   if (status.state == RenderState::failed) draw_notice(list, area, status.message);
 }
 
-void divider(const Area& area, float at) {
+/// What picture_input() drags; here it is drawn and told to scripts.
+void divider(const Area& area, float at, double share) {
+  controls().record("pictures/divider", {at - px(divider_reach), area.min.y}, {at + px(divider_reach), area.max.y},
+                    short_number(share));
   auto& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({at - px(2.5), area.min.y}, {at + px(2.5), area.max.y}, IM_COL32(0, 0, 0, 160));
   list.AddRectFilled({at - px(1.5), area.min.y}, {at + px(1.5), area.max.y}, IM_COL32(255, 255, 255, 255));
@@ -204,7 +207,7 @@ void difference_view(Session& session, PicturesState& state, const Area& row, co
   ImGui::InvisibleButton("picture-difference", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
-  controls().record("difference/picture", state.identical ? "identical" : "different");
+  controls().record("picture", state.identical ? "identical" : "different");
   picture_input(session, state, Side::a, area, {});
   state.areas[0] = area;
   PictureStyle style;
@@ -259,7 +262,8 @@ void split_view(Session& session, PicturesState& state, const Area& area) {
   title(session, other_side(left), {{middle + space, title_row.min.y}, title_row.max});
   picture(session, state, Side::a, inner, Split{at});
   state.areas[1] = inner;
-  divider({{inner.min.x, std::max(inner.min.y, whole.min.y)}, {inner.max.x, std::min(inner.max.y, whole.max.y)}}, at);
+  divider({{inner.min.x, std::max(inner.min.y, whole.min.y)}, {inner.max.x, std::min(inner.max.y, whole.max.y)}}, at,
+          session.document().split);
   footer(session, left, {footer_row.min, {middle - space, footer_row.max.y}});
   footer(session, other_side(left), {{middle + space, footer_row.min.y}, footer_row.max});
 }

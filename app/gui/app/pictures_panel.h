@@ -15,6 +15,8 @@ struct Hover {
   Vec2i pixel{0, 0};
 };
 
+constexpr double divider_reach = 10;  ///< pixels to both sides of the split's divider that take hold of it, at scale 1
+
 /// What dragging in a picture does until the button is released.
 enum class PictureDrag { none, undecided, pan, look, orbit, divider };
 

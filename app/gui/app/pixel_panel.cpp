@@ -28,7 +28,10 @@ void place(Session& session, Vec2i pixel) {
   const View view = session.view();
   const Vec2i book = book_pixel(pixel.x, pixel.y, view.width, view.height);
   const FontScope font(Face::mono);
-  value_text("pixel", fmt::format("array ({}, {})   book ({}, {})", pixel.x, pixel.y, book.x, book.y));
+  const std::string array = fmt::format("array ({}, {})", pixel.x, pixel.y);
+  const std::string of_book = fmt::format("book ({}, {})", book.x, book.y);
+  const bool one_line = ImGui::CalcTextSize((array + "   " + of_book).c_str()).x <= ImGui::GetContentRegionAvail().x;
+  value_text("pixel", array + (one_line ? "   " : "\n") + of_book);
   tooltip("array: column and row from the top left.\nbook: x to the right and y upwards from the middle.");
 }
 

@@ -7,18 +7,21 @@
 #include <vector>
 
 #include "gui/app/picture_text.h"
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 
 namespace ps::gui {
 namespace {
 
 using Results = std::array<std::shared_ptr<const RenderResult>, 2>;
 
-constexpr double label_width = 172, number_width = 82;
+constexpr double label_width = 196, number_width = 74;
 constexpr double table_width = label_width + 3 * number_width + 40;
 
+/// In a narrow window the labels give way, not the numbers.
+ImVec2 table_size() { return {std::min(px(table_width), ImGui::GetContentRegionAvail().x), 0}; }
+
 void columns() {
-  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, px(label_width));
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
   for (const char* name : {"A", "B", "B / A"})
     ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, px(number_width));
 }
@@ -45,7 +48,11 @@ void row(std::string_view label, const std::array<std::optional<double>, 2>& val
          const std::function<std::string(double)>& text) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(label.data(), label.data() + label.size());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  draw_text(at, {at.x + room, at.y + height}, label, palette().text, 0);
+  ImGui::Dummy({room, height});
+  if (text_width(label) > room) tooltip(label);
   for (const auto& value : values) {
     ImGui::TableNextColumn();
     if (value) number_text(text(*value), 0, full_number(*value));
@@ -62,7 +69,7 @@ std::optional<double> stage_time(const std::shared_ptr<const RenderResult>& resu
 }
 
 void times(const Results& results) {
-  if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, {px(table_width), 0})) return;
+  if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
   columns();
   heading("Time, ms");
   std::vector<std::string> stages;
@@ -80,7 +87,7 @@ void times(const Results& results) {
 }
 
 void counters(const Results& results) {
-  if (!ImGui::BeginTable("counters", 4, ImGuiTableFlags_SizingFixedFit, {px(table_width), 0})) return;
+  if (!ImGui::BeginTable("counters", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
   columns();
   heading("Work");
   for (std::size_t i = 0; i < counter_count; ++i) {
@@ -104,7 +111,7 @@ void counters(const Results& results) {
 void timings_panel(Session& session) {
   const NameScope scope("timings");
   const Results results{session.renderer(Side::a).result(), session.renderer(Side::b).result()};
-  ImGui::BeginChild("timings", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::BeginChild("timings");
   const float column = px(table_width + 20);
   const bool beside = ImGui::GetContentRegionAvail().x >= 2 * column;
   ImGui::BeginGroup();

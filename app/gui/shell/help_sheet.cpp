@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gui/shell/values.h"
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 
 namespace ps::gui {
 namespace {
@@ -27,6 +27,23 @@ std::string keys_of(const Actions& actions, const Action& action) {
   return text;
 }
 
+/// What it does on the left, its keys on the right; where both do not fit, what it does is cut and told in full by its
+/// tooltip.
+void row(const std::string& label, const std::string& keys, float width) {
+  const float height = ImGui::GetTextLineHeight();
+  float keys_width = 0;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  {
+    const FontScope mono(Face::mono);
+    keys_width = ImGui::CalcTextSize(keys.c_str()).x;
+    draw_text({at.x + width - keys_width, at.y}, {at.x + width, at.y + height}, keys, palette().text, 1);
+  }
+  const float room = width - keys_width - px(14);
+  draw_text(at, {at.x + room, at.y + height}, label, palette().text_quiet, 0);
+  ImGui::Dummy({width, height});
+  if (text_width(label) > room) tooltip(label);
+}
+
 void draw_group(const Actions& actions, const std::string& group, float width) {
   {
     const FontScope bold(Face::bold);
@@ -34,13 +51,7 @@ void draw_group(const Actions& actions, const std::string& group, float width) {
   }
   for (const Action& action : actions.all()) {
     if (action.group != group) continue;
-    const std::string keys = keys_of(actions, action);
-    const float x = ImGui::GetCursorPosX();
-    ImGui::TextColored(palette().text_quiet, "%s%s", action.label.c_str(),
-                       action.kind == ActionKind::hold ? " (hold)" : "");
-    const FontScope mono(Face::mono);
-    ImGui::SameLine(x + width - ImGui::CalcTextSize(keys.c_str()).x);
-    ImGui::TextUnformatted(keys.c_str());
+    row(action.label + (action.kind == ActionKind::hold ? " (hold)" : ""), keys_of(actions, action), width);
   }
   ImGui::Dummy({0, px(8)});
 }
@@ -76,7 +87,7 @@ void HelpSheet::draw(const Actions& actions) {
   }
   ImGui::Dummy({0, px(4)});
   ImGui::BeginChild("##sheet");
-  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / px(300)));
+  const int columns = std::max(1, static_cast<int>(ImGui::GetContentRegionAvail().x / px(330)));
   const float gap = px(36);
   const float width =
       (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);

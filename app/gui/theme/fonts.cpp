@@ -1,4 +1,6 @@
+#include <ft2build.h>
 #include <imgui_freetype.h>
+#include FT_FREETYPE_H
 
 #include <array>
 #include <cmath>
@@ -22,7 +24,7 @@ constexpr std::array<ImWchar, 11> narrow_ranges{0x0020, 0x007E, 0x00A0, 0x00FF, 
 
 struct FaceFile {
   const char* file;
-  double size;  ///< pixels at scale 1
+  double size;  ///< of the em in pixels at scale 1, as in CSS
   const ImWchar* ranges;
   const char* fallback;  ///< supplies the glyphs that the first file lacks
 };
@@ -43,20 +45,37 @@ FaceFile face_file(Face face) {
   case Face::title:
     return {semi_bold, 26, narrow_ranges.data(), nullptr};
   case Face::small:
-    return {regular, 14.5, wide_ranges.data(), mono};
+    return {regular, 14, wide_ranges.data(), mono};
   case Face::mono:
-    return {mono, 15.5, wide_ranges.data(), regular};
+    return {mono, 15, wide_ranges.data(), regular};
   case Face::mono_bold:
-    return {"JetBrainsMono-Bold.ttf", 15.5, narrow_ranges.data(), mono};
+    return {"JetBrainsMono-Bold.ttf", 15, narrow_ranges.data(), mono};
   }
   return {};
 }
 
-ImFont* load(const std::string& path, float size, const ImWchar* ranges, bool merge) {
+/// Height of a line in ems. Dear ImGui measures a font by its line (ascender to descender), people by its em.
+double line_height(const std::string& path) {
+  double height = 1.2;
+  FT_Library library = nullptr;
+  if (FT_Init_FreeType(&library) != 0) return height;
+  FT_Face face = nullptr;
+  if (FT_New_Face(library, path.c_str(), 0, &face) == 0) {
+    if (face->units_per_EM > 0)
+      height = static_cast<double>(face->ascender - face->descender) / static_cast<double>(face->units_per_EM);
+    FT_Done_Face(face);
+  }
+  FT_Done_FreeType(library);
+  return height;
+}
+
+/// `em` in pixels. Null if there is no such file.
+ImFont* load(const std::string& path, double em, const ImWchar* ranges, bool merge) {
   if (!std::filesystem::exists(path)) return nullptr;
   ImFontConfig config;
   config.MergeMode = merge;
   config.GlyphRanges = ranges;
+  const auto size = static_cast<float>(std::round(em * line_height(path)));
   return ImGui::GetIO().Fonts->AddFontFromFileTTF(path.c_str(), size, &config, ranges);
 }
 
@@ -72,14 +91,14 @@ void Theme::load_fonts() {
   const auto folder = font_dir();
   for (int i = 0; i < IM_ARRAYSIZE(fonts_); ++i) {
     const FaceFile face = face_file(static_cast<Face>(i));
-    const auto size = static_cast<float>(std::round(face.size * scale_));
-    fonts_[i] = load((folder / face.file).string(), size, face.ranges, false);
+    const double em = face.size * scale_;
+    fonts_[i] = load((folder / face.file).string(), em, face.ranges, false);
     if (!fonts_[i]) {
       ImFontConfig config;
-      config.SizePixels = std::round(size * 0.8f);
+      config.SizePixels = static_cast<float>(std::round(em));
       fonts_[i] = atlas.AddFontDefault(&config);
     }
-    if (face.fallback) load((folder / face.fallback).string(), size, face.ranges, true);
+    if (face.fallback) load((folder / face.fallback).string(), em, face.ranges, true);
   }
   atlas.Build();
   ImGui::GetIO().FontDefault = fonts_[0];

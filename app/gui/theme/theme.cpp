@@ -54,11 +54,11 @@ void apply_colours(const Palette& p) {
 void apply_sizes(double scale) {
   ImGuiStyle style;
   style.WindowPadding = {12, 10};
-  style.FramePadding = {8, 4};
-  style.ItemSpacing = {8, 6};
+  style.FramePadding = {8, 3};
+  style.ItemSpacing = {8, 5};
   style.ItemInnerSpacing = {6, 4};
   style.CellPadding = {6, 3};
-  style.IndentSpacing = 18;
+  style.IndentSpacing = 15;
   style.ScrollbarSize = 11;
   style.GrabMinSize = 10;
   style.WindowRounding = 0;

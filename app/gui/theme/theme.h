@@ -50,7 +50,7 @@ class Theme {
 /// The one theme.
 Theme& theme();
 inline const Palette& palette() { return theme().palette(); }
-/// Pixels at the current scale: px(17) is the height of body text.
+/// Pixels at the current scale: px(17) is the em of body text.
 inline float px(double at_scale_1) { return static_cast<float>(at_scale_1 * theme().scale()); }
 inline ImU32 colour_u32(const ImVec4& c, double alpha = 1) {
   return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, c.w * static_cast<float>(alpha)});

@@ -55,10 +55,10 @@ void note_other_wheel() {
 
 Edit typed(std::string_view name, double& value, const NumberRange& range, float width) {
   Edit edit;
+  const float height = ImGui::GetFrameHeight();
   const FontScope mono(Face::mono);
   ImGui::SetNextItemWidth(width);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                      {px(6), std::floor((px(17) + 2 * ImGui::GetStyle().FramePadding.y - ImGui::GetFontSize()) / 2)});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), std::floor((height - ImGui::GetFontSize()) / 2)});
   if (gesture.typing_began) ImGui::SetKeyboardFocusHere();
   const bool enter = ImGui::InputText("##typed", &gesture.text,
                                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);

@@ -25,13 +25,17 @@ bool section(std::string_view name, std::string_view label, bool& open, std::str
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) draw.AddRectFilled(min, max, colour_u32(p.field_hover), ImGui::GetStyle().FrameRounding);
   draw_arrow({min.x + px(8), (min.y + max.y) / 2}, open, colour_u32(p.text_quiet));
+  float label_end = 0;
   {
     const FontScope bold(Face::bold);
     draw_text({min.x + px(20), min.y}, max, label, p.text, 0);
+    label_end = min.x + px(20) + text_width(label);
   }
-  if (!note.empty()) {
+  {
     const FontScope small(Face::small);
-    draw_text({min.x + px(60), min.y}, {max.x - px(6), max.y}, note, p.text_quiet, 1);
+    const float right = max.x - px(6);
+    if (label_end + px(8) + text_width(note) <= right)  // the label comes first
+      draw_text({label_end, min.y}, {right, max.y}, note, p.text_quiet, 1);
   }
   controls().record(name, open ? "open" : "closed");
   return open;
@@ -46,9 +50,12 @@ TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bo
   else if (default_open)
     flags |= ImGuiTreeNodeFlags_DefaultOpen;
   if (selected) flags |= ImGuiTreeNodeFlags_Selected;
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(3), px(2)});
-  const bool open = ImGui::TreeNodeEx(id.c_str(), flags, "%s", label.c_str());
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(3), px(1)});
+  const float text_left = ImGui::GetCursorScreenPos().x + ImGui::GetTreeNodeToLabelSpacing();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const bool open = ImGui::TreeNodeEx(id.c_str(), flags, "%s", "");
   ImGui::PopStyleVar();
+  draw_text({text_left, ImGui::GetItemRectMin().y}, {right, ImGui::GetItemRectMax().y}, text, palette().text, 0);
   TreeRow row;
   row.open = open && kind == TreeKind::branch;
   row.clicked = ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen();
