@@ -90,4 +90,21 @@ TEST(Window, RemembersTypeSizeAndTheme) {
   EXPECT_EQ(first.output.find("1\n"), std::string::npos) << first.output;
 }
 
+// At both, everything that a lesson needs can be reached.
+TEST(Window, WorksSmallAndAtDoubleScale) {
+  const std::string script =
+      "wait idle\nexpect step 1\nclick lesson/next\nwait idle\nexpect step 2\nchoose options/renderer rasterizer\n"
+      "click pixel/side/b\nclick menu/view\nkey Esc\nkey ?\nexpect help/open on\nkey Esc\nkey X\nwait idle\n"
+      "keep split BEFORE\ndrag pictures/divider 30,0\nexpect split > $BEFORE\nexpect messages 0\n";
+  struct Case {
+    std::string size, scale;
+  };
+  for (const Case& one : {Case{"800x600", "1"}, Case{"1920x1080", "2"}}) {
+    const auto folder = ps::fresh_output_folder("gui-sizes-" + one.size);
+    const auto result = play(script, folder, one.size, "--lesson cgfs_14_textures --size 160x120 --scale " + one.scale);
+    EXPECT_EQ(result.status, 0) << one.size << ": " << result.errors;
+    EXPECT_EQ(result.errors, "");
+  }
+}
+
 }  // namespace

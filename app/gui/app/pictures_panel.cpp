@@ -173,6 +173,7 @@ void make_difference(Session& session, PicturesState& state) {
   state.difference.levels = difference_picture(a, b, {session.document().difference_gain, state.difference_mode});
   state.difference.upload({{0, 0, a.width(), a.height()}});
   state.difference_stale = false;
+  state.difference_fresh = true;
 }
 
 /// One picture of what parts A and B, with its gain.

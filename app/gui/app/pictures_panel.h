@@ -27,6 +27,8 @@ struct PicturesState {
   std::array<std::uint64_t, 2> hashes{};  ///< of the pictures' levels, for tests
   ShownPicture difference;
   bool difference_stale = true;
+  bool difference_fresh = false;      ///< made since its hash was taken
+  std::uint64_t difference_hash = 0;  ///< of its levels, for tests
   bool identical = false;  ///< A and B, when the difference was last made
   DifferenceMode difference_mode = DifferenceMode::absolute;
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "gui/app/app.h"
 #include "gui/shell/values.h"
 #include "options/option.h"
@@ -66,6 +68,7 @@ void publish_side(Session& session, const PicturesState& pictures, Side side) {
   const auto result = session.renderer(side).result();
   out.publish(name + "state", state_word(status.state));
   out.publish(name + "renders", status.renders_done);
+  out.publish(name + "first-pixels-ms", status.first_pixels);
   const auto& levels = pictures.pictures[index_of(side)].levels;
   out.publish(name + "picture", fmt::format("{:016x}", pictures.hashes[index_of(side)]));
   out.publish(name + "size", fmt::format("{}x{}", levels.width(), levels.height()));
@@ -99,6 +102,9 @@ void App::publish() {
     }
     publish_side(session_, pictures_, side);
   }
+  if (std::exchange(pictures_.difference_fresh, false))
+    pictures_.difference_hash = picture_hash(pictures_.difference.levels);
+  out.publish("difference/levels", fmt::format("{:016x}", pictures_.difference_hash));
   const Document& document = session_.document();
   out.publish("scene", document.scene_name);
   out.publish("compare", compare_word(document.compare));
@@ -111,6 +117,11 @@ void App::publish() {
   out.publish("messages", static_cast<int>(session_.messages().size()));
   out.publish("message", session_.messages().empty() ? "" : session_.messages().back().text);
   out.publish("zoom", pictures_.transform.zoom);
+  out.publish("middle", fmt::format("{:.6f},{:.6f}", document.view.middle.x, document.view.middle.y));
+  out.publish("split", document.split);
+  out.publish("flicker", pictures_.flip);
+  out.publish("lesson", document.lesson);
+  out.publish("step", document.lesson.empty() ? 0 : document.step + 1);
   out.publish("panels", document.layout.panels);
 }
 

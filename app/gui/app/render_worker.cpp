@@ -80,6 +80,8 @@ void RenderWorker::request(const PictureRequest& request) {
   ++generation_;
   ++display_generation_;
   ++begun_;
+  requested_ = std::chrono::steady_clock::now();
+  arrived_ = timed_ = false;
   state_ = RenderState::coarse;
   message_.clear();
   job_.start([this, run = Run{request, rendered_channels_, generation_, next_coarse_divisor()}](Progress& progress) {
@@ -97,7 +99,7 @@ void RenderWorker::cancel() {
 
 RenderStatus RenderWorker::status() const {
   const std::lock_guard lock(mutex_);
-  return {state_, job_.fraction(), message_, begun_, done_};
+  return {state_, job_.fraction(), message_, begun_, done_, first_pixels_};
 }
 
 std::shared_ptr<const RenderResult> RenderWorker::result() const {
@@ -114,6 +116,8 @@ std::vector<TileRect> RenderWorker::collect(Image<Rgb8>& picture) {
   woken_ = false;
   news_ = false;
   const std::lock_guard lock(mutex_);
+  if (arrived_ && !std::exchange(timed_, true))
+    first_pixels_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - requested_).count();
   if (picture.width() != picture_.width() || picture.height() != picture_.height()) {
     picture = picture_;
     changed_.clear();
@@ -218,6 +222,7 @@ void RenderWorker::publish(const Image<Rgb8>& pixels, const TileRect& rect, cons
       picture_ = Image<Rgb8>(run.request.view.width, run.request.view.height, not_yet_there);
     copy_enlarged(pixels, place, divisor, picture_);
     changed_.push_back(place);
+    arrived_ = true;
     news_ = true;
   }
   wake();

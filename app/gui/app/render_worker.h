@@ -1,5 +1,6 @@
 #pragma once
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -45,6 +46,7 @@ struct RenderStatus {
   std::string message;              ///< why it failed
   std::uint64_t renders_begun = 0;  ///< full or coarse-then-full renders, not changes of display
   std::uint64_t renders_done = 0;
+  double first_pixels = 0;  ///< milliseconds from the newest request to collecting the first pixels of its render
 };
 
 /// Two requests need the same render: they differ at most in display options and in the channel shown.
@@ -104,9 +106,12 @@ class RenderWorker {
   RenderState state_ = RenderState::idle;
   std::string message_;
   std::uint64_t begun_ = 0, done_ = 0;
-  Channel rendered_channels_ = Channel::none;  // that the newest render makes
-  bool whole_seen_ = false;                    // the newest render has shown a whole picture, if only a coarse one
-  int unseen_ = 0;                             // renders replaced before that, since the last finished one
+  std::chrono::steady_clock::time_point requested_;  // the newest render
+  bool arrived_ = false, timed_ = false;             // its first pixels: published, collected
+  double first_pixels_ = 0;                          // milliseconds
+  Channel rendered_channels_ = Channel::none;        // that the newest render makes
+  bool whole_seen_ = false;  // the newest render has shown a whole picture, if only a coarse one
+  int unseen_ = 0;           // renders replaced before that, since the last finished one
   std::shared_ptr<const RenderResult> result_;
   ChannelLegend legend_;
   Image<Rgb8> picture_;

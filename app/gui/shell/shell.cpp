@@ -1,9 +1,11 @@
 #include "gui/shell/shell.h"
 
 #include <imgui.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -42,6 +44,23 @@ WindowSize remembered_size(const StateFile& state, const ShellOptions& options) 
   return size;
 }
 
+/// Since the process began, to a hundredth of a second: what was done before main() counts for one who waits.
+double seconds_since_start() {
+  std::ifstream file("/proc/self/stat");
+  std::string text;
+  std::getline(file, text);
+  std::istringstream fields(text.substr(std::min(text.size(), text.rfind(')') + 1)));
+  constexpr int start_time = 22, first_after_name = 3;  // numbers of the fields, man proc
+  std::string skipped;
+  for (int field = first_after_name; field < start_time; ++field) fields >> skipped;
+  double ticks = 0;
+  fields >> ticks;
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9 -
+         ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
 }  // namespace
 
 struct Shell::Impl {
@@ -66,12 +85,21 @@ struct Shell::Impl {
   Clock::time_point last_frame;
 
   void add_actions(Shell& shell);
+  void offer_values();
   void load_bindings();
   void take_event(const SDL_Event& event);
   double patience() const;
   void draw_frame();
   void dispatch_keys();
 };
+
+void Shell::Impl::offer_values() {
+  const auto in_seconds = [](double seconds) { return std::to_string(seconds); };
+  values().offer("clipboard", [this] { return window.clipboard(); });
+  values().offer("window/seconds", [=] { return in_seconds(seconds_since_start()); });
+  values().offer("window/cpu-seconds",
+                 [=] { return in_seconds(static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC)); });
+}
 
 Shell::Shell(const ShellOptions& options) : impl_(std::make_unique<Impl>(options)) {
   double scale = options.scale.value_or(0);
@@ -80,6 +108,7 @@ Shell::Shell(const ShellOptions& options) : impl_(std::make_unique<Impl>(options
   theme().set_scale(scale);
   theme().set_brightness(remembered("window/theme") == "dark" ? Brightness::dark : Brightness::light);
   impl_->add_actions(*this);
+  impl_->offer_values();
 }
 
 Shell::~Shell() = default;
@@ -184,6 +213,7 @@ void Shell::Impl::draw_frame() {
   window.draw_frame();
   if (script) script->frame_drawn(window);
   window.show_frame();
+  if (frames == 0) values().publish("window/first-frame-ms", seconds_since_start() * 1000);
   values().publish("window/frames", ++frames);
   values().publish("window/scale", theme().scale());
   values().publish("window/theme", theme().brightness() == Brightness::dark ? "dark" : "light");

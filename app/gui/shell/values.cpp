@@ -23,7 +23,12 @@ void Values::withdraw(std::string_view name) {
   if (found != values_.end()) values_.erase(found);
 }
 
+void Values::offer(std::string_view name, std::function<std::string()> make) {
+  offers_[std::string(name)] = std::move(make);
+}
+
 std::optional<std::string> Values::find(std::string_view name) const {
+  if (const auto offer = offers_.find(name); offer != offers_.end()) return offer->second();
   if (const auto found = values_.find(name); found != values_.end()) return found->second;
   if (const ControlRecord* control = controls().find(name)) return control->value;
   return {};

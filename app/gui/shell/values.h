@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,6 +20,8 @@ class Values {
   void publish(std::string_view name, const char* value) { publish(name, std::string(value)); }
   void publish(std::string_view name, std::string_view value) { publish(name, std::string(value)); }
   void withdraw(std::string_view name);
+  /// A value that is made when it is asked for.
+  void offer(std::string_view name, std::function<std::string()> make);
 
   /// A published value, or the value that the control of this name showed in the last frame.
   std::optional<std::string> find(std::string_view name) const;
@@ -26,6 +29,7 @@ class Values {
 
  private:
   std::map<std::string, std::string, std::less<>> values_;
+  std::map<std::string, std::function<std::string()>, std::less<>> offers_;
 };
 
 /// The one registry.
