@@ -94,7 +94,7 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
     const FontScope font(Face::mono);
     ImGui::TextUnformatted(hover.c_str());
   }
-  controls().record("status/hover", hover);
+  controls().record("hover", hover);
   ImGui::PopClipRect();
   if (!shown) return;
   ImGui::SameLine(left + width - progress_width);
