@@ -29,7 +29,7 @@ struct PicturesState {
   bool difference_stale = true;
   bool difference_fresh = false;      ///< made since its hash was taken
   std::uint64_t difference_hash = 0;  ///< of its levels, for tests
-  bool identical = false;  ///< A and B, when the difference was last made
+  bool identical = false;             ///< A and B, when the difference was last made
   DifferenceMode difference_mode = DifferenceMode::absolute;
 
   bool grid = true;
