@@ -1,5 +1,7 @@
 #include "document/document.h"
 
+#include <algorithm>
+
 #include "options/scene_settings.h"
 
 namespace ps {
@@ -25,8 +27,13 @@ Document open_document(const std::string& scene_name, Scene scene) {
   Document document;
   document.scene_name = scene_name;
   document.a.settings = document.b.settings = settings_for(scene);
-  document.a.settings.renderer = Renderer::ray_tracer;
-  document.b.settings.renderer = Renderer::rasterizer;
+  const bool named = std::any_of(scene.settings.begin(), scene.settings.end(),
+                                 [](const auto& setting) { return setting.first == "renderer"; });
+  const bool flat = scene.geometry->objects.empty() && !scene.canvas_items->empty();
+  if (!named) {
+    document.a.settings.renderer = flat ? Renderer::rasterizer : Renderer::ray_tracer;
+    document.b.settings.renderer = Renderer::rasterizer;
+  }
   document.pixel = scene.telling_pixel;
   document.scene = scene;
   document.base = std::move(scene);

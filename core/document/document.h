@@ -39,9 +39,9 @@ struct PictureView {
   bool operator==(const PictureView&) const = default;
 };
 
-/// How the window is divided. Sizes are shares of the window, 0..1.
+/// How the window is divided. Sizes are shares of the window, 0..1; 0 = what suits the window's size.
 struct Layout {
-  double left = 0.21, right = 0.27, bottom = 0.26;
+  double left = 0, right = 0, bottom = 0;
   bool panels = true;  ///< false: only the pictures
   std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
   bool operator==(const Layout&) const = default;
@@ -70,8 +70,9 @@ struct Document {
 /// Equal in everything that a user can tell apart. Scenes are compared by their parts' revisions.
 bool operator==(const Document& x, const Document& y);
 
-/// A document that shows `scene` as its file asks: its settings on both sides, rays in A and triangles in B, its
-/// telling pixel picked. Throws InputError for settings that do not exist.
+/// A document that shows `scene` as its file asks: its settings on both sides; rays in A and triangles in B, unless the
+/// file names a renderer or all that there is lies on the canvas, where rays find nothing; its telling pixel picked.
+/// Throws InputError for settings that do not exist.
 Document open_document(const std::string& scene_name, Scene scene);
 
 /// Puts a loaded scene under a document that knows only its name, and applies the document's edits. Throws InputError

@@ -49,10 +49,11 @@ struct Describer {
   }
   std::string operator()(const LightEvent& e) const {
     const std::string name = light_name(scene, e.light);
+    if (e.kind != LightKind::ambient && e.below_horizon)
+      return fmt::format("{}: adds nothing, the surface faces away from it", name);
     if (e.blocker) return fmt::format("{}: blocked by {}", name, primitive_name(scene, *e.blocker));
     if (e.kind == LightKind::ambient) return fmt::format("{}: {} everywhere", name, number_text(e.diffuse));
-    return fmt::format("{}: diffuse {}, specular {}{}", name, number_text(e.diffuse), number_text(e.specular),
-                       e.below_horizon ? " (it shines on the other side)" : "");
+    return fmt::format("{}: diffuse {}, specular {}", name, number_text(e.diffuse), number_text(e.specular));
   }
   std::string operator()(const ShadeEvent& e) const {
     return fmt::format("own colour {}: surface {} x light {}", vector_text(e.local), vector_text(e.surface),

@@ -40,7 +40,7 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
                                        int index, double share, int level) {
   const auto& light = event_as<LightEvent>(story.events, index);
   const std::string name = light_name(scene, light.light);
-  if (light.blocker)
+  if (light.blocker && !light.below_horizon)
     return {{level, fmt::format("{}: blocked by {}", name, primitive_name(scene, *light.blocker)), black, index}};
   const bool known = light.light >= 0 && static_cast<std::size_t>(light.light) < scene.lights->size();
   const Vec3d tint = known ? (*scene.lights)[static_cast<std::size_t>(light.light)].colour : Vec3d{1, 1, 1};
@@ -52,7 +52,7 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
   std::vector<LedgerLine> lines;
   if (light.diffuse != 0) lines.push_back(line(" diffuse", light.diffuse, colours.diffuse));
   if (light.specular != 0) lines.push_back(line(" specular", light.specular, colours.specular));
-  if (lines.empty()) lines.push_back({level, name + ": adds nothing, it shines on the other side", black, index});
+  if (lines.empty()) lines.push_back({level, name + ": adds nothing, the surface faces away", black, index});
   return lines;
 }
 

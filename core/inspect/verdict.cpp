@@ -32,12 +32,12 @@ void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, con
                        std::vector<std::string>& parts) {
   for (const int index : events_of_ray<LightEvent>(story.events, ray)) {
     const auto& light = event_as<LightEvent>(story.events, index);
-    if (light.blocker && *light.blocker == hit)
+    if (light.below_horizon)  // said first: such a surface shades itself, which is no news
+      parts.push_back(fmt::format("it faces away from light {}", light.light + 1));
+    else if (light.blocker && *light.blocker == hit)
       parts.push_back(fmt::format("light {} is blocked by the surface itself", light.light + 1));
     else if (light.blocker)
       parts.push_back(fmt::format("light {} is blocked by {}", light.light + 1, primitive_name(scene, *light.blocker)));
-    else if (light.below_horizon)
-      parts.push_back(fmt::format("light {} shines on the other side", light.light + 1));
   }
 }
 

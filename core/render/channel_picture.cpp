@@ -94,7 +94,7 @@ ChannelPicture id_picture(const Frame& frame, ShownChannel channel) {
     for (const PixelId& id : frame.ids.pixels())
       if (id.object >= 0 && id.object < most_entries) seen[static_cast<std::size_t>(id.object)] = true;
     for (std::uint32_t i = 0; i < most_entries; ++i)
-      if (seen[i]) legend.entries.push_back({id_colour(i), "object " + std::to_string(i)});
+      if (seen[i]) legend.entries.push_back({id_colour(i), "object " + std::to_string(i), static_cast<int>(i)});
   }
   return {levels, legend};
 }

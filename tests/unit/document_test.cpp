@@ -27,6 +27,14 @@ TEST(Document, OpensAsTheSceneAsks) {
   EXPECT_EQ(view_of(document).height, 600);
 }
 
+TEST(Document, BothSidesTakeTheRendererThatTheSceneNames) {
+  Scene scene = test::book_spheres();
+  scene.settings = {{"renderer", "rasterizer"}};
+  const Document document = open_document("test/spheres", scene);
+  EXPECT_EQ(document.a.settings.renderer, Renderer::rasterizer);
+  EXPECT_EQ(document.b.settings.renderer, Renderer::rasterizer);
+}
+
 TEST(Document, CopiesShareTheScene) {
   const Document document = open_document("x", test::book_spheres());
   const Document copy = document;

@@ -24,21 +24,13 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiW
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                           ImGuiWindowFlags_NoScrollWithMouse;
 
-/// A region with its heading; call ImGui::EndChild() after what is in it.
-void begin_region(const char* name, const Area& area, const char* heading) {
-  ImGui::SetCursorScreenPos(area.min);
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(12), px(8)});
-  ImGui::BeginChild(name, {area.width(), area.height()}, false,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
-                        ImGuiWindowFlags_NoScrollWithMouse);
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
-  const FontScope font(Face::bold);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextUnformatted(heading);
-  ImGui::PopStyleColor();
-}
+/// The sizes of the regions in pixels where the document leaves them to the window. They grow with it only so far that
+/// the pictures keep more than half of it.
+float automatic_left(float width) { return std::clamp(width * 0.2f, std::min(px(200), width * 0.25f), px(290)); }
+float automatic_right(float width) { return std::clamp(width * 0.26f, std::min(px(236), width * 0.3f), px(390)); }
+/// One line: the title that opens it.
+float folded_height() { return ImGui::GetFrameHeight() + px(8); }
+constexpr double opened_share = 0.3;  // of the height, when the title is clicked
 
 std::string layout_text(const Layout& layout) {
   return fmt::format("{} {} {}", layout.left, layout.right, layout.bottom);
@@ -48,7 +40,7 @@ void read_layout(const std::string& text, Layout& layout) {
   std::istringstream words(text);
   double left = 0, right = 0, bottom = 0;
   if (!(words >> left >> right >> bottom)) return;
-  const auto sensible = [](double share) { return share > 0 && share < 0.6; };
+  const auto sensible = [](double share) { return share >= 0 && share < 0.6; };
   if (sensible(left) && sensible(right) && sensible(bottom)) {
     layout.left = left;
     layout.right = right;
@@ -74,8 +66,13 @@ Document first_document(const AppOptions& options) {
   }
   for (const auto& assignment : options.set) parse_assignment(assignment, document.a.settings);
   for (const auto& assignment : options.set_b) parse_assignment(assignment, document.b.settings);
+  const View before = view_of(document);
   if (options.width > 0) document.view.width = options.width;
   if (options.height > 0) document.view.height = options.height;
+  // The telling pixel is meant for the scene's own size.
+  const View after = view_of(document);
+  if (document.pixel.x >= 0)
+    document.pixel = {document.pixel.x * after.width / before.width, document.pixel.y * after.height / before.height};
   return document;
 }
 
@@ -136,7 +133,15 @@ void App::close_on_escape() {
     ImGui::ClosePopupToLevel(0, true);
     return;
   }
+  if (about_open_) {
+    about_open_ = false;
+    return;
+  }
   pictures_.fly = false;
+  if (!filling_.empty()) {
+    filling_.clear();
+    return;
+  }
   session_.navigate([](Document& document) {
     document.layout.panels = true;
     if (document.compare == CompareMode::only_a || document.compare == CompareMode::only_b)
@@ -171,28 +176,69 @@ void App::draw() {
   ImGui::End();
   message_bars(session_, px(8), size.x - px(8), size.y - status_height);
   file_dialog();
+  about();
   publish();
   autosave_.save(session_.permalink());
   if (session_.busy()) shell_.wake_after(0.1);  // progress moves also between tiles
+}
+
+/// A region with its heading; call ImGui::EndChild() after what is in it. A double click on the heading lets the region
+/// fill the window, another one or Esc takes it back.
+void App::begin_region(const char* name, const Area& area, const char* heading) {
+  ImGui::SetCursorScreenPos(area.min);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(12), px(8)});
+  ImGui::BeginChild(name, {area.width(), area.height()}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
+                        ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  if (heading) region_heading(name, heading);
+}
+
+void App::region_heading(const char* name, const char* heading) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const FontScope font(Face::bold);
+  ImGui::InvisibleButton("heading", {std::max(ImGui::GetContentRegionAvail().x, 1.f), ImGui::GetTextLineHeight()});
+  const bool hovered = ImGui::IsItemHovered();
+  controls().record(std::string("region/") + name, filling_ == name ? "fills the window" : heading);
+  if (hovered && ImGui::IsMouseDoubleClicked(0)) filling_ = filling_ == name ? "" : name;
+  ImGui::GetWindowDrawList()->AddText(at, colour_u32(hovered ? palette().text : palette().text_quiet), heading);
+  const FontScope body(Face::body);
+  tooltip(filling_ == name ? "Double-click or Esc: back to the pictures." : "Double-click: fill the window with this.");
 }
 
 void App::layout(const Area& area) {
   Layout shares = session_.document().layout;
   const float margin = px(6);
   const float width = area.width(), height = area.height();
+  if (!filling_.empty()) {
+    if (filling_ == "right")
+      right_region(area);
+    else if (filling_ == "bottom")
+      bottom_region(area);
+    else
+      left_region(area);
+    pictures_.areas = {};
+    return;
+  }
   if (!shares.panels) {
     pictures_panel(session_, pictures_, {{area.min.x + margin, area.min.y}, {area.max.x - margin, area.max.y}});
     return;
   }
-  const float grip = px(6), least = px(180);
-  auto left = std::round(static_cast<float>(shares.left) * width);
-  auto right = std::round(static_cast<float>(1 - shares.right) * width);
-  auto bottom = std::round(static_cast<float>(1 - shares.bottom) * height);
+  const float grip = px(6), least = px(180), folded = folded_height();
+  const float wanted_left = shares.left > 0 ? static_cast<float>(shares.left) * width : automatic_left(width);
+  const float wanted_right = shares.right > 0 ? static_cast<float>(shares.right) * width : automatic_right(width);
+  const float wanted_bottom = shares.bottom > 0 ? static_cast<float>(shares.bottom) * height : folded;
+  auto left = std::round(wanted_left);
+  auto right = std::round(width - wanted_right);
+  auto bottom = std::round(height - grip - wanted_bottom);
   const float most_left = std::max(least, width * 0.5f - grip),
               least_right = std::min(width - least, width * 0.5f + grip);
-  left = std::clamp(left, std::min(px(250), width * 0.26f), most_left);
-  right = std::clamp(right, least_right, std::max(width - std::min(px(290), width * 0.3f), least_right));
-  bottom = std::clamp(bottom, height * 0.3f, std::max(height - px(36), height * 0.3f));
+  const float most_bottom = std::max(height - grip - folded, height * 0.3f);
+  left = std::clamp(left, std::min(least, most_left), most_left);
+  right = std::clamp(right, least_right, std::max(width - least, least_right));
+  bottom = std::clamp(bottom, height * 0.3f, most_bottom);
 
   left_region({area.min, {area.min.x + left, area.max.y}});
   right_region({{area.min.x + right + grip, area.min.y}, area.max});
@@ -200,26 +246,25 @@ void App::layout(const Area& area) {
   pictures_panel(session_, pictures_,
                  {{area.min.x + left + grip + margin, area.min.y}, {area.min.x + right - margin, area.min.y + bottom}});
 
-  bool moved = false, finished = false;
+  bool finished = false;
   const auto line = [&](const char* name, SplitterAxis axis, ImVec2 at, float length, float& position, float low,
                         float high) {
     ImGui::SetCursorScreenPos(at);
     const Edit edit = splitter(name, axis, length, position, low, high);
-    moved = moved || edit.changed;
     finished = finished || edit.finished;
+    return edit.changed;
   };
-  line("split/left", SplitterAxis::left_right, {area.min.x + left, area.min.y}, height, left,
-       std::min(px(250), width * 0.26f), most_left);
-  line("split/right", SplitterAxis::left_right, {area.min.x + right, area.min.y}, height, right, least_right,
-       width - std::min(px(290), width * 0.3f));
-  line("split/bottom", SplitterAxis::up_down, {area.min.x + left + grip, area.min.y + bottom}, right - left - grip,
-       bottom, height * 0.3f, height - px(36));
-  if (moved)
-    session_.navigate([&](Document& document) {
-      document.layout.left = left / width;
-      document.layout.right = 1 - right / width;
-      document.layout.bottom = 1 - bottom / height;
-    });
+  // Only what was dragged becomes a share of its own; the rest stays with what suits the window.
+  if (line("split/left", SplitterAxis::left_right, {area.min.x + left, area.min.y}, height, left, least, most_left))
+    session_.navigate([&](Document& document) { document.layout.left = left / width; });
+  if (line("split/right", SplitterAxis::left_right, {area.min.x + right, area.min.y}, height, right, least_right,
+           width - least))
+    session_.navigate([&](Document& document) { document.layout.right = 1 - right / width; });
+  if (line("split/bottom", SplitterAxis::up_down, {area.min.x + left + grip, area.min.y + bottom}, right - left - grip,
+           bottom, height * 0.3f, most_bottom)) {
+    const bool shut = bottom >= most_bottom - 1;
+    session_.navigate([&](Document& document) { document.layout.bottom = shut ? 0 : 1 - (bottom + grip) / height; });
+  }
   if (finished) remember_layout();
 }
 
@@ -251,9 +296,20 @@ void App::right_region(const Area& area) {
 }
 
 void App::bottom_region(const Area& area) {
-  begin_region("bottom", area, "TIMINGS");
-  timings_panel(session_);
+  bool open = filling_ == "bottom" || session_.document().layout.bottom > 0;
+  begin_region("bottom", area);
+  if (section("bottom/open", "TIMINGS", open)) timings_panel(session_);
+  toggle_bottom(open);
   ImGui::EndChild();
+}
+
+/// Opens or shuts the region as its title asks.
+void App::toggle_bottom(bool open) {
+  const bool was_open = filling_ == "bottom" || session_.document().layout.bottom > 0;
+  if (open == was_open) return;
+  if (filling_ == "bottom") filling_.clear();
+  session_.navigate([&](Document& document) { document.layout.bottom = open ? opened_share : 0; });
+  remember_layout();
 }
 
 }  // namespace ps::gui

@@ -66,12 +66,16 @@ class App final : public Content {
   void scene_menu();
   void lesson_menu();
   void view_menu();
+  void about();
   float compare_buttons_width() const;
   void compare_buttons(float left);
   void file_dialog();
   // app.cpp
   void close_on_escape();
   void layout(const Area& area);
+  void begin_region(const char* name, const Area& area, const char* heading = nullptr);
+  void region_heading(const char* name, const char* heading);
+  void toggle_bottom(bool open);
   void left_region(const Area& area);
   void right_region(const Area& area);
   void bottom_region(const Area& area);
@@ -86,6 +90,8 @@ class App final : public Content {
   StatusBarState status_bar_;
   FileDialog files_;
   LessonShelf lessons_;
+  std::string filling_;  ///< the region that fills the window; empty = none
+  bool about_open_ = false;
   float lesson_share_ = 0.5f;  ///< of the left region's height, while a lesson is open
   Autosave autosave_;
   bool flying_now_ = false;

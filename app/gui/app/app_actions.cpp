@@ -176,6 +176,12 @@ void App::add_view_actions() {
                .keys = "G",
                .run = [this] { pictures_.grid = !pictures_.grid; },
                .checked = [this] { return pictures_.grid; }});
+  actions.add({.name = "handles",
+               .label = "Handles of lights and spheres",
+               .group = "View",
+               .keys = "H",
+               .run = [this] { pictures_.handles = !pictures_.handles; },
+               .checked = [this] { return pictures_.handles; }});
   actions.add({.name = "channel-next", .label = "Next channel", .group = "View", .keys = "N", .run = [this] {
                  next_channel(1);
                }});

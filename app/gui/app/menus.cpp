@@ -24,6 +24,19 @@ std::string book_title(const std::string& book) {
   return book;
 }
 
+/// The first sentence, short enough for a menu; the tooltip has all.
+std::string first_sentence(const std::string& text) {
+  constexpr std::size_t most = 72;
+  std::string sentence = text.substr(0, text.find(". "));
+  if (sentence.size() > most) {
+    const auto space = sentence.rfind(' ', most);
+    sentence = sentence.substr(0, space == std::string::npos ? most : space) + " ...";
+  } else if (!sentence.empty() && sentence.back() != '.') {
+    sentence += '.';
+  }
+  return sentence;
+}
+
 }  // namespace
 
 void App::scene_menu() {
@@ -37,7 +50,8 @@ void App::scene_menu() {
       const FontScope font(Face::small);
       ImGui::TextDisabled("%s", book_title(book).c_str());
     }
-    if (menu_item("scene/" + scene.name, scene.title, {}, session_.document().scene_name == scene.name))
+    if (menu_item("scene/" + scene.name, scene.title, first_sentence(scene.description),
+                  session_.document().scene_name == scene.name))
       session_.open(scene.name);
     tooltip(scene.description);
   }
@@ -89,7 +103,7 @@ void App::view_menu() {
   };
   items({"undo", "redo"});
   items({"side-by-side", "split", "difference", "only-a", "only-b"});
-  items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid"});
+  items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid", "handles"});
   items({"channel-next", "channel-before"});
   items({"panels", "fullscreen"});
   items({"reset-view", "fly"});
@@ -104,6 +118,8 @@ void App::menu_bar() {
   view_menu();
   if (begin_menu("menu/help", "Help")) {
     for (const char* name : {"help", "palette"}) menu_action(shell_.actions(), name);
+    ImGui::Separator();
+    if (menu_item("about", "About Pixelscope")) about_open_ = true;
     end_menu();
   }
   const std::string title = session_.scene().title.empty() ? session_.document().scene_name : session_.scene().title;

@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "gui/app/camera_moves.h"
+#include "gui/app/handles_view.h"
 #include "gui/app/pictures_panel.h"
 #include "gui/input/actions.h"
 
@@ -54,14 +55,26 @@ void turn_by_drag(Session& session, PictureDrag drag, ImVec2 by) {
   }
 }
 
-void drag(Session& session, PicturesState& state, const Area& area) {
+void drag(Session& session, PicturesState& state, Side side, const Area& area) {
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 by = io.MouseDelta;
   switch (state.drag) {
   case PictureDrag::none:
     return;
+  case PictureDrag::handle: {
+    const Vec2d from = state.transform.to_picture(state.drag_from, area);
+    const Vec2d to = state.transform.to_picture(io.MousePos, area);
+    const Vec2d moved{state.grabbed->place.x + to.x - from.x, state.grabbed->place.y + to.y - from.y};
+    if (by.x != 0 || by.y != 0) drag_handle(session, side, *state.grabbed, moved);
+    return;
+  }
   case PictureDrag::undecided:
     if (std::hypot(io.MousePos.x - state.drag_from.x, io.MousePos.y - state.drag_from.y) <= px(click_slack)) return;
+    if (state.grabbed) {
+      state.drag = PictureDrag::handle;
+      drag(session, state, side, area);
+      return;
+    }
     state.drag = PictureDrag::pan;
     store(session,
           panned(state.transform, {io.MousePos.x - state.drag_from.x, io.MousePos.y - state.drag_from.y},
@@ -105,14 +118,22 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
   if (ImGui::IsItemActivated()) {
     state.drag = drag_of_button(io, split_at);
     state.drag_from = io.MousePos;
+    state.drag_side = under;
+    state.grabbed.reset();
+    if (state.drag == PictureDrag::undecided && state.handles) {
+      const auto handles =
+          visible_handles(session.scene(), session.view(), session.settings(under), state.transform, area);
+      if (const Handle* handle = handle_at(handles, io.MousePos, state.transform, area)) state.grabbed = *handle;
+    }
   }
-  if (held) drag(session, state, area);
+  if (held) drag(session, state, state.drag_side, area);
   if (ImGui::IsItemDeactivated()) {
     if (state.drag == PictureDrag::undecided && on_picture) {
       session.set_pixel(pixel);
       session.navigate([&](Document& document) { document.picked = under; });
     }
-    if (state.drag == PictureDrag::look || state.drag == PictureDrag::orbit) session.end_drag();
+    if (state.drag == PictureDrag::look || state.drag == PictureDrag::orbit || state.drag == PictureDrag::handle)
+      session.end_drag();
     state.drag = PictureDrag::none;
   }
   const bool on_divider = split_at && std::abs(io.MousePos.x - *split_at) <= px(divider_reach);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/app/handles_view.h"
 #include "gui/app/picture_text.h"
 #include "gui/widgets/widgets.h"
 #include "image/metrics.h"
+#include "inspect/names.h"
 
 namespace ps::gui {
 namespace {
@@ -71,12 +73,19 @@ void title(Session& session, Side side, const Area& row) {
 
   ImGui::SetCursorScreenPos(row.min);
   ImGui::InvisibleButton(side == Side::a ? "title-a" : "title-b", {row.width() - choice_width - px(8), row.height()});
+<<<<<<< HEAD
   controls().record("title", text);
   tooltip(text + "\nDouble-click: this picture alone, and back.");
+=======
+  controls().record(full_name("title"), text);
+  tooltip(text + "\nDouble-click: this picture fills the window, and back.");
+>>>>>>> 1d09dd6 (gui: the story follows the clicked picture and tells boxes and misses together; handles for lights and spheres; regions fold and fill the window; NaN pixels hatched; about)
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
     session.navigate([&](Document& document) {
       const CompareMode alone = side == Side::a ? CompareMode::only_a : CompareMode::only_b;
-      document.compare = document.compare == alone ? CompareMode::side_by_side : alone;
+      const bool filled = document.compare == alone && !document.layout.panels;
+      document.compare = filled ? CompareMode::side_by_side : alone;
+      document.layout.panels = filled;
     });
 
   ImGui::SetCursorScreenPos({row.max.x - choice_width, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
@@ -108,6 +117,21 @@ struct Split {
   float at = 0;  ///< window x of the divider
 };
 
+/// Lights and spheres that can be dragged, while the mouse is in the picture.
+void handles(Session& session, PicturesState& state, Side side, const Area& area, bool hovered) {
+  const auto all = visible_handles(session.scene(), session.view(), session.settings(side), state.transform, area);
+  record_handles(side == Side::a ? "view/a" : "view/b", all, state.transform, area);
+  const bool busy = state.drag != PictureDrag::none && state.drag != PictureDrag::undecided;
+  if (!hovered || flying(state) || (busy && state.drag != PictureDrag::handle)) return;
+  std::string held;
+  if (state.drag == PictureDrag::handle)
+    held = state.grabbed->path;
+  else if (const Handle* under = handle_at(all, ImGui::GetIO().MousePos, state.transform, area))
+    held = under->path;
+  if (!held.empty()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  draw_handles(*ImGui::GetWindowDrawList(), all, held, state.transform, area);
+}
+
 /// The picture of one side in its area, with what lies over it.
 void picture(Session& session, PicturesState& state, Side side, const Area& area, std::optional<Split> split) {
   auto& list = *ImGui::GetWindowDrawList();
@@ -117,6 +141,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
       side == Side::a ? "picture-a" : "picture-b", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   controls().record(side == Side::a ? "view/a/picture" : "view/b/picture", std::string(1, letter_of(side)));
+  const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   picture_input(session, state, side, area, split ? std::optional(split->at) : std::nullopt);
   state.areas[index] = area;
 
@@ -136,16 +161,28 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
       };
     return style;
   };
+  const auto draw_nan = [&](Side which) {
+    if (session.shown(which) == ShownChannel::colour)
+      state.nan_pixels[index_of(which)].draw(list, session.renderer(which).result(), state.transform, area);
+  };
   list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
   draw_picture(list, state.pictures[index_of(shown_side)], state.transform, area, style_of(shown_side));
+  draw_nan(shown_side);
   list.PopClipRect();
   if (split) {
     const Side right = other_side(shown_side);
     list.PushClipRect({split->at, area.min.y}, area.max, true);
     draw_picture(list, state.pictures[index_of(right)], state.transform, area, style_of(right));
+    draw_nan(right);
     list.PopClipRect();
   }
-  if (session.shown(shown_side) != ShownChannel::colour) draw_legend(list, session.renderer(shown_side).legend(), area);
+  if (session.shown(shown_side) != ShownChannel::colour) {
+    ChannelLegend legend = session.renderer(shown_side).legend();
+    for (auto& entry : legend.entries)
+      if (entry.object >= 0) entry.meaning = object_name(session.scene(), entry.object);
+    draw_legend(list, legend, area);
+  }
+  if (session.has_scene() && state.handles && !split) handles(session, state, side, area, hovered);
   const auto status = session.renderer(shown_side).status();
   if (status.state == RenderState::failed) draw_notice(list, area, status.message);
 }

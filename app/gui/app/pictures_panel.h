@@ -2,6 +2,8 @@
 #include <array>
 #include <optional>
 
+#include "gui/app/handles.h"
+#include "gui/app/nan_pixels.h"
 #include "gui/app/picture_transform.h"
 #include "gui/app/picture_view.h"
 #include "gui/app/session.h"
@@ -18,13 +20,14 @@ struct Hover {
 constexpr double divider_reach = 10;  ///< pixels to both sides of the split's divider that take hold of it, at scale 1
 
 /// What dragging in a picture does until the button is released.
-enum class PictureDrag { none, undecided, pan, look, orbit, divider };
+enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle };
 
 /// What the pictures remember of themselves. The document holds the rest.
 struct PicturesState {
   std::array<ShownPicture, 2> pictures;
   std::array<bool, 2> fresh{};            ///< changed since their hash was taken
   std::array<std::uint64_t, 2> hashes{};  ///< of the pictures' levels, for tests
+  std::array<NanPixels, 2> nan_pixels;
   ShownPicture difference;
   bool difference_stale = true;
   bool difference_fresh = false;      ///< made since its hash was taken
@@ -42,6 +45,9 @@ struct PicturesState {
   std::optional<Hover> hover;
   PictureDrag drag = PictureDrag::none;
   ImVec2 drag_from{0, 0};
+  bool handles = true;            ///< lights and spheres can be dragged
+  Side drag_side = Side::a;       ///< in whose picture the drag began
+  std::optional<Handle> grabbed;  ///< what the mouse has taken hold of, as it was then
 };
 
 /// Takes over what the renderers have made since the last frame.

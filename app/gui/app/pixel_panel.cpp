@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "gui/app/ledger_view.h"
 #include "gui/app/picture_text.h"
@@ -74,14 +75,17 @@ void work(const PixelStory& story, const std::string& name) {
   ImGui::EndTable();
 }
 
+std::string event_count(const PixelStory& story) {
+  return fmt::format("{} event{}", story.events.size(), story.events.size() == 1 ? "" : "s");
+}
+
 void full_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story,
                 const std::function<void(const std::string&)>& copy) {
   auto& cursor = state.cursors[index_of(side)];
   const std::string name = prefix(side);
   verdict(story, side);
   ImGui::Spacing();
-  if (section("events", "What happened", state.events_open,
-              fmt::format("{} event{}", story.events.size(), story.events.size() == 1 ? "" : "s")))
+  if (section("events", "What happened", state.events_open, event_count(story)))
     story_tree_view(name, story, session.scene(), cursor);
   if (section("sum", "The colour as a sum", state.sum_open)) {
     if (const int clicked = ledger_view(name, story, cursor.selected); clicked >= 0) {
@@ -97,25 +101,55 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   if (button("copy-json", "Copy as JSON", Emphasis::quiet)) copy(story_json(story, session.scene(), session.view()));
 }
 
-void both(const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {
+/// One of the two stories when both are told: the sum first, since that is what is compared.
+void short_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story) {
+  const std::size_t index = index_of(side);
+  const std::string name = prefix(side);
+  ImGui::PushID(name.c_str());
+  verdict(story, side);
+  ImGui::Spacing();
+  if (section(name + "/sum", "The colour as a sum", state.both_sum_open[index]))
+    if (const int clicked = ledger_view(name, story, state.cursors[index].selected); clicked >= 0) {
+      state.cursors[index].selected = clicked;
+      state.cursors[index].reveal = true;
+      state.both_events_open[index] = true;
+    }
+  if (section(name + "/events", "What happened", state.both_events_open[index], event_count(story)))
+    story_tree_view(name, story, session.scene(), state.cursors[index]);
+  ImGui::PopID();
+}
+
+void both(Session& session, PixelPanelState& state, const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {
+  if (stories[0] && stories[1]) {
+    std::array<int, 3> apart{};
+    for (std::size_t i = 0; i < 3; ++i) apart[i] = stories[1]->display[i] - stories[0]->display[i];
+    const bool same = apart == std::array<int, 3>{};
+    ImGui::PushTextWrapPos(0);
+    value_text("both/difference",
+               same ? "Both pictures have the same colour here."
+                    : fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255)", apart[0], apart[1], apart[2]));
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+  }
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool beside = room >= px(620);
   for (const Side side : both_sides) {
     const auto& story = stories[index_of(side)];
     if (!story) continue;
-    verdict(*story, side);
-    ImGui::PushID(letter_of(side));
-    ledger_view(prefix(side), *story, -1);
-    ImGui::PopID();
-    ImGui::Spacing();
-    ImGui::Separator();
-    ImGui::Spacing();
+    if (!beside) {
+      if (side == Side::b) {
+        ImGui::Spacing();
+        ImGui::Separator();
+        ImGui::Spacing();
+      }
+      short_story(session, state, side, *story);
+      continue;
+    }
+    if (side == Side::b) ImGui::SameLine(0, px(16));
+    ImGui::BeginChild(side == Side::a ? "story-a" : "story-b", {std::floor((room - px(16)) / 2), 0});
+    short_story(session, state, side, *story);
+    ImGui::EndChild();
   }
-  if (!stories[0] || !stories[1]) return;
-  std::array<int, 3> apart{};
-  for (std::size_t i = 0; i < 3; ++i) apart[i] = stories[1]->display[i] - stories[0]->display[i];
-  const bool same = apart == std::array<int, 3>{};
-  value_text("both/difference",
-             same ? "Both pictures have the same colour here."
-                  : fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255)", apart[0], apart[1], apart[2]));
 }
 
 void nothing_picked(Session& session) {
@@ -150,17 +184,20 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
   place(session, *picked);
   static constexpr std::array tabs{Choice{"a", "A", "The pixel in picture A."},
                                    Choice{"b", "B", "The pixel in picture B."},
-                                   Choice{"both", "Both", "The sums of A and B together."}};
-  int tab = static_cast<int>(state.tab);
-  if (tab_row("side", tabs, tab)) state.tab = static_cast<PixelPanelState::Tab>(tab);
+                                   Choice{"both", "Both", "The stories of A and B together."}};
+  int tab = state.both ? 2 : session.document().picked == Side::a ? 0 : 1;
+  if (tab_row("side", tabs, tab)) {
+    state.both = tab == 2;
+    if (!state.both) session.navigate([&](Document& document) { document.picked = tab == 0 ? Side::a : Side::b; });
+  }
   const std::array stories{session.story(Side::a), session.story(Side::b)};
   for (const Side side : both_sides) follow(state, side, stories[index_of(side)]);
 
   ImGui::BeginChild("story");
-  if (state.tab == PixelPanelState::Tab::both) {
-    both(stories);
+  if (state.both) {
+    both(session, state, stories);
   } else {
-    const Side side = state.tab == PixelPanelState::Tab::a ? Side::a : Side::b;
+    const Side side = session.document().picked;
     if (const auto message = session.inspector(side).message(); !message.empty())
       ImGui::TextWrapped("%s", message.c_str());
     if (const auto& story = stories[index_of(side)]) full_story(session, state, side, *story, copy);

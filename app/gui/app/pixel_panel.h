@@ -10,10 +10,11 @@ namespace ps::gui {
 
 /// What the inspector remembers of itself.
 struct PixelPanelState {
-  enum class Tab { a, b, both } tab = Tab::a;
+  bool both = false;  ///< both stories at once; else that of the document's picked side
   std::array<StoryCursor, 2> cursors;
   std::array<std::shared_ptr<const PixelStory>, 2> told;  ///< the stories that the cursors point into
   bool events_open = true, sum_open = true, work_open = false;
+  std::array<bool, 2> both_events_open{false, false}, both_sum_open{true, true};  ///< in the view of both
 };
 
 /// The story of the picked pixel: verdict, events as a tree, the colour as a sum, and the work it took.

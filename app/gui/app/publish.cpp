@@ -111,6 +111,7 @@ void App::publish() {
   out.publish("identical", pictures_.hashes[0] == pictures_.hashes[1]);
   const auto picked = session_.pixel();
   out.publish("pixel", picked ? fmt::format("{},{}", picked->x, picked->y) : "none");
+  out.publish("picked", std::string(1, letter_of(document.picked)));
   out.publish("permalink", session_.permalink());
   out.publish("undo", session_.undo_label());
   out.publish("redo", session_.redo_label());

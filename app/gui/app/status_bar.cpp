@@ -46,6 +46,13 @@ void progress(Session& session, float width) {
     for (const Side side : both_sides) session.renderer(side).cancel();
 }
 
+/// Where the camera is and where it looks.
+std::string camera_text(const Camera& camera) {
+  const auto vector = [](const Vec3d& v) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", v.x, v.y, v.z); };
+  return fmt::format("camera {}   looks along {}   W A S D Q E move, Esc ends", vector(camera.position),
+                     vector(camera.forward));
+}
+
 }  // namespace
 
 std::string hover_text(Session& session, const PicturesState& pictures) {
@@ -82,7 +89,7 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
   const float progress_width = px(330);
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
 
-  const std::string hover = hover_text(session, pictures);
+  const std::string hover = flying(pictures) ? camera_text(session.view().camera) : hover_text(session, pictures);
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {at.x + width - (shown ? progress_width + px(12) : 0), at.y + px(40)}, true);

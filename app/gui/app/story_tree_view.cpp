@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "gui/app/event_icon.h"
+#include "gui/app/event_numbers.h"
+#include "gui/app/story_rows.h"
 #include "gui/widgets/widgets.h"
 #include "inspect/describe.h"
 #include "inspect/number_text.h"
@@ -23,44 +25,66 @@ struct TreeDrawing {
   const Event& event(int index) const { return story.events[static_cast<std::size_t>(index)]; }
   int end(int index) const { return ends[static_cast<std::size_t>(index)]; }
 
-  void numbers(int index) const {
-    const auto fields = event_table(event(index), scene);
-    if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingFixedFit)) return;
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
-    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    for (const auto& field : fields) {
-      ImGui::TableNextColumn();
-      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-      ImGui::TextUnformatted(field.name.c_str());
-      ImGui::PopStyleColor();
-      ImGui::TableNextColumn();
-      const FontScope font(Face::mono);
-      ImGui::PushTextWrapPos(0);
-      ImGui::TextUnformatted(field.value.c_str());
-      ImGui::PopTextWrapPos();
-      if (field.exact != field.value) tooltip(field.exact);
-    }
-    ImGui::EndTable();
-  }
+  void numbers(int index) const { event_numbers(event(index), scene); }
 
-  void node(int index) {
-    if (end(index) <= first || index >= last) return;
-    const bool leaf = end(index) == index + 1;
-    const bool reveals = cursor.reveal && cursor.selected >= index && cursor.selected < end(index);
-    if (reveals && index != cursor.selected) ImGui::SetNextItemOpen(true);
-    ImGui::PushID(index);
+  /// One row with its icon; answers what became of it. `rows` names it among the controls.
+  TreeRow row(int index, const std::string& text, TreeKind kind, bool open, EventWeight weight) {
     const float icon = px(11);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float label = start.x + ImGui::GetFontSize() + px(6);  // where tree_row begins its text
+    const FontScope font(weight == EventWeight::strong ? Face::bold : Face::body);
     // Room for the icon in front of the text, whatever the font's space is wide.
     const auto spaces = static_cast<std::size_t>(std::max(1.f, (icon + px(7)) / ImGui::CalcTextSize(" ").x + 0.5f));
-    const std::string text = describe(event(index), scene);
-    const auto row = tree_row(fmt::format("{}/event/{}", name, index), std::string(spaces, ' ') + text,
-                              leaf ? TreeKind::leaf : TreeKind::branch, cursor.selected == index);
+    ImGui::PushStyleColor(ImGuiCol_Text, weight == EventWeight::quiet ? palette().text_quiet : palette().text);
+    const auto result = tree_row(fmt::format("{}/event/{}", name, index), std::string(spaces, ' ') + text, kind,
+                                 cursor.selected == index, open);
+    ImGui::PopStyleColor();
     const float middle = (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2;
-    tooltip(text);
     draw_event_icon(*ImGui::GetWindowDrawList(), event(index), {label + icon / 2, middle}, icon);
-    if (row.clicked) cursor.selected = cursor.selected == index ? -1 : index;
+    return result;
+  }
+
+  /// A page begins in the middle of a tree: what stands above it is drawn again, with the part that belongs here.
+  void roots(int count) {
+    int root = 0;
+    while (root < count && end(root) <= first) root = end(root);
+    siblings(root, count);
+  }
+
+  bool reveals(int from, int to) const { return cursor.reveal && cursor.selected >= from && cursor.selected < to; }
+
+  /// Siblings, those that say little by themselves told together.
+  void siblings(int from, int to) {
+    for (const StoryRow& part : story_rows(story.events, ends, std::max(from, first), std::min(to, last)))
+      if (part.run)
+        run(part);
+      else
+        node(part.first);
+  }
+
+  void run(const StoryRow& part) {
+    ImGui::PushID(-1 - part.first);
+    if (reveals(part.first, part.last)) ImGui::SetNextItemOpen(true);
+    const std::string text = run_text(story.events, part);
+    const bool open = tree_row(fmt::format("{}/run/{}", name, part.first), text, TreeKind::branch, false, false).open;
+    tooltip(text);
+    ImGui::PopID();
+    if (!open) return;
+    for (int index = part.first; index < part.last; ++index) node(index);
+    ImGui::TreePop();
+  }
+
+  void node(int index) {
+    if (index >= last) return;
+    const bool leaf = end(index) == index + 1;
+    if (reveals(index + 1, end(index))) ImGui::SetNextItemOpen(true);
+    ImGui::PushID(index);
+    const auto* ray = std::get_if<RayEvent>(&event(index).data);
+    const bool shut = ray && ray->kind == RayKind::shadow;  // its outcome is told by its row and by its light
+    const auto result = row(index, row_text(story.events, ends, scene, index), leaf ? TreeKind::leaf : TreeKind::branch,
+                            !shut, event_weight(event(index)));
+    tooltip(describe(event(index), scene));
+    if (result.clicked) cursor.selected = cursor.selected == index ? -1 : index;
     if (cursor.reveal && cursor.selected == index) {
       ImGui::SetScrollHereY(0.3f);
       cursor.reveal = false;
@@ -70,8 +94,8 @@ struct TreeDrawing {
       numbers(index);
       ImGui::Unindent(ImGui::GetTreeNodeToLabelSpacing());
     }
-    if (row.open) {
-      for (int child = index + 1; child < end(index); child = end(child)) node(child);
+    if (result.open) {
+      siblings(index + 1, end(index));
       ImGui::TreePop();
     }
     ImGui::PopID();
@@ -93,18 +117,6 @@ void page_row(const std::string& name, StoryCursor& cursor, int pages, int count
 
 }  // namespace
 
-std::vector<int> subtree_ends(const std::vector<Event>& events) {
-  std::vector<int> ends(events.size());
-  for (std::size_t i = events.size(); i-- > 0;) {
-    ends[i] = std::max(ends[i], static_cast<int>(i) + 1);
-    if (const int parent = events[i].parent; parent >= 0) {
-      auto& end = ends[static_cast<std::size_t>(parent)];
-      end = std::max(end, ends[i]);
-    }
-  }
-  return ends;
-}
-
 void story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene, StoryCursor& cursor) {
   const int count = static_cast<int>(story.events.size());
   const int pages = std::max(1, (count + events_per_page - 1) / events_per_page);
@@ -116,7 +128,7 @@ void story_tree_view(const std::string& name, const PixelStory& story, const Sce
   drawing.first = cursor.page * events_per_page;
   drawing.last = drawing.first + events_per_page;
   ImGui::PushID(name.c_str());
-  for (int root = 0; root < count; root = drawing.end(root)) drawing.node(root);
+  drawing.roots(count);
   ImGui::PopID();
 }
 

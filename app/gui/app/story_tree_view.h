@@ -19,9 +19,6 @@ inline constexpr int events_per_page = 200;
 /// The events as a tree with their numbers; `name` goes before the names of its rows.
 void story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene, StoryCursor& cursor);
 
-/// For each event the index after its last descendant. Parents stand before their children.
-std::vector<int> subtree_ends(const std::vector<Event>& events);
-
 /// The whole story as text, one event a line, for the clipboard.
 std::string story_text(const PixelStory& story, const Scene& scene);
 

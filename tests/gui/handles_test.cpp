@@ -1,0 +1,52 @@
+// Handles of lights and spheres: places against the rays of the renderer's own viewport, and drags against both.
+#include "gui/app/handles.h"
+
+#include <gtest/gtest.h>
+
+#include "render/viewport.h"
+
+namespace ps::gui {
+namespace {
+
+View tilted_view() {
+  View view;
+  view.width = 320;
+  view.height = 200;
+  view.camera.position = {1, -2, 0.5};
+  view.camera.right = {0.8, 0, -0.6};
+  view.camera.forward = {0.6, 0, 0.8};
+  view.camera.projection_plane_d = 1.5;
+  return view;
+}
+
+TEST(Handles, LieOnTheRayOfTheirPixel) {
+  const View view = tilted_view();
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    Settings settings;
+    settings.projection = projection;
+    const auto viewport = make_viewport<double>(view, settings);
+    const Vec2d v = viewport.at(70, 150);  // the sample in the middle of that pixel
+    const Camera& c = view.camera;
+    const Vec3d across = c.right * v.x + c.up * v.y;
+    const Vec3d point = projection == Projection::perspective
+                            ? c.position + (across + c.forward * c.projection_plane_d) * 3.0
+                            : c.position + across + c.forward * 3.0;
+    const auto place = place_in_picture(view, settings, point);
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->x, 70.5, 1e-9);
+    EXPECT_NEAR(place->y, 150.5, 1e-9);
+    const Vec3d back = position_at(view, settings, point, *place);
+    EXPECT_NEAR(back.x, point.x, 1e-9);
+    EXPECT_NEAR(back.y, point.y, 1e-9);
+    EXPECT_NEAR(back.z, point.z, 1e-9);
+  }
+}
+
+TEST(Handles, NothingBehindTheCameraHasAPlace) {
+  const View view = tilted_view();
+  EXPECT_FALSE(place_in_picture(view, {}, view.camera.position));
+  EXPECT_FALSE(place_in_picture(view, {}, view.camera.position - view.camera.forward));
+}
+
+}  // namespace
+}  // namespace ps::gui

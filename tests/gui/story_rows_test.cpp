@@ -1,0 +1,77 @@
+// Which events of a story are told together, against runs counted by hand.
+#include "gui/app/story_rows.h"
+
+#include <gtest/gtest.h>
+
+namespace ps::gui {
+namespace {
+
+Event node(bool entered) { return {0, NodeEvent{.entered = entered}}; }
+Event test(TestOutcome outcome) { return {0, SphereTestEvent{.id = {0, 0}, .outcome = outcome}}; }
+
+std::vector<Event> ray_with(std::vector<Event> children) {
+  std::vector<Event> events{{-1, RayEvent{}}};
+  events.insert(events.end(), children.begin(), children.end());
+  return events;
+}
+
+std::vector<StoryRow> rows_of(const std::vector<Event>& events) {
+  return story_rows(events, subtree_ends(events), 1, static_cast<int>(events.size()));
+}
+
+TEST(StoryRows, BoxesAreToldTogetherAndHitsAreNot) {
+  const auto events = ray_with({node(true),
+                                node(true),
+                                node(false),
+                                test(TestOutcome::missed),
+                                test(TestOutcome::accepted),
+                                node(false),
+                                {0, HitEvent{}}});
+  const auto rows = rows_of(events);
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_TRUE(rows[0].run);
+  EXPECT_EQ(rows[0].first, 1);
+  EXPECT_EQ(rows[0].last, 5);
+  EXPECT_EQ(run_text(events, rows[0]), "3 boxes visited, 2 entered; 1 primitive missed");
+  EXPECT_FALSE(rows[1].run);
+  EXPECT_EQ(rows[1].first, 5);
+  EXPECT_FALSE(rows[2].run) << "one box by itself is told by itself";
+  EXPECT_EQ(rows[3].first, 7);
+}
+
+TEST(StoryRows, AFewMissesStandAloneManyDoNot) {
+  std::vector<Event> few(most_single_misses, test(TestOutcome::missed));
+  EXPECT_EQ(rows_of(ray_with(few)).size(), few.size());
+  few.push_back(test(TestOutcome::beyond_range));
+  const auto events = ray_with(few);
+  const auto rows = rows_of(events);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(run_text(events, rows[0]), "7 primitives missed");
+}
+
+TEST(StoryRows, EveryEventIsInExactlyOneRow) {
+  const auto events = ray_with({node(true),
+                                test(TestOutcome::farther),
+                                node(true),
+                                node(true),
+                                {0, RayEvent{.kind = RayKind::shadow}},
+                                {5, SphereTestEvent{}},
+                                {0, LightEvent{.light = 1}},
+                                {0, PixelEvent{}}});
+  int next = 1;
+  for (const auto& row : rows_of(events)) {
+    EXPECT_EQ(row.first, next);
+    next = row.last;
+  }
+  EXPECT_EQ(next, static_cast<int>(events.size()));
+}
+
+TEST(StoryRows, AShadowRayNamesItsLight) {
+  const auto events = ray_with({{0, RayEvent{.kind = RayKind::shadow}},
+                                {1, SphereTestEvent{.outcome = TestOutcome::missed}},
+                                {0, LightEvent{.light = 1, .kind = LightKind::point}}});
+  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "shadow ray to light 2: way is free (1 test)");
+}
+
+}  // namespace
+}  // namespace ps::gui
