@@ -26,7 +26,7 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiW
 
 /// The sizes of the regions in pixels where the document leaves them to the window. They grow with it only so far that
 /// the pictures keep more than half of it.
-float automatic_left(float width) { return std::clamp(width * 0.2f, std::min(px(200), width * 0.25f), px(290)); }
+float automatic_left(float width) { return std::clamp(width * 0.2f, std::min(px(250), width * 0.26f), px(290)); }
 float automatic_right(float width) { return std::clamp(width * 0.26f, std::min(px(236), width * 0.3f), px(390)); }
 /// One line: the title that opens it.
 float folded_height() { return ImGui::GetFrameHeight() + px(8); }
@@ -298,8 +298,12 @@ void App::right_region(const Area& area) {
 void App::bottom_region(const Area& area) {
   bool open = filling_ == "bottom" || session_.document().layout.bottom > 0;
   begin_region("bottom", area);
+  const ImVec2 title = ImGui::GetCursorScreenPos();
   if (section("bottom/open", "TIMINGS", open)) timings_panel(session_);
   toggle_bottom(open);
+  if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseDoubleClicked(0) &&
+      ImGui::GetIO().MousePos.y < title.y + ImGui::GetFrameHeight())
+    filling_ = filling_ == "bottom" ? "" : "bottom";
   ImGui::EndChild();
 }
 

@@ -1,5 +1,7 @@
 #include "gui/app/event_numbers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,7 +9,6 @@
 
 #include "gui/widgets/widgets.h"
 #include "inspect/describe.h"
-#include "inspect/number_text.h"
 
 namespace ps::gui {
 namespace {
@@ -23,20 +24,32 @@ std::optional<std::vector<double>> numbers_of(const FieldValue& value) {
   return {};
 }
 
+/// Four digits after the point, so that points stand below each other; whole and very small or large numbers as such.
+std::string column_text(double value) {
+  const double size = std::abs(value);
+  if (value == std::round(value) && size < 1e7) return fmt::format("{:.0f}", value);
+  if (size >= 0.0005 && size < 100) return fmt::format("{:.4f}", value);
+  return fmt::format(size < 1 ? "{:.1e}" : "{:.5g}", value);
+}
+
 }  // namespace
 
 void event_numbers(const Event& event, const Scene& scene) {
   const auto fields = event_fields(event.data);
-  const auto texts = event_table(event, scene);  // the same fields in words
-  const float left = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
+  const auto texts = event_table(event, scene);                            // the same fields in words
+  const float left = px(6), room = ImGui::GetContentRegionMax().x - left;  // the tree's indent would cost too much room
   float names = 0;
-  for (const auto& text : texts) names = std::max(names, ImGui::CalcTextSize(text.name.c_str()).x);
-  names = std::min(names + px(10), room * 0.42f);
+  {
+    const FontScope small(Face::small);
+    for (const auto& text : texts) names = std::max(names, ImGui::CalcTextSize(text.name.c_str()).x);
+  }
   const FontScope mono(Face::mono);
-  const float column = std::min(px(86), (room - names) / static_cast<float>(columns));
+  const float column = ImGui::CalcTextSize("-00.0000").x;
+  names = std::min(names + px(8), std::max(room - column * static_cast<float>(columns), px(40)));
   for (std::size_t i = 0; i < texts.size(); ++i) {
     {
-      const FontScope body(Face::small);
+      const FontScope small(Face::small);
+      ImGui::SetCursorPosX(left);
       ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
       ImGui::TextUnformatted(texts[i].name.c_str());
       ImGui::PopStyleColor();
@@ -49,7 +62,7 @@ void event_numbers(const Event& event, const Scene& scene) {
       ImGui::PopTextWrapPos();
     } else {
       for (std::size_t k = 0; k < numbers->size(); ++k) {
-        const std::string text = ps::number_text((*numbers)[k]);
+        const std::string text = column_text((*numbers)[k]);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         ImGui::SameLine(left + names + column * static_cast<float>(k + 1) - width);
         ImGui::TextUnformatted(text.c_str());

@@ -28,7 +28,9 @@ std::string book_title(const std::string& book) {
 std::string first_sentence(const std::string& text) {
   constexpr std::size_t most = 72;
   std::string sentence = text.substr(0, text.find(". "));
-  if (sentence.size() > most) {
+  if (const auto part = sentence.find_last_of(":;", most); sentence.size() > most && part != std::string::npos) {
+    sentence = sentence.substr(0, part) + ".";
+  } else if (sentence.size() > most) {
     const auto space = sentence.rfind(' ', most);
     sentence = sentence.substr(0, space == std::string::npos ? most : space) + " ...";
   } else if (!sentence.empty() && sentence.back() != '.') {

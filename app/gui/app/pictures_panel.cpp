@@ -73,13 +73,8 @@ void title(Session& session, Side side, const Area& row) {
 
   ImGui::SetCursorScreenPos(row.min);
   ImGui::InvisibleButton(side == Side::a ? "title-a" : "title-b", {row.width() - choice_width - px(8), row.height()});
-<<<<<<< HEAD
   controls().record("title", text);
-  tooltip(text + "\nDouble-click: this picture alone, and back.");
-=======
-  controls().record(full_name("title"), text);
   tooltip(text + "\nDouble-click: this picture fills the window, and back.");
->>>>>>> 1d09dd6 (gui: the story follows the clicked picture and tells boxes and misses together; handles for lights and spheres; regions fold and fill the window; NaN pixels hatched; about)
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
     session.navigate([&](Document& document) {
       const CompareMode alone = side == Side::a ? CompareMode::only_a : CompareMode::only_b;

@@ -6,6 +6,7 @@
 
 #include "inspect/describe.h"
 #include "inspect/names.h"
+#include "inspect/number_text.h"
 #include "inspect/reason_text.h"
 
 namespace ps::gui {
@@ -101,6 +102,16 @@ std::string ray_text(const std::vector<Event>& events, const std::vector<int>& e
   return {};
 }
 
+std::string light_text(const LightEvent& light, const Scene& scene) {
+  const std::string name = fmt::format("light {}", light.light + 1);
+  if (light.kind == LightKind::ambient) return fmt::format("{}: {} everywhere", name, number_text(light.diffuse));
+  if (light.below_horizon) return name + ": surface faces away";
+  if (light.blocker) return fmt::format("{}: blocked by {}", name, primitive_name(scene, *light.blocker));
+  std::string text = fmt::format("{}: diffuse {}", name, number_text(light.diffuse));
+  if (light.specular != 0) text += fmt::format(", specular {}", number_text(light.specular));
+  return text;
+}
+
 }  // namespace
 
 std::vector<int> subtree_ends(const std::vector<Event>& events) {
@@ -155,13 +166,15 @@ std::string run_text(const std::vector<Event>& events, const StoryRow& run) {
 
 std::string row_text(const std::vector<Event>& events, const std::vector<int>& ends, const Scene& scene, int index) {
   if (std::holds_alternative<RayEvent>(at(events, index).data)) return ray_text(events, ends, scene, index);
+  if (const auto* hit = std::get_if<HitEvent>(&at(events, index).data))
+    return fmt::format("hit {} at t = {}", primitive_name(scene, hit->id), number_text(hit->t));
+  if (const auto* light = std::get_if<LightEvent>(&at(events, index).data)) return light_text(*light, scene);
   return describe(at(events, index), scene);
 }
 
 EventWeight event_weight(const Event& event) {
   if (Tally().add(event)) return EventWeight::quiet;
-  const bool strong = std::holds_alternative<HitEvent>(event.data) || std::holds_alternative<LightEvent>(event.data) ||
-                      std::holds_alternative<ShadeEvent>(event.data) ||
+  const bool strong = std::holds_alternative<HitEvent>(event.data) || std::holds_alternative<ShadeEvent>(event.data) ||
                       std::holds_alternative<WriteEvent>(event.data) || std::holds_alternative<PixelEvent>(event.data);
   return strong ? EventWeight::strong : EventWeight::plain;
 }
