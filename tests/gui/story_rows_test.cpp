@@ -6,8 +6,19 @@
 namespace ps::gui {
 namespace {
 
+Event light(int index) {
+  LightEvent event;
+  event.light = index;
+  event.kind = LightKind::point;
+  return {0, event};
+}
 Event node(bool entered) { return {0, NodeEvent{.entered = entered}}; }
-Event test(TestOutcome outcome) { return {0, SphereTestEvent{.id = {0, 0}, .outcome = outcome}}; }
+Event test(TestOutcome outcome, int parent = 0) {
+  SphereTestEvent event;
+  event.id = {0, 0};
+  event.outcome = outcome;
+  return {parent, event};
+}
 
 std::vector<Event> ray_with(std::vector<Event> children) {
   std::vector<Event> events{{-1, RayEvent{}}};
@@ -56,7 +67,7 @@ TEST(StoryRows, EveryEventIsInExactlyOneRow) {
                                 node(true),
                                 {0, RayEvent{.kind = RayKind::shadow}},
                                 {5, SphereTestEvent{}},
-                                {0, LightEvent{.light = 1}},
+                                light(1),
                                 {0, PixelEvent{}}});
   int next = 1;
   for (const auto& row : rows_of(events)) {
@@ -67,9 +78,7 @@ TEST(StoryRows, EveryEventIsInExactlyOneRow) {
 }
 
 TEST(StoryRows, AShadowRayNamesItsLight) {
-  const auto events = ray_with({{0, RayEvent{.kind = RayKind::shadow}},
-                                {1, SphereTestEvent{.outcome = TestOutcome::missed}},
-                                {0, LightEvent{.light = 1, .kind = LightKind::point}}});
+  const auto events = ray_with({{0, RayEvent{.kind = RayKind::shadow}}, test(TestOutcome::missed, 1), light(1)});
   EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "shadow ray to light 2: way is free (1 test)");
 }
 

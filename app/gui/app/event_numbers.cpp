@@ -29,7 +29,7 @@ std::string column_text(double value) {
   const double size = std::abs(value);
   if (value == std::round(value) && size < 1e7) return fmt::format("{:.0f}", value);
   if (size >= 0.0005 && size < 100) return fmt::format("{:.4f}", value);
-  return fmt::format(size < 1 ? "{:.1e}" : "{:.5g}", value);
+  return size < 1 ? fmt::format("{:.1e}", value) : fmt::format("{:.5g}", value);
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ void event_numbers(const Event& event, const Scene& scene) {
     for (const auto& text : texts) names = std::max(names, ImGui::CalcTextSize(text.name.c_str()).x);
   }
   const FontScope mono(Face::mono);
-  const float column = ImGui::CalcTextSize("-00.0000").x;
+  const float column = ImGui::CalcTextSize("-0.0000").x + px(5);
   names = std::min(names + px(8), std::max(room - column * static_cast<float>(columns), px(40)));
   for (std::size_t i = 0; i < texts.size(); ++i) {
     {
