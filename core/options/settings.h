@@ -23,7 +23,7 @@ enum class TextureWrap { repeat, clamp, mirror };
 enum class Shadows { traced, none };
 enum class SelfHit { offset, epsilon, normal_bump };
 enum class EpsilonUnit { ray_parameter, distance };
-enum class Accelerator { bvh, none };
+enum class Accelerator { bvh, none, bounding_spheres, box, octree };
 enum class TriangleTest { watertight, moeller_trumbore };
 enum class SphereTest { robust, quadratic };
 enum class Precision { float32, float64 };
@@ -74,13 +74,17 @@ struct Settings {
   double reflection_epsilon = 0.001;
   EpsilonUnit epsilon_unit = EpsilonUnit::ray_parameter;
   bool shadow_any_hit = true;
+  bool shadow_cache = false;
   int reflection_depth = 3;
 
   Accelerator accelerator = Accelerator::bvh;
+  int octree_leaf = 8;    ///< primitives that a cell may hold before it is cut
+  int octree_depth = 10;  ///< how often a cell may be cut
   TriangleTest triangle_test = TriangleTest::watertight;
   double triangle_epsilon = 0;
   SphereTest sphere_test = SphereTest::robust;
   Precision precision = Precision::float32;
+  bool cache_constants = true;
   int threads = 0;  ///< 0 = one per processor
   Simd simd = Simd::automatic;
 

@@ -1,6 +1,23 @@
 #include "options/rows.h"
 
 namespace ps::rows {
+namespace {
+
+Reason needs_octree(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_rays(s, t)) return reason;
+  if (s.accelerator != Accelerator::octree) return "needs accelerator = octree";
+  return {};
+}
+
+Reason needs_any_hit(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_rays(s, t)) return reason;
+  if (!t.casting_lights) return "no light casts shadows";
+  if (s.shadows == Shadows::none) return "needs shadows";
+  if (!s.shadow_any_hit) return "needs shadow-any-hit";
+  return {};
+}
+
+}  // namespace
 
 std::vector<Option> speed_rows() {
   return {
@@ -12,7 +29,39 @@ std::vector<Option> speed_rows() {
            .inactive = needs_rays,
            .effect = OptionEffect::speed},
           {{"bvh", "bounding-volume hierarchy", "A tree of boxes built with the surface-area heuristic."},
-           {"none", "none", "Every ray is tested against every primitive."}}),
+           {"none", "none", "Every ray is tested against every primitive."},
+           {"bounding-spheres", "bounding spheres", "A sphere around each object, spheres around those, and within."},
+           {"box", "one box", "Rays that miss the box around everything are done at once."},
+           {"octree", "octree", "Space cut into eight parts, again and again; a triangle stands in all it touches."}}),
+      integer<&Settings::octree_leaf>(
+          {.key = "octree-leaf",
+           .label = "Octree leaf limit",
+           .help = {"A cell with more primitives than this is cut into eight.", "octrees for ray casting",
+                    "Small limits copy large triangles into many cells; large ones test too much."},
+           .inactive = needs_octree,
+           .effect = OptionEffect::speed},
+          1, 256, "primitives"),
+      integer<&Settings::octree_depth>({.key = "octree-depth",
+                                        .label = "Octree depth",
+                                        .help = {"How often a cell may be cut.", "octrees for ray casting",
+                                                 "Where many triangles meet in a point, no depth is enough."},
+                                        .inactive = needs_octree,
+                                        .effect = OptionEffect::speed},
+                                       0, 16, "levels"),
+      toggle<&Settings::shadow_cache>(
+          {.key = "shadow-cache",
+           .label = "Shadow cache",
+           .help = {"What blocked a light last time in this tile is tested first.", "CGFS ch. 5",
+                    "Gains only where shadows are large and the search is slow."},
+           .inactive = needs_any_hit,
+           .effect = OptionEffect::speed}),
+      toggle<&Settings::cache_constants>(
+          {.key = "cache-constants",
+           .label = "Cache constants",
+           .help = {"What depends on the ray alone is computed once for each ray, not for each test.", "CGFS ch. 5",
+                    "Only speed changes. Off, rays take the clear path."},
+           .inactive = needs_rays,
+           .effect = OptionEffect::speed}),
       integer<&Settings::threads>(
           {.key = "threads",
            .label = "Threads",

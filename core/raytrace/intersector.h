@@ -19,27 +19,50 @@ class Intersector {
 
   Hit<Real> nearest(const Ray<Real>& ray) const { return search(ray, false); }
   Hit<Real> any(const Ray<Real>& ray) const { return search(ray, true); }
+  /// Whether the ray meets this primitive; found() or not.
+  Hit<Real> one(const Ray<Real>& ray, std::uint32_t primitive) const {
+    Hit<Real> best;
+    best.t = ray.t_max;
+    Query query{ray};
+    prepare(query);
+    test(query, primitive, best);
+    return best;
+  }
 
  private:
   /// A ray with what its tests have in common.
   struct Query {
     const Ray<Real>& ray;
-    Real a;  // D.D
-    Shear<Real> shear;
+    Real a = 0;  // D.D
+    Shear<Real> shear{};
   };
+
+  void prepare(Query& query) const {
+    query.a = dot(query.ray.direction, query.ray.direction);
+    if (!geometry_.triangles.empty()) query.shear = Shear<Real>(query.ray.direction);
+  }
 
   Hit<Real> search(const Ray<Real>& ray, bool any) const {
     Hit<Real> best;
     best.t = ray.t_max;
-    Query query{ray, dot(ray.direction, ray.direction), {}};
-    const auto visit = [&](std::uint32_t primitive) { return test(query, primitive, best) && any; };
+    Query query{ray};
+    const bool cached = inputs_.settings.cache_constants;
+    const auto visit = [&](std::uint32_t primitive) {
+      if (!cached) prepare(query);
+      return test(query, primitive, best) && any;
+    };
     if constexpr (std::is_same_v<Real, float> && !Recorder::records) {
       if (inputs_.wide) {
+        query.a = dot(ray.direction, ray.direction);
         search_wide(query, visit, any, best);
         return best;
       }
     }
-    if (!geometry_.triangles.empty()) query.shear = Shear<Real>(ray.direction);
+    prepare(query);
+    if (inputs_.simple.any()) {
+      search_simple(ray, visit, best);
+      return best;
+    }
     if (!inputs_.bvh) {
       const NoAccelerator all{static_cast<std::uint32_t>(geometry_.primitives.size())};
       for_each_candidate(all, SlabRay<Real>(), best.t, visit, recorder_);
@@ -51,10 +74,22 @@ class Intersector {
     return best;
   }
 
-  SlabRay<Real> padded_slabs(const Ray<Real>& ray) const {
+  Real padding(const Ray<Real>& ray) const {
     Real reach = geometry_.reach;
     for (int axis = 0; axis < 3; ++axis) reach = std::max(reach, std::abs(ray.origin[axis]));
-    return SlabRay<Real>(ray.origin, ray.direction, inputs_.box_padding * reach);
+    return inputs_.box_padding * reach;
+  }
+  SlabRay<Real> padded_slabs(const Ray<Real>& ray) const {
+    return SlabRay<Real>(ray.origin, ray.direction, padding(ray));
+  }
+
+  template <class Visit>
+  void search_simple(const Ray<Real>& ray, Visit&& visit, const Hit<Real>& best) const {
+    const CandidateRay<Real> candidate{ray.origin, ray.direction, padding(ray), padded_slabs(ray)};
+    const SimpleAccelerators<Real>& simple = inputs_.simple;
+    if (simple.spheres) for_each_candidate(*simple.spheres, candidate, best.t, visit, recorder_);
+    if (simple.box) for_each_candidate(*simple.box, candidate, best.t, visit, recorder_);
+    if (simple.octree) for_each_candidate(*simple.octree, candidate, best.t, visit, recorder_);
   }
 
   /// The fast path: what is not a triangle first, in its own tree, then the triangles with SIMD.

@@ -11,7 +11,8 @@ constexpr std::size_t most_spheres = bvh_no_tree;
 bool covers(const Settings& settings) {
   return settings.precision == Precision::float32 && settings.projection == Projection::perspective &&
          settings.sphere_test == SphereTest::robust && settings.self_hit == SelfHit::offset &&
-         settings.highlight == Highlight::phong;
+         settings.highlight == Highlight::phong && settings.cache_constants && !settings.shadow_cache &&
+         (settings.accelerator == Accelerator::bvh || settings.accelerator == Accelerator::none);
 }
 
 bool covers(const ShadingMaterial<float>& material) {

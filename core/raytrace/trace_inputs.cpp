@@ -23,8 +23,10 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   TraceInputs<Real> inputs;
   inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
   if (settings.accelerator == Accelerator::bvh) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
+  inputs.simple = simple_accelerators<Real>(scene, *inputs.geometry, settings, prepared);
   if constexpr (std::is_same_v<Real, float>) {
-    const bool triangles = settings.accelerator == Accelerator::bvh && !inputs.geometry->triangles.empty();
+    const bool triangles =
+        settings.cache_constants && settings.accelerator == Accelerator::bvh && !inputs.geometry->triangles.empty();
     if (triangles) inputs.wide_searches = wide_searches(settings.simd, settings.triangle_test);
     if (inputs.wide_searches.nearest) inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
   }

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "raytrace/accelerators.h"
 #include "raytrace/geometry.h"
 #include "raytrace/wide_search.h"
 #include "render/viewport.h"
@@ -14,6 +15,7 @@ template <class Real>
 struct TraceInputs {
   std::shared_ptr<const TracedGeometry<Real>> geometry;
   std::shared_ptr<const Bvh<Real>> bvh;  ///< absent with accelerator = none
+  SimpleAccelerators<Real> simple;
   /// The SIMD form of `bvh` for queries that nobody inspects; absent where it does not apply. It finds the same hits,
   /// but visits nodes of its own.
   std::shared_ptr<const WideGeometry> wide;

@@ -98,7 +98,7 @@ class Tracer {
     if (inputs_.settings.lighting) {
       const LitPoint<Real> point{surface.point, surface.shading_normal, -ray.direction};
       const auto blocked = [&](int light, const Vec3<Real>& to_light, Real t_max) {
-        const std::optional<PixelId> blocker = find_blocker(surface, to_light, t_max);
+        const std::optional<PixelId> blocker = find_blocker(surface, light, to_light, t_max);
         if (blocker && first && light < 32) first->shadow_mask |= 1u << light;
         return blocker;
       };
@@ -129,15 +129,30 @@ class Tracer {
     return texel * material.colour;
   }
 
-  std::optional<PixelId> find_blocker(const Surface<Real>& surface, const Vec3<Real>& to_light, Real t_max) const {
+  std::optional<PixelId> find_blocker(const Surface<Real>& surface, int light, const Vec3<Real>& to_light,
+                                      Real t_max) const {
     if (inputs_.settings.shadows == Shadows::none) return {};
     const Ray<Real> ray = leaving_ray(surface, to_light, t_max, inputs_.shadow_epsilon, inputs_);
     recorder_.count(Counter::shadow_rays);
     recorder_.begin([&] { return ray_event(ray, RayKind::shadow, 0, Real(0)); });
-    const Hit<Real> hit = inputs_.settings.shadow_any_hit ? intersector_.any(ray) : intersector_.nearest(ray);
+    const Hit<Real> hit = inputs_.settings.shadow_any_hit ? any_blocker(ray, light) : intersector_.nearest(ray);
     recorder_.end();
     if (!hit.found()) return {};
     return inputs_.geometry->primitives[hit.primitive].id;
+  }
+
+  /// With the shadow cache, what blocked this light last time is tested before everything else (CGFS ch. 5).
+  Hit<Real> any_blocker(const Ray<Real>& ray, int light) const {
+    if (!inputs_.settings.shadow_cache) return intersector_.any(ray);
+    const auto index = static_cast<std::size_t>(light);
+    if (last_blockers_.size() <= index) last_blockers_.resize(index + 1, no_primitive);
+    if (last_blockers_[index] != no_primitive) {
+      const Hit<Real> hit = intersector_.one(ray, last_blockers_[index]);
+      if (hit.found()) return hit;
+    }
+    const Hit<Real> hit = intersector_.any(ray);
+    if (hit.found()) last_blockers_[index] = hit.primitive;
+    return hit;
   }
 
   static RayEvent ray_event(const Ray<Real>& ray, RayKind kind, int depth, Real share) {
@@ -166,6 +181,8 @@ class Tracer {
   const TraceInputs<Real>& inputs_;
   Recorder& recorder_;
   Intersector<Real, Recorder> intersector_;
+  /// By light. A tracer serves one tile, so the work that it saves does not depend on threads.
+  mutable std::vector<std::uint32_t> last_blockers_;
 };
 
 }  // namespace ps

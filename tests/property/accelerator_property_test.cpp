@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "accel/triangle_box.h"
 #include "raytrace/intersector.h"
 #include "support/closed_sphere.h"
 
@@ -115,6 +116,7 @@ int differences(const TraceInputs<Real>& inputs, const std::vector<Ray<Real>>& r
   TraceInputs<Real> everything = inputs;
   everything.bvh.reset();
   everything.wide.reset();
+  everything.simple = {};
   Silent silent;
   const Intersector<Real, Silent> clear(everything, silent), fast(inputs, silent);
   int result = 0;
@@ -133,7 +135,10 @@ struct Way {
 const Way ways[] = {{Accelerator::bvh, Simd::off},
                     {Accelerator::bvh, Simd::sse4},
                     {Accelerator::bvh, Simd::avx2},
-                    {Accelerator::bvh, Simd::avx512}};
+                    {Accelerator::bvh, Simd::avx512},
+                    {Accelerator::bounding_spheres, Simd::off},
+                    {Accelerator::box, Simd::off},
+                    {Accelerator::octree, Simd::off}};
 
 template <class Real>
 void expect_same_hits(TriangleTest test) {
@@ -170,6 +175,65 @@ TEST(Accelerators, BoxesThatAreNotGrownLoseHits) {
     lost += differences(inputs, aimed_rays(*inputs.geometry, place, 81));
   }
   EXPECT_GT(lost, 0) << "the rays of these tests are too easy";
+}
+
+/// The usual mistake: a triangle stands only in the cell of its middle (stability: grid and octree borders).
+TEST(Accelerators, AnOctreeOfMiddlesLosesHits) {
+  const Scene scene = aimed_scene(places[0], 82);
+  Prepared prepared;
+  Settings settings;
+  settings.accelerator = Accelerator::octree;
+  TraceInputs<float> inputs = make_trace_inputs<float>(scene, View{}, settings, prepared);
+  const TracedGeometry<float>& geometry = *inputs.geometry;
+  Box<float> all;
+  for (const Primitive& primitive : geometry.primitives) all.include(primitive_box(geometry, primitive));
+  const auto count = static_cast<std::uint32_t>(geometry.primitives.size());
+  inputs.simple.octree = std::make_shared<const Octree<float>>(
+      build_octree<float>(all, count, {}, [&](std::uint32_t primitive, const Box<float>& cell) {
+        const Box<float> box = primitive_box(geometry, geometry.primitives[primitive]);
+        const Vec3f middle = (box.low + box.high) * 0.5f;
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis)
+          inside = inside && middle[axis] >= cell.low[axis] && middle[axis] <= cell.high[axis];
+        return inside;
+      }));
+  EXPECT_GT(differences(inputs, aimed_rays(geometry, places[0], 82)), 10);
+}
+
+TEST(Accelerators, TriangleAndBoxAreApartWhereNoSampleOfTheTriangleIsInTheBox) {
+  std::mt19937 random(86);
+  const auto number = [&] { return static_cast<double>(random()) * 0x1p-31 - 1; };
+  const auto vector = [&](double size) {
+    const double x = number() * size, y = number() * size;
+    return Vec3d(x, y, number() * size);
+  };
+  const Box<double> box{{-1, -0.5, -0.25}, {1, 0.5, 0.25}};
+  int apart = 0, only_by_edges = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::array<Vec3d, 3> p{vector(2.5), vector(2.5), vector(2.5)};
+    bool touches = false;
+    constexpr int steps = 60;
+    for (int u = 0; u <= steps && !touches; ++u)
+      for (int v = 0; u + v <= steps && !touches; ++v) {
+        const Vec3d point = p[0] + (p[1] - p[0]) * (u / double{steps}) + (p[2] - p[0]) * (v / double{steps});
+        touches = std::abs(point.x) <= 1 && std::abs(point.y) <= 0.5 && std::abs(point.z) <= 0.25;
+      }
+    const bool overlaps = triangle_overlaps_box(p, box, 0);
+    if (touches) {
+      EXPECT_TRUE(overlaps) << i;
+    }
+    if (overlaps) {
+      continue;
+    }
+    ++apart;
+    Box<double> around;
+    for (const Vec3d& corner : p) around.include(corner);
+    const bool boxes_touch = around.low.x <= 1 && around.high.x >= -1 && around.low.y <= 0.5 && around.high.y >= -0.5 &&
+                             around.low.z <= 0.25 && around.high.z >= -0.25;
+    only_by_edges += boxes_touch ? 1 : 0;
+  }
+  EXPECT_GT(apart, 100);
+  EXPECT_GT(only_by_edges, 100) << "boxes alone would do";
 }
 
 TEST(Accelerators, TheTreeDoesNotDependOnThreads) {

@@ -93,6 +93,45 @@ TEST(TracedProperty, TheTreeOfBoxesChangesNothingButTheWork) {
   }
 }
 
+TEST(TracedProperty, EveryAcceleratorGivesThePictureOfNone) {
+  for (unsigned seed = 13; seed <= 15; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = random_scene(seed);
+    for (Settings settings : ways_to_intersect()) {
+      settings.accelerator = Accelerator::none;
+      const Frame without = traced(scene, settings);
+      for (const Accelerator accelerator : {Accelerator::bounding_spheres, Accelerator::box, Accelerator::octree}) {
+        settings.accelerator = accelerator;
+        const Frame with = traced(scene, settings);
+        expect_same(with, without, Tests::ignore);
+        EXPECT_GT(with.counters[Counter::node_visits], 0u);
+      }
+      settings.octree_leaf = 1;
+      settings.octree_depth = 5;
+      expect_same(traced(scene, settings), without, Tests::ignore);
+    }
+  }
+}
+
+TEST(TracedProperty, ShadowCacheAndCachedConstantsChangeNothingButTheWork) {
+  bool work_changed = false;
+  for (unsigned seed = 16; seed <= 19; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scene scene = random_scene(seed);
+    for (Settings settings : ways_to_intersect()) {
+      const Frame plain = traced(scene, settings);
+      settings.shadow_cache = true;
+      const Frame remembered = traced(scene, settings);
+      expect_same(remembered, plain, Tests::ignore);
+      work_changed = work_changed || !(remembered.counters == plain.counters);
+      settings.shadow_cache = false;
+      settings.cache_constants = false;
+      expect_same(traced(scene, settings), plain, Tests::compare);
+    }
+  }
+  EXPECT_TRUE(work_changed);
+}
+
 /// Waits inside a tile until all threads have arrived, so that each of them takes part.
 RenderRequest meeting_point(int threads, std::set<std::thread::id>& ids, std::mutex& mutex) {
   RenderRequest request;

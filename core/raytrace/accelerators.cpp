@@ -1,0 +1,93 @@
+#include "raytrace/accelerators.h"
+
+#include "accel/triangle_box.h"
+
+namespace ps {
+namespace {
+
+template <class Real>
+Box<Real> box_of_all(const TracedGeometry<Real>& geometry) {
+  Box<Real> box;
+  for (const Primitive& primitive : geometry.primitives) box.include(primitive_box(geometry, primitive));
+  return box;
+}
+
+template <class Real>
+BoundingSpheres make_spheres(const TracedGeometry<Real>& geometry) {
+  std::vector<BoundedPrimitive> bounded;
+  bounded.reserve(geometry.primitives.size());
+  for (const Primitive& primitive : geometry.primitives) {
+    BoundedPrimitive entry;
+    entry.object = primitive.id.object;
+    if (primitive.kind == PrimitiveKind::sphere) {
+      const TracedSphere<Real>& sphere = geometry.spheres[primitive.shape];
+      entry.centre = Vec3d(sphere.centre);
+      entry.radius = static_cast<double>(sphere.radius);
+    } else {
+      const Box<Real> box = primitive_box(geometry, primitive);
+      const Vec3d half = (Vec3d(box.high) - Vec3d(box.low)) * 0.5;
+      entry.centre = (Vec3d(box.low) + Vec3d(box.high)) * 0.5;
+      entry.radius = std::sqrt(dot(half, half)) * (1 + 1e-14);
+    }
+    bounded.push_back(entry);
+  }
+  return build_bounding_spheres(bounded);
+}
+
+template <class Real>
+Octree<Real> make_octree(const TracedGeometry<Real>& geometry, const Settings& settings) {
+  const Box<Real> all = box_of_all(geometry);
+  const double slack = 64 * std::numeric_limits<double>::epsilon() * static_cast<double>(geometry.reach);
+  const auto overlaps = [&](std::uint32_t index, const Box<Real>& cell) {
+    const Primitive& primitive = geometry.primitives[index];
+    const Box<Real> box = primitive_box(geometry, primitive);
+    for (int axis = 0; axis < 3; ++axis)
+      if (box.low[axis] > cell.high[axis] || box.high[axis] < cell.low[axis]) return false;
+    if (primitive.kind != PrimitiveKind::triangle) return true;
+    const TracedTriangle<Real>& triangle = geometry.triangles[primitive.shape];
+    const Box<double> wide{Vec3d(cell.low), Vec3d(cell.high)};
+    return triangle_overlaps_box({Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c)}, wide, slack);
+  };
+  const OctreeOptions options{static_cast<std::uint32_t>(settings.octree_leaf), settings.octree_depth};
+  return build_octree<Real>(all, static_cast<std::uint32_t>(geometry.primitives.size()), options, overlaps);
+}
+
+}  // namespace
+
+template <class Real>
+SimpleAccelerators<Real> simple_accelerators(const Scene& scene, const TracedGeometry<Real>& geometry,
+                                             const Settings& settings, Prepared& prepared) {
+  SimpleAccelerators<Real> result;
+  const auto key = [&](const char* product) {
+    Key made(product);
+    made.add(scene.geometry.revision()).add(std::uint64_t{sizeof(Real)});
+    return made;
+  };
+  switch (settings.accelerator) {
+  case Accelerator::bvh:
+  case Accelerator::none:
+    break;
+  case Accelerator::bounding_spheres:
+    result.spheres = prepared.get<BoundingSpheres>(key("bounding spheres"), [&] { return make_spheres(geometry); });
+    break;
+  case Accelerator::box:
+    result.box = prepared.get<SingleBox<Real>>(key("box of all"), [&] {
+      return SingleBox<Real>{box_of_all(geometry), static_cast<std::uint32_t>(geometry.primitives.size())};
+    });
+    break;
+  case Accelerator::octree:
+    result.octree = prepared.get<Octree<Real>>(key("octree")
+                                                   .add(static_cast<std::uint64_t>(settings.octree_leaf))
+                                                   .add(static_cast<std::uint64_t>(settings.octree_depth)),
+                                               [&] { return make_octree(geometry, settings); });
+    break;
+  }
+  return result;
+}
+
+template SimpleAccelerators<float> simple_accelerators(const Scene&, const TracedGeometry<float>&, const Settings&,
+                                                       Prepared&);
+template SimpleAccelerators<double> simple_accelerators(const Scene&, const TracedGeometry<double>&, const Settings&,
+                                                        Prepared&);
+
+}  // namespace ps
