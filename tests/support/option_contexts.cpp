@@ -48,6 +48,7 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/wireframe", {"renderer=rasterizer"}},
       {"lab/flattened", {"renderer=rasterizer"}},
       {"cgfs/cubes", {"renderer=rasterizer", "subpixel-bits=0"}},
+      {"cgfs/reflections", {"accelerator=octree", "octree-leaf=1"}},
       {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
       {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
   };

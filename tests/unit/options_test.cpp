@@ -39,7 +39,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
                                                               {"shadows", up_to(Shadows::none)},
                                                               {"self-hit", up_to(SelfHit::normal_bump)},
                                                               {"epsilon-unit", up_to(EpsilonUnit::distance)},
-                                                              {"accelerator", up_to(Accelerator::none)},
+                                                              {"accelerator", up_to(Accelerator::octree)},
                                                               {"triangle-test", up_to(TriangleTest::moeller_trumbore)},
                                                               {"sphere-test", up_to(SphereTest::quadratic)},
                                                               {"precision", up_to(Precision::float64)},

@@ -1,0 +1,114 @@
+// What each optimisation of the ray tracer gains by itself: the same picture with it and without it (CGFS ch. 5).
+
+#include <fmt/core.h>
+
+#include <cstring>
+#include <functional>
+#include <memory>
+
+#include "bench/bench.h"
+#include "bench/meshes.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps::bench {
+namespace {
+
+struct Picture {
+  Scene scene;
+  View view;
+  Settings settings;
+  std::shared_ptr<Prepared> prepared = std::make_shared<Prepared>();  ///< trees are built once, outside the times
+
+  Frame render() const {
+    Progress progress;
+    return render_traced(scene, view, settings, {}, *prepared, progress);
+  }
+};
+
+using Change = std::function<void(Settings&)>;
+
+/// Where the clear path works on one thread, so that each gain stands alone.
+Settings plain_settings() {
+  Settings settings;
+  settings.threads = 1;
+  settings.simd = Simd::off;
+  return settings;
+}
+
+Picture book_picture() {
+  const Scene scene = load_scene("cgfs/reflections");
+  return {scene, View{scene.camera, 320, 320}, plain_settings()};
+}
+
+Picture mesh_picture(int width, int height) {
+  const auto mesh = bench_mesh("teapot");
+  return {mesh_scene(mesh), framed_view(*mesh, width, height), plain_settings()};
+}
+
+Job gain_job(const Picture& start, const Change& with, const Change& without) {
+  const auto ours = std::make_shared<Picture>(start), yardstick = std::make_shared<Picture>(start);
+  with(ours->settings);
+  without(yardstick->settings);
+  Job job;
+  job.ours = [ours] { ours->render(); };
+  job.yardstick = [yardstick] { yardstick->render(); };
+  job.check = [ours, yardstick]() -> std::string {
+    const Frame a = ours->render(), b = yardstick->render();
+    const auto bytes = a.colour.pixels().size_bytes();
+    const bool same = std::memcmp(a.colour.pixels().data(), b.colour.pixels().data(), bytes) == 0;
+    return same ? "" : "the pictures are not the same bits";
+  };
+  job.note = fmt::format("{} x {}, {}", start.view.width, start.view.height, start.scene.name);
+  return job;
+}
+
+Bench gain(const std::string& name, const std::string& without_name, std::function<Picture()> picture, Change with,
+           Change without) {
+  return {"gains/" + name, "ms", without_name,
+          [picture = std::move(picture), with = std::move(with), without = std::move(without)] {
+            return gain_job(picture(), with, without);
+          }};
+}
+
+Change accelerator(Accelerator choice) {
+  return [choice](Settings& s) { s.accelerator = choice; };
+}
+
+}  // namespace
+
+Benches gains_benches() {
+  const auto nothing = [](Settings&) {};
+  const auto mesh = [] { return mesh_picture(256, 192); };
+  const auto small_mesh = [] { return mesh_picture(48, 36); };  // without an accelerator this takes long
+  Benches benches{
+      gain(
+          "threads/book", "one thread", book_picture, [](Settings& s) { s.threads = 2; }, nothing),
+      gain(
+          "simd/book", "clear path", book_picture, [](Settings& s) { s.simd = Simd::automatic; }, nothing),
+      gain("any-hit/book", "nearest", book_picture, nothing, [](Settings& s) { s.shadow_any_hit = false; }),
+      gain(
+          "shadow-cache/book", "no cache", book_picture, [](Settings& s) { s.shadow_cache = true; }, nothing),
+      gain("cache-constants/book", "no cache", book_picture, nothing, [](Settings& s) { s.cache_constants = false; }),
+      gain(
+          "threads/teapot", "one thread", mesh, [](Settings& s) { s.threads = 2; }, nothing),
+      gain(
+          "simd/teapot", "clear path", mesh, [](Settings& s) { s.simd = Simd::automatic; }, nothing),
+      gain("any-hit/teapot", "nearest", mesh, nothing, [](Settings& s) { s.shadow_any_hit = false; }),
+      gain(
+          "shadow-cache/teapot", "no cache", mesh, [](Settings& s) { s.shadow_cache = true; }, nothing),
+      gain("cache-constants/teapot", "no cache", mesh, nothing, [](Settings& s) { s.cache_constants = false; }),
+  };
+  struct Choice {
+    const char* name;
+    Accelerator accelerator;
+  };
+  for (const auto& [name, choice] :
+       {Choice{"box", Accelerator::box}, Choice{"octree", Accelerator::octree},
+        Choice{"bounding-spheres", Accelerator::bounding_spheres}, Choice{"bvh", Accelerator::bvh}})
+    benches.push_back(gain(fmt::format("{}/teapot", name), "no accelerator", small_mesh, accelerator(choice),
+                           accelerator(Accelerator::none)));
+  return benches;
+}
+
+}  // namespace ps::bench
