@@ -266,9 +266,9 @@ Halves halves(const Area& area, Vec2i picture_size) {
               middle_y = std::round((area.min.y + area.max.y) / 2);
   const Halves beside{{area.min, {middle_x - space / 2, area.max.y}}, {{middle_x + space / 2, area.min.y}, area.max}};
   const Halves stacked{{area.min, {area.max.x, middle_y}}, {{area.min.x, middle_y}, area.max}};
-  Area row;
-  const double beside_zoom = fitted(picture_size, with_margins(beside.first, row, row)).zoom;
-  const double stacked_zoom = fitted(picture_size, with_margins(stacked.first, row, row)).zoom;
+  Area title_row, footer_row;
+  const double beside_zoom = fitted(picture_size, with_margins(beside.first, title_row, footer_row)).zoom;
+  const double stacked_zoom = fitted(picture_size, with_margins(stacked.first, title_row, footer_row)).zoom;
   return stacked_zoom > beside_zoom ? stacked : beside;
 }
 
