@@ -35,6 +35,8 @@ class Assembler {
       : pass_(pass), vertices_(vertices), run_(run), inspected_(inspected), object_(pass.objects[run.object]) {}
 
   Batch<Real> take() {
+    if (pass_.settings.draw == Draw::filled && !pass_.settings.backface_culling)
+      batch_.triangles.reserve(run_.last - run_.first);
     for (std::size_t t = run_.first; t < run_.last; ++t) {
       index_ = t;
       sequence_ = run_.sequence + static_cast<std::uint32_t>(t - run_.first);
@@ -67,7 +69,43 @@ class Assembler {
       outline();
   }
 
+  /// How many of the corners lie in front of every plane; -1 if all are behind one plane.
+  int corners_in_view() const {
+    std::array<bool, 3> in_view{true, true, true};
+    for (const auto& plane : pass_.planes) {
+      int in_front = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const bool front = plane.distance(corner_[k]) >= 0;
+        in_front += front;
+        in_view[k] = in_view[k] && front;
+      }
+      if (in_front == 0) return -1;
+    }
+    return in_view[0] + in_view[1] + in_view[2];
+  }
+
   void fill() {
+    if (corners_in_view() == 3 && fill_whole()) return;
+    fill_clipped();
+  }
+
+  /// The common case, a triangle that nothing cuts: the same steps without polygons. False if something does cut it.
+  bool fill_whole() {
+    constexpr Real reach = static_cast<Real>(guard_band);
+    std::array<CanvasCorner<Real>, 3> canvas;
+    for (std::size_t k = 0; k < 3; ++k) {
+      canvas[k].position = pass_.projection.from_top_left(corner_[k]);
+      canvas[k].depth = pass_.perspective() ? Real(1) / corner_[k].z : corner_[k].z;
+      canvas[k].weights[static_cast<int>(k)] = 1;
+      if (!(std::abs(canvas[k].position.x) <= reach && std::abs(canvas[k].position.y) <= reach) ||
+          !std::isfinite(canvas[k].depth))
+        return false;
+    }
+    emit(canvas.data(), 3, false);
+    return true;
+  }
+
+  void fill_clipped() {
     ClipPolygon<Real> polygon;
     for (std::size_t k = 0; k < 3; ++k) {
       Vec3<Real> weights(0);
@@ -91,7 +129,7 @@ class Assembler {
       return reject(RejectReason::clipped_side, "guard band");
     }
     if (split) recorder_.count(Counter::triangles_split);
-    emit(canvas, size, split);
+    emit(canvas.data(), size, split);
   }
 
   /// False if a corner has no finite place on the canvas, which only happens without a near plane.
@@ -130,7 +168,7 @@ class Assembler {
     return true;
   }
 
-  void emit(const std::array<CanvasCorner<Real>, 16>& canvas, int size, bool split) {
+  void emit(const CanvasCorner<Real>* canvas, int size, bool split) {
     ScreenTriangle<Real> piece;
     piece.surface = surface_index();
     piece.sequence = sequence_;
@@ -141,19 +179,18 @@ class Assembler {
     piece.sort_depth = mean_depth();
     bool area = false;
     bool attributes_known = false;
-    std::array<CornerAttributes<Real>, 3> attributes{};
+    std::array<CornerAttributes<Real>, 3> attributes;
     Lighting<Real> flat;
     for (int i = 1; i + 1 < size; ++i) {
-      const std::array<const CanvasCorner<Real>*, 3> c{&canvas[0], &canvas[static_cast<std::size_t>(i)],
-                                                       &canvas[static_cast<std::size_t>(i + 1)]};
+      const std::array<const CanvasCorner<Real>*, 3> c{canvas, canvas + i, canvas + i + 1};
       for (std::size_t k = 0; k < 3; ++k) piece.corners[k] = to_fixed(c[k]->position, pass_.grid.subpixel_bits);
-      if (!make_edges(piece.corners, pass_.grid)) continue;
+      if (doubled_area(piece.corners) == 0) continue;
       area = true;
       piece.box = visible_box(sample_box(piece.corners, pass_.grid));
       if (box_is_empty(piece.box)) continue;
       if (!attributes_known) {
         attributes_known = true;
-        source_.face_normal = face_normal();
+        if (needs_face_normal()) source_.face_normal = face_normal();
         attributes = corner_attributes(pass_, surface(), source_, recorder_);
         if (surface().layout.flat_light) flat = flat_light();
       }
@@ -186,16 +223,16 @@ class Assembler {
   void store_attributes(const std::array<CornerAttributes<Real>, 3>& attributes, const CanvasCorner<Real>& corner,
                         bool split) {
     const Real share = pass_.divides() ? corner.depth : Real(1);
-    for (std::size_t a = 0; a < static_cast<std::size_t>(surface().layout.count); ++a) {
-      Real value = 0;
-      if (split) {
-        value = attributes[0][a] * corner.weights.x + attributes[1][a] * corner.weights.y +
-                attributes[2][a] * corner.weights.z;
-      } else {
-        const std::size_t k = corner.weights.x == 1 ? 0 : corner.weights.y == 1 ? 1 : 2;
-        value = attributes[k][a];
-      }
-      batch_.attributes.push_back(value * share);
+    const auto count = static_cast<std::size_t>(surface().layout.count);
+    const std::size_t first = batch_.attributes.size();
+    batch_.attributes.resize(first + count);
+    Real* stored = batch_.attributes.data() + first;
+    const std::size_t k = corner.weights.x == 1 ? 0 : corner.weights.y == 1 ? 1 : 2;
+    for (std::size_t a = 0; a < count; ++a) {
+      const Real value = split ? attributes[0][a] * corner.weights.x + attributes[1][a] * corner.weights.y +
+                                     attributes[2][a] * corner.weights.z
+                               : attributes[k][a];
+      stored[a] = value * share;
     }
   }
 
@@ -252,6 +289,16 @@ class Assembler {
     batch_.rejected.push_back({sequence_, event});
   }
 
+  /// Whether anything reads the triangle's own normal: a channel, or shading where corners have none of their own.
+  bool needs_face_normal() const {
+    const AttributeLayout& layout = surface().layout;
+    if (has(pass_.channels, Channel::facing)) return true;
+    if (!layout.lit && !layout.shading_normal) return false;
+    if (layout.shading_normal && layout.normal == AttributeLayout::absent) return true;
+    const auto& normal = source_.triangle->normal;
+    const bool own = normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0 && !vertices_.normals.empty();
+    return pass_.settings.normals == Normals::triangle || !own;
+  }
   Vec3<Real> face_normal() const {
     const auto world = [&](std::size_t k) {
       return object_.world(object_.mesh->positions[source_.triangle->position[k]]);

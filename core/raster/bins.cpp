@@ -5,6 +5,9 @@
 namespace ps::raster {
 namespace {
 
+constexpr std::size_t primitives_per_part = 16384;
+constexpr std::size_t most_parts = 16;
+
 /// Calls visit(primitive) for the triangle or line that `ref` names, whichever the picture is made of.
 template <class Real, class Visit>
 auto with_primitive(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, const PrimitiveRef& ref,
@@ -19,6 +22,10 @@ auto with_primitive(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry
 template <class Real>
 std::vector<PrimitiveRef> drawing_order(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry) {
   std::vector<PrimitiveRef> order;
+  std::size_t total = 0;
+  for (const Batch<Real>& batch : geometry.batches)
+    total += pass.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
+  order.reserve(total);
   for (std::size_t b = 0; b < geometry.batches.size(); ++b) {
     const Batch<Real>& batch = geometry.batches[b];
     const std::size_t count = pass.settings.draw == Draw::filled ? batch.triangles.size() : batch.lines.size();
@@ -43,26 +50,33 @@ std::vector<PrimitiveRef> drawing_order(const Pass<Real>& pass, const ScreenGeom
 }
 
 template <class Real>
-std::vector<std::vector<PrimitiveRef>> bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
-                                                      const std::vector<PrimitiveRef>& order, int tile_size) {
+Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, int tile_size,
+                    const ParallelOptions& parallel, Progress& progress) {
   const auto tiles_across = [tile_size](int pixels) { return (pixels + tile_size - 1) / tile_size; };
-  const int columns = tiles_across(pass.viewport.columns);
-  const int rows = tiles_across(pass.viewport.rows);
-  std::vector<std::vector<PrimitiveRef>> bins(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (const PrimitiveRef& ref : order) {
-    const PixelBox box = with_primitive(pass, geometry, ref, [](const auto& p) { return p.box; });
-    for (int row = box.y0 / tile_size; row <= (box.y1 - 1) / tile_size; ++row)
-      for (int column = box.x0 / tile_size; column <= (box.x1 - 1) / tile_size; ++column)
-        bins[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)]
-            .push_back(ref);
-  }
+  const auto columns = static_cast<std::size_t>(tiles_across(pass.viewport.columns));
+  const auto rows = static_cast<std::size_t>(tiles_across(pass.viewport.rows));
+  const std::vector<PrimitiveRef> order = drawing_order(pass, geometry);
+  Bins bins;
+  bins.tiles = columns * rows;
+  bins.parts = std::clamp<std::size_t>(order.size() / primitives_per_part, 1, most_parts);
+  bins.lists.resize(bins.parts * bins.tiles);
+  parallel_for(static_cast<int>(bins.parts), parallel, progress, [&](int index, int) {
+    const auto part = static_cast<std::size_t>(index);
+    const std::size_t last = order.size() * (part + 1) / bins.parts;
+    for (std::size_t i = order.size() * part / bins.parts; i < last; ++i) {
+      const PixelBox box = with_primitive(pass, geometry, order[i], [](const auto& p) { return p.box; });
+      for (int row = box.y0 / tile_size; row <= (box.y1 - 1) / tile_size; ++row)
+        for (int column = box.x0 / tile_size; column <= (box.x1 - 1) / tile_size; ++column)
+          bins.lists[part * bins.tiles + static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)]
+              .push_back(order[i]);
+    }
+  });
   return bins;
 }
 
 #define PS_INSTANTIATE(Real)                                                                                           \
   template std::vector<PrimitiveRef> drawing_order(const Pass<Real>&, const ScreenGeometry<Real>&);                    \
-  template std::vector<std::vector<PrimitiveRef>> bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&,       \
-                                                                 const std::vector<PrimitiveRef>&, int);
+  template Bins bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, int, const ParallelOptions&, Progress&);
 PS_INSTANTIATE(float)
 PS_INSTANTIATE(double)
 #undef PS_INSTANTIATE

@@ -20,13 +20,13 @@ std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>& pass, 
                                                         const CornerSource<Real>& source, CountingRecorder& recorder) {
   const AttributeLayout& layout = surface.layout;
   const Normals normals = pass.settings.normals;
-  std::array<CornerAttributes<Real>, 3> corners{};
+  std::array<CornerAttributes<Real>, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
     if (layout.normal != AttributeLayout::absent) put(corners[k], layout.normal, source.normal(k, normals));
     if (layout.position != AttributeLayout::absent) put(corners[k], layout.position, source.position(k));
     const auto uv = source.triangle->uv[k];
-    if (layout.uv != AttributeLayout::absent && uv >= 0) {
-      const Vec2d& value = source.mesh->uvs[static_cast<std::size_t>(uv)];
+    if (layout.uv != AttributeLayout::absent) {
+      const Vec2d value = uv >= 0 ? source.mesh->uvs[static_cast<std::size_t>(uv)] : Vec2d(0);
       corners[k][static_cast<std::size_t>(layout.uv)] = static_cast<Real>(value.x);
       corners[k][static_cast<std::size_t>(layout.uv) + 1] = static_cast<Real>(value.y);
     }

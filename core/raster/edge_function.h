@@ -14,7 +14,7 @@ namespace ps::raster {
 /// Corners are rounded to 2^-subpixel_bits, so they are even; the spare bit lets samples lie in the middle of a pixel
 /// even with 0 sub-pixel bits.
 struct FixedPoint {
-  std::int64_t x = 0, y = 0;
+  std::int32_t x = 0, y = 0;
   bool operator==(const FixedPoint&) const = default;
 };
 
@@ -30,8 +30,8 @@ inline std::int64_t fixed_unit(int subpixel_bits) { return std::int64_t{1} << (s
 template <class Real>
 inline FixedPoint to_fixed(const Vec2<Real>& position, int subpixel_bits) {
   const double scale = static_cast<double>(std::int64_t{1} << subpixel_bits);
-  return {2 * std::llrint(static_cast<double>(position.x) * scale),
-          2 * std::llrint(static_cast<double>(position.y) * scale)};
+  return {static_cast<std::int32_t>(2 * std::lrint(static_cast<double>(position.x) * scale)),
+          static_cast<std::int32_t>(2 * std::lrint(static_cast<double>(position.y) * scale))};
 }
 
 /// Which samples a triangle covers, decided exactly (CGPP 15.6.4; stability.md rows 17-21). Edge i lies opposite corner
@@ -62,25 +62,29 @@ struct CoverageGrid {
   Vec2d sample{0.5, 0.5};  ///< of the sample inside its pixel, a multiple of one half
 };
 
+/// Twice the triangle's area, exactly; its sign tells the orientation.
+inline std::int64_t doubled_area(const std::array<FixedPoint, 3>& corner) {
+  const auto across = [&](std::size_t k) { return std::int64_t{corner[k].x} - corner[0].x; };
+  const auto down = [&](std::size_t k) { return std::int64_t{corner[k].y} - corner[0].y; };
+  return across(1) * down(2) - down(1) * across(2);
+}
+
 /// The edges of a triangle in either orientation; nothing for one without area.
 inline std::optional<TriangleEdges> make_edges(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
   const std::int64_t unit = fixed_unit(grid.subpixel_bits);
-  const FixedPoint sample{static_cast<std::int64_t>(grid.sample.x * static_cast<double>(unit)),
-                          static_cast<std::int64_t>(grid.sample.y * static_cast<double>(unit))};
-  const auto cross = [](const FixedPoint& a, const FixedPoint& b, const FixedPoint& p) {
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-  };
+  const auto sample_x = static_cast<std::int64_t>(grid.sample.x * static_cast<double>(unit));
+  const auto sample_y = static_cast<std::int64_t>(grid.sample.y * static_cast<double>(unit));
   TriangleEdges edges;
-  const std::int64_t area = cross(corner[0], corner[1], corner[2]);
+  const std::int64_t area = doubled_area(corner);
   if (area == 0) return {};
   const std::int64_t sign = area > 0 ? 1 : -1;
   edges.area = sign * area;
   for (std::size_t i = 0; i < 3; ++i) {
     const FixedPoint& a = corner[(i + 1) % 3];
     const FixedPoint& b = corner[(i + 2) % 3];
-    const std::int64_t dx = sign * (b.x - a.x);
-    const std::int64_t dy = sign * (b.y - a.y);
-    edges.at_origin[i] = dx * (sample.y - a.y) - dy * (sample.x - a.x);
+    const std::int64_t dx = sign * (std::int64_t{b.x} - a.x);
+    const std::int64_t dy = sign * (std::int64_t{b.y} - a.y);
+    edges.at_origin[i] = dx * (sample_y - a.y) - dy * (sample_x - a.x);
     edges.step_x[i] = -dy * unit;
     edges.step_y[i] = dx * unit;
     switch (grid.fill_rule) {

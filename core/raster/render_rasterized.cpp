@@ -42,7 +42,7 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
   stages.done("prepare");
   const ScreenGeometry<Real> geometry = make_geometry(pass, {}, parallel, progress);
   stages.done("vertices and clipping");
-  const auto bins = bin_primitives(pass, geometry, drawing_order(pass, geometry), tile_size);
+  const auto bins = bin_primitives(pass, geometry, tile_size, parallel, progress);
   stages.done("sorting into tiles");
 
   const std::vector<TileRect> tiles = make_tiles(view.width, view.height, tile_size);
@@ -51,7 +51,8 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
     const auto i = static_cast<std::size_t>(index);
     CountingRecorder recorder;
     Target<Real> target(frame, tiles[i], settings, request.channels);
-    draw_primitives(pass, geometry, std::span<const PrimitiveRef>(bins[i]), target, recorder);
+    for (std::size_t part = 0; part < bins.parts; ++part)
+      draw_primitives(pass, geometry, std::span<const PrimitiveRef>(bins.list(part, i)), target, recorder);
     draw_canvas_items(pass, target, recorder);
     recorder.count(Counter::nan_pixels, target.count_nan_pixels());
     counters[i] = recorder.counters;

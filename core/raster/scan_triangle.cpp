@@ -47,6 +47,17 @@ struct Large {
   static HWY_INLINE hn::Vec<D> to_float(Value value) { return hn::DemoteTo(D(), value); }
 };
 
+/// Whole vectors from fragment number `at` on; the next ones overwrite what is too much.
+template <class Kind, class V, class Pixels>
+HWY_INLINE void append(V weight0, V weight1, V weight2, V z, Pixels pixels, ShadeBatch& batch, std::size_t at) {
+  const typename Kind::D d;
+  hn::StoreU(weight0, d, batch.weights[0].data() + at);
+  hn::StoreU(weight1, d, batch.weights[1].data() + at);
+  hn::StoreU(weight2, d, batch.weights[2].data() + at);
+  hn::StoreU(z, d, batch.z.data() + at);
+  hn::StoreU(pixels, hn::Rebind<std::int32_t, typename Kind::D>(), batch.pixels.data() + at);
+}
+
 template <class Kind>
 HWY_INLINE int scan_rows(const TriangleScan& scan, int row, ShadeBatch& batch, ScanCounts& counts) {
   using Scalar = typename Kind::Scalar;
@@ -104,12 +115,17 @@ HWY_INLINE int scan_rows(const TriangleScan& scan, int row, ShadeBatch& batch, S
         inside = passed;
       }
       const auto at = static_cast<std::size_t>(batch.count);
-      hn::CompressStore(weight0, inside, d, batch.weights[0].data() + at);
-      hn::CompressStore(weight1, inside, d, batch.weights[1].data() + at);
-      hn::CompressStore(weight2, inside, d, batch.weights[2].data() + at);
-      hn::CompressStore(hn::Div(one, inverse_z), inside, d, batch.z.data() + at);
-      batch.count += static_cast<int>(
-          hn::CompressStore(hn::Iota(di, first_pixel + x), hn::RebindMask(di, inside), di, batch.pixels.data() + at));
+      const V z = hn::Div(one, inverse_z);
+      const auto pixels = hn::Iota(di, first_pixel + x);
+      if (hn::AllTrue(d, inside)) {
+        append<Kind>(weight0, weight1, weight2, z, pixels, batch, at);
+        batch.count += lanes;
+      } else {
+        // Not CompressStore: some processors store lane by lane there.
+        append<Kind>(hn::Compress(weight0, inside), hn::Compress(weight1, inside), hn::Compress(weight2, inside),
+                     hn::Compress(z, inside), hn::Compress(pixels, hn::RebindMask(di, inside)), batch, at);
+        batch.count += static_cast<int>(hn::CountTrue(d, inside));
+      }
     }
   }
   return row;
