@@ -120,16 +120,45 @@ class TriangleDrawer {
     }
     recorder_.count(Counter::attributes_interpolated, shaded * static_cast<std::uint64_t>(layout.count));
     recorder_.count(Counter::pixels_written, shaded);
+    recorder_.count(Counter::texel_reads, batch_.texels);
+    batch_.texels = 0;
     if (!layout.lit || pass_.settings.shading != Shading::phong) return;
     recorder_.count(Counter::shading_calls, shaded);
     recorder_.count(Counter::light_samples, shaded * pass_.lights.size());
   }
 
-  /// Whether the fast path shades this triangle: no texture, no light with a colour of its own.
+  /// Whether the fast path shades this triangle: no light with a colour of its own.
   bool can_batch() const {
     const ShadingMaterial<Real>& material = setup_.surface->material;
-    return setup_.surface->layout.uv == AttributeLayout::absent && !material.ambient_colour &&
-           !material.specular_colour && (!material.specular || *material.specular > 0);
+    if (setup_.surface->layout.uv != AttributeLayout::absent && !packed_texture()) return false;
+    return !material.ambient_colour && !material.specular_colour && (!material.specular || *material.specular > 0);
+  }
+  const PackedTexture* packed_texture() const {
+    const int index = setup_.surface->material.texture;
+    if (!pass_.packed_textures || index < 0) return nullptr;
+    const PackedTexture& texture = (*pass_.packed_textures)[static_cast<std::size_t>(index)];
+    return texture.levels > 0 ? &texture : nullptr;
+  }
+
+  /// What uv_derivatives() computes for the triangle as a whole.
+  BatchTexture batch_texture() const {
+    BatchTexture how;
+    how.texture = packed_texture();
+    how.filter = pass_.settings.texture_filter;
+    how.wrap = pass_.settings.texture_wrap;
+    how.uv = setup_.surface->layout.uv;
+    how.mip_bias = static_cast<float>(pass_.settings.mip_bias);
+    const auto stride = static_cast<std::size_t>(setup_.surface->layout.count);
+    const Real* a = setup_.attributes + how.uv;
+    for (std::size_t along = 0; along < 2; ++along) {
+      const auto& step = along == 0 ? setup_.edges.step_x : setup_.edges.step_y;
+      std::array<Real, 3> change;
+      for (std::size_t i = 0; i < 3; ++i) change[i] = static_cast<Real>(step[i]) * setup_.inverse_area;
+      how.steps[along] = {change[0] * a[0] + change[1] * a[stride] + change[2] * a[2 * stride],
+                          change[0] * a[1] + change[1] * a[stride + 1] + change[2] * a[2 * stride + 1],
+                          weighted(change, setup_.triangle->inverse_z)};
+    }
+    return how;
   }
 
   BatchShading batch_shading() const {
@@ -151,6 +180,7 @@ class TriangleDrawer {
     shading.lights = pass_.lights;
     if (layout.flat_light) shading.constant = flat_constant(setup_, 0);
     shading.source = light_source(layout);
+    if (layout.uv != AttributeLayout::absent) shading.texture = batch_texture();
     return shading;
   }
   BatchLight light_source(const AttributeLayout& layout) const {

@@ -16,6 +16,18 @@ std::shared_ptr<const Textures> mip_chains(const Scene& scene, TextureFilter fil
   });
 }
 
+/// The same in the form that the fast path reads.
+std::shared_ptr<const std::vector<PackedTexture>> pack_textures(const Scene& scene, TextureFilter filter,
+                                                                const Textures& chains, Prepared& prepared) {
+  const bool levels = filter == TextureFilter::trilinear || filter == TextureFilter::mipmap;
+  const Key key = Key("raster-packed-textures").add(scene.textures.revision()).add(std::uint64_t{levels});
+  return prepared.get<std::vector<PackedTexture>>(key, [&] {
+    std::vector<PackedTexture> packed;
+    for (const MipChain& chain : chains) packed.push_back(pack_texture(chain));
+    return packed;
+  });
+}
+
 }  // namespace
 
 template <class Real>
@@ -55,7 +67,11 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
       pass.shade_batch = shade_function(settings.simd);
       pass.scan_triangle = scan_function(settings.simd);
     }
-  if (textured && settings.textures) pass.textures = mip_chains(scene, settings.texture_filter, prepared);
+  if (textured && settings.textures) {
+    pass.textures = mip_chains(scene, settings.texture_filter, prepared);
+    if (pass.shade_batch)
+      pass.packed_textures = pack_textures(scene, settings.texture_filter, *pass.textures, prepared);
+  }
   return pass;
 }
 

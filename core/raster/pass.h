@@ -54,6 +54,8 @@ struct Pass {
   std::vector<Surface<Real>> surfaces;
   std::shared_ptr<const std::vector<MipChain>> textures;  ///< null where none is read
 
+  std::shared_ptr<const std::vector<PackedTexture>> packed_textures;  ///< the same, only for the fast path
+
   ShadeFragments shade_batch = nullptr;  ///< the fast path, where the settings allow it; nullptr = clear path
   ScanTriangle scan_triangle = nullptr;  ///< together with it
 

@@ -1,5 +1,7 @@
 #include "raster/shade_batch.h"
 
+#include <algorithm>
+
 #include "raster/simd_choice.h"
 
 // This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
@@ -12,6 +14,7 @@
 
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
 #include "math/power-inl.h"
+#include "raster/texture_batch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ps::raster::HWY_NAMESPACE {
@@ -118,6 +121,18 @@ HWY_INLINE V3 light_of_equation(const BatchShading& shading, const ShadeBatch& b
   return sum;
 }
 
+/// The surface's own colour: the material's, times the texture's.
+HWY_INLINE V3 surface_colour(const BatchShading& shading, ShadeBatch& batch, int lane) {
+  const V3 colour = splat3(shading.colour);
+  if (!shading.texture.texture) return colour;
+  const V u = interpolate(shading, batch, lane, shading.texture.uv);
+  const V v = interpolate(shading, batch, lane, shading.texture.uv + 1);
+  const auto count = std::min(hn::Lanes(D()), static_cast<std::size_t>(batch.count - lane));
+  const texture::Colour texel =
+      texture::sample(shading.texture, u, v, hn::Load(D(), batch.z.data() + lane), count, batch.texels);
+  return {hn::Mul(colour.x, texel.red), hn::Mul(colour.y, texel.green), hn::Mul(colour.z, texel.blue)};
+}
+
 HWY_INLINE void store(D d, const V3& colour, ShadeBatch& batch, int lane) {
   hn::Store(colour.x, d, batch.red.data() + lane);
   hn::Store(colour.y, d, batch.green.data() + lane);
@@ -131,10 +146,11 @@ void shade_fragments(const BatchShading& shading, ShadeBatch& batch) {
   const int lanes = static_cast<int>(hn::Lanes(d));
   const V zero = hn::Zero(d);
   for (int lane = 0; lane < batch.count; lane += lanes) {
+    const V3 colour = surface_colour(shading, batch, lane);
     V3 sum{zero, zero, zero};
     switch (shading.source) {
     case BatchLight::none:
-      store(d, splat3(shading.colour), batch, lane);
+      store(d, colour, batch, lane);
       continue;
     case BatchLight::constant:
       sum = splat3(shading.constant);
@@ -147,9 +163,8 @@ void shade_fragments(const BatchShading& shading, ShadeBatch& batch) {
       break;
     }
     store(d,
-          {hn::Add(hn::Mul(splat(shading.colour.x), sum.x), zero),
-           hn::Add(hn::Mul(splat(shading.colour.y), sum.y), zero),
-           hn::Add(hn::Mul(splat(shading.colour.z), sum.z), zero)},
+          {hn::Add(hn::Mul(colour.x, sum.x), zero), hn::Add(hn::Mul(colour.y, sum.y), zero),
+           hn::Add(hn::Mul(colour.z, sum.z), zero)},
           batch, lane);
   }
 }

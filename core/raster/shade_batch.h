@@ -4,6 +4,7 @@
 
 #include "math/vec.h"
 #include "options/settings.h"
+#include "raster/packed_texture.h"
 #include "shade/shading_inputs.h"
 
 namespace ps::raster {
@@ -16,6 +17,7 @@ struct ShadeBatch {
   static constexpr std::size_t room = capacity + 16;  ///< whole vectors are written
   using Lanes = std::array<float, room>;
   int count = 0;
+  std::uint64_t texels = 0;                           ///< read so far
   alignas(64) std::array<std::int32_t, room> pixels;  ///< index into the picture, row by row
   alignas(64) std::array<Lanes, 3> weights;           ///< on the screen
   alignas(64) Lanes z;
@@ -41,6 +43,7 @@ struct BatchShading {
   bool renormalise = true;
   Highlight highlight = Highlight::phong;
   std::span<const ShadingLight<float>> lights;
+  BatchTexture texture;
 };
 
 using ShadeFragments = void (*)(const BatchShading& shading, ShadeBatch& batch);

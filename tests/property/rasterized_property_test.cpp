@@ -146,6 +146,25 @@ TEST(Rasterized, IsTheSameOnEverySimdTarget) {
   }
 }
 
+TEST(Rasterized, TexturesAreTheSameOnEverySimdTarget) {
+  const Scene scene = load_scene("cgfs/crates");
+  for (const char* filter : {"nearest", "bilinear", "mipmap", "trilinear"})
+    for (const char* wrap : {"repeat", "clamp", "mirror"})
+      for (const char* more : {"mip-bias=0", "mip-bias=3.5", "lighting=off", "shading=gouraud"}) {
+        Settings settings =
+            settings_of({std::string("texture-filter=") + filter, std::string("texture-wrap=") + wrap, more});
+        settings.simd = Simd::off;
+        const Frame clear = draw(scene, {scene.camera, 257, 219}, settings);
+        EXPECT_GT(clear.counters[Counter::texel_reads], 10000u);
+        for (const Simd simd : {Simd::sse4, Simd::avx2, Simd::avx512}) {
+          settings.simd = simd;
+          const Frame fast = draw(scene, {scene.camera, 257, 219}, settings);
+          EXPECT_TRUE(same_bits(clear.colour, fast.colour)) << filter << ", " << wrap << ", " << more;
+          EXPECT_EQ(clear.counters, fast.counters) << filter << ", " << wrap << ", " << more;
+        }
+      }
+}
+
 TEST(Rasterized, StoryAccountsForEveryTriangle) {
   const Scene scene = load_scene("cgfs/shading");
   const Settings settings = settings_of({});

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "image/mip_chain.h"
+#include "options/settings.h"
+
+namespace ps::raster {
+
+/// A mip chain in one piece of memory, as the fast path reads it.
+struct PackedTexture {
+  static constexpr std::size_t most_levels = 32;
+  std::vector<float> texels;                       ///< red, green, blue of each texel, level after level
+  std::array<std::int32_t, most_levels> first{};   ///< index of each level's first number
+  std::array<std::int32_t, most_levels> width{};   ///< of each level, in texels
+  std::array<std::int32_t, most_levels> height{};  ///< of each level
+  int levels = 0;
+};
+
+/// Nothing is packed (levels = 0) of a chain too large for 32-bit indices.
+PackedTexture pack_texture(const MipChain& chain);
+
+/// How a batch of fragments reads a texture.
+struct BatchTexture {
+  const PackedTexture* texture = nullptr;  ///< nullptr = none
+  TextureFilter filter = TextureFilter::trilinear;
+  TextureWrap wrap = TextureWrap::repeat;
+  int uv = 0;  ///< first scalar of the coordinates in the layout
+  float mip_bias = 0;
+  // What uv_derivatives() finds out that is the same for the whole triangle, along x and along y.
+  struct Step {
+    float u = 0, v = 0;   ///< change of u / z and v / z
+    float inverse_z = 0;  ///< change of 1 / z
+  };
+  std::array<Step, 2> steps{};
+};
+
+}  // namespace ps::raster
