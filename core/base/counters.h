@@ -10,8 +10,10 @@ enum class Counter {
   eye_rays,
   shadow_rays,
   reflection_rays,
+  refraction_rays,
   sphere_tests,
   triangle_tests,
+  solid_tests,  ///< planes, rectangles, boxes, cylinders and CSG objects
   node_visits,
   shading_calls,
   light_samples,

@@ -64,6 +64,20 @@ struct Describer {
                        vector_text(e.local), number_text(e.reflective), vector_text(e.reflected),
                        vector_text(e.result));
   }
+  std::string operator()(const SolidTestEvent& e) const {
+    std::string text = fmt::format("{}: {}", object_name(scene, e.id.object), outcome_text(e.outcome));
+    for (std::size_t i = 0; i < e.crossings.size(); ++i)
+      text += fmt::format("{} {}", i == 0 ? ", t =" : " and", number_text(e.crossings[i]));
+    return text;
+  }
+  std::string operator()(const RefractionEvent& e) const {
+    if (e.total)
+      return fmt::format("total internal reflection: index {} to {}, cosine {}", number_text(e.from_index),
+                         number_text(e.to_index), number_text(e.cos_incident));
+    return fmt::format("light comes through: {} x {} + {} x {} + {} x {} = {}", number_text(e.own_share),
+                       vector_text(e.local), number_text(e.mirrored_share), vector_text(e.mirrored),
+                       number_text(e.refracted_share), vector_text(e.refracted), vector_text(e.result));
+  }
   std::string operator()(const RejectEvent& e) const {
     std::string text = fmt::format("{}: {}", primitive_name(scene, e.id), reject_reason_text(e.reason));
     if (!e.detail.empty()) text += fmt::format(" ({})", e.detail);

@@ -130,13 +130,40 @@ Fields fields(const LineEvent& e) {
       {"id", e.id}, {"from", list(e.from)}, {"to", list(e.to)}, {"step", whole(e.step)}, {"colour", list(e.colour)}};
 }
 
+Fields fields(const SolidTestEvent& e) {
+  std::vector<double> parts, enter, leave;
+  for (const SolidSpan& span : e.spans) {
+    parts.push_back(span.part);
+    enter.push_back(span.enter);
+    leave.push_back(span.leave);
+  }
+  return {{"id", e.id},     {"outcome", std::string(outcome_key(e.outcome))},
+          {"parts", parts}, {"enter", enter},
+          {"leave", leave}, {"crossings", e.crossings}};
+}
+
+Fields fields(const RefractionEvent& e) {
+  return {{"transparency", e.transparency},
+          {"from-index", e.from_index},
+          {"to-index", e.to_index},
+          {"cos-incident", e.cos_incident},
+          {"cos-refracted", e.cos_refracted},
+          {"fresnel", e.fresnel},
+          {"total-reflection", e.total},
+          {"shares", std::vector<double>{e.own_share, e.mirrored_share, e.refracted_share}},
+          {"local", list(e.local)},
+          {"mirrored", list(e.mirrored)},
+          {"refracted", list(e.refracted)},
+          {"result", list(e.result)}};
+}
+
 Fields fields(const PixelEvent& e) {
   return {{"linear", list(e.linear)}, {"display", std::vector<double>(e.display.begin(), e.display.end())}};
 }
 
 constexpr std::array<std::string_view, std::variant_size_v<EventData>> kinds{
-    "ray",   "node",       "sphere-test", "triangle-test", "hit",   "miss", "texture", "light",
-    "shade", "reflection", "reject",      "fragment",      "write", "line", "pixel"};
+    "ray",        "node",   "sphere-test", "triangle-test", "hit",  "miss",  "texture",    "light",     "shade",
+    "reflection", "reject", "fragment",    "write",         "line", "pixel", "solid-test", "refraction"};
 
 }  // namespace
 

@@ -15,7 +15,7 @@ namespace ps {
 /// without loss. Positions and directions are in world space unless a member says otherwise. `PixelId` names an object
 /// and a triangle of it.
 
-enum class RayKind { eye, shadow, reflection };
+enum class RayKind { eye, shadow, reflection, refraction };
 
 /// A ray is about to be traced. Its tests, hit and shading follow as its children.
 struct RayEvent {
@@ -41,6 +41,7 @@ enum class TestOutcome {
   beyond_range,  ///< every intersection lies at or beyond t_max
   farther,       ///< a nearer hit is known already
   tie_lost,      ///< same t as the nearest so far, which has the lower index
+  back_side,     ///< one-sided, and seen from behind
   parallel,      ///< the ray runs in the triangle's plane
   degenerate     ///< zero-area triangle
 };
@@ -58,6 +59,20 @@ struct TriangleTestEvent {
   std::string rejected_by;  ///< "weight of corner 1 is negative"; empty when accepted
   std::optional<std::array<double, 3>> weights;
   std::optional<double> t;
+};
+
+/// The stretch of a ray's line inside one part of a solid.
+struct SolidSpan {
+  int part = 0;
+  double enter = 0, leave = 0;
+};
+
+/// A plane, rectangle, box or cylinder, or parts put together by CSG.
+struct SolidTestEvent {
+  PixelId id;
+  TestOutcome outcome = TestOutcome::missed;
+  std::vector<SolidSpan> spans;   ///< of the parts that the line meets
+  std::vector<double> crossings;  ///< t of each place where the line enters or leaves the whole
 };
 
 struct HitEvent {
@@ -112,6 +127,17 @@ struct ShadeEvent {
 struct ReflectionEvent {
   double reflective = 0;
   Vec3d local{0, 0, 0}, reflected{0, 0, 0}, result{0, 0, 0};
+};
+
+/// Light that comes through a surface (CGFS ch. 5).
+struct RefractionEvent {
+  double transparency = 0;
+  double from_index = 1, to_index = 1;         ///< refraction indices on the ray's side and beyond
+  double cos_incident = 0, cos_refracted = 0;  ///< of the angles to the normal; the second is 0 in total reflection
+  double fresnel = 0;                          ///< share that the boundary mirrors; 1 = total internal reflection
+  bool total = false;
+  double own_share = 0, mirrored_share = 0, refracted_share = 0;  ///< what the three colours are multiplied by
+  Vec3d local{0, 0, 0}, mirrored{0, 0, 0}, refracted{0, 0, 0}, result{0, 0, 0};
 };
 
 enum class RejectReason {
@@ -170,9 +196,9 @@ struct PixelEvent {
   std::array<int, 3> display{};
 };
 
-using EventData =
-    std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent, TextureEvent, LightEvent,
-                 ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent, WriteEvent, LineEvent, PixelEvent>;
+using EventData = std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent,
+                               TextureEvent, LightEvent, ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent,
+                               WriteEvent, LineEvent, PixelEvent, SolidTestEvent, RefractionEvent>;
 
 /// One event with its place in the tree: `parent` is the index of the event it belongs to, -1 at the top.
 struct Event {

@@ -18,6 +18,38 @@ void append(Lines& lines, Lines more) {
   for (LedgerLine& line : more) lines.push_back(std::move(line));
 }
 
+void add_ray(const PixelStory& story, const Scene& scene, int ray, double share, int level, Lines& lines);
+
+void add_rays_of_kind(const PixelStory& story, const Scene& scene, int ray, RayKind kind, double share, int level,
+                      Lines& lines) {
+  for (const int child : events_of_ray<RayEvent>(story.events, ray))
+    if (event_as<RayEvent>(story.events, child).kind == kind) add_ray(story, scene, child, share, level, lines);
+}
+
+/// A transparent surface: its own colour, what it mirrors and what comes through, each by its share (CGFS ch. 5).
+void add_boundary(const PixelStory& story, const Scene& scene, int ray, int index, const ShadingEvents& shading,
+                  double share, int level, Lines& lines) {
+  const auto& event = event_as<RefractionEvent>(story.events, index);
+  const std::string name = primitive_name(scene, shading.id);
+  if (event.own_share > 0) {
+    lines.push_back({level, fmt::format("{}: {} of its own colour", name, number_text(event.own_share)),
+                     share * event.own_share * event.local, shading.shade});
+    append(lines, light_terms(story, scene, shading, share * event.own_share, level + 1));
+  }
+  if (event.mirrored_share > 0) {
+    lines.push_back({level,
+                     fmt::format("{}: {} of what it mirrors{}", name, number_text(event.mirrored_share),
+                                 event.total ? " (total internal reflection)" : ""),
+                     share * event.mirrored_share * event.mirrored, index});
+    add_rays_of_kind(story, scene, ray, RayKind::reflection, share * event.mirrored_share, level + 1, lines);
+  }
+  if (event.refracted_share > 0) {
+    lines.push_back({level, fmt::format("{}: {} of what comes through", name, number_text(event.refracted_share)),
+                     share * event.refracted_share * event.refracted, index});
+    add_rays_of_kind(story, scene, ray, RayKind::refraction, share * event.refracted_share, level + 1, lines);
+  }
+}
+
 /// What ray `ray` returns, as it reaches the pixel: local colour * (1 - r) + reflected colour * r (CGFS ch. 4), the
 /// second term unfolded ray by ray.
 void add_ray(const PixelStory& story, const Scene& scene, int ray, double share, int level, Lines& lines) {
@@ -34,6 +66,8 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
                               event_as<HitEvent>(events, hits.back()).id};
   const Vec3d local = event_as<ShadeEvent>(events, shading.shade).local;
   const std::string name = primitive_name(scene, shading.id);
+  const auto boundaries = events_of_ray<RefractionEvent>(events, ray);
+  if (!boundaries.empty()) return add_boundary(story, scene, ray, boundaries.back(), shading, share, level, lines);
   const auto mirrors = events_of_ray<ReflectionEvent>(events, ray);
   if (mirrors.empty()) {
     lines.push_back({level, fmt::format("{}: its own colour", name), share * local, shading.shade});
@@ -47,9 +81,7 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
   append(lines, light_terms(story, scene, shading, share * own, level + 1));
   lines.push_back({level, fmt::format("{}: {} of what it mirrors", name, number_text(mirror.reflective)),
                    share * mirror.reflective * mirror.reflected, mirrors.back()});
-  for (const int child : events_of_ray<RayEvent>(events, ray))
-    if (event_as<RayEvent>(events, child).kind == RayKind::reflection)
-      add_ray(story, scene, child, share * mirror.reflective, level + 1, lines);
+  add_rays_of_kind(story, scene, ray, RayKind::reflection, share * mirror.reflective, level + 1, lines);
 }
 
 bool nearly_equal(const Vec3d& a, const Vec3d& b) {

@@ -10,6 +10,8 @@ namespace {
 /// What the object is called without its number: "sphere", or the name of its model.
 std::string kind_of(const Geometry& geometry, const Object& object) {
   if (std::holds_alternative<Sphere>(object.shape)) return "sphere";
+  if (const auto* solid = std::get_if<Solid>(&object.shape)) return std::string(form_name(solid->form));
+  if (const auto* csg = std::get_if<Csg>(&object.shape)) return std::string(operation_name(csg->root.operation));
   const std::string& name = geometry.meshes.at(std::get<Instance>(object.shape).mesh)->name;
   return name.empty() ? "model" : name;
 }
@@ -40,8 +42,14 @@ std::string primitive_name(const Scene& scene, const PixelId& id) {
   const auto& objects = scene.geometry->objects;
   const std::string name = object_name(scene, id.object);
   if (id.object < 0 || static_cast<std::size_t>(id.object) >= objects.size()) return name;
-  if (id.triangle < 0 || std::holds_alternative<Sphere>(objects[static_cast<std::size_t>(id.object)].shape))
-    return name;
+  const auto& shape = objects[static_cast<std::size_t>(id.object)].shape;
+  if (const auto* csg = std::get_if<Csg>(&shape)) {
+    const auto parts = csg_parts(csg->root);
+    if (id.triangle < 0 || static_cast<std::size_t>(id.triangle) >= parts.size()) return name;
+    return fmt::format("part {} ({}) of {}", id.triangle + 1,
+                       form_name(parts[static_cast<std::size_t>(id.triangle)]->form), name);
+  }
+  if (id.triangle < 0 || !std::holds_alternative<Instance>(shape)) return name;
   return fmt::format("triangle {} of {}", id.triangle, name);
 }
 

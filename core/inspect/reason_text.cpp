@@ -18,6 +18,8 @@ std::string_view outcome_text(TestOutcome outcome) {
     return "hit, but a nearer one is known";
   case TestOutcome::tie_lost:
     return "hit at the same t as one with a lower index";
+  case TestOutcome::back_side:
+    return "seen from behind, and it has only a front";
   case TestOutcome::parallel:
     return "missed: the ray runs in its plane";
   case TestOutcome::degenerate:
@@ -38,6 +40,8 @@ std::string_view outcome_key(TestOutcome outcome) {
     return "beyond-range";
   case TestOutcome::farther:
     return "farther";
+  case TestOutcome::back_side:
+    return "back-side";
   case TestOutcome::tie_lost:
     return "tie-lost";
   case TestOutcome::parallel:
@@ -100,6 +104,8 @@ std::string_view ray_kind_key(RayKind kind) {
     return "shadow";
   case RayKind::reflection:
     return "reflection";
+  case RayKind::refraction:
+    return "refraction";
   }
   return "";
 }

@@ -45,8 +45,9 @@ std::string ray_verdict(const PixelStory& story, const Scene& scene, int eye) {
   const auto& events = story.events;
   const auto hits = events_of_ray<HitEvent>(events, eye);
   if (hits.empty()) {
-    const std::size_t tests =
-        events_of_ray<SphereTestEvent>(events, eye).size() + events_of_ray<TriangleTestEvent>(events, eye).size();
+    const std::size_t tests = events_of_ray<SphereTestEvent>(events, eye).size() +
+                              events_of_ray<TriangleTestEvent>(events, eye).size() +
+                              events_of_ray<SolidTestEvent>(events, eye).size();
     if (tests == 0) return "nothing is in the way of the eye ray: background";
     return fmt::format("the eye ray hit nothing ({}): background",
                        plural(tests, "primitive was tested", "primitives were tested"));
@@ -55,11 +56,14 @@ std::string ray_verdict(const PixelStory& story, const Scene& scene, int eye) {
   std::vector<std::string> parts{fmt::format("{} won at t = {}", primitive_name(scene, hit.id), number_text(hit.t))};
   if (hit.back_face) parts.push_back("its back is seen");
   add_light_remarks(story, scene, eye, hit.id, parts);
-  std::size_t bounces = 0;
+  std::size_t bounces = 0, refractions = 0;
   for (const Event& event : events)
-    if (const auto* ray = std::get_if<RayEvent>(&event.data))
+    if (const auto* ray = std::get_if<RayEvent>(&event.data)) {
       if (ray->kind == RayKind::reflection) ++bounces;
+      if (ray->kind == RayKind::refraction) ++refractions;
+    }
   if (bounces > 0) parts.push_back(plural(bounces, "bounce", "bounces"));
+  if (refractions > 0) parts.push_back(plural(refractions, "refraction", "refractions"));
   return joined(parts);
 }
 

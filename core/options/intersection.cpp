@@ -5,7 +5,7 @@ namespace {
 
 Reason needs_traced_spheres(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_rays(s, t)) return reason;
-  if (!t.spheres) return "the scene has no spheres";
+  if (!t.spheres && !t.csg) return "the scene has no spheres";
   return {};
 }
 
@@ -17,7 +17,7 @@ Reason needs_traced_triangles(const Settings& s, const SceneTraits& t) {
 
 Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_traced_triangles(s, t)) return reason;
-  if (s.triangle_test != TriangleTest::moeller_trumbore) return "needs triangle-test = moeller-trumbore";
+  if (s.triangle_test == TriangleTest::watertight) return "the watertight test has no epsilon";
   return {};
 }
 
@@ -48,7 +48,10 @@ std::vector<Option> intersection_rows() {
                     "Moeller-Trumbore misses one ray in ten that is aimed exactly at a shared edge."},
            .inactive = needs_traced_triangles},
           {{"watertight", "watertight", "Sheared edge functions: neighbours agree on every edge."},
-           {"moeller-trumbore", "Moeller-Trumbore", "Cramer's rule on the barycentric equations."}}),
+           {"moeller-trumbore", "Moeller-Trumbore", "Cramer's rule on the barycentric equations."},
+           {"barycentric", "plane, then barycentrics", "Meets the plane, then solves for the weights in it."},
+           {"cross-products", "plane, then cross products",
+            "Meets the plane, then asks on which side of each edge the point lies."}}),
       real<&Settings::triangle_epsilon>({.key = "triangle-epsilon",
                                          .label = "Triangle epsilon",
                                          .help = {"Determinants up to this size count as parallel.", "CGPP 15.4.3",

@@ -24,10 +24,12 @@ enum class Shadows { traced, none };
 enum class SelfHit { offset, epsilon, normal_bump };
 enum class EpsilonUnit { ray_parameter, distance };
 enum class Accelerator { bvh, none, bounding_spheres, box, octree };
-enum class TriangleTest { watertight, moeller_trumbore };
+enum class TriangleTest { watertight, moeller_trumbore, barycentric, cross_products };
 enum class SphereTest { robust, quadratic };
 enum class Precision { float32, float64 };
 enum class Simd { automatic, off, sse4, avx2, avx512 };
+enum class Illumination { book, radiometric };
+enum class TransparencyShare { fixed, fresnel };
 enum class ColourDepth { bits24, bits16, bits15 };
 
 /// Every technique that can be chosen, as a plain value. Each member has one row in the option table
@@ -59,6 +61,8 @@ struct Settings {
   bool renormalise = true;
   NormalTransform normal_transform = NormalTransform::inverse_transpose;
   bool lighting = true;
+  Illumination illumination = Illumination::book;
+  bool attenuation = true;
   bool specular = true;
   Highlight highlight = Highlight::phong;
   Interpolation interpolation = Interpolation::perspective;
@@ -76,6 +80,8 @@ struct Settings {
   bool shadow_any_hit = true;
   bool shadow_cache = false;
   int reflection_depth = 3;
+  bool refraction = true;
+  TransparencyShare transparency = TransparencyShare::fixed;
 
   Accelerator accelerator = Accelerator::bvh;
   int octree_leaf = 8;    ///< primitives that a cell may hold before it is cut

@@ -89,6 +89,28 @@ std::vector<Option> shading_rows() {
            .inactive = needs_vertex_normals},
           {{"inverse-transpose", "inverse transpose", "Stays perpendicular to the surface."},
            {"model", "model matrix", "As positions are transformed; wrong under unequal scales."}}),
+      choice<&Settings::illumination>(
+          {.key = "illumination",
+           .label = "Illumination",
+           .help = {"What a light's intensity means and how a surface answers.", "CGFS ch. 3; CGPP 15.4",
+                    "Radiometric pictures need an exposure and a gamma to look right."},
+           .inactive = needs_lighting},
+          {{"book", "the book's",
+            "Shares of full brightness that do not fade; nothing is overexposed if they sum to 1."},
+           {"radiometric", "radiometric",
+            "A point light's intensity is its power: power / (4 pi r^2) arrives. Lambert scatters 1 / pi of it, "
+            "highlights are normalised so that sharper ones are brighter."}}),
+      toggle<&Settings::attenuation>(
+          {.key = "attenuation",
+           .label = "Attenuation",
+           .help = {"Point lights grow weaker with distance by their constant, linear and quadratic factors.", "OCT",
+                    "With a small constant, surfaces near the light are overexposed."},
+           .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
+             if (const auto reason = needs_lighting(s, t)) return reason;
+             if (!t.attenuated) return "no point light of the scene has attenuation factors";
+             if (s.illumination != Illumination::book) return "needs illumination = book";
+             return {};
+           }}),
       toggle<&Settings::specular>({.key = "specular",
                                    .label = "Highlights",
                                    .help = {"Adds the mirror-like reflection of the lights.", "CGFS ch. 3", ""},

@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "raster/tessellate.h"
+#include "raster/tessellate_solid.h"
 
 namespace ps::raster {
 namespace {
@@ -19,7 +20,11 @@ Key& add(Key& key, const Vec3d& v) { return key.add(v.x).add(v.y).add(v.z); }
 std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view, const Settings& settings,
                                             const Viewport<double>& viewport, Prepared& prepared) {
   Key key("sphere-tessellation");
-  key.add(scene.geometry.revision()).add(settings.tessellation).add(settings.near).add(settings.projection);
+  key.add(scene.geometry.revision())
+      .add(scene.materials.revision())
+      .add(settings.tessellation)
+      .add(settings.near)
+      .add(settings.projection);
   add(add(key, view.camera.position), view.camera.forward);
   key.add(viewport.width).add(viewport.height).add(viewport.span_x).add(viewport.span_y).add(viewport.distance);
   key.add(static_cast<std::uint64_t>(view.width)).add(static_cast<std::uint64_t>(view.height));
@@ -29,7 +34,16 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
     Meshes meshes;
     for (const Object& object : scene.geometry->objects) {
       const auto* sphere = std::get_if<Sphere>(&object.shape);
-      meshes.push_back(sphere ? std::make_shared<const Mesh>(tessellate_sphere(*sphere, seen_from)) : nullptr);
+      const auto* solid = std::get_if<Solid>(&object.shape);
+      if (sphere) {
+        Mesh mesh = tessellate_sphere(*sphere, seen_from);
+        if (scene.materials->at(sphere->material).texture >= 0) add_world_map_uvs(mesh, sphere->centre);
+        meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
+      } else if (solid) {
+        meshes.push_back(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));
+      } else {
+        meshes.push_back(nullptr);
+      }
     }
     return meshes;
   });
@@ -75,6 +89,7 @@ DrawObject place_instance(const Scene& scene, int index, const Instance& instanc
                       transform.rotation[2] * transform.scale.z);
   draw.normal_matrix = normal_matrix(draw.linear, how);
   draw.translation = transform.translation;
+  draw.front_only = instance.sides == Sides::front;
   const BoundingSphere& model = bounds.at(instance.mesh);
   draw.bounds = {draw.world(model.centre), model.radius * largest_stretch(draw.linear)};
   draw.materials = instance.material ? std::vector<std::uint32_t>{*instance.material} : draw.mesh->materials;
@@ -86,8 +101,9 @@ DrawObject place_instance(const Scene& scene, int index, const Instance& instanc
 std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, const Settings& settings,
                                        const Viewport<double>& viewport, Prepared& prepared) {
   const auto& objects = scene.geometry->objects;
-  const bool any_sphere = std::any_of(objects.begin(), objects.end(),
-                                      [](const Object& o) { return std::holds_alternative<Sphere>(o.shape); });
+  const bool any_sphere = std::any_of(objects.begin(), objects.end(), [](const Object& o) {
+    return std::holds_alternative<Sphere>(o.shape) || std::holds_alternative<Solid>(o.shape);
+  });
   const auto spheres = any_sphere ? tessellations(scene, view, settings, viewport, prepared) : nullptr;
   const auto bounds = mesh_bounds(scene, prepared);
   std::vector<DrawObject> list;
@@ -102,7 +118,16 @@ std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, con
       draw.bounds = {sphere->centre, sphere->radius};
       draw.materials = {sphere->material};
       list.push_back(std::move(draw));
-    } else {
+    } else if (const auto* solid = std::get_if<Solid>(&objects[i].shape)) {
+      DrawObject draw;
+      draw.object = index;
+      draw.mesh = (*spheres)[i];
+      draw.sphere = true;
+      draw.front_only = solid->sides == Sides::front || is_flat(solid->form);
+      draw.bounds = bounding_sphere(*draw.mesh);
+      draw.materials = {solid->material};
+      list.push_back(std::move(draw));
+    } else if (std::holds_alternative<Instance>(objects[i].shape)) {  // CSG has no triangles: left_out() says so
       list.push_back(
           place_instance(scene, index, std::get<Instance>(objects[i].shape), *bounds, settings.normal_transform));
     }

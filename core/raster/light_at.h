@@ -16,7 +16,7 @@ Lighting<Real> light_at(const Pass<Real>& pass, const Surface<Real>& surface, co
   const LitPoint<Real> point{position, normal, pass.to_eye(position)};
   const auto nothing_blocks = [](int, const Vec3<Real>&, Real) { return std::optional<PixelId>(); };
   return illuminate(point, surface.material, std::span<const ShadingLight<Real>>(pass.lights),
-                    {pass.settings.specular, pass.settings.highlight}, nothing_blocks, recorder);
+                    illumination_options(pass.settings), nothing_blocks, recorder);
 }
 
 }  // namespace ps::raster

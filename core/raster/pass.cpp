@@ -30,6 +30,14 @@ std::shared_ptr<const std::vector<PackedTexture>> pack_textures(const Scene& sce
 
 }  // namespace
 
+/// Is every light's intensity the same everywhere, as the fast path takes it to be?
+template <class Real>
+bool book_lights(const std::vector<ShadingLight<Real>>& lights, const Settings& settings) {
+  if (settings.illumination != Illumination::book) return false;
+  return std::none_of(lights.begin(), lights.end(),
+                      [&](const ShadingLight<Real>& light) { return light.attenuates && settings.attenuation; });
+}
+
 template <class Real>
 Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,
                      Prepared& prepared) {
@@ -64,7 +72,7 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
   }
   if constexpr (std::is_same_v<Real, float>)
     if (pass.divides() && channels == Channel::none) {
-      pass.shade_batch = shade_function(settings.simd);
+      if (book_lights(pass.lights, settings)) pass.shade_batch = shade_function(settings.simd);
       pass.scan_triangle = scan_function(settings.simd);
     }
   if (textured && settings.textures) {

@@ -7,6 +7,25 @@
 namespace ps {
 namespace {
 
+/// Beyond all coordinates of a scene, and its square is a float.
+constexpr double beyond_all = 1e15;
+
+/// Grown by what rounding to Real may move.
+template <class Real>
+Box<Real> traced_box(const FormBox& box) {
+  Box<Real> result;
+  double reach = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    reach = std::max(
+        {reach, std::min(std::abs(box.low[axis]), beyond_all), std::min(std::abs(box.high[axis]), beyond_all)});
+  const double margin = 16 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * reach;
+  for (int axis = 0; axis < 3; ++axis) {
+    result.low[axis] = static_cast<Real>(std::max(box.low[axis], -beyond_all) - margin);
+    result.high[axis] = static_cast<Real>(std::min(box.high[axis], beyond_all) + margin);
+  }
+  return result;
+}
+
 /// Twice the area is not 0. Corners are as rays see them; products of floats are exact in double.
 template <class Real>
 bool has_area(const TracedTriangle<Real>& triangle) {
@@ -38,6 +57,7 @@ void add_instance(const Scene& scene, std::int32_t object, const Instance& insta
   std::vector<Vec3<Real>> positions;
   positions.reserve(mesh.positions.size());
   for (const Vec3d& position : mesh.positions) positions.emplace_back(to_world(instance.transform, position));
+  geometry.one_sided_triangles = geometry.one_sided_triangles || instance.sides == Sides::front;
   const Mat3d matrix = normal_matrix(instance.transform, normals);
   std::vector<Vec3d> world_normals;
   world_normals.reserve(mesh.normals.size());
@@ -56,9 +76,61 @@ void add_instance(const Scene& scene, std::int32_t object, const Instance& insta
     geometry.primitives.push_back({{object, static_cast<std::int32_t>(i)},
                                    PrimitiveKind::triangle,
                                    static_cast<std::uint32_t>(geometry.triangles.size()),
-                                   material});
+                                   material,
+                                   instance.sides == Sides::front});
     geometry.triangles.push_back(triangle);
   }
+}
+
+template <class Real>
+void add_steps(const CsgNode& node, TracedGeometry<Real>& geometry, std::uint32_t& parts) {
+  if (node.children.empty()) {
+    geometry.steps.push_back({CsgStep::Kind::part, parts++});
+    return;
+  }
+  CsgStep::Kind kind = CsgStep::Kind::union_of;
+  switch (node.operation) {
+  case CsgOperation::union_of:
+    break;
+  case CsgOperation::intersection:
+    kind = CsgStep::Kind::intersection;
+    break;
+  case CsgOperation::difference:
+    kind = CsgStep::Kind::difference;
+    break;
+  }
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    add_steps(node.children[i], geometry, parts);
+    if (i > 0) geometry.steps.push_back({kind, 0});
+  }
+}
+
+template <class Real>
+void add_solid(std::int32_t object, const CsgNode& root, Sides sides, TracedGeometry<Real>& geometry) {
+  TracedSolid solid;
+  solid.first_form = static_cast<std::uint32_t>(geometry.forms.size());
+  for (const Solid* part : csg_parts(root)) {
+    const FormFrame frame = form_frame(part->form);
+    geometry.forms.push_back({frame.kind,
+                              Vec3<Real>(frame.centre),
+                              {Vec3<Real>(frame.axes[0]), Vec3<Real>(frame.axes[1]), Vec3<Real>(frame.axes[2])},
+                              Vec3<Real>(frame.half),
+                              part->material});
+  }
+  solid.forms = static_cast<std::uint32_t>(geometry.forms.size()) - solid.first_form;
+  solid.first_step = static_cast<std::uint32_t>(geometry.steps.size());
+  std::uint32_t parts = 0;
+  if (!root.children.empty()) add_steps(root, geometry, parts);
+  solid.steps = static_cast<std::uint32_t>(geometry.steps.size()) - solid.first_step;
+  const FormBox box = csg_box(root);
+  solid.unbounded = !is_bounded(box);
+  geometry.primitives.push_back({{object, 0},
+                                 PrimitiveKind::solid,
+                                 static_cast<std::uint32_t>(geometry.solids.size()),
+                                 geometry.forms[solid.first_form].material,
+                                 sides == Sides::front});
+  geometry.solids.push_back(solid);
+  geometry.solid_boxes.push_back(traced_box<Real>(box));
 }
 
 template <class Real>
@@ -68,15 +140,24 @@ TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals)
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const auto object = static_cast<std::int32_t>(i);
     if (const auto* sphere = std::get_if<Sphere>(&objects[i].shape)) {
-      geometry.primitives.push_back(
-          {{object, 0}, PrimitiveKind::sphere, static_cast<std::uint32_t>(geometry.spheres.size()), sphere->material});
+      geometry.primitives.push_back({{object, 0},
+                                     PrimitiveKind::sphere,
+                                     static_cast<std::uint32_t>(geometry.spheres.size()),
+                                     sphere->material,
+                                     false});
       geometry.spheres.push_back({Vec3<Real>(sphere->centre), static_cast<Real>(sphere->radius)});
+    } else if (const auto* solid = std::get_if<Solid>(&objects[i].shape)) {
+      add_solid(object, {{}, {}, *solid}, solid->sides, geometry);
+    } else if (const auto* csg = std::get_if<Csg>(&objects[i].shape)) {
+      add_solid(object, csg->root, Sides::two, geometry);
     } else {
       add_instance(scene, object, std::get<Instance>(objects[i].shape), normals, geometry);
     }
   }
   Box<Real> all;
-  for (const Primitive& primitive : geometry.primitives) all.include(primitive_box(geometry, primitive));
+  for (const Primitive& primitive : geometry.primitives)
+    if (primitive.kind != PrimitiveKind::solid || !geometry.solids[primitive.shape].unbounded)
+      all.include(primitive_box(geometry, primitive));
   geometry.reach = all.reach();
   return geometry;
 }
@@ -106,6 +187,8 @@ Box<Real> primitive_box(const TracedGeometry<Real>& geometry, const Primitive& p
     box.include(triangle.c);
     break;
   }
+  case PrimitiveKind::solid:
+    return geometry.solid_boxes[primitive.shape];
   }
   return box;
 }

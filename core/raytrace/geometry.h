@@ -10,6 +10,7 @@
 #include "options/settings.h"
 #include "render/frame.h"
 #include "render/prepared.h"
+#include "scene/form_frame.h"
 #include "scene/scene.h"
 
 namespace ps {
@@ -35,14 +36,39 @@ struct TriangleAttributes {
   bool has_uvs = false;
 };
 
-enum class PrimitiveKind : std::uint32_t { sphere, triangle };
+/// A FormFrame in the renderer's precision.
+template <class Real>
+struct TracedForm {
+  FormKind kind = FormKind::ball;
+  Vec3<Real> centre{0, 0, 0};
+  std::array<Vec3<Real>, 3> axes{};
+  Vec3<Real> half{1, 1, 1};
+  std::uint32_t material = 0;  ///< index into Scene::materials
+};
+
+/// One step of evaluating a CSG tree on a stack: push a part, or join the two topmost values.
+struct CsgStep {
+  enum class Kind : std::uint32_t { part, union_of, intersection, difference };
+  Kind kind = Kind::part;
+  std::uint32_t part = 0;
+};
+
+/// A form on its own (no steps), or a CSG tree: consecutive entries of TracedGeometry::forms and steps.
+struct TracedSolid {
+  std::uint32_t first_form = 0, forms = 0;
+  std::uint32_t first_step = 0, steps = 0;
+  bool unbounded = false;
+};
+
+enum class PrimitiveKind : std::uint32_t { sphere, triangle, solid };
 
 /// One thing that a ray can hit. Primitives keep the order of the scene; at equal t the lower one wins.
 struct Primitive {
   PixelId id;
   PrimitiveKind kind = PrimitiveKind::sphere;
-  std::uint32_t shape = 0;     ///< index into spheres or triangles
-  std::uint32_t material = 0;  ///< index into Scene::materials
+  std::uint32_t shape = 0;     ///< index into spheres, triangles or solids
+  std::uint32_t material = 0;  ///< index into Scene::materials; of a CSG object that of its first part
+  bool front_only = false;     ///< rays that see its back pass through
 };
 
 /// The scene's geometry as rays see it: instances unfolded into world-space triangles, in the renderer's precision.
@@ -52,11 +78,16 @@ struct TracedGeometry {
   std::vector<TracedSphere<Real>> spheres;
   std::vector<TracedTriangle<Real>> triangles;
   std::vector<TriangleAttributes<Real>> attributes;
+  std::vector<TracedForm<Real>> forms;
+  std::vector<TracedSolid> solids;
+  std::vector<Box<Real>> solid_boxes;  ///< one for each of `solids`
+  std::vector<CsgStep> steps;
+  bool one_sided_triangles = false;        ///< some primitives are triangles with front_only
   std::uint64_t degenerate_triangles = 0;  ///< left out, since nothing can hit them
-  Real reach = 0;                          ///< the largest absolute coordinate of any primitive's box
+  Real reach = 0;                          ///< the largest absolute coordinate of any bounded primitive's box
 };
 
-/// A box that certainly holds the primitive.
+/// A box that certainly holds the primitive; for an infinite one a box beyond all coordinates of a scene.
 template <class Real>
 Box<Real> primitive_box(const TracedGeometry<Real>& geometry, const Primitive& primitive);
 

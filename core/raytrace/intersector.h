@@ -3,9 +3,11 @@
 
 #include "accel/none.h"
 #include "inspect/recorder.h"
+#include "raytrace/csg.h"
 #include "raytrace/sphere_robust.h"
 #include "raytrace/trace_inputs.h"
 #include "raytrace/triangle_moeller_trumbore.h"
+#include "raytrace/triangle_plane.h"
 #include "raytrace/triangle_watertight.h"
 
 namespace ps {
@@ -110,11 +112,14 @@ class Intersector {
 
   bool test(const Query& query, std::uint32_t index, Hit<Real>& best) const {
     const Primitive& primitive = geometry_.primitives[index];
+    if (query.ray.passes_transparent && inputs_.materials[primitive.material].transparency > 0) return false;
     switch (primitive.kind) {
     case PrimitiveKind::sphere:
       return test_sphere(query, index, primitive, best);
     case PrimitiveKind::triangle:
       return test_triangle(query, index, primitive, best);
+    case PrimitiveKind::solid:
+      return test_solid(query, index, primitive, best);
     }
     return false;
   }
@@ -136,7 +141,7 @@ class Intersector {
     if (roots.discriminant >= 0) {
       const Real t = roots.near > ray.t_min ? roots.near : roots.far;
       outcome = judge(ray, t, index, best);
-      if (outcome == TestOutcome::accepted) best = {index, t, {}};
+      if (outcome == TestOutcome::accepted) best = {index, t, {}, 0};
     }
     recorder_.event([&] {
       SphereTestEvent event{primitive.id, outcome, static_cast<double>(roots.discriminant), {}};
@@ -173,6 +178,10 @@ class Intersector {
                                  ray.start == no_primitive ? TriangleGuard::none : TriangleGuard::rounding_of_t);
     case TriangleTest::moeller_trumbore:
       return triangle_moeller_trumbore(ray.origin, ray.direction, triangle, inputs_.triangle_epsilon);
+    case TriangleTest::barycentric:
+      return triangle_barycentric(ray.origin, ray.direction, triangle, inputs_.triangle_epsilon);
+    case TriangleTest::cross_products:
+      return triangle_cross_products(ray.origin, ray.direction, triangle, inputs_.triangle_epsilon);
     }
     return result;
   }
@@ -183,7 +192,10 @@ class Intersector {
     TestOutcome outcome = TestOutcome::missed;
     switch (result.verdict) {
     case TriangleVerdict::inside:
-      outcome = judge(query.ray, result.t, index, best);
+      if (primitive.front_only && sees_back(query.ray, geometry_.triangles[primitive.shape]))
+        outcome = TestOutcome::back_side;
+      else
+        outcome = judge(query.ray, result.t, index, best);
       break;
     case TriangleVerdict::outside:
       outcome = TestOutcome::missed;
@@ -195,9 +207,76 @@ class Intersector {
       outcome = TestOutcome::before_range;
       break;
     }
-    if (outcome == TestOutcome::accepted) best = {index, result.t, result.weights};
+    if (outcome == TestOutcome::accepted) best = {index, result.t, result.weights, 0};
     recorder_.event([&] { return triangle_event(primitive.id, outcome, result, index == query.ray.start); });
     return outcome == TestOutcome::accepted;
+  }
+
+  static bool sees_back(const Ray<Real>& ray, const TracedTriangle<Real>& triangle) {
+    return dot(cross(triangle.b - triangle.a, triangle.c - triangle.a), ray.direction) >= 0;
+  }
+
+  LineSpan<Real> span_of(const Query& query, std::uint32_t index, const TracedSolid& solid, std::size_t part) const {
+    const Ray<Real>& ray = query.ray;
+    const bool starts = index == ray.start && detail_part(ray.start_detail) == part;
+    return form_line(ray.origin, ray.direction, query.a, geometry_.forms[solid.first_form + part],
+                     inputs_.settings.sphere_test, starts ? detail_face(ray.start_detail) : no_face);
+  }
+
+  /// A form on its own has up to two crossings, of which flat ones keep only the finite one.
+  Crossings<Real> crossings_of(const Query& query, std::uint32_t index, const TracedSolid& solid) const {
+    const auto spans = [&](std::size_t part) { return span_of(query, index, solid, part); };
+    if (solid.steps > 0)
+      return csg_crossings<Real>(solid.forms, std::span(geometry_.steps).subspan(solid.first_step, solid.steps), spans);
+    Crossings<Real> crossings;
+    const LineSpan<Real> span = spans(0);
+    if (span.empty) return crossings;
+    const auto add = [&](Real t, int face, bool enters) {
+      if (std::isfinite(t)) crossings.list[crossings.count++] = {t, solid_detail(0, face, false), enters};
+    };
+    add(span.enter, span.enter_face, true);
+    add(span.leave, span.leave_face, false);
+    return crossings;
+  }
+
+  /// The first crossing in the ray's range counts (CGFS ch. 5).
+  bool test_solid(const Query& query, std::uint32_t index, const Primitive& primitive, Hit<Real>& best) const {
+    recorder_.count(Counter::solid_tests);
+    const TracedSolid& solid = geometry_.solids[primitive.shape];
+    const Crossings<Real> crossings = crossings_of(query, index, solid);
+    const FormKind kind = geometry_.forms[solid.first_form].kind;
+    TestOutcome outcome = TestOutcome::missed;
+    for (std::size_t i = 0; i < crossings.count; ++i) {
+      const Crossing<Real>& crossing = crossings.list[i];
+      bool from_behind = !crossing.enters;
+      if (kind == FormKind::rectangle)
+        from_behind = dot(query.ray.direction, geometry_.forms[solid.first_form].axes[2]) > 0;
+      outcome = judge(query.ray, crossing.t, index, best);
+      if (outcome == TestOutcome::before_range) continue;
+      if (primitive.front_only && from_behind) {
+        outcome = TestOutcome::back_side;
+        continue;
+      }
+      if (outcome == TestOutcome::accepted) best = {index, crossing.t, {}, crossing.detail};
+      break;
+    }
+    recorder_.event([&] { return solid_event(query, index, primitive.id, outcome, crossings); });
+    return outcome == TestOutcome::accepted;
+  }
+
+  SolidTestEvent solid_event(const Query& query, std::uint32_t index, const PixelId& id, TestOutcome outcome,
+                             const Crossings<Real>& crossings) const {
+    SolidTestEvent event{id, outcome, {}, {}};
+    const TracedSolid& solid = geometry_.solids[geometry_.primitives[index].shape];
+    for (std::size_t part = 0; part < solid.forms; ++part) {
+      const LineSpan<Real> span = span_of(query, index, solid, part);
+      if (!span.empty)
+        event.spans.push_back(
+            {static_cast<int>(part), static_cast<double>(span.enter), static_cast<double>(span.leave)});
+    }
+    for (std::size_t i = 0; i < crossings.count; ++i)
+      event.crossings.push_back(static_cast<double>(crossings.list[i].t));
+    return event;
   }
 
   static TriangleTestEvent triangle_event(const PixelId& id, TestOutcome outcome, const TriangleResult<Real>& result,

@@ -11,13 +11,15 @@ constexpr std::size_t most_spheres = bvh_no_tree;
 bool covers(const Settings& settings) {
   return settings.precision == Precision::float32 && settings.projection == Projection::perspective &&
          settings.sphere_test == SphereTest::robust && settings.self_hit == SelfHit::offset &&
-         settings.highlight == Highlight::phong && settings.cache_constants && !settings.shadow_cache &&
+         settings.highlight == Highlight::phong && settings.illumination == Illumination::book &&
+         settings.cache_constants && !settings.shadow_cache &&
          (settings.accelerator == Accelerator::bvh || settings.accelerator == Accelerator::none);
 }
 
 bool covers(const ShadingMaterial<float>& material) {
   const bool highlight = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
-  return highlight && !material.ambient_colour && !material.specular_colour;
+  return highlight && material.texture < 0 && !(material.transparency > 0) && !material.ambient_colour &&
+         !material.specular_colour;
 }
 
 PacketSphere packet_sphere(const PixelId& id, const TracedSphere<float>& sphere, const ShadingMaterial<float>& material,
@@ -45,8 +47,10 @@ std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const 
   const Settings& settings = inputs.settings;
   constexpr Channel stored = Channel::ids | Channel::depth;
   if ((request.channels | stored) != stored || !covers(settings) || !geometry.triangles.empty() ||
-      geometry.spheres.size() > most_spheres)
+      !geometry.solids.empty() || geometry.spheres.size() > most_spheres)
     return {};
+  for (const ShadingLight<float>& light : inputs.lights)
+    if (light.attenuates && settings.attenuation) return {};
   PacketScene scene;
   for (const Primitive& primitive : geometry.primitives) {
     const ShadingMaterial<float>& material = inputs.materials[primitive.material];

@@ -17,6 +17,8 @@ struct Ray {
   Real t_max = 0;
   /// The primitive on whose surface the origin is known to lie (self-hit = offset), or no_primitive.
   std::uint32_t start = no_primitive;
+  bool passes_transparent = false;  ///< shadow rays: transparent primitives are not in the way
+  std::uint32_t start_detail = 0;   ///< Hit::detail of the place where it starts
 };
 
 /// The nearest intersection found so far.
@@ -25,6 +27,7 @@ struct Hit {
   std::uint32_t primitive = no_primitive;
   Real t = 0;
   std::array<Real, 3> weights{};  ///< barycentric; zeros on a sphere
+  std::uint32_t detail = 0;       ///< solids: which face of which part (raytrace/csg.h)
   bool found() const { return primitive != no_primitive; }
 };
 

@@ -36,7 +36,7 @@ Frame empty_frame(const View& view, const RenderRequest& request) {
 /// Does the primitive's own colour come from a texture?
 template <class Real>
 bool reads_texture(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inputs) {
-  const std::uint32_t material = inputs.geometry->primitives[pixel.hit.primitive].material;
+  const std::uint32_t material = pixel.surface.material;
   return inputs.settings.textures && pixel.surface.has_uv && inputs.materials[material].texture >= 0;
 }
 
@@ -54,7 +54,7 @@ void store_channels(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inp
     frame.barycentric.at(x, y) = Vec3f(Vec3<Real>(w[0], w[1], w[2]));
   }
   if (!frame.uv.empty()) frame.uv.at(x, y) = Vec2f(surface.uv);
-  if (!frame.ids.empty()) frame.ids.at(x, y) = hit ? inputs.geometry->primitives[pixel.hit.primitive].id : PixelId{};
+  if (!frame.ids.empty()) frame.ids.at(x, y) = hit ? id_of(*inputs.geometry, pixel.hit) : PixelId{};
   if (!frame.facing.empty())
     frame.facing.at(x, y) =
         hit ? static_cast<float>(-dot(normalised(pixel.ray.direction), surface.geometric_normal)) : 0.0f;
@@ -68,7 +68,8 @@ void render_tile(const TraceInputs<Real>& inputs, const TileRect& tile, Frame& f
   CountingRecorder recorder;
   const Tracer<Real, CountingRecorder> tracer(inputs, recorder);
   const auto tests = [&] {
-    return recorder.counters[Counter::sphere_tests] + recorder.counters[Counter::triangle_tests];
+    return recorder.counters[Counter::sphere_tests] + recorder.counters[Counter::triangle_tests] +
+           recorder.counters[Counter::solid_tests];
   };
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {

@@ -33,6 +33,7 @@ inline Ray<Real> leaving_ray(const Surface<Real>& surface, const Vec3<Real>& dir
   switch (settings.self_hit) {
   case SelfHit::offset:
     ray.start = surface.primitive;
+    ray.start_detail = surface.detail;
     if (inputs.geometry->primitives[surface.primitive].kind == PrimitiveKind::triangle)
       ray.origin = offset_from_triangle(surface, direction);
     break;

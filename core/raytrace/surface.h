@@ -1,9 +1,11 @@
 #pragma once
 #include <cmath>
 
+#include "raytrace/csg.h"
 #include "raytrace/ray.h"
 #include "raytrace/trace_inputs.h"
 #include "raytrace/triangle_watertight.h"
+#include "scene/uv_maps.h"
 #include "shade/illumination.h"
 
 namespace ps {
@@ -12,6 +14,8 @@ namespace ps {
 template <class Real>
 struct Surface {
   std::uint32_t primitive = no_primitive;
+  std::uint32_t detail = 0;    ///< of the hit
+  std::uint32_t material = 0;  ///< index into Scene::materials
   Vec3<Real> point{0};
   Vec3<Real> geometric_normal{0};  ///< length 1; towards the front (conventions.h), outwards on spheres
   Vec3<Real> shading_normal{0};
@@ -35,6 +39,8 @@ inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, 
   surface.geometric_normal = normalised(surface.point - sphere.centre);
   surface.shading_normal = surface.geometric_normal;
   surface.back_face = dot(ray.direction, surface.geometric_normal) > 0;
+  surface.uv = world_map_uv(surface.geometric_normal);
+  surface.has_uv = true;
   return surface;
 }
 
@@ -73,17 +79,94 @@ inline Surface<Real> triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit
   return surface;
 }
 
+/// The outward normal of a form on its face `face`, at `p` relative to its centre; length 1.
+template <class Real>
+inline Vec3<Real> form_normal(const TracedForm<Real>& form, int face, const Vec3<Real>& p) {
+  switch (form.kind) {
+  case FormKind::ball:
+    return normalised(p);
+  case FormKind::plane:
+  case FormKind::rectangle:
+    return form.axes[2];
+  case FormKind::brick: {
+    const Vec3<Real>& axis = form.axes[static_cast<std::size_t>(face / 2)];
+    return face % 2 == 0 ? -axis : axis;
+  }
+  case FormKind::cylinder:
+    if (face == 0) return -form.axes[2];
+    if (face == 1) return form.axes[2];
+    return normalised(p - form.axes[2] * dot(p, form.axes[2]));
+  }
+  return {};
+}
+
+template <class Real>
+inline Vec2<Real> form_uv(const TracedForm<Real>& form, int face, const Vec3<Real>& p) {
+  const Vec3<Real> local = in_frame(form, p);
+  switch (form.kind) {
+  case FormKind::ball:
+    return world_map_uv(normalised(p));
+  case FormKind::plane:
+    return {local.x, -local.y};  // one picture for each unit of the world
+  case FormKind::rectangle:
+    return {local.x / form.half.x, 1 - local.y / form.half.y};
+  case FormKind::brick:
+    return cube_cross_uv(face, local / form.half);
+  case FormKind::cylinder:
+    return cylinder_uv(face, local / form.half);
+  }
+  return {};
+}
+
+/// A point of a solid. Flat forms on their own turn their normal to the ray, unless they have only a front.
+template <class Real>
+inline Surface<Real> solid_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedGeometry<Real>& geometry,
+                                   const TracedSolid& solid) {
+  const TracedForm<Real>& form = geometry.forms[solid.first_form + detail_part(hit.detail)];
+  const int face = detail_face(hit.detail);
+  Surface<Real> surface;
+  surface.primitive = hit.primitive;
+  surface.detail = hit.detail;
+  surface.material = form.material;
+  surface.point = ray.origin + ray.direction * hit.t;
+  const Vec3<Real> p = surface.point - form.centre;
+  surface.geometric_normal = form_normal(form, face, p);
+  const bool flat = solid.steps == 0 && (form.kind == FormKind::plane || form.kind == FormKind::rectangle);
+  if (flat ? dot(ray.direction, surface.geometric_normal) > 0 : detail_turned(hit.detail))
+    surface.geometric_normal = -surface.geometric_normal;
+  surface.shading_normal = surface.geometric_normal;
+  surface.back_face = dot(ray.direction, surface.geometric_normal) > 0;
+  surface.uv = form_uv(form, face, p);
+  surface.has_uv = true;
+  return surface;
+}
+
+/// What a hit shows: of CSG objects the part stands where others have the triangle.
+template <class Real>
+inline PixelId id_of(const TracedGeometry<Real>& geometry, const Hit<Real>& hit) {
+  const Primitive& primitive = geometry.primitives[hit.primitive];
+  PixelId id = primitive.id;
+  if (primitive.kind == PrimitiveKind::solid) id.triangle = static_cast<std::int32_t>(detail_part(hit.detail));
+  return id;
+}
+
 template <class Real>
 inline Surface<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, const TraceInputs<Real>& inputs) {
   const TracedGeometry<Real>& geometry = *inputs.geometry;
   const Primitive& primitive = geometry.primitives[hit.primitive];
+  Surface<Real> surface;
   switch (primitive.kind) {
   case PrimitiveKind::sphere:
-    return sphere_surface(ray, hit, geometry.spheres[primitive.shape]);
+    surface = sphere_surface(ray, hit, geometry.spheres[primitive.shape]);
+    break;
   case PrimitiveKind::triangle:
-    return triangle_surface(ray, hit, geometry, geometry.triangles[primitive.shape], inputs.settings);
+    surface = triangle_surface(ray, hit, geometry, geometry.triangles[primitive.shape], inputs.settings);
+    break;
+  case PrimitiveKind::solid:
+    return solid_surface(ray, hit, geometry, geometry.solids[primitive.shape]);
   }
-  return {};
+  surface.material = primitive.material;
+  return surface;
 }
 
 }  // namespace ps

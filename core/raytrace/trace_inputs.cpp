@@ -31,6 +31,8 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
     if (inputs.wide_searches.nearest) inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
   }
   inputs.materials = shading_materials<Real>(*scene.materials);
+  for (const Material& material : *scene.materials)
+    inputs.any_transparent = inputs.any_transparent || material.transparency > 0;
   inputs.lights = shading_lights<Real>(*scene.lights);
   for (const Texture& texture : *scene.textures) inputs.textures.push_back(texture.texels);
   inputs.background = Vec3<Real>(scene.background);

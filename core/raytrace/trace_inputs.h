@@ -23,6 +23,7 @@ struct TraceInputs {
   std::vector<ShadingMaterial<Real>> materials;
   std::vector<ShadingLight<Real>> lights;
   std::vector<std::shared_ptr<const Image<Vec3f>>> textures;
+  bool any_transparent = false;
   Vec3<Real> background{0};
   Settings settings;
   Viewport<Real> viewport;

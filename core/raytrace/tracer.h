@@ -3,7 +3,9 @@
 
 #include "image/texture_sampling.h"
 #include "raytrace/intersector.h"
+#include "raytrace/medium.h"
 #include "raytrace/self_hit.h"
+#include "shade/fresnel.h"
 #include "shade/illumination.h"
 
 namespace ps {
@@ -29,7 +31,7 @@ class Tracer {
     TracedPixel<Real> pixel;
     pixel.ray = eye_ray(column, row);
     recorder_.count(Counter::eye_rays);
-    pixel.colour = trace(pixel.ray, RayKind::eye, 0, Real(1), &pixel);
+    pixel.colour = trace(pixel.ray, RayKind::eye, 0, Real(1), {}, &pixel);
     return pixel;
   }
 
@@ -50,7 +52,8 @@ class Tracer {
 
  private:
   /// The colour that comes back along `ray` after `depth` bounces. `first` notes what the eye ray found.
-  Vec3<Real> trace(const Ray<Real>& ray, RayKind kind, int depth, Real share, TracedPixel<Real>* first) const {
+  Vec3<Real> trace(const Ray<Real>& ray, RayKind kind, int depth, Real share, const Medium<Real>& medium,
+                   TracedPixel<Real>* first) const {
     recorder_.begin([&] { return ray_event(ray, kind, depth, share); });
     const Hit<Real> hit = intersector_.nearest(ray);
     Vec3<Real> colour = inputs_.background;
@@ -61,7 +64,7 @@ class Tracer {
         first->surface = surface;
       }
       recorder_.event([&] { return hit_event(hit, surface); });
-      colour = shade(ray, surface, depth, share, first);
+      colour = shade(ray, surface, depth, share, medium, first);
     } else {
       recorder_.event([&] { return MissEvent{Vec3d(inputs_.background)}; });
     }
@@ -70,24 +73,108 @@ class Tracer {
   }
 
   Vec3<Real> shade(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
-                   TracedPixel<Real>* first) const {
-    const Primitive& primitive = inputs_.geometry->primitives[surface.primitive];
-    const ShadingMaterial<Real>& material = inputs_.materials[primitive.material];
+                   const Medium<Real>& medium, TracedPixel<Real>* first) const {
+    const ShadingMaterial<Real>& material = inputs_.materials[surface.material];
     const Vec3<Real> local = local_colour(ray, surface, material, first);
     const Real reflective = material.reflective;
-    if (depth >= inputs_.settings.reflection_depth || !(reflective > 0)) return local;
+    if (depth >= inputs_.settings.reflection_depth) return local;
+    if (material.transparency > 0) return see_through(ray, surface, material, local, depth, share, medium);
+    if (!(reflective > 0)) return local;
 
-    const Vec3<Real> to_eye = -ray.direction;
-    const Ray<Real> reflected_ray =
-        leaving_ray(surface, mirror(to_eye, surface.shading_normal), std::numeric_limits<Real>::infinity(),
-                    inputs_.reflection_epsilon, inputs_);
-    recorder_.count(Counter::reflection_rays);
-    const Vec3<Real> reflected = trace(reflected_ray, RayKind::reflection, depth + 1, share * reflective, nullptr);
+    const Vec3<Real> reflected = mirrored_colour(ray, surface, depth, share * reflective, medium);
     const Vec3<Real> result = local * (Real(1) - reflective) + reflected * reflective;
     recorder_.event([&] {
       return ReflectionEvent{static_cast<double>(reflective), Vec3d(local), Vec3d(reflected), Vec3d(result)};
     });
     return result;
+  }
+
+  Vec3<Real> mirrored_colour(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
+                             const Medium<Real>& medium) const {
+    const Ray<Real> reflected = leaving_ray(surface, mirror(-ray.direction, surface.shading_normal),
+                                            std::numeric_limits<Real>::infinity(), inputs_.reflection_epsilon, inputs_);
+    recorder_.count(Counter::reflection_rays);
+    return trace(reflected, RayKind::reflection, depth + 1, share, medium, nullptr);
+  }
+
+  /// How the light of a transparent surface is shared out: what it is, mirrors and lets through.
+  struct Shares {
+    Real own = 1, mirrored = 0, refracted = 0;
+  };
+
+  /// A surface of transparency T and reflectivity R lets T of the light through and treats the rest as an opaque one
+  /// does. Of the light that comes through, the boundary itself mirrors the share F (Fresnel), all of it in total
+  /// internal reflection; with fixed shares F is 0 otherwise.
+  Shares shares_of(const ShadingMaterial<Real>& material, Real fresnel, Real share) const {
+    const Real through = material.transparency, rest = Real(1) - through;
+    Shares shares{rest * (Real(1) - material.reflective), rest * material.reflective + through * fresnel,
+                  through * (Real(1) - fresnel)};
+    if (shares.mirrored > 0 && shares.refracted > 0) {
+      if (share * shares.mirrored < least_branch_share<Real>) {
+        shares.refracted += shares.mirrored;
+        shares.mirrored = 0;
+      } else if (share * shares.refracted < least_branch_share<Real>) {
+        shares.mirrored += shares.refracted;
+        shares.refracted = 0;
+      }
+    }
+    return shares;
+  }
+
+  /// Transparency and refraction (CGFS ch. 5).
+  Vec3<Real> see_through(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
+                         const Vec3<Real>& local, int depth, Real share, const Medium<Real>& medium) const {
+    static constexpr Medium<Real> outside{};
+    const bool leaves = surface.back_face;
+    const Medium<Real>& around = medium.around ? *medium.around : outside;
+    const Medium<Real> inside{material.refraction_index, &medium};
+    const Medium<Real>& beyond = leaves ? around : inside;
+    const bool bends = inputs_.settings.refraction && !is_flat(surface);
+    const Real n1 = bends ? medium.index : Real(1), n2 = bends ? beyond.index : Real(1);
+    const std::optional<Refraction<Real>> bent = refract(ray.direction, surface.shading_normal, n1, n2);
+    Real fresnel = bent ? Real(0) : Real(1);
+    if (bent && bends && inputs_.settings.transparency == TransparencyShare::fresnel)
+      fresnel = fresnel_share(bent->cos_incident, bent->cos_refracted, n1, n2);
+    const Shares shares = shares_of(material, fresnel, share);
+    Vec3<Real> mirrored(0), refracted(0);
+    if (shares.mirrored > 0) mirrored = mirrored_colour(ray, surface, depth, share * shares.mirrored, medium);
+    if (shares.refracted > 0 && bent) {
+      const Ray<Real> through = leaving_ray(surface, bent->direction, std::numeric_limits<Real>::infinity(),
+                                            inputs_.reflection_epsilon, inputs_);
+      recorder_.count(Counter::refraction_rays);
+      refracted = trace(through, RayKind::refraction, depth + 1, share * shares.refracted,
+                        is_flat(surface) ? medium : beyond, nullptr);
+    }
+    const Vec3<Real> result = local * shares.own + mirrored * shares.mirrored + refracted * shares.refracted;
+    recorder_.event([&] {
+      RefractionEvent event;
+      event.transparency = static_cast<double>(material.transparency);
+      event.from_index = static_cast<double>(n1);
+      event.to_index = static_cast<double>(n2);
+      const Vec3<Real> unit = normalised(ray.direction);
+      event.cos_incident = static_cast<double>(std::abs(dot(unit, surface.shading_normal)));
+      event.cos_refracted = bent ? static_cast<double>(bent->cos_refracted) : 0.0;
+      event.fresnel = static_cast<double>(fresnel);
+      event.total = !bent;
+      event.own_share = static_cast<double>(shares.own);
+      event.mirrored_share = static_cast<double>(shares.mirrored);
+      event.refracted_share = static_cast<double>(shares.refracted);
+      event.local = Vec3d(local);
+      event.mirrored = Vec3d(mirrored);
+      event.refracted = Vec3d(refracted);
+      event.result = Vec3d(result);
+      return event;
+    });
+    return result;
+  }
+
+  /// Has the surface nothing behind it that light could run through? Then it does not bend light.
+  bool is_flat(const Surface<Real>& surface) const {
+    const Primitive& primitive = inputs_.geometry->primitives[surface.primitive];
+    if (primitive.kind != PrimitiveKind::solid) return false;
+    const TracedSolid& solid = inputs_.geometry->solids[primitive.shape];
+    const FormKind kind = inputs_.geometry->forms[solid.first_form].kind;
+    return solid.steps == 0 && (kind == FormKind::plane || kind == FormKind::rectangle);
   }
 
   Vec3<Real> local_colour(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
@@ -102,7 +189,7 @@ class Tracer {
         if (blocker && first && light < 32) first->shadow_mask |= 1u << light;
         return blocker;
       };
-      const IlluminationOptions options{inputs_.settings.specular, inputs_.settings.highlight};
+      const IlluminationOptions options = illumination_options(inputs_.settings);
       lighting = illuminate<Real>(point, material, inputs_.lights, options, blocked, recorder_);
     }
     const Vec3<Real> local = surface_colour * lighting.light + lighting.extra;
@@ -132,13 +219,14 @@ class Tracer {
   std::optional<PixelId> find_blocker(const Surface<Real>& surface, int light, const Vec3<Real>& to_light,
                                       Real t_max) const {
     if (inputs_.settings.shadows == Shadows::none) return {};
-    const Ray<Real> ray = leaving_ray(surface, to_light, t_max, inputs_.shadow_epsilon, inputs_);
+    Ray<Real> ray = leaving_ray(surface, to_light, t_max, inputs_.shadow_epsilon, inputs_);
+    ray.passes_transparent = inputs_.any_transparent;
     recorder_.count(Counter::shadow_rays);
     recorder_.begin([&] { return ray_event(ray, RayKind::shadow, 0, Real(0)); });
     const Hit<Real> hit = inputs_.settings.shadow_any_hit ? any_blocker(ray, light) : intersector_.nearest(ray);
     recorder_.end();
     if (!hit.found()) return {};
-    return inputs_.geometry->primitives[hit.primitive].id;
+    return id_of(*inputs_.geometry, hit);
   }
 
   /// With the shadow cache, what blocked this light last time is tested before everything else (CGFS ch. 5).
@@ -167,7 +255,7 @@ class Tracer {
 
   HitEvent hit_event(const Hit<Real>& hit, const Surface<Real>& surface) const {
     HitEvent event;
-    event.id = inputs_.geometry->primitives[hit.primitive].id;
+    event.id = id_of(*inputs_.geometry, hit);
     event.t = static_cast<double>(hit.t);
     event.point = Vec3d(surface.point);
     event.geometric_normal = Vec3d(surface.geometric_normal);

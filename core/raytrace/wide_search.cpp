@@ -136,6 +136,9 @@ WideSearches wide_searches(TriangleTest test) {
     return {search<TriangleTest::watertight, false>, search<TriangleTest::watertight, true>};
   case TriangleTest::moeller_trumbore:
     return {search<TriangleTest::moeller_trumbore, false>, search<TriangleTest::moeller_trumbore, true>};
+  case TriangleTest::barycentric:
+  case TriangleTest::cross_products:
+    return {};
   }
   return {};
 }

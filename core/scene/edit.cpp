@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/spelling.h"
+#include "scene/form_properties.h"
+#include "scene/scene_draft.h"
 #include "scene/scene_text.h"
 #include "scene/scene_value.h"
 
@@ -72,6 +74,9 @@ Fields light_fields(const Scene& scene, std::size_t index) {
   if (light.kind == LightKind::point)
     add("position", scene_vec(light.position),
         [](Light& l, const SceneValues& v, const SceneTerm& t) { l.position = v.vec3(t); });
+  if (light.kind == LightKind::point)
+    add("attenuation", scene_vec(light.attenuation),
+        [](Light& l, const SceneValues& v, const SceneTerm& t) { l.attenuation = read_attenuation(v, t); });
   if (light.kind == LightKind::directional)
     add("direction", scene_vec(light.direction),
         [](Light& l, const SceneValues& v, const SceneTerm& t) { l.direction = v.direction(t); });
@@ -94,6 +99,24 @@ Fields object_fields(const Scene& scene, std::size_t index) {
         [](Object& o, const SceneValues& v, const SceneTerm& t) { std::get<Sphere>(o.shape).centre = v.vec3(t); });
     add("radius", scene_number(sphere->radius),
         [](Object& o, const SceneValues& v, const SceneTerm& t) { std::get<Sphere>(o.shape).radius = v.positive(t); });
+    return fields;
+  }
+  if (const auto* solid = std::get_if<Solid>(&object.shape)) {
+    for (const FormProperty& property : form_properties(solid->form))
+      add(property.name, property.value, [set = property.set](Object& o, const SceneValues& v, const SceneTerm& t) {
+        set(std::get<Solid>(o.shape).form, v, t);
+      });
+    return fields;
+  }
+  if (const auto* csg = std::get_if<Csg>(&object.shape)) {
+    const auto parts = csg_parts(csg->root);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      for (const FormProperty& property : form_properties(parts[k]->form)) {
+        const std::string name = fmt::format("part.{}.{}", k, property.name);
+        add(name.c_str(), property.value, [k, set = property.set](Object& o, const SceneValues& v, const SceneTerm& t) {
+          set(csg_parts(std::get<Csg>(o.shape).root)[k]->form, v, t);
+        });
+      }
     return fields;
   }
   const Transform& transform = std::get<Instance>(object.shape).transform;
@@ -124,6 +147,12 @@ Fields material_fields(const Scene& scene, std::size_t index) {
       [](Material& m, const SceneValues& v, const SceneTerm& t) { m.colour = v.colour(t); });
   add("specular", scene_number(material.specular.value_or(-1)),
       [](Material& m, const SceneValues& v, const SceneTerm& t) { m.specular = v.specular(t); });
+  add("transparency", scene_number(material.transparency),
+      [](Material& m, const SceneValues& v, const SceneTerm& t) { m.transparency = v.in_range(t, 0, 1); });
+  add("refraction_index", scene_number(material.refraction_index),
+      [](Material& m, const SceneValues& v, const SceneTerm& t) {
+        m.refraction_index = v.in_range(t, min_refraction_index, max_refraction_index);
+      });
   add("reflective", scene_number(material.reflective),
       [](Material& m, const SceneValues& v, const SceneTerm& t) { m.reflective = v.in_range(t, 0, 1); });
   return fields;

@@ -11,10 +11,12 @@ namespace ps {
 ///   background
 ///   camera.position  camera.right  camera.up  camera.forward  camera.rotation
 ///   camera.viewport_size  camera.projection_plane_d
-///   light.N.intensity  light.N.color  light.N.position (point)  light.N.direction (directional)
-///   object.N.center  object.N.radius (spheres)
-///   object.N.scale  object.N.rotation  object.N.translation (instances)
-///   material.N.color  material.N.specular (-1 = matte)  material.N.reflective
+///   light.N.intensity  light.N.color  light.N.position (point)  light.N.attenuation (point)  light.N.direction
+///   (directional) object.N.center  object.N.radius (spheres) object.N.point  object.N.normal (planes)  object.N.corner
+///   object.N.side_a  object.N.side_b (rectangles) object.N.center  object.N.size  object.N.rotation (boxes)
+///   object.N.from  object.N.to  object.N.radius (cylinders) object.N.part.K.center ... (part K of a CSG object, in the
+///   order of the file) object.N.scale  object.N.rotation  object.N.translation (instances) material.N.color
+///   material.N.specular (-1 = matte)  material.N.reflective material.N.transparency  material.N.refraction_index
 struct SceneProperty {
   std::string path;
   std::string value;  ///< as a scene file has it: "(2, 1, 0)"; set_property reads it back exactly

@@ -8,14 +8,20 @@
 namespace ps {
 namespace {
 
-/// Unnamed spheres are called "sphere", "sphere 2", ...; unnamed instances after their model.
+std::string wanted_name(const Geometry& geometry, const Object& object) {
+  if (const auto* instance = std::get_if<Instance>(&object.shape)) return geometry.meshes[instance->mesh]->name;
+  if (const auto* solid = std::get_if<Solid>(&object.shape)) return std::string(form_name(solid->form));
+  if (const auto* csg = std::get_if<Csg>(&object.shape)) return std::string(operation_name(csg->root.operation));
+  return "sphere";
+}
+
+/// Unnamed things are called after what they are, "sphere", "sphere 2", ...; unnamed instances after their model.
 void name_objects(Geometry& geometry) {
   FreeNames names;
   for (const Object& object : geometry.objects) names.take(object.name);
   for (Object& object : geometry.objects) {
     if (!object.name.empty()) continue;
-    const auto* instance = std::get_if<Instance>(&object.shape);
-    object.name = names.claim(instance == nullptr ? "sphere" : geometry.meshes[instance->mesh]->name);
+    object.name = names.claim(wanted_name(geometry, object));
   }
 }
 
@@ -28,6 +34,10 @@ void name_materials(const Geometry& geometry, std::vector<Material>& materials) 
   };
   for (const Object& object : geometry.objects) {
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) name(sphere->material, object.name);
+    if (const auto* solid = std::get_if<Solid>(&object.shape)) name(solid->material, object.name);
+    if (const auto* csg = std::get_if<Csg>(&object.shape))
+      for (const Solid* part : csg_parts(csg->root))
+        name(part->material, fmt::format("{} {}", object.name, form_name(part->form)));
     if (const auto* instance = std::get_if<Instance>(&object.shape); instance != nullptr && instance->material)
       name(*instance->material, object.name);
   }

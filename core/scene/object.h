@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "math/vec.h"
+#include "scene/solid.h"
 
 namespace ps {
 
@@ -29,13 +30,14 @@ struct Instance {
   std::uint32_t mesh = 0;  ///< index into Geometry::meshes
   Transform transform;
   std::optional<std::uint32_t> material;  ///< index into Scene::materials; overrides all of the mesh's materials
+  Sides sides = Sides::two;               ///< front: rays pass through triangles seen from behind (CGPP 15.4)
   bool operator==(const Instance&) const = default;
 };
 
 /// One thing in the scene. Objects keep the order of the scene file; ids in pictures are indices into that order.
 struct Object {
   std::string name;
-  std::variant<Sphere, Instance> shape;
+  std::variant<Sphere, Instance, Solid, Csg> shape;
   bool operator==(const Object&) const = default;
 };
 

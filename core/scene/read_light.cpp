@@ -4,9 +4,17 @@
 
 namespace ps {
 
+Vec3d read_attenuation(const SceneValues& values, const SceneTerm& term) {
+  const Vec3d attenuation = values.vec3(term);
+  for (int axis = 0; axis < 3; ++axis)
+    if (attenuation[axis] < 0) values.fail(term, "constant, linear and quadratic factors of at least 0");
+  if (attenuation == Vec3d{0, 0, 0}) values.fail(term, "a factor above 0");
+  return attenuation;
+}
+
 void read_light(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneValues& values = source.values;
-  const SceneFields fields(values, entry, {"type", "intensity", "position", "direction", "color"});
+  const SceneFields fields(values, entry, {"type", "intensity", "position", "direction", "color", "attenuation"});
   Light light;
   const SceneTerm& type = fields.require("type");
   const std::string kind = values.name(type, "ambient, point or directional");
@@ -23,6 +31,10 @@ void read_light(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
     light.direction = values.direction(fields.require("direction"));
   } else {
     values.fail(type, "ambient, point or directional");
+  }
+  if (const auto* term = fields.find("attenuation")) {
+    if (light.kind != LightKind::point) values.fail(*term, "no attenuation: only point lights have a distance");
+    light.attenuation = read_attenuation(values, *term);
   }
   light.intensity = values.in_range(fields.require("intensity"), 0, max_scene_number);
   if (const auto* term = fields.find("color")) light.colour = values.colour(*term);

@@ -9,8 +9,9 @@
 namespace ps {
 
 const std::vector<std::string_view>& surface_keys() {
-  static const std::vector<std::string_view> keys{"color",   "specular",       "reflective",
-                                                  "texture", "specular_color", "ambient_color"};
+  static const std::vector<std::string_view> keys{"color",        "specular",        "reflective",
+                                                  "texture",      "specular_color",  "ambient_color",
+                                                  "transparency", "refraction_index"};
   return keys;
 }
 
@@ -45,6 +46,9 @@ Material read_surface(const SceneSource& source, const SceneFields& fields, Mate
   if (const auto* term = fields.find("color")) base.colour = values.colour(*term);
   if (const auto* term = fields.find("specular")) base.specular = values.specular(*term);
   if (const auto* term = fields.find("reflective")) base.reflective = values.in_range(*term, 0, 1);
+  if (const auto* term = fields.find("transparency")) base.transparency = values.in_range(*term, 0, 1);
+  if (const auto* term = fields.find("refraction_index"))
+    base.refraction_index = values.in_range(*term, min_refraction_index, max_refraction_index);
   if (const auto* term = fields.find("texture"))
     base.texture = find_named(source, *term, draft.texture_index, "texture");
   if (const auto* term = fields.find("specular_color")) base.specular_colour = values.colour(*term);

@@ -4,8 +4,6 @@
 #include "scene/scene_draft.h"
 
 namespace ps {
-namespace {
-
 void add_object(const SceneSource& source, const SceneFields& fields, Object object, SceneDraft& draft) {
   if (const SceneTerm* name = fields.find("name")) {
     object.name = source.values.name(*name);
@@ -17,6 +15,14 @@ void add_object(const SceneSource& source, const SceneFields& fields, Object obj
     source.values.fail_at(fields.block().line, fields.block().column, fmt::format("'{}'", fields.block().key),
                           fmt::format("at most {} spheres and instances", max_scene_objects));
 }
+
+Sides read_sides(const SceneValues& values, const SceneTerm& term) {
+  const std::string text = values.name(term, "two or front");
+  if (text != "two" && text != "front") values.fail(term, "two or front");
+  return text == "two" ? Sides::two : Sides::front;
+}
+
+namespace {
 
 Transform read_transform(const SceneSource& source, const SceneFields& instance) {
   const SceneValues& values = source.values;
@@ -62,8 +68,9 @@ void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft&
 }
 
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
-  const SceneFields fields(source.values, entry,
-                           joined_keys({"name", "model", "position", "transform", "material"}, surface_keys()));
+  const SceneFields fields(
+      source.values, entry,
+      joined_keys({"name", "model", "position", "transform", "material", "sides"}, surface_keys()));
   const SceneTerm& model = fields.require("model");
   const auto mesh = draft.mesh_index.find(source.values.name(model, "the name of a model"));
   if (mesh == draft.mesh_index.end()) {
@@ -76,6 +83,7 @@ void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraf
   Instance instance;
   instance.mesh = mesh->second;
   instance.transform = read_transform(source, fields);
+  if (const auto* term = fields.find("sides")) instance.sides = read_sides(source.values, *term);
   if (fields.find("material") != nullptr) {
     instance.material = material_for(source, fields, {}, draft);
   } else if (has_surface(fields)) {

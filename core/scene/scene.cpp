@@ -12,6 +12,7 @@ void note_material(const Material& material, SceneTraits& traits) {
   traits.reflective = traits.reflective || material.reflective > 0;
   traits.specular = traits.specular || material.specular.has_value();
   traits.textures = traits.textures || material.texture >= 0;
+  traits.transparent = traits.transparent || material.transparency > 0;
 }
 
 }  // namespace
@@ -23,6 +24,16 @@ SceneTraits scene_traits(const Scene& scene) {
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
       traits.spheres = true;
       note_material(materials.at(sphere->material), traits);
+      continue;
+    }
+    if (const auto* solid = std::get_if<Solid>(&object.shape)) {
+      traits.solids = true;
+      note_material(materials.at(solid->material), traits);
+      continue;
+    }
+    if (const auto* csg = std::get_if<Csg>(&object.shape)) {
+      traits.csg = true;
+      for (const Solid* part : csg_parts(csg->root)) note_material(materials.at(part->material), traits);
       continue;
     }
     const auto& instance = std::get<Instance>(object.shape);
@@ -37,6 +48,11 @@ SceneTraits scene_traits(const Scene& scene) {
   }
   traits.casting_lights = std::any_of(scene.lights->begin(), scene.lights->end(),
                                       [](const Light& light) { return light.kind != LightKind::ambient; });
+  traits.point_lights = std::any_of(scene.lights->begin(), scene.lights->end(),
+                                    [](const Light& light) { return light.kind == LightKind::point; });
+  traits.attenuated = std::any_of(scene.lights->begin(), scene.lights->end(), [](const Light& light) {
+    return light.kind == LightKind::point && light.attenuation != Vec3d{1, 0, 0};
+  });
   traits.canvas_items = !scene.canvas_items->empty();
   return traits;
 }
@@ -44,6 +60,9 @@ SceneTraits scene_traits(const Scene& scene) {
 const Material& material_of(const Scene& scene, int object, int triangle) {
   const Object& thing = scene.geometry->objects.at(static_cast<std::size_t>(object));
   if (const auto* sphere = std::get_if<Sphere>(&thing.shape)) return scene.materials->at(sphere->material);
+  if (const auto* solid = std::get_if<Solid>(&thing.shape)) return scene.materials->at(solid->material);
+  if (const auto* csg = std::get_if<Csg>(&thing.shape))
+    return scene.materials->at(csg_parts(csg->root).at(static_cast<std::size_t>(triangle))->material);
   const auto& instance = std::get<Instance>(thing.shape);
   if (instance.material) return scene.materials->at(*instance.material);
   const Mesh& mesh = *scene.geometry->meshes.at(instance.mesh);

@@ -55,11 +55,16 @@ struct SceneTraits {
   bool reflective = false;
   bool specular = false;
   bool casting_lights = false;  ///< a point or directional light
+  bool solids = false;          ///< planes, rectangles, boxes, cylinders
+  bool csg = false;
+  bool transparent = false;
+  bool attenuated = false;  ///< a point light that grows weaker with distance in a way of its own
+  bool point_lights = false;
   bool canvas_items = false;
 };
 SceneTraits scene_traits(const Scene& scene);
 
-/// The material of triangle `triangle` of object `object` (or of the sphere).
+/// The material of triangle `triangle` of object `object` (or of the sphere, or of that part of a CSG object).
 const Material& material_of(const Scene& scene, int object, int triangle);
 
 }  // namespace ps

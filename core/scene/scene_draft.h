@@ -33,6 +33,8 @@ struct SceneSource {
 
 /// Each reads one block or assignment into the draft. Throws InputError.
 void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_material(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
@@ -41,7 +43,20 @@ void read_light(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
 void read_camera(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_settings(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_line(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+/// Vertices with three coordinates make a triangle in space, with two one on the canvas.
+void read_any_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_canvas_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+
+/// Adds an object with the name that its block gives, if any.
+void add_object(const SceneSource& source, const SceneFields& fields, Object object, SceneDraft& draft);
+/// `sides = two` or `front`.
+Sides read_sides(const SceneValues& values, const SceneTerm& term);
+/// Are the sides of a rectangle perpendicular?
+bool has_right_angle(const Rectangle& rectangle);
+/// Lengths of the edges of a box: one number for all or three, above 0.
+Vec3d read_brick_size(const SceneValues& values, const SceneTerm& term);
+/// Constant, linear and quadratic factor of a light, not all 0.
+Vec3d read_attenuation(const SceneValues& values, const SceneTerm& term);
 
 /// The keys that describe a surface, in every block that has one.
 const std::vector<std::string_view>& surface_keys();

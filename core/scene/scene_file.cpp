@@ -20,7 +20,7 @@ struct BlockReader {
   ReadBlock read;
   bool once;
 };
-constexpr std::array<BlockReader, 11> blocks{{{"sphere", read_sphere, false},
+constexpr std::array<BlockReader, 18> blocks{{{"sphere", read_sphere, false},
                                               {"light", read_light, false},
                                               {"camera", read_camera, true},
                                               {"material", read_material, false},
@@ -28,7 +28,14 @@ constexpr std::array<BlockReader, 11> blocks{{{"sphere", read_sphere, false},
                                               {"model", read_model, false},
                                               {"instance", read_instance, false},
                                               {"line", read_line, false},
-                                              {"triangle", read_canvas_triangle, false},
+                                              {"triangle", read_any_triangle, false},
+                                              {"plane", read_solid, false},
+                                              {"rectangle", read_solid, false},
+                                              {"box", read_solid, false},
+                                              {"cylinder", read_solid, false},
+                                              {"union", read_csg, false},
+                                              {"intersection", read_csg, false},
+                                              {"difference", read_csg, false},
                                               {"settings", read_settings, true},
                                               {"include", read_include, false}}};
 

@@ -48,6 +48,7 @@ class SceneValues {
 
 /// Larger numbers would overflow float arithmetic inside the renderers.
 inline constexpr double max_scene_number = 1e12;
+inline constexpr double min_refraction_index = 0.1, max_refraction_index = 10;
 
 /// The whole of `text` as a finite decimal number; nothing if it is anything else (hexadecimal, "nan", "1,5",
 /// overflow).

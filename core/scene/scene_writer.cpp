@@ -22,6 +22,34 @@ std::vector<std::string> unique_names(const Things& things, const std::string& o
   return names;
 }
 
+/// A form's own lines.
+std::string form_lines(const Form& form, const std::string& indent) {
+  std::string text;
+  const auto line = [&](std::string_view key, const std::string& value) {
+    text += fmt::format("{}{} = {}\n", indent, key, value);
+  };
+  if (const auto* ball = std::get_if<Ball>(&form)) {
+    line("center", scene_vec(ball->centre));
+    line("radius", scene_number(ball->radius));
+  } else if (const auto* plane = std::get_if<Plane>(&form)) {
+    line("point", scene_vec(plane->point));
+    line("normal", scene_vec(plane->normal));
+  } else if (const auto* rectangle = std::get_if<Rectangle>(&form)) {
+    line("corner", scene_vec(rectangle->corner));
+    line("side_a", scene_vec(rectangle->side_a));
+    line("side_b", scene_vec(rectangle->side_b));
+  } else if (const auto* brick = std::get_if<Brick>(&form)) {
+    line("center", scene_vec(brick->centre));
+    line("size", scene_vec(brick->size));
+    if (brick->rotation != Mat3d(1.0)) line("rotation", scene_rotation(brick->rotation));
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&form)) {
+    line("from", scene_vec(cylinder->from));
+    line("to", scene_vec(cylinder->to));
+    line("radius", scene_number(cylinder->radius));
+  }
+  return text;
+}
+
 class SceneWriter {
  public:
   SceneWriter(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {
@@ -110,6 +138,9 @@ class SceneWriter {
       for (const std::uint32_t slot : mesh->materials) uses_.at(slot) += 2;
     for (const Object& object : scene_.geometry->objects) {
       if (const auto* sphere = std::get_if<Sphere>(&object.shape)) uses_.at(sphere->material) += 1;
+      if (const auto* solid = std::get_if<Solid>(&object.shape)) uses_.at(solid->material) += 2;
+      if (const auto* csg = std::get_if<Csg>(&object.shape))
+        for (const Solid* part : csg_parts(csg->root)) uses_.at(part->material) += 2;
       if (const auto* instance = std::get_if<Instance>(&object.shape); instance != nullptr && instance->material)
         uses_.at(*instance->material) += 2;
     }
@@ -132,6 +163,8 @@ class SceneWriter {
       line("    texture = {}", scene_name(textures_.at(static_cast<std::size_t>(material.texture))));
     if (material.specular_colour) line("    specular_color = {}", scene_colour(*material.specular_colour));
     if (material.ambient_colour) line("    ambient_color = {}", scene_colour(*material.ambient_colour));
+    if (material.transparency != 0) line("    transparency = {}", scene_number(material.transparency));
+    if (material.refraction_index != 1) line("    refraction_index = {}", scene_number(material.refraction_index));
   }
 
   void model(std::size_t index) {
@@ -181,11 +214,14 @@ class SceneWriter {
   void object(std::size_t index) {
     const Object& object = scene_.geometry->objects[index];
     if (const auto* shape = std::get_if<Sphere>(&object.shape)) return sphere(index, *shape);
+    if (const auto* shape = std::get_if<Solid>(&object.shape)) return solid(index, *shape);
+    if (const auto* shape = std::get_if<Csg>(&object.shape)) return csg(index, *shape);
     const auto& instance = std::get<Instance>(object.shape);
     if (instance.material) materials_up_to(*instance.material + std::size_t{1});
     line("\ninstance {{\n    name = {}\n    model = {}", scene_name(objects_[index]),
          scene_name(meshes_[instance.mesh]));
     if (instance.material) line("    material = {}", scene_name(materials_[*instance.material]));
+    if (instance.sides == Sides::front) line("    sides = front");
     const Transform& transform = instance.transform;
     const bool turned = transform.rotation != Mat3d(1.0);
     if (!turned && transform.scale == Vec3d{1, 1, 1}) {
@@ -214,6 +250,33 @@ class SceneWriter {
     line("}}");
   }
 
+  void solid(std::size_t index, const Solid& solid) {
+    materials_up_to(solid.material + std::size_t{1});
+    line("\n{} {{\n    name = {}", form_name(solid.form), scene_name(objects_[index]));
+    text_ += form_lines(solid.form, "    ");
+    line("    material = {}", scene_name(materials_[solid.material]));
+    if (solid.sides == Sides::front) line("    sides = front");
+    line("}}");
+  }
+
+  void csg(std::size_t index, const Csg& csg) {
+    for (const Solid* part : csg_parts(csg.root)) materials_up_to(part->material + std::size_t{1});
+    line("\n{} {{\n    name = {}", operation_name(csg.root.operation), scene_name(objects_[index]));
+    for (const CsgNode& child : csg.root.children) csg_node(child, "    ");
+    line("}}");
+  }
+
+  void csg_node(const CsgNode& node, const std::string& indent) {
+    const bool part = node.children.empty();
+    line("{}{} {{", indent, part ? form_name(node.part.form) : operation_name(node.operation));
+    for (const CsgNode& child : node.children) csg_node(child, indent + "    ");
+    if (part) {
+      text_ += form_lines(node.part.form, indent + "    ");
+      line("{}    material = {}", indent, scene_name(materials_[node.part.material]));
+    }
+    line("{}}}", indent);
+  }
+
   void light(const Light& light) {
     line("\nlight {{");
     switch (light.kind) {
@@ -229,6 +292,7 @@ class SceneWriter {
     }
     line("    intensity = {}", scene_number(light.intensity));
     if (light.colour != Vec3d{1, 1, 1}) line("    color = {}", scene_colour(light.colour));
+    if (light.attenuation != Vec3d{1, 0, 0}) line("    attenuation = {}", scene_vec(light.attenuation));
     line("}}");
   }
 

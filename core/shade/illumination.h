@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -31,7 +32,44 @@ struct Lighting {
 struct IlluminationOptions {
   bool specular = true;
   Highlight highlight = Highlight::phong;
+  Illumination illumination = Illumination::book;
+  bool attenuation = true;
 };
+
+inline IlluminationOptions illumination_options(const Settings& settings) {
+  return {settings.specular, settings.highlight, settings.illumination, settings.attenuation};
+}
+
+/// What arrives of a casting light's intensity at a point, before the angle counts. Book: the intensity, of point
+/// lights divided by c + l r + q r^2 (OCT). Radiometric: a point light's intensity is its power, which spreads over a
+/// sphere (CGPP 15.4.5); a directional light's is the irradiance on a surface that faces it.
+template <class Real>
+inline Real arriving(const ShadingLight<Real>& light, const Vec3<Real>& to_light, const IlluminationOptions& options) {
+  if (light.kind != LightKind::point) return light.intensity;
+  switch (options.illumination) {
+  case Illumination::book: {
+    if (!options.attenuation || !light.attenuates) return light.intensity;
+    const Real square = dot(to_light, to_light);
+    const Vec3<Real>& a = light.attenuation;
+    return light.intensity / (a.x + a.y * std::sqrt(square) + a.z * square);
+  }
+  case Illumination::radiometric:
+    return light.intensity / (4 * std::numbers::pi_v<Real> * dot(to_light, to_light));
+  }
+  return light.intensity;
+}
+
+/// What multiplies a term of the illumination equation besides its angle. Radiometric: 1 / pi of Lambert's law, and
+/// for a highlight the normalised Blinn-Phong density (s + 8) / 8 pi times N.L (CGPP 15.4.6 and 7).
+template <class Real>
+inline Real diffuse_factor(const IlluminationOptions& options) {
+  return options.illumination == Illumination::radiometric ? 1 / std::numbers::pi_v<Real> : Real(1);
+}
+template <class Real>
+inline Real specular_factor(const IlluminationOptions& options, Real exponent, Real cosine) {
+  if (options.illumination == Illumination::book) return 1;
+  return cosine > 0 ? (exponent + 8) / (8 * std::numbers::pi_v<Real>)*cosine : Real(0);
+}
 
 template <class Real>
 inline Real length(const Vec3<Real>& v) {
@@ -107,16 +145,21 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
     const std::optional<PixelId> blocker =
         blocked(index, to_light, is_point ? Real(1) : std::numeric_limits<Real>::infinity());
     const Real n_dot_l = dot(point.normal, to_light);
+    const Real intensity = arriving(light, to_light, options);
+    const bool radiometric = options.illumination == Illumination::radiometric;
     Real diffuse = 0;
     Real specular = 0;
     if (!blocker && n_dot_l > 0) {
-      diffuse = light.intensity * n_dot_l / (length(point.normal) * length(to_light));
+      diffuse = intensity * n_dot_l / (length(point.normal) * length(to_light));
+      if (radiometric) diffuse *= diffuse_factor<Real>(options);
       add(sum.light, light.colour, diffuse);
     }
     if (!blocker && options.specular && material.specular) {
       const HighlightAngle<Real> angle = highlight_angle(point, to_light, options.highlight);
       if (angle.dot_product > 0) {
-        specular = light.intensity * power(angle.cosine(), *material.specular);
+        specular = intensity * power(angle.cosine(), *material.specular);
+        if (radiometric)
+          specular *= specular_factor(options, *material.specular, n_dot_l / (length(point.normal) * length(to_light)));
         if (material.specular_colour)
           add(sum.extra, *material.specular_colour * light.colour, specular);
         else

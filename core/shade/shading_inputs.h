@@ -15,6 +15,8 @@ struct ShadingLight {
   Real intensity = 1;
   Vec3<Real> colour{1, 1, 1};
   Vec3<Real> vector{0, 0, 0};  ///< position of a point light, direction towards a directional one; shading space
+  Vec3<Real> attenuation{1, 0, 0};
+  bool attenuates = false;
 };
 
 /// A material in the renderer's precision. Absent values as in Material.
@@ -25,13 +27,16 @@ struct ShadingMaterial {
   Real reflective = 0;
   std::optional<Vec3<Real>> specular_colour;
   std::optional<Vec3<Real>> ambient_colour;
+  Real transparency = 0;
+  Real refraction_index = 1;
   int texture = -1;
 };
 
 template <class Real>
 inline ShadingLight<Real> shading_light(const Light& light) {
   const Vec3d vector = light.kind == LightKind::directional ? light.direction : light.position;
-  return {light.kind, static_cast<Real>(light.intensity), Vec3<Real>(light.colour), Vec3<Real>(vector)};
+  return {light.kind,         static_cast<Real>(light.intensity), Vec3<Real>(light.colour),
+          Vec3<Real>(vector), Vec3<Real>(light.attenuation),      light.attenuation != Vec3d{1, 0, 0}};
 }
 
 template <class Real>
@@ -42,6 +47,8 @@ inline ShadingMaterial<Real> shading_material(const Material& material) {
   result.reflective = static_cast<Real>(material.reflective);
   if (material.specular_colour) result.specular_colour = Vec3<Real>(*material.specular_colour);
   if (material.ambient_colour) result.ambient_colour = Vec3<Real>(*material.ambient_colour);
+  result.transparency = static_cast<Real>(material.transparency);
+  result.refraction_index = static_cast<Real>(material.refraction_index);
   result.texture = material.texture;
   return result;
 }

@@ -6,6 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "scene/form_frame.h"
+
 namespace ps::gui {
 namespace {
 
@@ -68,6 +70,14 @@ Vec3d scene_centre(const Scene& scene) {
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
       if (sphere->radius > ground_radius) continue;
       sum += sphere->centre;
+    } else if (const auto* solid = std::get_if<Solid>(&object.shape)) {
+      const FormBox box = form_box(form_frame(solid->form));
+      if (!is_bounded(box)) continue;
+      sum += (box.low + box.high) * 0.5;
+    } else if (const auto* csg = std::get_if<Csg>(&object.shape)) {
+      const FormBox box = csg_box(csg->root);
+      if (!is_bounded(box)) continue;
+      sum += (box.low + box.high) * 0.5;
     } else {
       const auto& instance = std::get<Instance>(object.shape);
       const auto bound = bounding_sphere(*scene.geometry->meshes[instance.mesh]);

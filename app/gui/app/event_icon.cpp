@@ -73,6 +73,7 @@ struct Drawer {
   void operator()(const NodeEvent& e) const { pen.square(e.entered ? p.right : p.text_quiet, Fill::hollow); }
   void operator()(const SphereTestEvent& e) const { test(e.outcome, &IconPen::circle); }
   void operator()(const TriangleTestEvent& e) const { test(e.outcome, &IconPen::triangle); }
+  void operator()(const SolidTestEvent& e) const { test(e.outcome, &IconPen::square); }
   void operator()(const HitEvent&) const { pen.diamond(p.right); }
   void operator()(const MissEvent&) const { pen.cross(p.text_quiet); }
   void operator()(const TextureEvent&) const {
@@ -88,6 +89,7 @@ struct Drawer {
   }
   void operator()(const ShadeEvent& e) const { swatch(e.local); }
   void operator()(const ReflectionEvent& e) const { swatch(e.result); }
+  void operator()(const RefractionEvent& e) const { swatch(e.result); }
   void operator()(const RejectEvent&) const { pen.triangle(p.wrong, Fill::hollow); }
   void operator()(const FragmentEvent& e) const {
     pen.triangle(e.depth == FragmentEvent::Depth::failed ? p.wrong : p.right, Fill::filled);
@@ -111,6 +113,7 @@ struct Drawer {
     case TestOutcome::missed:
     case TestOutcome::before_range:
     case TestOutcome::beyond_range:
+    case TestOutcome::back_side:
     case TestOutcome::parallel:
     case TestOutcome::degenerate:
       (pen.*shape)(p.wrong, Fill::hollow);

@@ -1,0 +1,137 @@
+#include "scene/form_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ps {
+namespace {
+
+Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
+double length_of(const Vec3d& v) { return std::sqrt(dot(v, v)); }
+
+/// Two directions so that the three together are a right-handed frame; along the world's axes where that is possible.
+void complete(FormFrame& frame, const Vec3d& direction) {
+  const Vec3d axis = unit(direction);
+  const Vec3d helper = std::abs(axis.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+  const Vec3d side = unit(helper - axis * dot(helper, axis));
+  frame.axes = {side, cross(axis, side), axis};
+}
+
+FormFrame frame_of(const Ball& ball) {
+  FormFrame frame;
+  frame.centre = ball.centre;
+  frame.half = Vec3d(ball.radius);
+  return frame;
+}
+
+FormFrame frame_of(const Plane& plane) {
+  FormFrame frame;
+  frame.kind = FormKind::plane;
+  frame.centre = plane.point;
+  complete(frame, plane.normal);
+  return frame;
+}
+
+FormFrame frame_of(const Rectangle& rectangle) {
+  FormFrame frame;
+  frame.kind = FormKind::rectangle;
+  frame.centre = rectangle.corner;
+  frame.axes = {unit(rectangle.side_a), unit(rectangle.side_b), unit(cross(rectangle.side_a, rectangle.side_b))};
+  frame.half = {length_of(rectangle.side_a), length_of(rectangle.side_b), 0};
+  return frame;
+}
+
+FormFrame frame_of(const Brick& brick) {
+  FormFrame frame;
+  frame.kind = FormKind::brick;
+  frame.centre = brick.centre;
+  frame.axes = {unit(brick.rotation[0]), unit(brick.rotation[1]), unit(brick.rotation[2])};
+  frame.half = brick.size * 0.5;
+  return frame;
+}
+
+FormFrame frame_of(const Cylinder& cylinder) {
+  FormFrame frame;
+  frame.kind = FormKind::cylinder;
+  frame.centre = cylinder.from;
+  complete(frame, cylinder.to - cylinder.from);
+  frame.half = {cylinder.radius, cylinder.radius, length_of(cylinder.to - cylinder.from)};
+  return frame;
+}
+
+FormBox around(const Vec3d& centre, const Vec3d& reach) { return {centre - reach, centre + reach}; }
+
+FormBox joined(const FormBox& a, const FormBox& b) {
+  FormBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::min(a.low[axis], b.low[axis]);
+    box.high[axis] = std::max(a.high[axis], b.high[axis]);
+  }
+  return box;
+}
+
+FormBox common(const FormBox& a, const FormBox& b) {
+  FormBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.low[axis] = std::max(a.low[axis], b.low[axis]);
+    box.high[axis] = std::max(std::min(a.high[axis], b.high[axis]), box.low[axis]);
+  }
+  return box;
+}
+
+}  // namespace
+
+FormFrame form_frame(const Form& form) {
+  return std::visit([](const auto& one) { return frame_of(one); }, form);
+}
+
+FormBox form_box(const FormFrame& frame) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto& [x, y, z] = frame.axes;
+  switch (frame.kind) {
+  case FormKind::ball:
+    return around(frame.centre, frame.half);
+  case FormKind::plane:
+    return {Vec3d(-infinity), Vec3d(infinity)};
+  case FormKind::rectangle: {
+    const Vec3d a = x * frame.half.x, b = y * frame.half.y;
+    return joined({glm::min(frame.centre, frame.centre + a), glm::max(frame.centre, frame.centre + a)},
+                  {glm::min(frame.centre + b, frame.centre + a + b), glm::max(frame.centre + b, frame.centre + a + b)});
+  }
+  case FormKind::brick:
+    return around(frame.centre, glm::abs(x) * frame.half.x + glm::abs(y) * frame.half.y + glm::abs(z) * frame.half.z);
+  case FormKind::cylinder: {
+    const Vec3d reach{std::sqrt(std::max(1 - z.x * z.x, 0.0)), std::sqrt(std::max(1 - z.y * z.y, 0.0)),
+                      std::sqrt(std::max(1 - z.z * z.z, 0.0))};
+    return joined(around(frame.centre, reach * frame.half.x),
+                  around(frame.centre + z * frame.half.z, reach * frame.half.x));
+  }
+  }
+  return {};
+}
+
+FormBox csg_box(const CsgNode& node) {
+  if (node.children.empty()) return form_box(form_frame(node.part.form));
+  FormBox box = csg_box(node.children.front());
+  for (std::size_t i = 1; i < node.children.size(); ++i) {
+    switch (node.operation) {
+    case CsgOperation::union_of:
+      box = joined(box, csg_box(node.children[i]));
+      break;
+    case CsgOperation::intersection:
+      box = common(box, csg_box(node.children[i]));
+      break;
+    case CsgOperation::difference:
+      break;
+    }
+  }
+  return box;
+}
+
+bool is_bounded(const FormBox& box) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(box.low[axis]) || !std::isfinite(box.high[axis])) return false;
+  return true;
+}
+
+}  // namespace ps

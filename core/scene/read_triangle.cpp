@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include "scene/scene_draft.h"
+
+namespace ps {
+namespace {
+
+bool is_list(const SceneTerm& term) {
+  return term.kind == SceneTerm::Kind::list || term.kind == SceneTerm::Kind::tuple ||
+         term.kind == SceneTerm::Kind::sequence;
+}
+
+const std::vector<SceneTerm>& corners(const SceneSource& source, const SceneTerm& term) {
+  if (!is_list(term) || term.items.size() != 3) source.values.fail(term, "three values, one for each corner");
+  return term.items;
+}
+
+/// Do the vertices have three coordinates?
+bool in_space(const SceneEntry& entry) {
+  for (const SceneEntry& field : entry.value.entries)
+    if (field.key == "vertices" && !field.value.items.empty()) return field.value.items.front().items.size() == 3;
+  return false;
+}
+
+/// A model of one triangle with one instance: nothing else has to know single triangles.
+void read_space_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
+  const SceneValues& values = source.values;
+  const SceneFields fields(values, entry,
+                           joined_keys({"name", "vertices", "normals", "uvs", "material", "sides"}, surface_keys()));
+  Mesh mesh;
+  MeshTriangle triangle;
+  for (const SceneTerm& term : corners(source, fields.require("vertices"))) mesh.positions.push_back(values.vec3(term));
+  triangle.position = {0, 1, 2};
+  if (const auto* term = fields.find("normals")) {
+    for (const SceneTerm& one : corners(source, *term)) mesh.normals.push_back(values.direction(one));
+    triangle.normal = {0, 1, 2};
+  }
+  if (const auto* term = fields.find("uvs")) {
+    for (const SceneTerm& one : corners(source, *term)) mesh.uvs.push_back(values.vec2(one));
+    triangle.uv = {0, 1, 2};
+  }
+  mesh.triangles = {triangle};
+  mesh.materials = {material_for(source, fields, {}, draft)};
+  if (draft.materials[mesh.materials.front()].texture >= 0 && mesh.uvs.empty())
+    values.fail_at(entry.line, entry.column, "a triangle with a texture", "'uvs' too");
+  const SceneTerm* name = fields.find("name");
+  mesh.name = name != nullptr ? values.name(*name) : "triangle";
+  for (int number = 2; draft.mesh_index.count(mesh.name) > 0; ++number)
+    mesh.name = fmt::format("{} {}", name != nullptr ? values.name(*name) : "triangle", number);
+  Instance instance;
+  instance.mesh = static_cast<std::uint32_t>(draft.geometry.meshes.size());
+  if (const auto* term = fields.find("sides")) instance.sides = read_sides(values, *term);
+  draft.mesh_index[mesh.name] = instance.mesh;
+  draft.geometry.meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
+  add_object(source, fields, {{}, instance}, draft);
+}
+
+}  // namespace
+
+void read_any_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
+  if (in_space(entry))
+    read_space_triangle(source, entry, draft);
+  else
+    read_canvas_triangle(source, entry, draft);
+}
+
+}  // namespace ps

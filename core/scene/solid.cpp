@@ -1,0 +1,49 @@
+#include "scene/solid.h"
+
+#include <array>
+
+namespace ps {
+namespace {
+
+template <class Node, class Part>
+void collect(Node& node, std::vector<Part*>& parts) {
+  if (node.children.empty()) parts.push_back(&node.part);
+  for (auto& child : node.children) collect(child, parts);
+}
+
+}  // namespace
+
+std::vector<const Solid*> csg_parts(const CsgNode& root) {
+  std::vector<const Solid*> parts;
+  collect(root, parts);
+  return parts;
+}
+
+std::vector<Solid*> csg_parts(CsgNode& root) {
+  std::vector<Solid*> parts;
+  collect(root, parts);
+  return parts;
+}
+
+std::string_view form_name(const Form& form) {
+  constexpr std::array<std::string_view, 5> names{"sphere", "plane", "rectangle", "box", "cylinder"};
+  return names.at(form.index());
+}
+
+std::string_view operation_name(CsgOperation operation) {
+  switch (operation) {
+  case CsgOperation::union_of:
+    return "union";
+  case CsgOperation::intersection:
+    return "intersection";
+  case CsgOperation::difference:
+    return "difference";
+  }
+  return {};
+}
+
+bool is_flat(const Form& form) {
+  return std::holds_alternative<Plane>(form) || std::holds_alternative<Rectangle>(form);
+}
+
+}  // namespace ps
