@@ -14,6 +14,7 @@
 #include "image/file.h"
 #include "options/option.h"
 #include "render/display_frame.h"
+#include "render/left_out.h"
 #include "render/render.h"
 
 namespace ps::cli {
@@ -68,6 +69,8 @@ int run_render(const RenderArguments& arguments) {
   Document document = load_document(arguments.scene);
   document.a.show = show;
   const View view = view_of(document);
+  for (const std::string& sentence : left_out(document.scene, document.a.settings))
+    fmt::print(stderr, "{}\n", sentence);
   Prepared prepared;
   RenderRequest request;
   request.channels = shown_channel(show).needs;

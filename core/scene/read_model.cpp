@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scene/colour_name.h"
+#include "scene/generate/teapot.h"
 #include "scene/obj.h"
 #include "scene/scene_draft.h"
 #include "scene/sphere_mesh.h"
@@ -43,6 +44,17 @@ class ModelReader {
 
   Mesh sphere() {
     mesh_ = make_sphere_mesh(values_.whole(fields_.require("sphere_divisions"), 3, 200));
+    mesh_.name = values_.name(fields_.require("name"));
+    mesh_.materials = {material_for(source_, fields_, {}, draft_)};
+    return std::move(mesh_);
+  }
+
+  Mesh generated() {
+    const SceneTerm& generator = fields_.require("generator");
+    if (values_.name(generator) != "teapot") values_.fail(generator, "teapot");
+    TeapotOptions options;
+    if (const auto* term = fields_.find("divisions")) options.divisions = values_.whole(*term, 1, 64);
+    mesh_ = make_teapot(options);
     mesh_.name = values_.name(fields_.require("name"));
     mesh_.materials = {material_for(source_, fields_, {}, draft_)};
     return std::move(mesh_);
@@ -244,7 +256,7 @@ void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   const SceneValues& values = source.values;
   const SceneFields fields(values, entry,
                            joined_keys({"name", "file", "vertices", "triangles", "normals", "uvs", "sphere_divisions",
-                                        "material", "materials"},
+                                        "generator", "divisions", "material", "materials"},
                                        surface_keys()));
   const SceneTerm& name = fields.require("name");
   if (draft.mesh_index.count(values.name(name)) > 0) values.fail(name, "a name that no other model has");
@@ -252,6 +264,10 @@ void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   if (fields.find("file") != nullptr) {
     fields.forbid({"vertices", "triangles", "normals", "uvs", "sphere_divisions"}, "no shape beside 'file'");
     mesh = ModelReader(source, fields, draft).from_file();
+  } else if (fields.find("generator") != nullptr) {
+    fields.forbid({"vertices", "triangles", "normals", "uvs", "sphere_divisions", "materials"},
+                  "no shape beside 'generator'");
+    mesh = ModelReader(source, fields, draft).generated();
   } else if (fields.find("sphere_divisions") != nullptr) {
     fields.forbid({"vertices", "triangles", "normals", "uvs", "materials"}, "no shape beside 'sphere_divisions'");
     mesh = ModelReader(source, fields, draft).sphere();

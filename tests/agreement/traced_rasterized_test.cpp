@@ -47,11 +47,12 @@ int level_difference(const Rgb8& a, const Rgb8& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// Scenes that both renderers draw: everything but canvas items.
+/// Scenes that both renderers draw: everything but canvas items and CSG.
 std::vector<std::string> scenes_in_space() {
   std::vector<std::string> names;
   for (const BuiltinScene& builtin : builtin_scenes())
-    if (load_scene(builtin.name).canvas_items->empty()) names.push_back(builtin.name);
+    if (const Scene scene = load_scene(builtin.name); scene.canvas_items->empty() && !scene_traits(scene).csg)
+      names.push_back(builtin.name);
   return names;
 }
 

@@ -1,5 +1,7 @@
 #include "support/random_scene.h"
 
+#include <array>
+
 #include <cmath>
 #include <random>
 
@@ -91,6 +93,45 @@ Texture checkerboard() {
   return {"checkerboard", "", std::make_shared<const Image<Vec3f>>(std::move(texels))};
 }
 
+/// Every form, alone and in CSG trees.
+Form form(Random& random, unsigned kind) {
+  const Vec3d point = random.point(-3, 3);
+  const Mat3d frame = rotation(random);
+  switch (kind) {
+  case 0:
+    return Ball{point, random.between(0.3, 1.2)};
+  case 1:
+    return Plane{{0, -2, 0}, {random.between(-0.2, 0.2), 1, random.between(-0.2, 0.2)}};
+  case 2:
+    return Rectangle{point, frame[0] * random.between(0.5, 2), frame[1] * random.between(0.5, 2)};
+  case 3:
+    return Brick{point, random.point(0.3, 1.5), frame};
+  default:
+    return Cylinder{point, point + frame[0] * random.between(0.3, 2), random.between(0.2, 0.8)};
+  }
+}
+
+CsgNode csg_tree(Random& random, int depth) {
+  CsgNode node;
+  if (depth == 0) {
+    constexpr std::array<unsigned, 3> bodies{0, 3, 4};
+    node.part = {form(random, bodies[random.below(3)]), random.below(6), Sides::two};
+    return node;
+  }
+  node.operation = static_cast<CsgOperation>(random.below(3));
+  for (int i = 0; i < 2; ++i) node.children.push_back(csg_tree(random, depth - 1));
+  return node;
+}
+
+void add_solids(unsigned seed, Geometry& geometry) {
+  Random random(seed + 7919);
+  for (unsigned kind = 1; kind < 5; ++kind)
+    if (random.chance(0.3))
+      geometry.objects.push_back(
+          {"solid", Solid{form(random, kind), random.below(6), random.chance(0.5) ? Sides::two : Sides::front}});
+  if (random.chance(0.3)) geometry.objects.push_back({"csg", Csg{csg_tree(random, 2)}});
+}
+
 }  // namespace
 
 Scene random_scene(unsigned seed) {
@@ -122,6 +163,7 @@ Scene random_scene(unsigned seed) {
     if (random.chance(0.5)) instance.material = random.below(6);
     geometry.objects.push_back({"grid", instance});
   }
+  add_solids(seed, geometry);
   scene.geometry = Part(std::move(geometry));
 
   std::vector<Light> lights{light(random, LightKind::ambient), light(random, LightKind::point)};

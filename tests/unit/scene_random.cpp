@@ -31,8 +31,12 @@ class Dice {
 };
 
 Material random_material(Dice& dice, const std::string& name) {
-  Material material{name, dice.colour(), {}, 0, {}, {}, -1};
+  Material material;
+  material.name = name;
+  material.colour = dice.colour();
   if (dice.coin()) material.specular = dice.number(0.1, 1000);
+  if (dice.coin()) material.transparency = dice.number(0, 1);
+  if (dice.coin()) material.refraction_index = dice.number(1, 2);
   if (dice.coin()) material.reflective = dice.number(0, 1);
   if (dice.coin()) material.specular_colour = dice.colour();
   if (dice.coin()) material.ambient_colour = dice.colour();
@@ -61,6 +65,30 @@ Mesh random_mesh(Dice& dice, const std::string& name, std::uint32_t materials) {
     mesh.triangles.push_back(triangle);
   }
   return mesh;
+}
+
+/// Of kinds 0 = box, 1 = cylinder, 2 = plane, 3 = rectangle, 4 = ball (inside CSG only).
+Solid random_solid(Dice& dice, std::uint32_t materials, int kind) {
+  Solid solid;
+  if (kind == 0) solid.form = Brick{dice.vec(), Vec3d{dice.number(0.1, 3), 1, 2}, dice.rotation()};
+  if (kind == 1) solid.form = Cylinder{dice.vec(), dice.vec(), dice.number(0.1, 3)};
+  if (kind == 2) solid.form = Plane{dice.vec(), dice.vec()};
+  if (kind == 3) solid.form = Rectangle{dice.vec(), {dice.number(0.1, 5), 0, 0}, {0, dice.number(-5, -0.1), 2}};
+  if (kind == 4) solid.form = Ball{dice.vec(), dice.number(0.1, 5)};
+  solid.material = static_cast<std::uint32_t>(dice.below(static_cast<int>(materials)));
+  return solid;
+}
+
+CsgNode random_tree(Dice& dice, std::uint32_t materials, int depth) {
+  CsgNode node;
+  if (depth == 0 || (depth == 1 && dice.coin())) {
+    const int kind = dice.below(4);
+    node.part = random_solid(dice, materials, kind == 3 ? 4 : kind);
+    return node;
+  }
+  node.operation = static_cast<CsgOperation>(dice.below(3));
+  for (int i = 0; i < 2 + dice.below(2); ++i) node.children.push_back(random_tree(dice, materials, depth - 1));
+  return node;
 }
 
 CanvasItem random_item(Dice& dice) {
@@ -103,6 +131,13 @@ Scene random_scene(std::mt19937_64& random) {
     geometry.meshes.push_back(std::make_shared<const Mesh>(random_mesh(dice, "mesh-" + std::to_string(i), shared)));
   for (int i = 0; i < dice.below(8); ++i) {
     Object object{"thing " + std::to_string(i), {}};
+    const int shape = dice.below(6);
+    if (shape < 2) {
+      object.shape = shape == 0 ? decltype(object.shape)(random_solid(dice, shared, dice.below(4)))
+                                : decltype(object.shape)(Csg{random_tree(dice, shared, 2)});
+      geometry.objects.push_back(object);
+      continue;
+    }
     if (geometry.meshes.empty() || dice.coin()) {
       Sphere sphere{dice.vec(), dice.number(1e-6, 5000),
                     static_cast<std::uint32_t>(dice.below(static_cast<int>(shared)))};
@@ -118,6 +153,7 @@ Scene random_scene(std::mt19937_64& random) {
       if (dice.coin()) instance.transform.scale = dice.coin() ? Vec3d(dice.number(0.1, 3)) : dice.vec();
       if (dice.coin()) instance.transform.rotation = dice.rotation();
       instance.transform.translation = dice.vec();
+      if (dice.coin()) instance.sides = Sides::front;
       if (dice.coin()) instance.material = static_cast<std::uint32_t>(dice.below(static_cast<int>(shared)));
       object.shape = instance;
     }
@@ -130,6 +166,7 @@ Scene random_scene(std::mt19937_64& random) {
     light.intensity = dice.number(0, 2);
     if (dice.coin()) light.colour = dice.colour();
     if (light.kind == LightKind::point) light.position = dice.vec();
+    if (light.kind == LightKind::point && dice.coin()) light.attenuation = {dice.number(0, 1), 0.5, dice.number(0, 2)};
     if (light.kind == LightKind::directional) light.direction = dice.vec();
     lights.push_back(light);
   }

@@ -1,0 +1,121 @@
+// The scenes of CGPP ch. 15: their numbers, one pixel worked out by hand, and acne where the book says that it appears.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <iostream>
+#include <numbers>
+
+#include "options/scene_settings.h"
+#include "raytrace/tracer.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace {
+
+using namespace ps;
+
+Frame traced(const Scene& scene, const Settings& settings, Channel channels = Channel::none) {
+  Prepared prepared;
+  Progress progress;
+  RenderRequest request;
+  request.channels = channels;
+  return render_traced(scene, View{scene.camera, scene.canvas_width, scene.canvas_height}, settings, request, prepared,
+                       progress);
+}
+
+TEST(Cgpp, OnePixelOfTheTriangleByHand) {
+  const Scene scene = load_scene("cgpp/triangle");
+  const Settings settings = settings_for(scene);
+  EXPECT_EQ(settings.exposure, 15);
+  EXPECT_EQ(settings.gamma, 2.2);
+  const int x = 390, y = 250;
+  // Listing 15.14 with 90 degrees between the centres of the first and the last pixel of a row.
+  const double s = 2.0 / (800 - 1), sy = 1.25 / (500 - 1);
+  const Vec3d direction{(x + 0.5 - 400) * s, (250 - y - 0.5) * sy, -1};
+  const Vec3d point = direction * 2.0;  // the triangle lies in z = -2
+  const Vec3d a{0, 1, -2}, b{-1.9, -1, -2}, c{1.6, -0.5, -2};
+  const auto area = [](const Vec3d& p, const Vec3d& q, const Vec3d& r) {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  };
+  const double whole = area(a, b, c);
+  const Vec3d w{area(point, b, c) / whole, area(a, point, c) / whole, area(a, b, point) / whole};
+  const Vec3d n = glm::normalize(glm::normalize(Vec3d{0, 0.6, 1}) * w.x + glm::normalize(Vec3d{-0.4, -0.4, 1}) * w.y +
+                                 glm::normalize(Vec3d{0.4, -0.4, 1}) * w.z);
+  const Vec3d offset = Vec3d{1, 3, 1} - point;
+  const double distance = glm::length(offset);
+  const Vec3d w_i = offset / distance, w_o = -glm::normalize(point), w_h = glm::normalize(w_i + w_o);
+  const double arriving = 10 / (4 * std::numbers::pi * distance * distance) * std::max(0.0, dot(w_i, n));
+  const double gloss = 0.2 * 108 * std::pow(std::max(0.0, dot(w_h, n)), 100) / 8;
+  const Vec3d expected = (Vec3d{0, 0.8, 0} + gloss) * (arriving / std::numbers::pi);
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    Settings with = settings;
+    with.precision = precision;
+    const Vec3f got = traced(scene, with).colour.at(x, y);
+    EXPECT_LT(glm::length(Vec3d(got) - expected), 2e-6 * glm::length(expected) + 1e-7);
+  }
+}
+
+/// Pixels of the visible green triangle whose light is blocked.
+int shadowed_green(const Scene& scene, const Settings& settings) {
+  const Frame frame = traced(scene, settings, Channel::ids | Channel::shadow);
+  int count = 0;
+  for (int y = 0; y < frame.height(); ++y)
+    for (int x = 0; x < frame.width(); ++x)
+      if (frame.ids.at(x, y).object == 0 && frame.shadow.at(x, y) != 0) ++count;
+  return count;
+}
+
+TEST(Cgpp, GroundHasAShadowAndAcneOnlyWithATinyBump) {
+  const Scene scene = load_scene("cgpp/ground");
+  Settings settings = settings_for(scene);
+  const Frame frame = traced(scene, settings, Channel::ids | Channel::shadow);
+  int shadow = 0, lit = 0;
+  for (int y = 0; y < frame.height(); ++y)
+    for (int x = 0; x < frame.width(); ++x)
+      if (frame.ids.at(x, y).object >= 2) (frame.shadow.at(x, y) != 0 ? shadow : lit) += 1;
+  EXPECT_GT(shadow, 1000);
+  EXPECT_GT(lit, 10000);
+  EXPECT_EQ(shadowed_green(scene, settings), 0);
+  settings.shadow_epsilon = 1e-9;
+  const int acne = shadowed_green(scene, settings);
+  std::cout << acne << " pixels of acne with a bump of 1e-9\n";
+  EXPECT_GT(acne, 100);
+  settings.self_hit = SelfHit::offset;
+  EXPECT_EQ(shadowed_green(scene, settings), 0);
+}
+
+// "Without the second side, the green triangle would cast no shadow": triangles have a front only.
+TEST(Cgpp, TheFrontAloneCastsNoShadowFromBehind) {
+  Scene scene = load_scene("cgpp/ground");
+  scene.geometry.edit([](Geometry& geometry) { geometry.objects.erase(geometry.objects.begin() + 1); });
+  const Frame frame = traced(scene, settings_for(scene), Channel::ids | Channel::shadow);
+  for (int y = 0; y < frame.height(); ++y)
+    for (int x = 0; x < frame.width(); ++x)
+      if (frame.ids.at(x, y).object >= 1) {
+        ASSERT_EQ(frame.shadow.at(x, y), 0u) << x << ", " << y;
+      }
+}
+
+TEST(Cgpp, FourTriangleTestsSeeTheSameTeapot) {
+  const Scene scene = load_scene("cgpp/teapot");
+  Settings settings = settings_for(scene);
+  settings.precision = Precision::float64;
+  const Frame reference = traced(scene, settings, Channel::ids);
+  int covered = 0;
+  for (const TriangleTest test :
+       {TriangleTest::moeller_trumbore, TriangleTest::barycentric, TriangleTest::cross_products}) {
+    settings.triangle_test = test;
+    const Frame frame = traced(scene, settings, Channel::ids | Channel::depth);
+    int differing = 0;
+    covered = 0;
+    for (int y = 0; y < frame.height(); ++y)
+      for (int x = 0; x < frame.width(); ++x) {
+        covered += frame.ids.at(x, y).object == 0 ? 1 : 0;
+        differing += frame.ids.at(x, y) != reference.ids.at(x, y) ? 1 : 0;
+      }
+    EXPECT_LE(differing, 3) << static_cast<int>(test);
+  }
+  EXPECT_GT(covered, 30000);
+}
+
+}  // namespace
