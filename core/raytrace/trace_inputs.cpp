@@ -24,15 +24,17 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
   if (settings.accelerator == Accelerator::bvh) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
   inputs.simple = simple_accelerators<Real>(scene, *inputs.geometry, settings, prepared);
+  for (const Material& material : *scene.materials)
+    inputs.any_transparent = inputs.any_transparent || material.transparency > 0;
   if constexpr (std::is_same_v<Real, float>) {
-    const bool triangles =
-        settings.cache_constants && settings.accelerator == Accelerator::bvh && !inputs.geometry->triangles.empty();
+    // The SIMD queries know neither one-sided triangles nor surfaces that throw no shadow.
+    const bool triangles = settings.cache_constants && settings.accelerator == Accelerator::bvh &&
+                           !inputs.geometry->triangles.empty() && !inputs.geometry->one_sided_triangles &&
+                           !inputs.any_transparent;
     if (triangles) inputs.wide_searches = wide_searches(settings.simd, settings.triangle_test);
     if (inputs.wide_searches.nearest) inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
   }
   inputs.materials = shading_materials<Real>(*scene.materials);
-  for (const Material& material : *scene.materials)
-    inputs.any_transparent = inputs.any_transparent || material.transparency > 0;
   inputs.lights = shading_lights<Real>(*scene.lights);
   for (const Texture& texture : *scene.textures) inputs.textures.push_back(texture.texels);
   inputs.background = Vec3<Real>(scene.background);

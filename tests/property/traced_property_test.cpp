@@ -185,7 +185,8 @@ TEST(TracedProperty, AStoryEndsInTheColourOfThePicture) {
         EXPECT_EQ(story.linear, stored);
         const Rgb8 level = shown.at(pixel.x, pixel.y);
         EXPECT_EQ(story.display, (std::array<int, 3>{level.r, level.g, level.b}));
-        EXPECT_EQ(story.counters[Counter::sphere_tests] + story.counters[Counter::triangle_tests],
+        EXPECT_EQ(story.counters[Counter::sphere_tests] + story.counters[Counter::triangle_tests] +
+                      story.counters[Counter::solid_tests],
                   frame.tests.at(pixel.x, pixel.y));
         EXPECT_FALSE(story.verdict.empty());
       }

@@ -46,6 +46,8 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/depth", {"renderer=rasterizer"}},
       {"cgfs/lines", {"renderer=rasterizer"}},
       {"cgfs/wireframe", {"renderer=rasterizer"}},
+      {"octree/attenuation", {}},
+      {"cgfs/magnifying-glass", {}},
       {"lab/flattened", {"renderer=rasterizer"}},
       {"cgfs/cubes", {"renderer=rasterizer", "subpixel-bits=0"}},
       {"cgfs/reflections", {"accelerator=octree", "octree-leaf=1"}},

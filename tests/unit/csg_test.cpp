@@ -81,7 +81,8 @@ TEST(Csg, SurfacesBoundExactlyWhatTheDefinitionSays) {
     const auto inputs = make_trace_inputs<double>(scene, View{scene.camera, 8, 8}, settings, prepared);
     Silent silent;
     const Intersector<double, Silent> intersector(inputs, silent);
-    Ray<double> ray{trees.vec(4), trees.vec(1), 0, std::numeric_limits<double>::infinity(), no_primitive};
+    const Vec3d origin = trees.vec(4);
+    Ray<double> ray{origin, trees.vec(1) - origin, 0, std::numeric_limits<double>::infinity(), no_primitive};
     for (int step = 0; step < 20; ++step) {
       const Hit<double> hit = intersector.nearest(ray);
       const double end = hit.found() ? hit.t : 20;

@@ -74,7 +74,7 @@ TEST(Radiometric, WhiteFurnaceOfLambert) {
 }
 
 // Seen along the normal, a highlight of strength 1 sends back about 1 of what a furnace sends, whatever its exponent;
-// (s + 8) / 8 pi is Hoffman and Sloan's fit, exact in the limit of sharp highlights.
+// (s + 8) / 8 pi is Hoffman and Sloan's fit, 7 % too much at worst and exact in the limit of sharp highlights.
 TEST(Radiometric, BlinnPhongIsNormalised) {
   const LitPoint<double> point{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}};
   const auto reflected = [&](double exponent) {
@@ -98,7 +98,7 @@ TEST(Radiometric, BlinnPhongIsNormalised) {
   for (const double exponent : {1.0, 10.0, 100.0, 1000.0}) {
     const double got = reflected(exponent);
     EXPECT_NEAR(got, expected(exponent), 2e-3 * got) << exponent;
-    EXPECT_LE(got, 1.02) << exponent;
+    EXPECT_LE(got, 1.08) << exponent;
   }
   EXPECT_NEAR(reflected(1000), 1, 0.01);
 }
