@@ -14,6 +14,7 @@ constexpr double ground_factor = 20;
 struct Extent {
   Vec3d low{std::numeric_limits<double>::infinity()};
   Vec3d high{-std::numeric_limits<double>::infinity()};
+  std::vector<SpaceBall> parts;
 
   void take(const Vec3d& point, double around = 0) {
     for (int k = 0; k < 3; ++k) {
@@ -21,10 +22,11 @@ struct Extent {
     }
     low = glm::min(low, point - Vec3d(around));
     high = glm::max(high, point + Vec3d(around));
+    parts.push_back({point, around});
   }
-  SpaceBounds ball() const {
+  SpaceBounds bounds() const {
     const Vec3d half = (high - low) * 0.5;
-    return {low + half, std::max(std::sqrt(dot(half, half)), 1e-6)};
+    return {low + half, std::max(std::sqrt(dot(half, half)), 1e-6), parts};
   }
 };
 
@@ -48,6 +50,15 @@ void take_objects(const SpaceInputs& inputs, Extent& extent) {
 
 }  // namespace
 
+std::vector<bool> ground_objects(const SpaceInputs& inputs) {
+  std::vector<bool> ground;
+  for (const Object& object : inputs.scene.geometry->objects) {
+    const auto* sphere = std::get_if<Sphere>(&object.shape);
+    ground.push_back(sphere && serves_as_ground(*sphere, inputs.view.camera.position));
+  }
+  return ground;
+}
+
 SpaceBounds space_bounds(const SpaceInputs& inputs) {
   Extent extent;
   extent.take(inputs.view.camera.position);
@@ -55,12 +66,12 @@ SpaceBounds space_bounds(const SpaceInputs& inputs) {
   for (const Vec2d& corner : {Vec2d(0, 0), Vec2d(w, 0), Vec2d(0, h), Vec2d(w, h)}) extent.take(inputs.image.at(corner));
   take_objects(inputs, extent);
   // Lights far away would shrink everything else to a dot; the view may be moved to them.
-  const SpaceBounds seen = extent.ball();
+  const SpaceBounds seen = extent.bounds();
   for (const Light& light : *inputs.scene.lights) {
     const Vec3d away = light.position - seen.centre;
     if (light.kind == LightKind::point && std::sqrt(dot(away, away)) < 2 * seen.radius) extent.take(light.position);
   }
-  return extent.ball();
+  return extent.bounds();
 }
 
 }  // namespace ps

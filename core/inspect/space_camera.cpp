@@ -10,8 +10,8 @@ namespace ps {
 namespace {
 
 constexpr int most_grid_lines = 24;        // along the longer side
-constexpr double arrow_share = 0.28;       // length of a directional light's arrow, of the bounds' radius
-constexpr double arrow_start_share = 1.1;  // how far outside it begins
+constexpr double arrow_share = 0.2;        // length of a directional light's arrow, of the bounds' radius
+constexpr double arrow_start_share = 0.8;  // how far from the middle it begins
 
 std::vector<Vec3d> rectangle(const SpaceImage& image, const Vec2d& low, const Vec2d& high, double z) {
   return {image.at_depth(low, z), image.at_depth({high.x, low.y}, z), image.at_depth(high, z),

@@ -11,6 +11,7 @@ SpaceModel build_space(const Scene& scene, const View& view, const Settings& set
   inputs.bounds = space_bounds(inputs);
   SpaceModel model;
   model.bounds = inputs.bounds;
+  model.ground = ground_objects(inputs);
   add_camera(inputs, model);
   add_lights(inputs, model);
   if (story) {

@@ -54,10 +54,16 @@ struct SpaceItem {
   std::string label = {};   ///< a few words; may be empty
 };
 
-/// A ball around what is worth seeing: eye, image, hits, lights and objects, leaving out what serves as ground.
+struct SpaceBall {
+  Vec3d centre{0, 0, 0};
+  double radius = 0;
+};
+
+/// What is worth seeing: eye, image, lights and objects, leaving out what serves as ground.
 struct SpaceBounds {
   Vec3d centre{0, 0, 0};
-  double radius = 1;
+  double radius = 1;  ///< of a ball around all of it
+  std::vector<SpaceBall> parts;
 };
 
 /// One pixel's story as things in space.
@@ -65,12 +71,17 @@ struct SpaceModel {
   std::vector<SpaceItem> items;
   std::vector<int> steps;  ///< events that have items, in the order in which they happened, for playing them
   SpaceBounds bounds;
-  int deepest_level = 0;  ///< of the nodes
+  int deepest_level = 0;     ///< of the nodes
+  std::vector<bool> ground;  ///< for each object, whether it serves as ground
 };
 
 /// The scene's camera, image and lights, and the story's events where there is one. `view` and `settings` are those
 /// that the story was told with.
 SpaceModel build_space(const Scene& scene, const View& view, const Settings& settings, const PixelStory* story);
+
+/// The event whose items show what event `selected` tells: itself if it has items, else the ray, hit or fragment that
+/// it is about (a light's shadow ray, the hit that was shaded); -1 if there is none.
+int shown_event(const SpaceModel& model, const PixelStory& story, int selected);
 
 /// Number of items of a kind.
 int count_of(const SpaceModel& model, SpaceKind kind);

@@ -11,7 +11,8 @@ namespace ps {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double fill = 0.92;  // how much of the picture the bounds may take
+constexpr double fill = 0.88;         // how much of the picture the bounds may take
+constexpr double least_factor = 0.3;  // nearest that the viewer comes, of the bounds' radius
 
 /// Gram-Schmidt from forward and up; right keeps its side.
 Mat3d right_angled(const Camera& base) {
@@ -24,11 +25,9 @@ Mat3d right_angled(const Camera& base) {
 
 }  // namespace
 
-SpaceOrbit preset_orbit(SpacePreset preset, const SpaceBounds& bounds, double aspect) {
+SpaceOrbit preset_orbit(SpacePreset preset, const SpaceBounds& bounds, const Camera& base, double aspect) {
   SpaceOrbit orbit;
   orbit.pivot = bounds.centre;
-  const double half_angle = std::atan(space_view_height / 2 * std::min(aspect, 1.0));
-  orbit.distance = fill * bounds.radius / std::sin(half_angle);
   switch (preset) {
   case SpacePreset::outside:
     orbit.yaw = -58 * degree;
@@ -43,6 +42,17 @@ SpaceOrbit preset_orbit(SpacePreset preset, const SpaceBounds& bounds, double as
     orbit.yaw = -90 * degree;
     orbit.pitch = 90 * degree;
     break;
+  }
+  // Each part lies before the plane through its far side that bounds the view: |y| + r <= half * (distance + z).
+  const double half_height = fill * space_view_height / 2, half_width = half_height * aspect;
+  const Camera axes = orbit_view(orbit, base, 1, 1).camera;
+  orbit.distance = least_factor * bounds.radius;
+  for (const SpaceBall& part : bounds.parts) {
+    const Vec3d from_pivot = part.centre - orbit.pivot;
+    const double across = std::abs(dot(from_pivot, axes.right)) + part.radius * std::hypot(1.0, half_width);
+    const double upwards = std::abs(dot(from_pivot, axes.up)) + part.radius * std::hypot(1.0, half_height);
+    const double needed = std::max(across / half_width, upwards / half_height) - dot(from_pivot, axes.forward);
+    orbit.distance = std::max(orbit.distance, needed);
   }
   return orbit;
 }

@@ -23,8 +23,8 @@ enum class SpacePreset {
 /// The height of what is seen at a distance of 1.
 inline constexpr double space_view_height = 0.75;
 
-/// The orbit that shows all of `bounds` in a picture of this shape (width / height).
-SpaceOrbit preset_orbit(SpacePreset preset, const SpaceBounds& bounds, double aspect);
+/// The nearest orbit that shows all of `bounds` in a picture of this shape (width / height). `base` as for orbit_view.
+SpaceOrbit preset_orbit(SpacePreset preset, const SpaceBounds& bounds, const Camera& base, double aspect);
 /// The view of an orbit about the axes of `base`, which are brought to right angles and length 1 with their handedness.
 View orbit_view(const SpaceOrbit& orbit, const Camera& base, int width, int height);
 /// The view through the picture's own camera, with `margin` (1 = none) around its image.

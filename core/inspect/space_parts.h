@@ -18,8 +18,11 @@ struct SpaceInputs {
   SpaceBounds bounds;
 };
 
-/// Around eye, image, hits and fragments, point lights, and objects that are not ground.
+/// Around eye, image, lights, and objects that are not ground.
 SpaceBounds space_bounds(const SpaceInputs& inputs);
+
+/// For each object whether it is a sphere so large that its part in sight is a plane.
+std::vector<bool> ground_objects(const SpaceInputs& inputs);
 
 /// Frustum, image with grid and picked pixel, near plane.
 void add_camera(const SpaceInputs& inputs, SpaceModel& model);

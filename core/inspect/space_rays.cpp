@@ -12,7 +12,7 @@
 namespace ps {
 namespace {
 
-constexpr double endless_share = 1.2;   // how long a ray that meets nothing is drawn, of the bounds' radius
+constexpr double endless_share = 0.8;   // how long a ray that meets nothing is drawn, of the bounds' radius
 constexpr double sunward_share = 0.75;  // likewise a shadow ray towards a directional light
 
 class RayParts {
@@ -64,7 +64,7 @@ class RayParts {
     item.kind = ray.kind == RayKind::eye ? SpaceKind::eye_ray : SpaceKind::reflection_ray;
     item.shape = SpaceShape::arrow;
     // One that leaves the scene may have to cross all of it first.
-    item.points = {ray.origin, along(ray, ray.kind == RayKind::eye ? 2 * endless_share : endless_share)};
+    item.points = {ray.origin, along(ray, ray.kind == RayKind::eye ? 3 * endless_share : endless_share)};
     for (const int hit : events_of_ray<HitEvent>(events_, index))
       item.points[1] = event_as<HitEvent>(events_, hit).point;
     if (ray.kind == RayKind::reflection) item.label = number_text(ray.share) + " of the colour";

@@ -207,9 +207,30 @@ TEST(SpaceModel, StepsAreInOrderAndEachHasSomethingToShow) {
   EXPECT_EQ(told.model.steps.front(), 0);
 }
 
+// Whatever is selected in the tree or the sum shows something: a light its shadow ray, a colour the hit it belongs to.
+TEST(SpaceModel, EverySelectedEventShowsSomethingOfItsRay) {
+  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  const auto& events = told.story.events;
+  for (int i = 0; i + 1 < static_cast<int>(events.size()); ++i) {
+    const int shown = shown_event(told.model, told.story, i);
+    ASSERT_GE(shown, 0) << i;
+    const EventData& data = events[static_cast<std::size_t>(i)].data;
+    if (const auto* light = std::get_if<LightEvent>(&data); light && light->kind != LightKind::ambient) {
+      const auto& ray = event_as<RayEvent>(events, shown);
+      EXPECT_EQ(ray.kind, RayKind::shadow);
+      EXPECT_EQ(ray.direction, light->to_light);
+    } else if (std::holds_alternative<ShadeEvent>(data)) {
+      EXPECT_EQ(ray_of(events, shown), ray_of(events, i));
+      EXPECT_TRUE(std::holds_alternative<HitEvent>(events[static_cast<std::size_t>(shown)].data));
+    }
+  }
+  EXPECT_EQ(shown_event(told.model, told.story, -1), -1);
+}
+
 TEST(SpaceModel, GroundDoesNotMakeTheSceneSmall) {
   const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
   EXPECT_LT(told.model.bounds.radius, 10);  // the ground's radius is 5000
+  EXPECT_EQ(told.model.ground, (std::vector<bool>{false, false, false, true}));
   for (const Vec3d& seen : {Vec3d(0, 0, 0), Vec3d(0, -1, 3), Vec3d(-2, 0, 4), Vec3d(2, 0, 4)})
     EXPECT_LT(glm::length(seen - told.model.bounds.centre), told.model.bounds.radius);
 }

@@ -17,11 +17,11 @@ namespace {
 constexpr std::array presets{SpacePreset::outside, SpacePreset::front, SpacePreset::side, SpacePreset::top};
 
 TEST(SpaceOrbit, EveryPresetAimsAtTheMiddleAndShowsAll) {
-  const SpaceBounds bounds{{1, 2, 3}, 4};
+  const SpaceBounds bounds{{1, 2, 3}, 4, {{{1, 2, 3}, 0.5}, {{-2, 2, 3}, 0}, {{1, 4, 5}, 1}}};
   for (const SpacePreset preset : presets)
     for (const double aspect : {0.5, 1.0, 3.0}) {
       const int width = static_cast<int>(400 * aspect), height = 400;
-      const SpaceOrbit orbit = preset_orbit(preset, bounds, aspect);
+      const SpaceOrbit orbit = preset_orbit(preset, bounds, Camera{}, aspect);
       const View view = orbit_view(orbit, Camera{}, width, height);
       const SpaceProjection projection(view, Settings{}, 0.01);
       const auto middle = projection.point(bounds.centre);
@@ -29,6 +29,17 @@ TEST(SpaceOrbit, EveryPresetAimsAtTheMiddleAndShowsAll) {
       EXPECT_NEAR(middle->at.x, width / 2.0, 1e-9);
       EXPECT_NEAR(middle->at.y, height / 2.0, 1e-9);
       EXPECT_NEAR(middle->z, orbit.distance, 1e-12);
+      // Points of every part's surface are in the picture.
+      for (const SpaceBall& part : bounds.parts)
+        for (const Vec3d& way :
+             {Vec3d(1, 0, 0), Vec3d(-1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, -1, 0), Vec3d(0, 0, 1), Vec3d(0, 0, -1)}) {
+          const auto place = projection.point(part.centre + way * part.radius);
+          ASSERT_TRUE(place);
+          EXPECT_GT(place->at.x, 0);
+          EXPECT_LT(place->at.x, width);
+          EXPECT_GT(place->at.y, 0);
+          EXPECT_LT(place->at.y, height);
+        }
     }
 }
 
@@ -38,7 +49,7 @@ TEST(SpaceOrbit, AxesAreRightAngledAndKeepTheirHandedness) {
   slanted.forward = {0, 0.1, 2};
   const double sense = dot(slanted.right, cross(slanted.up, slanted.forward));
   for (const SpacePreset preset : presets) {
-    const Camera c = orbit_view(preset_orbit(preset, {}, 1), slanted, 100, 100).camera;
+    const Camera c = orbit_view(preset_orbit(preset, {}, slanted, 1), slanted, 100, 100).camera;
     EXPECT_NEAR(dot(c.right, c.up), 0, 1e-12);
     EXPECT_NEAR(dot(c.right, c.forward), 0, 1e-12);
     EXPECT_NEAR(dot(c.up, c.forward), 0, 1e-12);
@@ -50,12 +61,14 @@ TEST(SpaceOrbit, AxesAreRightAngledAndKeepTheirHandedness) {
 // From its right the camera looks from left to right; from above likewise.
 TEST(SpaceOrbit, SideAndTopHaveTheCameraAtTheLeft) {
   for (const SpacePreset preset : {SpacePreset::side, SpacePreset::top}) {
-    const View view = orbit_view(preset_orbit(preset, {{0, 0, 0}, 1}, 1), Camera{}, 100, 100);
+    const View view =
+        orbit_view(preset_orbit(preset, {{0, 0, 0}, 1, {{{0, 0, 0}, 1}}}, Camera{}, 1), Camera{}, 100, 100);
     const SpaceProjection projection(view, Settings{}, 0.01);
     EXPECT_GT(projection.point({0, 0, 0.5})->at.x, 55);
     EXPECT_NEAR(projection.point({0, 0, 0.5})->at.y, 50, 1e-9);
   }
-  const View top = orbit_view(preset_orbit(SpacePreset::top, {{0, 0, 0}, 1}, 1), Camera{}, 100, 100);
+  const View top =
+      orbit_view(preset_orbit(SpacePreset::top, {{0, 0, 0}, 1, {{{0, 0, 0}, 1}}}, Camera{}, 1), Camera{}, 100, 100);
   EXPECT_NEAR(top.camera.forward.y, -1, 1e-12);
 }
 
@@ -72,7 +85,7 @@ TEST(SpaceOrbit, ThroughTheCameraIsThePictureWithAMargin) {
 // The rasterizer's own picture says what is seen where the projection puts a sphere's centre.
 TEST(SpaceProjection, AgreesWithTheRasterizersPicture) {
   const Scene scene = load_scene("cgfs/spheres");
-  SpaceOrbit orbit = preset_orbit(SpacePreset::top, {{0, 0, 3}, 4}, 1);
+  SpaceOrbit orbit = preset_orbit(SpacePreset::top, {{0, 0, 3}, 4, {{{0, 0, 3}, 4}}}, scene.camera, 1);
   for (const double pitch : {1.0, 1.4, std::numbers::pi / 2}) {
     orbit.pitch = pitch;
     const View view = orbit_view(orbit, scene.camera, 200, 200);

@@ -82,7 +82,7 @@ App::App(Shell& shell, const AppOptions& options, Document document)
           {.wake = [&shell] { shell.wake(); },
            .remembered = [&shell](const std::string& key) { return shell.remembered(key); },
            .remember = [&shell](const std::string& key, std::string value) { shell.remember(key, std::move(value)); }}),
-      autosave_(autosave_folder(options)) {
+      space_([&shell] { shell.wake(); }), autosave_(autosave_folder(options)) {
   const auto left_behind = autosave_.take_left_behind();
   const bool nothing_asked = options.scene.empty() && options.permalink.empty() && options.lesson.empty();
   if (left_behind && nothing_asked) {
@@ -109,7 +109,9 @@ void App::set_option(Side side, const std::string& assignment) {
   shell_.wake();
 }
 
-bool App::busy() const { return session_.busy() || session_.has_news(); }
+bool App::busy() const {
+  return session_.busy() || session_.has_news() || space_.worker.busy() || space_.worker.has_news();
+}
 
 std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
   const auto& area = pictures_.areas[index_of(side)];
@@ -157,6 +159,7 @@ void App::draw() {
   session_.update();
   flying_now_ = fly_camera(session_, pictures_, passed);
   collect_pictures(session_, pictures_);
+  update_space(session_, space_);
 
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});
@@ -296,14 +299,31 @@ void App::right_region(const Area& area) {
 }
 
 void App::bottom_region(const Area& area) {
-  bool open = filling_ == "bottom" || session_.document().layout.bottom > 0;
+  if (!(filling_ == "bottom" || session_.document().layout.bottom > 0)) {
+    bool open = false;
+    begin_region("bottom", area);
+    section("bottom/open", "SPACE, TIMINGS", open);
+    toggle_bottom(open);
+    ImGui::EndChild();
+    return;
+  }
   begin_region("bottom", area);
-  const ImVec2 title = ImGui::GetCursorScreenPos();
-  if (section("bottom/open", "TIMINGS", open)) timings_panel(session_);
-  toggle_bottom(open);
-  if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseDoubleClicked(0) &&
-      ImGui::GetIO().MousePos.y < title.y + ImGui::GetFrameHeight())
+  static constexpr std::array tabs{
+      Choice{"space", "SPACE", "The scene from outside, with the rays or triangles of the picked pixel."},
+      Choice{"timings", "TIMINGS", "Times of the stages and counts of the work, A beside B."},
+      Choice{"fold", "Fold", "Leaves the room to the pictures."}};
+  int tab = session_.document().layout.bottom_tab == tabs[1].key ? 1 : 0;
+  if (tab_row("bottom", tabs, tab)) {
+    if (tabs[static_cast<std::size_t>(tab)].key == "fold")
+      toggle_bottom(false);
+    else
+      session_.navigate([&](Document& document) {
+        document.layout.bottom_tab = std::string(tabs[static_cast<std::size_t>(tab)].key);
+      });
+  }
+  if (tab == 0 && space_panel(session_, space_, pixel_panel_, pictures_, filling_ == "bottom"))
     filling_ = filling_ == "bottom" ? "" : "bottom";
+  if (tab == 1) timings_panel(session_);
   ImGui::EndChild();
 }
 

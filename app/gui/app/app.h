@@ -12,6 +12,7 @@
 #include "gui/app/pictures_panel.h"
 #include "gui/app/pixel_panel.h"
 #include "gui/app/session.h"
+#include "gui/app/space_panel.h"
 #include "gui/app/status_bar.h"
 #include "gui/shell/content.h"
 #include "gui/shell/shell.h"
@@ -50,6 +51,7 @@ class App final : public Content {
   void add_actions();
   void add_view_actions();
   void add_pixel_actions();
+  void add_story_actions();
   void add_camera_actions();
   void add_lesson_actions();
   void nudge(Vec2i by);
@@ -87,6 +89,7 @@ class App final : public Content {
   PicturesState pictures_;
   OptionsPanelState options_panel_;
   PixelPanelState pixel_panel_;
+  SpacePanelState space_;
   StatusBarState status_bar_;
   FileDialog files_;
   LessonShelf lessons_;

@@ -111,6 +111,7 @@ void App::add_actions() {
                .enabled = [this] { return session_.can_redo(); }});
   add_view_actions();
   add_pixel_actions();
+  add_story_actions();
   add_camera_actions();
   add_lesson_actions();
 }
@@ -220,6 +221,29 @@ void App::add_pixel_actions() {
                  .kind = ActionKind::repeat,
                  .run = [this, by] { nudge(by * far_nudge); }});
   }
+}
+
+void App::add_story_actions() {
+  auto& actions = shell_.actions();
+  const auto there_are_steps = [this] { return !space_.model.steps.empty(); };
+  actions.add({.name = "story-play",
+               .label = "Play or pause the story",
+               .group = "Story",
+               .keys = "Space",
+               .run = [this] { play_story(session_, space_, pixel_panel_); },
+               .enabled = there_are_steps,
+               .checked = [this] { return space_.play.running; }});
+  const auto step = [&](const char* name, const char* label, const char* keys, int by) {
+    actions.add({.name = name,
+                 .label = label,
+                 .group = "Story",
+                 .keys = keys,
+                 .kind = ActionKind::repeat,
+                 .run = [this, by] { step_story(session_, space_, pixel_panel_, by); },
+                 .enabled = there_are_steps});
+  };
+  step("story-back", "One event back", ",", -1);
+  step("story-forward", "One event on", ".", 1);
 }
 
 void App::add_lesson_actions() {

@@ -124,6 +124,14 @@ void App::publish() {
   out.publish("lesson", document.lesson);
   out.publish("step", document.lesson.empty() ? 0 : document.step + 1);
   out.publish("panels", document.layout.panels);
+  out.publish("selected-event", pixel_panel_.cursors[index_of(told_side(session_))].selected);
+  out.publish("space/items", space_.items);
+  out.publish("space/rays", space_.rays);
+  out.publish("space/shadow-rays", space_.shadow_rays);
+  out.publish("space/boxes", space_.boxes);
+  out.publish("space/steps", static_cast<int>(space_.model.steps.size()));
+  out.publish("space/playing", space_.play.running);
+  out.publish("space/filled", filling_ == "bottom");
 }
 
 }  // namespace ps::gui

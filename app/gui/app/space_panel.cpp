@@ -1,0 +1,317 @@
+#include "gui/app/space_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "gui/app/space_paint.h"
+#include "gui/widgets/redraw.h"
+#include "gui/widgets/widgets.h"
+#include "inspect/describe.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double camera_margin = 1.15;       // around the image, when looking through the camera
+constexpr double radians_per_pixel = 0.006;  // at scale 1
+constexpr double wheel_factor = 0.85;
+constexpr double near_share = 0.02;   // of the viewer's distance
+constexpr double focus_factor = 1.1;  // distance of the viewer, of the scene's radius
+
+SpaceOrbit orbit_now(const SpacePanelState& state, double aspect) {
+  return state.orbit ? *state.orbit : preset_orbit(state.preset, state.model.bounds, state.base, aspect);
+}
+
+View viewer(const SpacePanelState& state, int width, int height) {
+  if (state.through_camera) return through_camera(state.view, state.settings, camera_margin, width, height);
+  const double aspect = static_cast<double>(width) / height;
+  return orbit_view(orbit_now(state, aspect), state.base, width, height);
+}
+
+double near_of(const SpacePanelState& state, double aspect) {
+  return near_share * (state.through_camera ? state.view.camera.projection_plane_d : orbit_now(state, aspect).distance);
+}
+
+void set_preset(SpacePanelState& state, SpacePreset preset) {
+  state.preset = preset;
+  state.orbit.reset();
+  state.through_camera = false;
+}
+
+/// Puts what is selected, or else the first hit, into the middle.
+void focus(SpacePanelState& state, int event, double aspect) {
+  const SpaceItem* found = nullptr;
+  for (const SpaceItem& item : state.model.items)
+    if (item.kind == SpaceKind::hit_point && item.emphasised && (!found || item.event == event)) found = &item;
+  if (!found) return;
+  SpaceOrbit orbit = orbit_now(state, aspect);
+  orbit.distance = state.model.bounds.radius * focus_factor;
+  orbit.pivot = found->points[0];
+  state.orbit = orbit;
+  state.through_camera = false;
+}
+
+void show_popup(SpacePanelState& state) {
+  if (button("show", "Show…", Emphasis::quiet, {.tooltip = "What is drawn, and what the lines mean."}))
+    ImGui::OpenPopup("space-show");
+  if (!ImGui::BeginPopup("space-show")) return;
+  for (const auto& row : space_groups) {
+    const SpaceStroke stroke = stroke_of({row.like, SpaceShape::line, {}});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + ImGui::GetFrameHeight() / 2;
+    ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + px(22), y}, colour_u32(stroke.colour),
+                                        std::max(px(2), px(stroke.width)));
+    ImGui::Dummy({px(26), 1});
+    ImGui::SameLine();
+    toggle(row.key, row.label, state.groups[static_cast<std::size_t>(row.group)], {.tooltip = row.help});
+  }
+  ImGui::Spacing();
+  ImGui::TextUnformatted("Boxes down to level");
+  number("level", state.deepest_level,
+         {.minimum = 0, .maximum = std::max(1.0, static_cast<double>(state.model.deepest_level)), .integer = true},
+         {.tooltip = "0 is the box around everything.", .width = px(180)});
+  ImGui::TextUnformatted("Leave out rays below a share of");
+  number("least", state.least_contribution, {.minimum = 0, .maximum = 1},
+         {.tooltip = "Rays that bring less of the pixel's colour are hidden with all that belongs to them.",
+          .width = px(180)});
+  ImGui::EndPopup();
+}
+
+void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected) {
+  const std::string_view none = state.model.steps.empty() ? "Nothing happened at this pixel that could be shown." : "";
+  if (button("back", "Back", Emphasis::quiet, {.tooltip = "One event back (comma)", .disabled = none}))
+    step_story(session, state, pixel, -1);
+  ImGui::SameLine(0, px(2));
+  if (button("play", state.play.running ? "Pause" : "Play", Emphasis::plain,
+             {.tooltip = "Shows the events one after the other (Space)", .disabled = none, .width = px(62)}))
+    play_story(session, state, pixel);
+  ImGui::SameLine(0, px(2));
+  if (button("forward", "Step", Emphasis::quiet, {.tooltip = "One event on (full stop)", .disabled = none}))
+    step_story(session, state, pixel, 1);
+  ImGui::SameLine();
+  const auto& steps = state.model.steps;
+  const auto step = std::upper_bound(steps.begin(), steps.end(), selected) - steps.begin();
+  const std::string place =
+      selected >= 0 ? fmt::format("{} of {}", step, steps.size()) : fmt::format("{} events", steps.size());
+  ImGui::AlignTextToFramePadding();
+  value_text("step", place);
+}
+
+/// Where to look from: words side by side, or a list where the window is narrow.
+void look_from(SpacePanelState& state) {
+  static constexpr std::array looks{
+      Choice{"outside", "Outside", "All of it, from the camera's right and above."},
+      Choice{"side", "Side", "From the camera's right: it stands at the left."},
+      Choice{"top", "Top", "From above: the camera stands at the left."},
+      Choice{"front", "Front", "As the camera looks, from farther away."},
+      Choice{"camera", "Camera", "Through the picture's own camera: its eye ray is a point."},
+      Choice{"turned", "Turned", "As it was turned by hand."}};
+  constexpr int camera = 4, turned = 5;
+  const int before = state.through_camera ? camera : state.orbit ? turned : static_cast<int>(state.preset);
+  const bool wide = ImGui::GetWindowWidth() >= px(690);
+  int index = wide && before == turned ? -1 : before;
+  const std::span<const Choice> shown(looks.data(), wide || before != turned ? turned : turned + 1);
+  ImGui::SameLine(0, px(14));
+  if (!choice("look", shown, index, {.width = px(wide ? 330 : 110)}) || index == turned) return;
+  if (index == camera)
+    state.through_camera = true;
+  else
+    set_preset(state, static_cast<SpacePreset>(index));
+}
+
+/// Answers whether to fill the window, or no longer.
+bool toolbar(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected, double aspect,
+             bool filled) {
+  play_buttons(session, state, pixel, selected);
+  look_from(state);
+  ImGui::SameLine(0, px(2));
+  if (button("focus", "Focus", Emphasis::quiet, {.tooltip = "Puts the hit in the middle, from nearby."}))
+    focus(state, selected, aspect);
+  ImGui::SameLine(0, px(2));
+  show_popup(state);
+  ImGui::SameLine(0, px(2));
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Gives this view the whole window (double click; Esc)."});
+}
+
+void move_by_mouse(SpacePanelState& state, double aspect) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated()) state.dragged = false;
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, px(4)) &&
+      (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    SpaceOrbit orbit = orbit_now(state, aspect);
+    if (state.through_camera) orbit.yaw = orbit.pitch = 0;
+    const double step = radians_per_pixel / static_cast<double>(px(1));
+    if (io.KeyShift) {  // moves what is in the middle
+      const Camera camera = state.picture ? state.picture->view.camera : Camera{};
+      const double size = orbit.distance * space_view_height / std::max(1.f, ImGui::GetItemRectSize().y);
+      orbit.pivot +=
+          (camera.up * static_cast<double>(io.MouseDelta.y) - camera.right * static_cast<double>(io.MouseDelta.x)) *
+          size;
+    } else {
+      orbit.yaw -= io.MouseDelta.x * step;
+      orbit.pitch = std::clamp(orbit.pitch + io.MouseDelta.y * step, -std::numbers::pi / 2, std::numbers::pi / 2);
+    }
+    state.orbit = orbit;
+    state.through_camera = false;
+    state.dragged = true;
+  }
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    SpaceOrbit orbit = orbit_now(state, aspect);
+    if (state.through_camera) orbit.yaw = orbit.pitch = 0;
+    orbit.distance *= std::pow(wheel_factor, static_cast<double>(io.MouseWheel));
+    state.orbit = orbit;
+    state.through_camera = false;
+  }
+}
+
+/// The picture from outside, pale, so that lines stand out; what holds nothing shows the panel.
+Image<Rgb8> paled(const SpacePicture& picture, const std::vector<bool>& ground) {
+  const ImVec4 paper = palette().field;
+  const std::array<double, 3> base{paper.x * 255.0, paper.y * 255.0, paper.z * 255.0};
+  constexpr double strength = 0.6, ground_strength = 0.2;
+  Image<Rgb8> out = picture.levels;
+  for (std::size_t i = 0; i < out.pixels().size(); ++i) {
+    Rgb8& p = out.pixels()[i];
+    const auto object = static_cast<std::size_t>(picture.ids.pixels()[i].object);
+    const bool is_ground = object < ground.size() && ground[object];
+    const double keep = std::isinf(picture.depth.pixels()[i]) ? 0 : is_ground ? ground_strength : strength;
+    const auto mix = [&](std::uint8_t level, double paper_level) {
+      return static_cast<std::uint8_t>(level * keep + paper_level * (1 - keep) + 0.5);
+    };
+    p = {mix(p.r, base[0]), mix(p.g, base[1]), mix(p.b, base[2])};
+  }
+  return out;
+}
+
+void caption(const SpacePanelState& state, const Session& session, int event, const Area& area) {
+  if (!state.told || event < 0 || static_cast<std::size_t>(event) >= state.told->events.size()) return;
+  const std::string text = describe(state.told->events[static_cast<std::size_t>(event)], session.scene());
+  ImFont* font = theme().font(Face::body);
+  const float wrap = area.width() - px(32);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
+  const ImVec2 at{area.min.x + px(12), area.max.y - size.y - px(10)};
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({at.x - px(6), at.y - px(3)}, {at.x + size.x + px(6), at.y + size.y + px(3)},
+                     colour_u32(palette().panel, 0.9), px(4));
+  list.AddRectFilled({at.x - px(6), at.y - px(3)}, {at.x - px(3), at.y + size.y + px(3)},
+                     colour_u32(palette().attention));
+  list.AddText(font, font->FontSize, at, colour_u32(palette().text), text.c_str(), nullptr, wrap);
+}
+
+void select(PixelPanelState& pixel, SpacePanelState& state, Side side, int event) {
+  StoryCursor& cursor = pixel.cursors[index_of(side)];
+  cursor.selected = event;
+  cursor.reveal = event >= 0;
+  pixel.events_open = true;
+  state.play.up_to = -1;
+  state.play.running = false;
+}
+
+void advance_play(Session& session, SpacePanelState& state, PixelPanelState& pixel) {
+  if (!state.play.running) return;
+  const double now = ImGui::GetTime();
+  if (now >= state.play.next_at) {
+    step_story(session, state, pixel, 1);
+    state.play.next_at = now + 1 / state.play.per_second;
+    if (state.model.steps.empty() || state.play.up_to >= state.model.steps.back()) state.play.running = false;
+  }
+  if (state.play.running) redraw_after(std::max(0.0, state.play.next_at - now));
+}
+
+}  // namespace
+
+void update_space(Session& session, SpacePanelState& state) {
+  if (!session.has_scene()) return;
+  const Side side = told_side(session);
+  const auto story = session.story(side);
+  const Scene& scene = session.scene();
+  const std::array revisions{scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
+  if (session.document().scene_name != state.scene_name) {
+    state.scene_name = session.document().scene_name;
+    set_preset(state, SpacePreset::outside);
+  }
+  if (story == state.told && revisions == state.revisions && session.view() == state.view &&
+      session.settings(side) == state.settings)
+    return;
+  if (story != state.told) state.play.up_to = -1;
+  state.told = story;
+  state.revisions = revisions;
+  state.view = session.view();
+  state.base = scene.camera;
+  state.settings = session.settings(side);
+  state.model = build_space(scene, state.view, state.settings, story.get());
+}
+
+bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixel, const PicturesState& pictures,
+                 bool filled) {
+  const NameScope scope("space");
+  if (!session.has_scene()) return false;
+  advance_play(session, state, pixel);
+  const Side side = told_side(session);
+  StoryCursor& cursor = pixel.cursors[index_of(side)];
+  const int selected = state.told ? shown_event(state.model, *state.told, cursor.selected) : -1;
+  // An event selected elsewhere that has not happened yet ends the playing.
+  if (state.play.up_to >= 0 && selected != state.play.up_to) {
+    state.play.up_to = -1;
+    state.play.running = false;
+  }
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float toolbar_height = ImGui::GetFrameHeightWithSpacing();
+  const int width = static_cast<int>(room.x), height = static_cast<int>(room.y - toolbar_height);
+  const double aspect = static_cast<double>(std::max(width, 1)) / std::max(height, 1);
+  bool fill_or_not = toolbar(session, state, pixel, selected, aspect, filled);
+  if (width < 16 || height < 16) return fill_or_not;
+
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Area area{{std::floor(at.x), std::floor(at.y)},
+                  {std::floor(at.x) + static_cast<float>(width), std::floor(at.y) + static_cast<float>(height)}};
+  ImGui::InvisibleButton("view", {area.width(), area.height()});
+  controls().record("view", fmt::format("{}x{}", width, height));
+  const bool hovered = ImGui::IsItemHovered();
+  move_by_mouse(state, aspect);
+  const bool clicked = ImGui::IsItemDeactivated() && !state.dragged && hovered;
+  if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) fill_or_not = true;
+
+  state.worker.request({session.scene(), viewer(state, width, height), near_of(state, aspect)});
+  state.worker.take_news();
+  if (const auto picture = state.worker.picture(); picture && picture != state.picture) {
+    state.picture = picture;
+    state.texture.upload(paled(*picture, state.model.ground));
+  }
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
+  if (!state.picture) return fill_or_not;
+  const View& view = state.picture->view;
+  const Area drawn_area{area.min,
+                        {area.min.x + static_cast<float>(view.width), area.min.y + static_cast<float>(view.height)}};
+  list.PushClipRect(area.min, area.max, true);
+  list.AddImage(state.texture.id(), drawn_area.min, drawn_area.max);
+  SpaceLook look;
+  look.groups = state.groups;
+  look.least_contribution = state.least_contribution;
+  look.deepest_level = static_cast<int>(state.deepest_level);
+  look.up_to_event = state.play.up_to;
+  look.highlighted = selected;
+  if (!state.through_camera) look.picture = &pictures.pictures[index_of(side)].texture;
+  const ImVec2 far_away{-1e6f, -1e6f};
+  Settings outside;
+  const SpaceDrawn drawn = draw_space(list, area, state.model, SpaceProjection(view, outside, state.picture->near),
+                                      state.picture->depth, look, hovered ? ImGui::GetIO().MousePos : far_away);
+  list.PopClipRect();
+  state.items = drawn.items;
+  state.rays = drawn.rays;
+  state.shadow_rays = drawn.shadow_rays;
+  state.boxes = drawn.boxes;
+  if (drawn.highlight_place)
+    controls().record("highlight", {drawn.highlight_place->x - 2, drawn.highlight_place->y - 2},
+                      {drawn.highlight_place->x + 2, drawn.highlight_place->y + 2}, "");
+  if (clicked) select(pixel, state, side, drawn.hovered);
+  caption(state, session, drawn.hovered >= 0 ? drawn.hovered : cursor.selected, area);
+  return fill_or_not;
+}
+
+}  // namespace ps::gui

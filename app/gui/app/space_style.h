@@ -1,0 +1,54 @@
+#pragma once
+#include <imgui.h>
+
+#include <array>
+#include <string_view>
+
+#include "inspect/space_model.h"
+
+namespace ps::gui {
+
+/// What can be shown and hidden together in the space view.
+enum class SpaceGroup { camera, grid, rays, shadows, normals, surfaces, lights, rejected, nodes, near_plane };
+
+struct SpaceGroupRow {
+  SpaceGroup group;
+  std::string_view key, label, help;
+  bool shown;      ///< at first
+  SpaceKind like;  ///< whose colour stands for it in the legend
+};
+inline constexpr std::array space_groups{
+    SpaceGroupRow{SpaceGroup::camera, "camera", "Camera and image", "The eye, and the picture where it is projected.",
+                  true, SpaceKind::image_plane},
+    SpaceGroupRow{SpaceGroup::grid, "grid", "Pixel grid", "Every so many rows and columns of the picture.", true,
+                  SpaceKind::pixel_grid},
+    SpaceGroupRow{SpaceGroup::rays, "rays", "Eye and reflected rays", "The wider, the more of the colour comes by it.",
+                  true, SpaceKind::reflection_ray},
+    SpaceGroupRow{SpaceGroup::shadows, "shadows", "Shadow rays",
+                  "Solid: the light is seen. Dashed with a cross: blocked. Dotted: not tested.", true,
+                  SpaceKind::shadow_ray_lit},
+    SpaceGroupRow{SpaceGroup::normals, "normals", "Normals", "As the renderer used them.", true,
+                  SpaceKind::shading_normal},
+    SpaceGroupRow{SpaceGroup::surfaces, "surfaces", "Triangles and weights",
+                  "The triangle, divided into the areas that are its corners' weights.", true,
+                  SpaceKind::barycentric_area},
+    SpaceGroupRow{SpaceGroup::lights, "lights", "Lights", "Where they stand or come from.", true, SpaceKind::light},
+    SpaceGroupRow{SpaceGroup::rejected, "rejected", "Rejected triangles", "Those that never became a fragment here.",
+                  false, SpaceKind::rejected_triangle},
+    SpaceGroupRow{SpaceGroup::nodes, "nodes", "Accelerator boxes", "Boxes that a ray was tested against.", false,
+                  SpaceKind::node},
+    SpaceGroupRow{SpaceGroup::near_plane, "near-plane", "Near plane", "Nothing before it is drawn.", false,
+                  SpaceKind::clip_plane}};
+
+SpaceGroup group_of(SpaceKind kind);
+
+/// How a kind is drawn. Colours are of the Okabe-Ito palette and never the only sign.
+struct SpaceStroke {
+  ImVec4 colour;
+  float width = 1;      ///< pixels at scale 1
+  bool dashed = false;  ///< with long dashes
+  bool dotted = false;
+};
+SpaceStroke stroke_of(const SpaceItem& item);
+
+}  // namespace ps::gui
