@@ -42,7 +42,7 @@ struct PictureView {
 /// How the window is divided. Sizes are shares of the window, 0..1; 0 = what suits the window's size.
 struct Layout {
   double left = 0, right = 0, bottom = 0.36;  ///< bottom: 0 = folded
-  bool panels = true;  ///< false: only the pictures
+  bool panels = true;                         ///< false: only the pictures
   std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
   bool operator==(const Layout&) const = default;
 };

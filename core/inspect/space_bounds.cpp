@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "inspect/space_parts.h"
+#include "scene/form_frame.h"
 #include "scene/world.h"
 
 namespace ps {
@@ -35,10 +36,25 @@ bool serves_as_ground(const Sphere& sphere, const Vec3d& eye) {
   return sphere.radius > ground_factor * std::abs(std::sqrt(dot(to_eye, to_eye)) - sphere.radius);
 }
 
+/// Endless shapes, such as planes, have no extent to look at.
+void take_box(const FormBox& box, Extent& extent) {
+  if (!is_bounded(box)) return;
+  const Vec3d half = (box.high - box.low) * 0.5;
+  extent.take(box.low + half, std::sqrt(dot(half, half)));
+}
+
 void take_objects(const SpaceInputs& inputs, Extent& extent) {
   for (const Object& object : inputs.scene.geometry->objects) {
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
       if (!serves_as_ground(*sphere, inputs.view.camera.position)) extent.take(sphere->centre, sphere->radius);
+      continue;
+    }
+    if (const auto* solid = std::get_if<Solid>(&object.shape)) {
+      take_box(form_box(form_frame(solid->form)), extent);
+      continue;
+    }
+    if (const auto* csg = std::get_if<Csg>(&object.shape)) {
+      take_box(csg_box(csg->root), extent);
       continue;
     }
     const auto& instance = std::get<Instance>(object.shape);

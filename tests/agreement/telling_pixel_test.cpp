@@ -29,8 +29,10 @@ TEST(TellingPixel, ShowsSomethingInBothRenderers) {
   for (const auto& listed : builtin_scenes()) {
     SCOPED_TRACE(listed.name);
     const Scene scene = load_scene(listed.name);
-    const PixelStory drawn = story_of(scene, Renderer::rasterizer);
-    EXPECT_TRUE(tells_of<WriteEvent>(drawn) || tells_of<LineEvent>(drawn)) << drawn.verdict;
+    if (!scene_traits(scene).csg) {  // the rasterizer leaves CSG out and says so
+      const PixelStory drawn = story_of(scene, Renderer::rasterizer);
+      EXPECT_TRUE(tells_of<WriteEvent>(drawn) || tells_of<LineEvent>(drawn)) << drawn.verdict;
+    }
     if (scene.geometry->objects.empty()) continue;  // shapes on the canvas are not for rays
     const PixelStory traced = story_of(scene, Renderer::ray_tracer);
     EXPECT_TRUE(tells_of<HitEvent>(traced)) << traced.verdict;

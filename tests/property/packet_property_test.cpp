@@ -29,7 +29,8 @@ bool takes_the_fast_path(const Scene& scene, const View& view, const Settings& s
 
 /// What does not depend on the tree: with triangles, SIMD searches a tree of its own.
 Counters without_the_search(Counters counters) {
-  for (const Counter c : {Counter::node_visits, Counter::triangle_tests, Counter::sphere_tests}) counters[c] = 0;
+  for (const Counter c : {Counter::node_visits, Counter::triangle_tests, Counter::sphere_tests, Counter::solid_tests})
+    counters[c] = 0;
   return counters;
 }
 

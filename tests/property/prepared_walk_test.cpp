@@ -48,8 +48,10 @@ void move_object(Scene& scene, Random& random) {
         geometry.objects[static_cast<std::size_t>(below(random, static_cast<int>(geometry.objects.size())))];
     if (auto* sphere = std::get_if<Sphere>(&object.shape))
       sphere->centre += offset;
-    else
-      std::get<Instance>(object.shape).transform.translation += offset;
+    else if (auto* instance = std::get_if<Instance>(&object.shape))
+      instance->transform.translation += offset;
+    else if (auto* solid = std::get_if<Solid>(&object.shape))
+      solid->material = 0;
   });
 }
 

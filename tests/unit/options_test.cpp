@@ -40,8 +40,10 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
                                                               {"self-hit", up_to(SelfHit::normal_bump)},
                                                               {"epsilon-unit", up_to(EpsilonUnit::distance)},
                                                               {"accelerator", up_to(Accelerator::octree)},
-                                                              {"triangle-test", up_to(TriangleTest::moeller_trumbore)},
+                                                              {"triangle-test", up_to(TriangleTest::cross_products)},
                                                               {"sphere-test", up_to(SphereTest::quadratic)},
+                                                              {"illumination", up_to(Illumination::radiometric)},
+                                                              {"transparency", up_to(TransparencyShare::fresnel)},
                                                               {"precision", up_to(Precision::float64)},
                                                               {"simd", up_to(Simd::avx512)},
                                                               {"colour-depth", up_to(ColourDepth::bits15)}};

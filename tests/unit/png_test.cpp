@@ -43,7 +43,8 @@ std::string stored(const std::string& data) {
 }
 
 std::string error_of(const std::string& bytes) {
-  const auto path = ps::fresh_output_folder("png-error") / "bad.png";
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto path = ps::fresh_output_folder("png-error-" + test) / "bad.png";  // tests run side by side
   ps::write_file_atomically(path, bytes);
   try {
     ps::load_image(path);
