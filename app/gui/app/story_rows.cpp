@@ -18,7 +18,29 @@ int end_of(const std::vector<int>& ends, int index) { return ends[static_cast<st
 const TestOutcome* outcome_of(const Event& event) {
   if (const auto* sphere = std::get_if<SphereTestEvent>(&event.data)) return &sphere->outcome;
   if (const auto* triangle = std::get_if<TriangleTestEvent>(&event.data)) return &triangle->outcome;
+  if (const auto* solid = std::get_if<SolidTestEvent>(&event.data)) return &solid->outcome;
   return nullptr;
+}
+
+const PixelId* tested_primitive(const EventData& data) {
+  if (const auto* sphere = std::get_if<SphereTestEvent>(&data)) return &sphere->id;
+  if (const auto* triangle = std::get_if<TriangleTestEvent>(&data)) return &triangle->id;
+  if (const auto* solid = std::get_if<SolidTestEvent>(&data)) return &solid->id;
+  return nullptr;
+}
+
+std::string ray_name(const RayEvent& ray) {
+  switch (ray.kind) {
+  case RayKind::eye:
+    return "eye ray";
+  case RayKind::shadow:
+    return "shadow ray";
+  case RayKind::reflection:
+    return fmt::format("reflected ray {}", ray.depth);
+  case RayKind::refraction:
+    return fmt::format("refracted ray {}", ray.depth);
+  }
+  return {};
 }
 
 bool came_to_nothing(TestOutcome outcome) {
@@ -28,6 +50,7 @@ bool came_to_nothing(TestOutcome outcome) {
   case TestOutcome::tie_lost:
     return false;
   case TestOutcome::missed:
+  case TestOutcome::back_side:
   case TestOutcome::before_range:
   case TestOutcome::beyond_range:
   case TestOutcome::parallel:
@@ -72,10 +95,7 @@ std::string ray_text(const std::vector<Event>& events, const std::vector<int>& e
     const EventData& data = at(events, child).data;
     if (const auto* outcome = outcome_of(at(events, child))) {
       ++tests;
-      if (*outcome == TestOutcome::accepted) {
-        const auto* sphere = std::get_if<SphereTestEvent>(&data);
-        accepted = sphere ? &sphere->id : &std::get<TriangleTestEvent>(data).id;
-      }
+      if (*outcome == TestOutcome::accepted) accepted = tested_primitive(data);
     }
     if (const auto* found = std::get_if<HitEvent>(&data)) {
       accepted = &found->id;
@@ -85,13 +105,13 @@ std::string ray_text(const std::vector<Event>& events, const std::vector<int>& e
   const std::string work = counted(tests, "test", "tests");
   switch (ray.kind) {
   case RayKind::eye:
-  case RayKind::reflection: {
-    const std::string name = ray.kind == RayKind::eye ? "eye ray" : fmt::format("reflected ray {}", ray.depth);
-    return fmt::format("{} {} ({})", name, hit ? "hits " + primitive_name(scene, *accepted) : "hits nothing", work);
-  }
+  case RayKind::reflection:
+  case RayKind::refraction:
+    return fmt::format("{} {} ({})", ray_name(ray), hit ? "hits " + primitive_name(scene, *accepted) : "hits nothing",
+                       work);
   case RayKind::shadow:
     // The light that it was sent to reports right after it.
-    std::string name = "shadow ray";
+    std::string name = ray_name(ray);
     const int next = end_of(ends, index);
     if (next < static_cast<int>(events.size()) && at(events, next).parent == at(events, index).parent)
       if (const auto* light = std::get_if<LightEvent>(&at(events, next).data))
