@@ -4,12 +4,16 @@ namespace ps {
 
 enum class Renderer { ray_tracer, rasterizer };
 enum class SamplePosition { centre, corner };
+enum class SamplePattern { grid, jitter, random, halton, r2 };
 enum class Projection { perspective, orthographic };
 enum class ViewportFit { height, width, stretch };
 enum class FieldOfViewSpan { edges, centres };
 enum class Clipping { full, near_only, none };
 enum class Visibility { depth_buffer, painter, draw_order };
 enum class DepthValue { inverse_z, z, distance };
+enum class DepthFormat { float32, unorm };
+enum class Coverage { edge_function, ray_test, bounding_box, barycentric, scanline, hierarchical, tiled, micropolygon };
+enum class EdgeArithmetic { fixed, float32, float_stepped, int32 };
 enum class FillRule { top_left, inclusive, exclusive };
 enum class Draw { filled, wireframe, points };
 enum class LineAlgorithm { general, y_of_x, x_of_y, interpolate, bresenham };
@@ -20,10 +24,13 @@ enum class Highlight { phong, blinn_phong };
 enum class Interpolation { perspective, affine };
 enum class TextureFilter { trilinear, mipmap, bilinear, nearest };
 enum class TextureWrap { repeat, clamp, mirror };
-enum class Shadows { traced, none };
+enum class LightPasses { one, many };
+enum class Environment { none, cube_map };
+enum class Shadows { traced, none, map, stencil_depth_fail, stencil_depth_pass };
 enum class SelfHit { offset, epsilon, normal_bump };
 enum class EpsilonUnit { ray_parameter, distance };
-enum class Accelerator { bvh, none, bounding_spheres, box, octree };
+enum class Accelerator { bvh, none, bounding_spheres, box, octree, embree };
+enum class SlabTest { robust, naive };
 enum class TriangleTest { watertight, moeller_trumbore, barycentric, cross_products };
 enum class SphereTest { robust, quadratic };
 enum class Precision { float32, float64 };
@@ -38,18 +45,33 @@ struct Settings {
   Renderer renderer = Renderer::ray_tracer;
 
   SamplePosition sample_position = SamplePosition::centre;
+  int samples_per_pixel = 1;
+  SamplePattern sample_pattern = SamplePattern::grid;
+  bool adaptive_sampling = false;
+  double adaptive_threshold = 0.1;  ///< colour difference (display units, 1 = white) that asks for a subdivision
+  int subsampling = 1;              ///< pixels between two traced ones, 1 = every pixel
 
   Projection projection = Projection::perspective;
   ViewportFit viewport_fit = ViewportFit::height;
   FieldOfViewSpan field_of_view_span = FieldOfViewSpan::edges;
-  double near = 1;    ///< in units of projection_plane_d for rays (the book's t_min = 1), world units for clipping
+  double near = 1;    ///< along the camera's forward axis, in units of projection_plane_d (the book's t_min = 1)
   double far = 1e30;  ///< same units; anything beyond is not seen
+  bool camera_relative = false;  ///< vertices lose the camera's position before they are rounded to float
 
   Clipping clipping = Clipping::full;
   bool backface_culling = true;
   Visibility visibility = Visibility::depth_buffer;
   DepthValue depth_value = DepthValue::inverse_z;
+  DepthFormat depth_format = DepthFormat::float32;
+  int depth_bits = 32;
+  bool depth_reversed = false;
+  bool early_depth = false;
+  bool deferred_shading = false;
+  LightPasses light_passes = LightPasses::one;
+  int multisampling = 1;
 
+  Coverage coverage = Coverage::edge_function;
+  EdgeArithmetic edge_arithmetic = EdgeArithmetic::fixed;
   int subpixel_bits = 8;
   FillRule fill_rule = FillRule::top_left;
   Draw draw = Draw::filled;
@@ -71,6 +93,10 @@ struct Settings {
   TextureFilter texture_filter = TextureFilter::trilinear;
   double mip_bias = 0;
   TextureWrap texture_wrap = TextureWrap::repeat;
+  int anisotropy = 1;
+  bool normal_mapping = true;
+  bool parallax_mapping = false;
+  Environment environment = Environment::none;
 
   Shadows shadows = Shadows::traced;
   SelfHit self_hit = SelfHit::offset;
@@ -79,6 +105,11 @@ struct Settings {
   EpsilonUnit epsilon_unit = EpsilonUnit::ray_parameter;
   bool shadow_any_hit = true;
   bool shadow_cache = false;
+  int shadow_map_size = 1024;
+  double shadow_bias = 0.01;
+  double shadow_slope_bias = 0;
+  int shadow_filter = 1;
+  int stencil_bits = 8;
   int reflection_depth = 3;
   bool refraction = true;
   TransparencyShare transparency = TransparencyShare::fixed;
@@ -86,6 +117,7 @@ struct Settings {
   Accelerator accelerator = Accelerator::bvh;
   int octree_leaf = 8;    ///< primitives that a cell may hold before it is cut
   int octree_depth = 10;  ///< how often a cell may be cut
+  SlabTest slab_test = SlabTest::robust;
   TriangleTest triangle_test = TriangleTest::watertight;
   double triangle_epsilon = 0;
   SphereTest sphere_test = SphereTest::robust;

@@ -66,6 +66,7 @@ SimpleAccelerators<Real> simple_accelerators(const Scene& scene, const TracedGeo
   switch (settings.accelerator) {
   case Accelerator::bvh:
   case Accelerator::none:
+  case Accelerator::embree:
     break;
   case Accelerator::bounding_spheres:
     result.spheres = prepared.get<BoundingSpheres>(key("bounding spheres"), [&] { return make_spheres(geometry); });
