@@ -18,7 +18,7 @@ void add_normal(SpaceKind kind, const Vec3d& point, const Vec3d& normal, const S
   item.kind = kind;
   item.shape = SpaceShape::arrow;
   item.points = {point, point + normal * normal_length(inputs.bounds)};
-  item.label = kind == SpaceKind::shading_normal ? "N" : "";
+  item.label.assign(kind == SpaceKind::shading_normal ? 1 : 0, 'N');
   model.items.push_back(std::move(item));
 }
 

@@ -27,7 +27,7 @@ std::vector<Option> intersection_rows() {
   return {
       choice<&Settings::precision>({.key = "precision",
                                     .label = "Precision",
-                                    .help = {"The arithmetic of the whole renderer.", "stability of the book's scene",
+                                    .help = {"The arithmetic of the whole renderer.", "IEEE 754; PBR 4th ed. sec. 6.8",
                                              "Float needs care near surfaces and far from the origin; double is the "
                                              "reference."}},
                                    {{"float", "float (32 bits)", "About 7 digits; what fast renderers use."},
