@@ -1,0 +1,113 @@
+#include "inspect/parting/parting.h"
+
+#include "inspect/number_text.h"
+#include "inspect/parting/parting_parts.h"
+#include "inspect/story_tree.h"
+
+namespace ps {
+namespace {
+
+using parting::because;
+using parting::Comparison;
+using parting::event_at;
+
+Sighting top_sighting(const PixelStory& story, int eye) {
+  return eye >= 0 ? sight_of_ray(story, eye) : sight_of_fragments(story);
+}
+
+std::vector<int> eye_rays(const PixelStory& story) {
+  std::vector<int> rays;
+  for (int i = 0; i < static_cast<int>(story.events.size()); ++i)
+    if (const auto* ray = event_at<RayEvent>(story, i); ray && ray->kind == RayKind::eye) rays.push_back(i);
+  return rays;
+}
+
+std::optional<Parting> part_at_eye_ray(const Comparison& c, int ray_a, int ray_b) {
+  const auto& a = event_as<RayEvent>(c.a.story.events, ray_a);
+  const auto& b = event_as<RayEvent>(c.b.story.events, ray_b);
+  if (c.same(a.origin, b.origin) && c.same(a.direction, b.direction)) return std::nullopt;
+  return Parting{PartingCause::eye_ray,
+                 fmt::format("The eye rays differ: A looks along {}, B along {}{}.", vector_text(a.direction),
+                             vector_text(b.direction),
+                             because(c, {"sample-position", "samples-per-pixel", "sample-pattern", "projection",
+                                         "viewport-fit", "field-of-view-span"})),
+                 ray_a, ray_b};
+}
+
+std::optional<Parting> part_at_sighting(const Comparison& c, const Sighting& a, const Sighting& b, int depth);
+
+/// The rays that go on from the surface: one of them missing, or the first difference further on.
+std::optional<Parting> part_at_children(const Comparison& c, const Sighting& a, const Sighting& b,
+                                        const std::vector<int>& from_a, const std::vector<int>& from_b,
+                                        std::string_view kind, int depth) {
+  if (from_a.empty() != from_b.empty()) {
+    const bool in_a = !from_a.empty();
+    return Parting{PartingCause::missing_bounce,
+                   fmt::format("{} follows the {} ray from bounce {} on, {} does not{}.", in_a ? "A" : "B", kind,
+                               depth + 1, in_a ? "B" : "A",
+                               because(c, {"reflection-depth", "refraction", "renderer", "environment"})),
+                   in_a ? from_a.front() : a.seen, in_a ? b.seen : from_b.front()};
+  }
+  if (from_a.empty()) return std::nullopt;
+  return part_at_sighting(c, sight_of_ray(c.a.story, from_a.front()), sight_of_ray(c.b.story, from_b.front()),
+                          depth + 1);
+}
+
+std::optional<Parting> part_at_sighting(const Comparison& c, const Sighting& a, const Sighting& b, int depth) {
+  if (auto found = part_at_winner(c, a, b)) return found;
+  if (a.id.object < 0) return std::nullopt;
+  if (auto found = part_at_point(c, a, b)) return found;
+  if (auto found = part_at_texture(c, a, b)) return found;
+  if (auto found = part_at_light(c, a, b)) return found;
+  if (auto found = part_at_children(c, a, b, a.mirrored_ray, b.mirrored_ray, "mirrored", depth)) return found;
+  return part_at_children(c, a, b, a.refracted_ray, b.refracted_ray, "refracted", depth);
+}
+
+int last_event(const StorySide& side) { return static_cast<int>(side.story.events.size()) - 1; }
+
+std::optional<Parting> part_at_display(const Comparison& c) {
+  const std::string why = because(c, {"exposure", "gamma", "colour-depth"});
+  if (why.empty() || !c.same(c.a.story.linear, c.b.story.linear)) return std::nullopt;
+  return Parting{PartingCause::display, "The light is the same; it is shown differently" + why + ".", last_event(c.a),
+                 last_event(c.b)};
+}
+
+/// Nothing but rounding: small at every step, and yet enough to end on another level.
+std::optional<Parting> part_at_last_digits(const Comparison& c) {
+  const std::string why = because(c, {"precision", "sphere-test", "triangle-test", "self-hit", "shadow-epsilon",
+                                      "reflection-epsilon", "epsilon-unit", "renderer"});
+  if (why.empty() || !c.same(c.a.story.linear, c.b.story.linear)) return std::nullopt;
+  return Parting{PartingCause::precision, "Both go through the same steps; only the last digits differ" + why + ".",
+                 last_event(c.a), last_event(c.b)};
+}
+
+}  // namespace
+
+Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b) {
+  const Comparison c{scene, a, b};
+  if (a.story.linear == b.story.linear && a.story.display == b.story.display)
+    return {PartingCause::none, "Both stories end in exactly the same colour.", -1, -1};
+  const auto rays_a = eye_rays(a.story), rays_b = eye_rays(b.story);
+  const std::size_t samples = std::min(rays_a.size(), rays_b.size());
+  for (std::size_t k = 0; k < samples; ++k)
+    if (auto found = part_at_eye_ray(c, rays_a[k], rays_b[k])) return *found;
+  const std::size_t sightings = std::max<std::size_t>(samples, 1);
+  for (std::size_t k = 0; k < sightings; ++k) {
+    const Sighting sight_a = top_sighting(a.story, k < rays_a.size() ? rays_a[k] : -1);
+    const Sighting sight_b = top_sighting(b.story, k < rays_b.size() ? rays_b[k] : -1);
+    if (auto found = part_at_sighting(c, sight_a, sight_b, 0)) return *found;
+  }
+  if (rays_a.size() != rays_b.size() && samples > 0)
+    return {PartingCause::eye_ray,
+            fmt::format("A traces {} eye rays through the pixel and B {}{}.", rays_a.size(), rays_b.size(),
+                        because(c, {"samples-per-pixel", "adaptive-sampling", "subsampling"})),
+            rays_a.back(), rays_b.back()};
+  if (auto found = part_at_display(c)) return *found;
+  if (auto found = part_at_last_digits(c)) return *found;
+  return {PartingCause::unexplained,
+          fmt::format("Unexplained: both go through the same steps, yet A ends in {} and B in {}.",
+                      vector_text(a.story.linear), vector_text(b.story.linear)),
+          static_cast<int>(a.story.events.size()) - 1, static_cast<int>(b.story.events.size()) - 1};
+}
+
+}  // namespace ps

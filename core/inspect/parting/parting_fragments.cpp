@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+
+#include "inspect/names.h"
+#include "inspect/number_text.h"
+#include "inspect/parting/fragment_fate.h"
+#include "inspect/parting/parting_parts.h"
+#include "inspect/reason_text.h"
+#include "scene/scene.h"
+
+namespace ps::parting {
+namespace {
+
+/// Depths that a stored depth of few bits, or the rounding of two interpolations, cannot tell apart.
+bool nearly_tied(const FragmentEvent& fragment) {
+  const double size = std::max(std::abs(fragment.depth_stored), std::abs(fragment.depth_new));
+  return std::abs(fragment.depth_stored - fragment.depth_new) <= 1e-4 * size;
+}
+
+bool through_an_edge(const std::array<double, 3>& edges) {
+  return std::any_of(edges.begin(), edges.end(), [](double e) { return e == 0; });
+}
+
+/// Why the triangle that won on the side `won` is not what `lost` shows. `letter` names the side that lost it.
+std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const Sighting& winner,
+                                const StorySide& lost, std::string_view letter) {
+  const FragmentFate fate = fate_of(lost.story, winner.id);
+  const std::string name = primitive_name(c.scene, winner.id);
+  const auto says = [&](PartingCause cause, const std::string& text, std::initializer_list<std::string_view> keys) {
+    Parting parting{cause, text + because(c, keys) + ".", winner.seen, fate.event};
+    if (&won == &c.b) std::swap(parting.event_a, parting.event_b);
+    return parting;
+  };
+  if (const auto* reject = event_at<RejectEvent>(lost.story, fate.event)) {
+    const std::string text = fmt::format("{} does not draw {}: {}", letter, name, reject_reason_text(reject->reason));
+    switch (reject->reason) {
+    case RejectReason::back_face:
+      return says(PartingCause::culling, text, {"backface-culling"});
+    case RejectReason::outside_view:
+    case RejectReason::clipped_near:
+    case RejectReason::clipped_side:
+    case RejectReason::clipped_far:
+    case RejectReason::behind_camera:
+      return says(PartingCause::clipping, text, {"clipping", "near", "far"});
+    case RejectReason::zero_area:
+      return says(PartingCause::coverage, text, {"subpixel-bits", "edge-arithmetic"});
+    case RejectReason::not_covered:
+      break;
+    }
+    if (is_tessellated(c.scene, winner.id))
+      return says(PartingCause::tessellation,
+                  fmt::format("{} is drawn as triangles, and those of {} do not reach this pixel", name, letter),
+                  {"tessellation"});
+    const auto* fragment = event_at<FragmentEvent>(won.story, winner.seen);
+    if ((fragment && through_an_edge(fragment->edges)) || (reject->edges && through_an_edge(*reject->edges)))
+      return says(
+          PartingCause::fill_rule,
+          fmt::format("An edge of {} runs exactly through the sample, and {} gives the sample away", name, letter),
+          {"fill-rule"});
+    return says(PartingCause::coverage, text,
+                {"subpixel-bits", "coverage", "edge-arithmetic", "sample-position", "fill-rule"});
+  }
+  if (fate.event < 0) {
+    if (differs(c, "clipping") || differs(c, "near") || differs(c, "far"))
+      return says(PartingCause::clipping, fmt::format("{} has no part of {} left here after clipping", letter, name),
+                  {"clipping", "near", "far"});
+    return std::nullopt;
+  }
+  const auto* fragment = event_at<FragmentEvent>(lost.story, fate.event);
+  if (!fragment) return std::nullopt;
+  if (fragment->depth == FragmentEvent::Depth::failed || fate.painted_over) {
+    const std::string text = fragment->depth == FragmentEvent::Depth::failed
+                                 ? fmt::format("{} fails the depth test in {}, {} against {} stored", name, letter,
+                                               number_text(fragment->depth_new), number_text(fragment->depth_stored))
+                                 : fmt::format("{} is drawn in {} too, but painted over later", name, letter);
+    const bool by_order = differs(c, "visibility");
+    const bool other_triangles = differs(c, "tessellation") || c.a.story.renderer != c.b.story.renderer;
+    if (!by_order && other_triangles && (is_tessellated(c.scene, winner.id) || is_tessellated(c.scene, fate.winner)))
+      return says(PartingCause::tessellation, text + "; curved surfaces stand there as triangles", {"tessellation"});
+    if (!by_order && fragment->depth == FragmentEvent::Depth::failed && nearly_tied(*fragment))
+      return says(PartingCause::depth_tie, text + "; they are too near each other for the stored depth",
+                  {"depth-bits", "depth-format", "depth-value", "depth-reversed", "precision"});
+    if (!by_order && fate.tied_with_winner)
+      return says(PartingCause::depth_tie, text + " by one of nearly the same depth",
+                  {"depth-bits", "depth-format", "depth-value", "depth-reversed", "precision"});
+    return says(PartingCause::visibility, text, {"visibility", "depth-value", "depth-bits", "depth-format"});
+  }
+  return std::nullopt;
+}
+
+/// Order of the rasterizer's steps. If A's winner failed the depth test in B only because B's winner was culled in A,
+/// the culling, which comes first, is the cause.
+int earlier_step(PartingCause cause) {
+  constexpr std::array order{PartingCause::tessellation, PartingCause::clipping, PartingCause::culling,
+                             PartingCause::fill_rule,    PartingCause::coverage, PartingCause::depth_tie,
+                             PartingCause::visibility};
+  return static_cast<int>(std::find(order.begin(), order.end(), cause) - order.begin());
+}
+
+}  // namespace
+
+bool is_tessellated(const Scene& scene, const PixelId& id) {
+  const auto& objects = scene.geometry->objects;
+  return id.object >= 0 && static_cast<std::size_t>(id.object) < objects.size() &&
+         !std::holds_alternative<Instance>(objects[static_cast<std::size_t>(id.object)].shape);
+}
+
+FragmentFate fate_of(const PixelStory& story, const PixelId& id) {
+  FragmentFate fate;
+  const FragmentEvent* own = nullptr;
+  for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
+    if (const auto* fragment = event_at<FragmentEvent>(story, i)) {
+      if (fragment->id == id)
+        fate = {i, {}, false, false}, own = fragment;
+      else if (own && fragment->depth != FragmentEvent::Depth::failed) {
+        fate.painted_over = true;
+        const double size = std::max(std::abs(own->z), std::abs(fragment->z));
+        fate.tied_with_winner = std::abs(own->z - fragment->z) <= 1e-4 * size;
+      }
+    } else if (const auto* reject = event_at<RejectEvent>(story, i)) {
+      // A sphere is many triangles with one id: what matters is one that was drawn, then one that came nearest.
+      if (reject->id == id && !own && (fate.event < 0 || reject->reason == RejectReason::not_covered)) fate.event = i;
+    }
+  }
+  fate.winner = sight_of_fragments(story).id;
+  return fate;
+}
+
+Parting fragments_won_differently(const Comparison& c, const Sighting& a, const Sighting& b) {
+  std::optional<Parting> best;
+  const auto consider = [&](std::optional<Parting> found) {
+    if (found && (!best || earlier_step(found->cause) < earlier_step(best->cause))) best = std::move(found);
+  };
+  if (a.id.object >= 0) consider(why_lost(c, c.a, a, c.b, "B"));
+  if (b.id.object >= 0) consider(why_lost(c, c.b, b, c.a, "A"));
+  if (best) return *best;
+  return {
+      PartingCause::unexplained,
+      fmt::format("Unexplained: A shows {} and B {}.", primitive_name(c.scene, a.id), primitive_name(c.scene, b.id)),
+      a.seen, b.seen};
+}
+
+Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Sighting& b) {
+  const bool ray_is_a = c.a.story.renderer == Renderer::ray_tracer;
+  const Sighting& ray = ray_is_a ? a : b;
+  const Sighting& drawn = ray_is_a ? b : a;
+  const StorySide& raster = ray_is_a ? c.b : c.a;
+  const std::string_view letter = ray_is_a ? "B" : "A";
+  if (ray.id.object >= 0) {
+    const StorySide& traced = ray_is_a ? c.a : c.b;
+    const auto found = why_lost(c, traced, ray, raster, letter);
+    if (found && found->cause != PartingCause::coverage && found->cause != PartingCause::fill_rule) return *found;
+  }
+  const auto says = [&](PartingCause cause, const std::string& text) { return Parting{cause, text, a.seen, b.seen}; };
+  const std::string saw = fmt::format("The ray of {} hits {}, and {} shows {}", ray_is_a ? "A" : "B",
+                                      primitive_name(c.scene, ray.id), letter, primitive_name(c.scene, drawn.id));
+  if (is_tessellated(c.scene, ray.id) || is_tessellated(c.scene, drawn.id))
+    return says(PartingCause::tessellation,
+                saw + ": an exact curve for the ray, flat triangles with corners on the curve for the rasterizer.");
+  return says(PartingCause::silhouette,
+              saw + ": an outline passes within a pixel, and a ray's rounding is not that of snapped corners.");
+}
+
+}  // namespace ps::parting

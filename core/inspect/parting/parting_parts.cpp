@@ -1,0 +1,45 @@
+#include "inspect/parting/parting_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "options/option.h"
+
+namespace ps::parting {
+
+double Comparison::tolerance() const {
+  if (a.story.renderer != b.story.renderer) return 2e-3;
+  for (const std::string_view key : {"precision", "self-hit", "shadow-epsilon", "reflection-epsilon", "epsilon-unit",
+                                     "sphere-test", "triangle-test", "sample-position"})
+    if (differs(*this, key)) return 1e-4;
+  return 0;
+}
+
+bool Comparison::same(double x, double y) const {
+  if (x == y || (std::isnan(x) && std::isnan(y))) return true;
+  return std::abs(x - y) <= tolerance() * std::max({1.0, std::abs(x), std::abs(y)});
+}
+
+bool Comparison::same(const Vec3d& x, const Vec3d& y) const {
+  return same(x.x, y.x) && same(x.y, y.y) && same(x.z, y.z);
+}
+
+bool differs(const Comparison& c, std::string_view key) {
+  const Option* option = find_option(key);
+  return option && option->get(c.a.settings) != option->get(c.b.settings);
+}
+
+std::string option_difference(const Comparison& c, std::string_view key) {
+  const Option* option = find_option(key);
+  if (!option) return {};
+  return fmt::format("{} is {} in A and {} in B", key, option_text(*option, c.a.settings),
+                     option_text(*option, c.b.settings));
+}
+
+std::string because(const Comparison& c, std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys)
+    if (differs(c, key)) return ": " + option_difference(c, key);
+  return {};
+}
+
+}  // namespace ps::parting

@@ -1,0 +1,54 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "inspect/parting/parting.h"
+#include "inspect/parting/sighting.h"
+
+namespace ps::parting {
+
+/// Both sides and what they are about, as the steps of the comparison hand it on.
+struct Comparison {
+  const Scene& scene;
+  const StorySide& a;
+  const StorySide& b;
+  bool both_rays() const {
+    return a.story.renderer == Renderer::ray_tracer && b.story.renderer == Renderer::ray_tracer;
+  }
+  bool both_fragments() const {
+    return a.story.renderer == Renderer::rasterizer && b.story.renderer == Renderer::rasterizer;
+  }
+  /// Relative difference below which two numbers count as the same. Renderers that share their arithmetic must agree to
+  /// the last bit; other arithmetic, or a ray that starts a little elsewhere, moves all that follows in the last
+  /// digits; a ray and a fragment see a point through other roundings, and snapped corners move it a little more.
+  double tolerance() const;
+  bool same(double x, double y) const;
+  bool same(const Vec3d& x, const Vec3d& y) const;
+};
+
+template <class T>
+const T* event_at(const PixelStory& story, int index) {
+  return index < 0 ? nullptr : std::get_if<T>(&story.events[static_cast<std::size_t>(index)].data);
+}
+
+/// Whether the option with this key has another value in A than in B.
+bool differs(const Comparison& c, std::string_view key);
+/// "fill-rule is top-left in A and inclusive in B"
+std::string option_difference(const Comparison& c, std::string_view key);
+/// The same for the first of `keys` that differs, after ": "; nothing if none does.
+std::string because(const Comparison& c, std::initializer_list<std::string_view> keys);
+
+/// The steps, each in a file of its own; nothing if that step does not part the stories.
+std::optional<Parting> part_at_winner(const Comparison& c, const Sighting& a, const Sighting& b);
+std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, const Sighting& b);
+std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, const Sighting& b);
+std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, const Sighting& b);
+
+/// Why two rays saw different things, two fragments won, or a ray and a fragment differ.
+Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const Sighting& b);
+Parting fragments_won_differently(const Comparison& c, const Sighting& a, const Sighting& b);
+Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Sighting& b);
+
+}  // namespace ps::parting

@@ -1,0 +1,133 @@
+#include "inspect/names.h"
+#include "inspect/number_text.h"
+#include "inspect/parting/fragment_fate.h"
+#include "inspect/parting/parting_parts.h"
+#include "inspect/story_tree.h"
+
+namespace ps::parting {
+namespace {
+
+bool same_texels(const Comparison& c, const TextureEvent& a, const TextureEvent& b) {
+  if (a.texels.size() != b.texels.size()) return false;
+  for (std::size_t i = 0; i < a.texels.size(); ++i) {
+    const Texel &x = a.texels[i], &y = b.texels[i];
+    if (x.x != y.x || x.y != y.y || x.level != y.level || !c.same(x.weight, y.weight)) return false;
+  }
+  return true;
+}
+
+const FragmentEvent* fragment_of(const Comparison& c, const Sighting& a, const Sighting& b) {
+  if (const auto* fragment = event_at<FragmentEvent>(c.a.story, a.seen)) return fragment;
+  return event_at<FragmentEvent>(c.b.story, b.seen);
+}
+
+/// The first key of the list that differs, if any.
+std::optional<std::string_view> first_differing(const Comparison& c, std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys)
+    if (differs(c, key)) return key;
+  return std::nullopt;
+}
+
+/// Light comes out differently although nothing is in its way: which rule of light, normals or interpolation differs.
+Parting light_differs(const Comparison& c, int event_a, int event_b, const Sighting& a, const Sighting& b,
+                      const std::string& what) {
+  const auto says = [&](PartingCause cause, const std::string& why) {
+    return Parting{cause, what + why + ".", event_a, event_b};
+  };
+  if (const auto key = first_differing(c, {"shading", "normals", "normal-transform", "renormalise", "normal-mapping"}))
+    return says(PartingCause::shading_position, because(c, {*key}));
+  if (const auto key = first_differing(c, {"lighting", "illumination", "highlight", "specular", "attenuation"}))
+    return says(PartingCause::light_model, because(c, {*key}));
+  if (differs(c, "interpolation")) return says(PartingCause::interpolation, because(c, {"interpolation"}));
+  if (differs(c, "precision")) return says(PartingCause::precision, because(c, {"precision"}));
+  if (c.a.story.renderer != c.b.story.renderer) {
+    const FragmentEvent* fragment = fragment_of(c, a, b);
+    if (fragment && is_tessellated(c.scene, fragment->id))
+      return says(PartingCause::tessellation,
+                  ": the ray lights the exact surface, the fragment a point of a flat triangle");
+    return says(PartingCause::shading_position, ": ray and fragment light slightly different points");
+  }
+  return says(PartingCause::unexplained, ", unexplained");
+}
+
+std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int index_b) {
+  const auto& a = event_as<LightEvent>(c.a.story.events, index_a);
+  const auto& b = event_as<LightEvent>(c.b.story.events, index_b);
+  if (a.blocker.has_value() == b.blocker.has_value()) return std::nullopt;
+  const bool in_a = a.blocker.has_value();
+  const PixelId blocker = in_a ? *a.blocker : *b.blocker;
+  const std::string light = light_name(c.scene, a.light);
+  const std::string text = fmt::format("{} is blocked by {} in {} and reaches the point in {}", light,
+                                       primitive_name(c.scene, blocker), in_a ? "A" : "B", in_a ? "B" : "A");
+  const auto says = [&](PartingCause cause, const std::string& why) {
+    return Parting{cause, text + why + ".", index_a, index_b};
+  };
+  if (differs(c, "shadows")) return says(PartingCause::missing_shadow, because(c, {"shadows"}));
+  if (c.a.story.renderer != c.b.story.renderer)
+    return says(PartingCause::missing_shadow, ": only one of the two renderers asks what stands between");
+  if (const auto key = first_differing(c, {"self-hit", "shadow-epsilon", "epsilon-unit"}))
+    return says(PartingCause::epsilon, because(c, {*key}));
+  if (const auto key = first_differing(c, {"precision", "sphere-test", "triangle-test", "triangle-epsilon"}))
+    return says(PartingCause::precision, because(c, {*key}));
+  return says(PartingCause::unexplained, ", unexplained");
+}
+
+}  // namespace
+
+std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, const Sighting& b) {
+  if (a.textures.empty() && b.textures.empty()) return std::nullopt;
+  if (a.textures.empty() || b.textures.empty())
+    return Parting{PartingCause::texture,
+                   fmt::format("Only {} reads a texture{}.", a.textures.empty() ? "B" : "A", because(c, {"textures"})),
+                   a.textures.empty() ? a.seen : a.textures.front(), b.textures.empty() ? b.seen : b.textures.front()};
+  const int index_a = a.textures.front(), index_b = b.textures.front();
+  const auto& read_a = event_as<TextureEvent>(c.a.story.events, index_a);
+  const auto& read_b = event_as<TextureEvent>(c.b.story.events, index_b);
+  if (c.same(read_a.result, read_b.result)) return std::nullopt;
+  const auto says = [&](PartingCause cause, const std::string& text) {
+    return Parting{cause, text + ".", index_a, index_b};
+  };
+  if (differs(c, "interpolation"))
+    return says(PartingCause::interpolation,
+                fmt::format("The texture is read at ({}, {}) in A and at ({}, {}) in B", number_text(read_a.uv.x),
+                            number_text(read_a.uv.y), number_text(read_b.uv.x), number_text(read_b.uv.y)) +
+                    because(c, {"interpolation"}));
+  if (differs(c, "texture-filter") || differs(c, "texture-wrap") || differs(c, "anisotropy"))
+    return says(PartingCause::filter,
+                fmt::format("A mixes {} texels and B {}", read_a.texels.size(), read_b.texels.size()) +
+                    because(c, {"texture-filter", "texture-wrap", "anisotropy"}));
+  if (!c.same(read_a.level, read_b.level))
+    return says(PartingCause::level, fmt::format("A reads mip level {} and B level {}", number_text(read_a.level),
+                                                 number_text(read_b.level)) +
+                                         because(c, {"mip-bias", "renderer"}));
+  if (differs(c, "precision"))
+    return says(PartingCause::precision, "The texels' weights differ" + because(c, {"precision"}));
+  if (!same_texels(c, read_a, read_b)) return says(PartingCause::filter, "A and B mix other texels");
+  return says(PartingCause::unexplained, "Unexplained: the same texels give different colours");
+}
+
+std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, const Sighting& b) {
+  if (a.lights.size() != b.lights.size())
+    return light_differs(
+        c, a.seen, b.seen, a, b,
+        fmt::format("A works out the light {} times and B {} times here", a.lights.size(), b.lights.size()));
+  for (std::size_t i = 0; i < a.lights.size(); ++i) {
+    if (auto found = part_at_blocker(c, a.lights[i], b.lights[i])) return found;
+    const auto& light_a = event_as<LightEvent>(c.a.story.events, a.lights[i]);
+    const auto& light_b = event_as<LightEvent>(c.b.story.events, b.lights[i]);
+    if (c.same(light_a.diffuse, light_b.diffuse) && c.same(light_a.specular, light_b.specular)) continue;
+    return light_differs(c, a.lights[i], b.lights[i], a, b,
+                         fmt::format("{} adds {} in A and {} in B", light_name(c.scene, light_a.light),
+                                     number_text(light_a.diffuse + light_a.specular),
+                                     number_text(light_b.diffuse + light_b.specular)));
+  }
+  const auto* shade_a = event_at<ShadeEvent>(c.a.story, a.shade);
+  const auto* shade_b = event_at<ShadeEvent>(c.b.story, b.shade);
+  if (shade_a && shade_b && !(c.same(shade_a->light, shade_b->light) && c.same(shade_a->extra, shade_b->extra)))
+    return light_differs(
+        c, a.shade, b.shade, a, b,
+        fmt::format("The light is {} in A and {} in B", vector_text(shade_a->light), vector_text(shade_b->light)));
+  return std::nullopt;
+}
+
+}  // namespace ps::parting

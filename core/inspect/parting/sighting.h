@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "inspect/story.h"
+
+namespace ps {
+
+/// What one ray, or the rasterizer at one pixel, saw, and what was done there. Members are indices into the story's
+/// events, -1 where there is no such event.
+struct Sighting {
+  int ray = -1;                   ///< the RayEvent; -1 for fragments
+  int seen = -1;                  ///< the HitEvent, the MissEvent, or the FragmentEvent that was written last
+  PixelId id;                     ///< what was seen; no object for the background
+  std::vector<int> lights;        ///< LightEvents, in order
+  std::vector<int> textures;      ///< TextureEvents, in order
+  int shade = -1;                 ///< ShadeEvent
+  std::vector<int> mirrored_ray;  ///< RayEvents of the reflection, at most one
+  std::vector<int> refracted_ray;
+};
+
+/// What the ray with event index `ray` saw.
+Sighting sight_of_ray(const PixelStory& story, int ray);
+/// What the pixel of a rasterized picture ended up showing.
+Sighting sight_of_fragments(const PixelStory& story);
+/// The shadow rays that start at the surface that ray `ray` saw, in the order of the lights that sent for one.
+std::vector<int> shadow_rays_of(const PixelStory& story, int ray);
+
+/// Camera-space depth or ray parameter of what was seen.
+std::optional<double> seen_depth(const PixelStory& story, const Sighting& sighting);
+
+}  // namespace ps
