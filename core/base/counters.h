@@ -25,8 +25,10 @@ enum class Counter {
   triangles_split,         ///< cut by a clipping plane
   triangles_degenerate,    ///< zero area, drawn as nothing
   triangles_drawn,         ///< after clipping, sent to coverage
-  coverage_tests,          ///< sample positions tested against edges
-  fragments,               ///< covered samples
+  coverage_tests,          ///< sample positions tested one by one
+  coverage_regions,        ///< rows, cells or pieces of triangles that coverage decided or cut as a whole
+  fragments,               ///< covered samples; with multisampling, pixels with a covered sample
+  subsamples,              ///< covered samples, with multisampling
   depth_tests,
   depth_failures,
   attributes_interpolated,  ///< single scalars interpolated across a triangle

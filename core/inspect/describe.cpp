@@ -96,6 +96,9 @@ struct Describer {
     }
     return text;
   }
+  std::string operator()(const CoverageEvent& e) const {
+    return fmt::format("{}: {}", coverage_key(e.strategy), e.how);
+  }
   std::string operator()(const WriteEvent& e) const {
     return fmt::format("{} writes {} over {}", e.id.object >= 0 ? primitive_name(scene, e.id) : "a shape",
                        vector_text(e.after), vector_text(e.before));

@@ -118,6 +118,12 @@ Fields fields(const FragmentEvent& e) {
            {"back-face", e.back_face},
            {"clipped-into", whole(e.clipped_into)}};
   if (e.sphere_triangle >= 0) f.push_back({"sphere-triangle", whole(e.sphere_triangle)});
+  if (e.pass != FragmentEvent::Pass::only)
+    f.push_back({"pass", std::string(e.pass == FragmentEvent::Pass::shading ? "shading" : "depth first")});
+  if (e.samples > 1) {
+    f.push_back({"samples", whole(e.samples)});
+    f.push_back({"samples-covered", whole(e.samples_covered)});
+  }
   return f;
 }
 
@@ -157,13 +163,19 @@ Fields fields(const RefractionEvent& e) {
           {"result", list(e.result)}};
 }
 
+Fields fields(const CoverageEvent& e) {
+  return {{"id", e.id},           {"strategy", std::string(coverage_key(e.strategy))},
+          {"covered", e.covered}, {"how", e.how},
+          {"values", e.values},   {"tests", whole(e.tests)}};
+}
+
 Fields fields(const PixelEvent& e) {
   return {{"linear", list(e.linear)}, {"display", std::vector<double>(e.display.begin(), e.display.end())}};
 }
 
 constexpr std::array<std::string_view, std::variant_size_v<EventData>> kinds{
-    "ray",        "node",   "sphere-test", "triangle-test", "hit",  "miss",  "texture",    "light",     "shade",
-    "reflection", "reject", "fragment",    "write",         "line", "pixel", "solid-test", "refraction"};
+    "ray",        "node",   "sphere-test", "triangle-test", "hit",  "miss",  "texture",    "light",      "shade",
+    "reflection", "reject", "fragment",    "write",         "line", "pixel", "solid-test", "refraction", "coverage"};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "options/settings.h"
 #include "render/frame.h"
 #include "scene/light.h"
 
@@ -170,10 +171,24 @@ struct FragmentEvent {
   std::array<double, 3> weights{};       ///< perspective-correct weights
   double z = 0, inverse_z = 0;
   enum class Depth { passed, failed, off } depth = Depth::off;
+  /// Which pass over the triangles it belongs to: with an early depth pass or deferred shading there are two.
+  enum class Pass { only, depth_first, shading } pass = Pass::only;
+  int samples = 1, samples_covered = 1;    ///< of the pixel, with multisampling
   double depth_stored = 0, depth_new = 0;  ///< in the stored depth value; meaningless when off
   bool back_face = false;
   int sphere_triangle = -1;  ///< which of the triangles that stand for a sphere; -1 for triangles of a model
   int clipped_into = 1;      ///< number of triangles that clipping made of the original
+};
+
+/// How a coverage strategy other than plain edge functions decided about the pixel (options/settings.h). A child of the
+/// fragment, or of the rejection, that followed from it.
+struct CoverageEvent {
+  PixelId id;
+  Coverage strategy = Coverage::edge_function;
+  bool covered = false;
+  std::string how;             ///< "row 12 is covered from column 3 to 17"
+  std::vector<double> values;  ///< what was compared: edge values, weights or volumes, as the strategy has them
+  int tests = 0;               ///< samples, cells, rows or pieces looked at for this pixel
 };
 
 /// A fragment that passed wrote the pixel.
@@ -198,7 +213,7 @@ struct PixelEvent {
 
 using EventData = std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent,
                                TextureEvent, LightEvent, ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent,
-                               WriteEvent, LineEvent, PixelEvent, SolidTestEvent, RefractionEvent>;
+                               WriteEvent, LineEvent, PixelEvent, SolidTestEvent, RefractionEvent, CoverageEvent>;
 
 /// One event with its place in the tree: `parent` is the index of the event it belongs to, -1 at the top.
 struct Event {

@@ -134,6 +134,28 @@ std::string_view depth_verdict_key(FragmentEvent::Depth depth) {
   return "";
 }
 
+std::string_view coverage_key(Coverage strategy) {
+  switch (strategy) {
+  case Coverage::edge_function:
+    return "edge-function";
+  case Coverage::ray_test:
+    return "ray-test";
+  case Coverage::bounding_box:
+    return "bounding-box";
+  case Coverage::barycentric:
+    return "barycentric";
+  case Coverage::scanline:
+    return "scanline";
+  case Coverage::hierarchical:
+    return "hierarchical";
+  case Coverage::tiled:
+    return "tiled";
+  case Coverage::micropolygon:
+    return "micropolygon";
+  }
+  return "";
+}
+
 std::string reject_count_text(RejectReason reason, std::size_t count) {
   const bool one = count == 1;
   const std::string_view triangles = one ? "triangle" : "triangles";

@@ -14,6 +14,7 @@ std::string_view reject_reason_text(RejectReason reason);
 std::string_view reject_reason_key(RejectReason reason);
 std::string_view ray_kind_key(RayKind kind);
 std::string_view light_kind_key(LightKind kind);
+std::string_view coverage_key(Coverage strategy);
 std::string_view depth_verdict_key(FragmentEvent::Depth depth);
 
 inline constexpr std::array all_reject_reasons{

@@ -11,7 +11,7 @@ enum class FieldOfViewSpan { edges, centres };
 enum class Clipping { full, near_only, none };
 enum class Visibility { depth_buffer, painter, draw_order };
 enum class DepthValue { inverse_z, z, distance };
-enum class DepthFormat { float32, unorm };
+enum class DepthFormat { plain, unit_float, unorm };
 enum class Coverage { edge_function, ray_test, bounding_box, barycentric, scanline, hierarchical, tiled, micropolygon };
 enum class EdgeArithmetic { fixed, float32, float_stepped, int32 };
 enum class FillRule { top_left, inclusive, exclusive };
@@ -56,14 +56,14 @@ struct Settings {
   FieldOfViewSpan field_of_view_span = FieldOfViewSpan::edges;
   double near = 1;    ///< along the camera's forward axis, in units of projection_plane_d (the book's t_min = 1)
   double far = 1e30;  ///< same units; anything beyond is not seen
-  bool camera_relative = false;  ///< vertices lose the camera's position before they are rounded to float
+  bool camera_relative = true;  ///< vertices lose the camera's position before they are rounded to float
 
   Clipping clipping = Clipping::full;
   bool backface_culling = true;
   Visibility visibility = Visibility::depth_buffer;
   DepthValue depth_value = DepthValue::inverse_z;
-  DepthFormat depth_format = DepthFormat::float32;
-  int depth_bits = 32;
+  DepthFormat depth_format = DepthFormat::plain;
+  int depth_bits = 24;  ///< of an integer depth buffer
   bool depth_reversed = false;
   bool early_depth = false;
   bool deferred_shading = false;

@@ -94,6 +94,7 @@ struct Drawer {
   void operator()(const FragmentEvent& e) const {
     pen.triangle(e.depth == FragmentEvent::Depth::failed ? p.wrong : p.right, Fill::filled);
   }
+  void operator()(const CoverageEvent& e) const { pen.square(e.covered ? p.right : p.wrong, Fill::hollow); }
   void operator()(const WriteEvent& e) const { swatch(e.after); }
   void operator()(const LineEvent&) const { pen.line(p.right); }
   void operator()(const PixelEvent& e) const {
