@@ -13,6 +13,7 @@
 #include "document/permalink.h"
 #include "image/file.h"
 #include "options/option.h"
+#include "raster/coverage/efficiency.h"
 #include "render/display_frame.h"
 #include "render/left_out.h"
 #include "render/render.h"
@@ -38,6 +39,8 @@ std::string stats_json(const Document& document, const View& view, const Frame& 
   for (const Option& option : option_table()) json["settings"][std::string(option.key)] = option_text(option, settings);
   for (std::size_t i = 0; i < counter_count; ++i)
     json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = frame.counters.values[i];
+  if (const auto efficiency = raster::sample_test_efficiency(frame.counters))
+    json["sample_test_efficiency"] = *efficiency;
   json["time_ms"] = milliseconds;
   json["stages"] = nlohmann::ordered_json::array();
   for (const StageTime& time : frame.times)

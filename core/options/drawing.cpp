@@ -9,6 +9,18 @@ Reason needs_filling(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+Reason needs_single_samples(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_filling(s, t)) return reason;
+  if (s.multisampling > 1) return "needs multisampling = 1: sub-samples are tested with edge functions";
+  return {};
+}
+
+Reason needs_edge_functions(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_single_samples(s, t)) return reason;
+  if (s.coverage != Coverage::edge_function) return "needs coverage = edge-function";
+  return {};
+}
+
 Reason needs_lines(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_fragments(s, t)) return reason;
   if (s.draw != Draw::wireframe && !t.canvas_items) return "needs draw = wireframe or a scene with lines";
@@ -43,6 +55,37 @@ std::vector<Option> drawing_rows() {
            {"x-of-y", "x = f(y) alone", "One pixel for each row: flat lines have gaps."},
            {"interpolate", "Interpolate", "All steps from one interpolation over the longer side."},
            {"bresenham", "Bresenham", "Integers only: the error decides when to step sideways."}}),
+      choice<&Settings::coverage>(
+          {.key = "coverage",
+           .label = "Coverage",
+           .help =
+               {"How the samples that a triangle covers are found. All ways give one picture; they differ in how many "
+                "tests they need.",
+                "CGPP 15.6",
+                "The ray test asks every triangle for every pixel; barycentric weights in float may round to the "
+                "wrong side of an edge."},
+           .inactive = needs_single_samples},
+          {{"edge-function", "edge functions",
+            "Three sums for each sample of the triangle's box, stepped in integers."},
+           {"ray-test", "ray test", "A ray through every pixel of the picture against every triangle."},
+           {"bounding-box", "bounding box", "The same ray test, for the samples of the triangle's box alone."},
+           {"barycentric", "barycentric weights", "Three quotients for each sample of the box, in float or double."},
+           {"scanline", "scanline", "Row by row from the left edge to the right one; nothing to test in between."},
+           {"hierarchical", "hierarchical", "Cells of 64, 16 and 4 pixels are dropped or taken whole."},
+           {"tiled", "tiled", "Tiles of 8 x 8 samples, decided by 64-bit masks."},
+           {"micropolygon", "micropolygons", "The triangle is cut in four until its pieces are about a pixel."}}),
+      choice<&Settings::edge_arithmetic>(
+          {.key = "edge-arithmetic",
+           .label = "Edge arithmetic",
+           .help =
+               {"The numbers in which edge functions decide coverage.", "CGPP 15.6.4.4",
+                "Float cracks along shared edges, stepped float drifts with every addition, 32-bit integers overflow "
+                "in triangles of more than about 128 pixels."},
+           .inactive = needs_edge_functions},
+          {{"fixed", "64-bit integers", "Exact for every triangle that fits."},
+           {"float", "float", "Each sample afresh; two triangles may round their edge to different sides."},
+           {"float-stepped", "float, stepped", "One rounded addition for each sample."},
+           {"int32", "32-bit integers", "Exact until a product overflows."}}),
       integer<&Settings::subpixel_bits>(
           {.key = "subpixel-bits",
            .label = "Sub-pixel bits",

@@ -2,11 +2,22 @@
 
 #include <algorithm>
 
+#include "raster/coverage/of_triangle.h"
+
 namespace ps::raster {
 namespace {
 
 constexpr std::size_t primitives_per_part = 16384;
 constexpr std::size_t most_parts = 16;
+
+template <class Real>
+PixelBox touched(const Pass<Real>& pass, const ScreenTriangle<Real>& triangle) {
+  return tested_box(pass, triangle);
+}
+template <class Real>
+PixelBox touched(const Pass<Real>&, const ScreenLine<Real>& line) {
+  return line.box;
+}
 
 /// Calls visit(primitive) for the triangle or line that `ref` names, whichever the picture is made of.
 template <class Real, class Visit>
@@ -64,7 +75,7 @@ Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry
     const auto part = static_cast<std::size_t>(index);
     const std::size_t last = order.size() * (part + 1) / bins.parts;
     for (std::size_t i = order.size() * part / bins.parts; i < last; ++i) {
-      const PixelBox box = with_primitive(pass, geometry, order[i], [](const auto& p) { return p.box; });
+      const PixelBox box = with_primitive(pass, geometry, order[i], [&](const auto& p) { return touched(pass, p); });
       for (int row = box.y0 / tile_size; row <= (box.y1 - 1) / tile_size; ++row)
         for (int column = box.x0 / tile_size; column <= (box.x1 - 1) / tile_size; ++column)
           bins.lists[part * bins.tiles + static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)]

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "raster/canvas_items.h"
+#include "raster/coverage/explain.h"
+#include "raster/coverage/of_triangle.h"
 #include "raster/fragment_event.h"
 
 namespace ps::raster {
@@ -25,27 +27,19 @@ class TriangleDrawer {
     setup_.edges = *edges;
     setup_.inverse_area = Real(1) / static_cast<Real>(edges->area);
     const TileRect& rect = target_.rect();
-    const PixelBox box{std::max(triangle.box.x0, rect.x0), std::max(triangle.box.y0, rect.y0),
-                       std::min(triangle.box.x1, rect.x1), std::min(triangle.box.y1, rect.y1)};
+    const PixelBox box = intersection(tested_box(pass_, triangle), {rect.x0, rect.y0, rect.x1, rect.y1});
     if constexpr (Recorder::records) report_if_missed(rect);
-    if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
-    recorder_.count(Counter::coverage_tests,
-                    static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0));
-    if (target_.wants(Channel::tests)) count_tests(box);
+    if (is_empty(box)) return;
     if constexpr (std::is_same_v<Real, float> && !Recorder::records)
       if (draw_fast(box)) return;
-    std::array<std::int64_t, 3> row_values = setup_.edges.at(box.x0, box.y0);
-    for (int row = box.y0; row < box.y1; ++row) {
-      std::array<std::int64_t, 3> values = row_values;
-      for (int column = box.x0; column < box.x1; ++column) {
-        if (setup_.edges.inside(values)) cover(column, row, values);
-        for (std::size_t i = 0; i < 3; ++i) values[i] += setup_.edges.step_x[i];
-      }
-      for (std::size_t i = 0; i < 3; ++i) row_values[i] += setup_.edges.step_y[i];
-    }
+    walk_coverage<Real>(pass_.coverage, coverage_input(pass_, triangle, setup_.edges), box, *this);
   }
 
- private:
+  // The sink of coverage strategies (coverage/input.h).
+  void test(int column, int row) { test_all({column, row, column + 1, row + 1}); }
+  void test_all(const PixelBox& box) { count_tests(Counter::coverage_tests, sample_count(box), box); }
+  void region(const PixelBox& box) { count_tests(Counter::coverage_regions, 1, box); }
+  void cover(int column, int row) { cover(column, row, setup_.edges.at(column, row)); }
   /// A covered sample: depth test, shading, write.
   void cover(int column, int row, const std::array<std::int64_t, 3>& values) {
     recorder_.count(Counter::fragments);
@@ -63,6 +57,8 @@ class TriangleDrawer {
       verdict = nearer ? FragmentEvent::Depth::passed : FragmentEvent::Depth::failed;
     }
     recorder_.begin([&] { return fragment_event(pass_, setup_, fragment, values, verdict, stored, depth); });
+    if constexpr (Recorder::records)
+      if (!pass_.coverage.is_common()) recorder_.event([&] { return explain(column, row); });
     if (verdict == FragmentEvent::Depth::failed) {
       recorder_.count(Counter::depth_failures);
       recorder_.end();
@@ -80,6 +76,18 @@ class TriangleDrawer {
     if (pass_.channels != Channel::none) write_channels(fragment, shaded);
   }
 
+ private:
+  static std::uint64_t sample_count(const PixelBox& box) {
+    return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0);
+  }
+  /// Counts, and in the channel adds one test to each pixel that was decided about.
+  void count_tests(Counter counter, std::uint64_t tests, const PixelBox& box) {
+    recorder_.count(counter, tests);
+    if (!target_.wants(Channel::tests)) return;
+    for (int row = box.y0; row < box.y1; ++row)
+      for (int column = box.x0; column < box.x1; ++column) ++target_.frame().tests.at(column, row);
+  }
+
   /// The fast path: coverage, depth and shading of many samples at once. False if it cannot draw this triangle.
   bool draw_fast(const PixelBox& box) {
     if (!pass_.shade_batch || !can_batch()) return false;
@@ -94,6 +102,7 @@ class TriangleDrawer {
     scan.depth_stride = target_.rect().width();
     scan.frame_width = target_.frame().width();
     if (!can_scan(scan)) return false;
+    test_all(box);
     const BatchShading shading = batch_shading();
     ScanCounts counts;
     std::uint64_t shaded = 0;
@@ -222,15 +231,21 @@ class TriangleDrawer {
     return static_cast<float>(-dot(ray, Vec3d(setup_.triangle->face_normal)) / std::sqrt(dot(ray, ray)));
   }
 
-  void count_tests(const PixelBox& box) {
-    for (int row = box.y0; row < box.y1; ++row)
-      for (int column = box.x0; column < box.x1; ++column) ++target_.frame().tests.at(column, row);
-  }
-
   /// An inspected tile is a single pixel: tells of a triangle that comes near it without covering it.
   void report_if_missed(const TileRect& rect) {
-    const auto values = setup_.edges.at(rect.x0, rect.y0);
-    if (!setup_.edges.inside(values)) recorder_.event([&] { return not_covered_event(pass_, setup_, values); });
+    const CoverageEvent decision = explain(rect.x0, rect.y0);
+    if (decision.covered) return;
+    recorder_.event([&] {
+      RejectEvent event = not_covered_event(pass_, setup_, setup_.edges.at(rect.x0, rect.y0));
+      if (!pass_.coverage.is_common()) event.detail = decision.how;
+      return event;
+    });
+  }
+  CoverageEvent explain(int column, int row) const {
+    CoverageEvent event =
+        explain_coverage<Real>(pass_.coverage, coverage_input(pass_, *setup_.triangle, setup_.edges), column, row);
+    event.id = event_id(setup_);
+    return event;
   }
 
   const Pass<Real>& pass_;

@@ -4,6 +4,8 @@
 #include "image/display.h"
 #include "inspect/finish_story.h"
 #include "raster/canvas_items.h"
+#include "raster/coverage/of_triangle.h"
+#include "raster/coverage/walk.h"
 #include "raster/draw_primitives.h"
 #include "raster/fragment_event.h"
 #include "raster/near_pixel.h"
@@ -110,7 +112,8 @@ class PixelWalk {
   }
   bool covers(const ScreenTriangle<Real>& candidate) const {
     const auto edges = make_edges(candidate.corners, pass_.grid);
-    return edges && edges->inside(edges->at(pixel_.x, pixel_.y));
+    return edges &&
+           decide_sample<Real>(pass_.coverage, coverage_input(pass_, candidate, *edges), pixel_.x, pixel_.y).covered;
   }
   void report_rejected(PixelRecorder& recorder, std::uint32_t before) {
     for (; told_ < rejected_.size() && rejected_[told_].sequence < before; ++told_)

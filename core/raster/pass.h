@@ -5,6 +5,7 @@
 #include "image/mip_chain.h"
 #include "raster/attributes.h"
 #include "raster/clip.h"
+#include "raster/coverage/choice.h"
 #include "raster/draw_list.h"
 #include "raster/edge_function.h"
 #include "raster/projection.h"
@@ -48,6 +49,7 @@ struct Pass {
   Vec3<Real> backward{0, 0, -1};  ///< direction to the viewer in orthographic pictures
   std::vector<ClipPlane<Real>> planes;
   CoverageGrid grid;
+  CoverageChoice coverage;
   std::vector<ShadingLight<Real>> lights;
   std::vector<DrawObject> objects;
   std::vector<std::uint32_t> first_surface;  ///< of each object

@@ -44,6 +44,7 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/shading", {"triangle-test=moeller-trumbore", "triangle-epsilon=1"}},
       {"cgfs/crates", {"renderer=rasterizer"}},
       {"cgfs/depth", {"renderer=rasterizer"}},
+      {"cgfs/depth", {"renderer=rasterizer", "subpixel-bits=12"}},
       {"cgfs/lines", {"renderer=rasterizer"}},
       {"cgfs/wireframe", {"renderer=rasterizer"}},
       {"octree/attenuation", {}},

@@ -8,6 +8,7 @@
 
 #include "gui/app/picture_text.h"
 #include "gui/widgets/draw.h"
+#include "raster/coverage/efficiency.h"
 
 namespace ps::gui {
 namespace {
@@ -103,6 +104,11 @@ void counters(const Results& results) {
     if (any)
       row(counter_label(counter), values, [](double value) { return count_text(static_cast<std::uint64_t>(value)); });
   }
+  std::array<std::optional<double>, 2> efficiency;
+  for (std::size_t side = 0; side < 2; ++side)
+    if (results[side]) efficiency[side] = raster::sample_test_efficiency(results[side]->frame.counters);
+  if (efficiency[0] || efficiency[1])
+    row("fragments per coverage test", efficiency, [](double value) { return short_number(value); });
   ImGui::EndTable();
 }
 

@@ -1,0 +1,108 @@
+#pragma once
+#include "raster/coverage/input.h"
+
+namespace ps::raster {
+
+/// A piece of a triangle that is cut into four similar ones until a piece is about a pixel (CGPP 15.6.6.4, after
+/// Reyes). Corners are in units of 2^-levels of FixedPoint's, so that every middle of an edge is a whole number.
+struct MicroTriangle {
+  struct Point {
+    std::int64_t x = 0, y = 0;
+  };
+  std::array<Point, 3> corner{};
+  std::array<bool, 3> outer{true, true, true};  ///< whether edge i lies on edge i of the whole triangle
+};
+
+inline MicroTriangle::Point middle(const MicroTriangle::Point& a, const MicroTriangle::Point& b) {
+  return {(a.x + b.x) / 2, (a.y + b.y) / 2};
+}
+
+/// Corner 0's, 1's and 2's piece, then the one in the middle, which is upside down.
+inline std::array<MicroTriangle, 4> cut_in_four(const MicroTriangle& t) {
+  const auto& p = t.corner;
+  const MicroTriangle::Point m0 = middle(p[1], p[2]), m1 = middle(p[2], p[0]), m2 = middle(p[0], p[1]);
+  return {{{{p[0], m2, m1}, {false, t.outer[1], t.outer[2]}},
+           {{m2, p[1], m0}, {t.outer[0], false, t.outer[2]}},
+           {{m1, m0, p[2]}, {t.outer[0], t.outer[1], false}},
+           {{m0, m1, m2}, {false, false, false}}}};
+}
+
+/// Cuts a triangle up; a class only to share what does not change on the way down.
+class Micropolygons {
+ public:
+  explicit Micropolygons(const CoverageInput& input)
+      : input_(input), orientation_(doubled_area(input.corners) > 0 ? 1 : -1) {
+    const auto [low_x, high_x] = std::minmax({input.corners[0].x, input.corners[1].x, input.corners[2].x});
+    const auto [low_y, high_y] = std::minmax({input.corners[0].y, input.corners[1].y, input.corners[2].y});
+    const std::int64_t extent = std::max(std::int64_t{high_x} - low_x, std::int64_t{high_y} - low_y);
+    while ((extent >> levels_) > fixed_unit(input.grid.subpixel_bits)) ++levels_;
+  }
+  int levels() const { return levels_; }
+
+  template <class Sink>
+  void walk(const PixelBox& box, Sink& sink) const {
+    MicroTriangle whole;
+    for (std::size_t k = 0; k < 3; ++k)
+      whole.corner[k] = {std::int64_t{input_.corners[k].x} * scale(), std::int64_t{input_.corners[k].y} * scale()};
+    cut(whole, 0, box, sink);
+  }
+
+ private:
+  std::int64_t scale() const { return std::int64_t{1} << levels_; }
+
+  template <class Sink>
+  void cut(const MicroTriangle& piece, int level, const PixelBox& box, Sink& sink) const {
+    const PixelBox samples = intersection(sample_box_of(piece), box);
+    if (is_empty(samples)) return;
+    sink.region(samples);
+    if (level < levels_) {
+      for (const MicroTriangle& part : cut_in_four(piece)) cut(part, level + 1, box, sink);
+      return;
+    }
+    for (int row = samples.y0; row < samples.y1; ++row)
+      for (int column = samples.x0; column < samples.x1; ++column) {
+        sink.test(column, row);
+        if (covers(piece, column, row)) sink.cover(column, row);
+      }
+  }
+
+  /// A piece is small and the sample near it, so the products stay within 64 bits. Samples on an edge between two
+  /// pieces go to one of them by the top-left rule; on the triangle's own edges its own rule holds.
+  bool covers(const MicroTriangle& piece, int column, int row) const {
+    const MicroTriangle::Point s = sample(column, row);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto &a = piece.corner[(i + 1) % 3], &b = piece.corner[(i + 2) % 3];
+      const std::int64_t dx = orientation_ * (b.x - a.x), dy = orientation_ * (b.y - a.y);
+      const std::int64_t value = dx * (s.y - a.y) - dy * (s.x - a.x);
+      const bool owned = piece.outer[i] ? input_.edges.threshold[i] < 0 : dy < 0 || (dy == 0 && dx > 0);
+      if (value < 0 || (value == 0 && !owned)) return false;
+    }
+    return true;
+  }
+  MicroTriangle::Point sample(int column, int row) const {
+    const std::int64_t unit = fixed_unit(input_.grid.subpixel_bits);
+    const FixedPoint offset = sample_offset(input_.grid);
+    return {(column * unit + offset.x) * scale(), (row * unit + offset.y) * scale()};
+  }
+  /// Pixels whose samples may lie in the piece.
+  PixelBox sample_box_of(const MicroTriangle& piece) const {
+    const auto& p = piece.corner;
+    const MicroTriangle::Point first = sample(0, 0);
+    const std::int64_t pixel = fixed_unit(input_.grid.subpixel_bits) * scale();
+    const auto from = [&](std::int64_t v) { return static_cast<int>(-floor_divide(-v, pixel)); };
+    const auto to = [&](std::int64_t v) { return static_cast<int>(floor_divide(v, pixel) + 1); };
+    return {from(std::min({p[0].x, p[1].x, p[2].x}) - first.x), from(std::min({p[0].y, p[1].y, p[2].y}) - first.y),
+            to(std::max({p[0].x, p[1].x, p[2].x}) - first.x), to(std::max({p[0].y, p[1].y, p[2].y}) - first.y)};
+  }
+
+  const CoverageInput& input_;
+  std::int64_t orientation_;
+  int levels_ = 0;
+};
+
+template <class Sink>
+void walk_micropolygons(const CoverageInput& input, const PixelBox& box, Sink& sink) {
+  Micropolygons(input).walk(box, sink);
+}
+
+}  // namespace ps::raster
