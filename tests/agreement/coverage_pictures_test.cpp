@@ -81,8 +81,8 @@ TEST(CoveragePictures, ChannelOfTestsAddsUpToTheCounter) {
 }
 
 TEST(CoveragePictures, StoriesTellHowTheStrategyDecided) {
-  Pictures pictures("cgfs/shading", 120, 120);
-  const Vec2i pixel{60, 60};
+  Pictures pictures("cgfs/cubes", 600, 600);
+  const Vec2i pixel = pictures.scene.telling_pixel;
   for (const Coverage strategy : all) {
     pictures.settings.coverage = strategy;
     Prepared prepared;

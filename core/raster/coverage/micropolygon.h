@@ -10,7 +10,6 @@ struct MicroTriangle {
     std::int64_t x = 0, y = 0;
   };
   std::array<Point, 3> corner{};
-  std::array<bool, 3> outer{true, true, true};  ///< whether edge i lies on edge i of the whole triangle
 };
 
 inline MicroTriangle::Point middle(const MicroTriangle::Point& a, const MicroTriangle::Point& b) {
@@ -21,10 +20,7 @@ inline MicroTriangle::Point middle(const MicroTriangle::Point& a, const MicroTri
 inline std::array<MicroTriangle, 4> cut_in_four(const MicroTriangle& t) {
   const auto& p = t.corner;
   const MicroTriangle::Point m0 = middle(p[1], p[2]), m1 = middle(p[2], p[0]), m2 = middle(p[0], p[1]);
-  return {{{{p[0], m2, m1}, {false, t.outer[1], t.outer[2]}},
-           {{m2, p[1], m0}, {t.outer[0], false, t.outer[2]}},
-           {{m1, m0, p[2]}, {t.outer[0], t.outer[1], false}},
-           {{m0, m1, m2}, {false, false, false}}}};
+  return {{{{p[0], m2, m1}}, {{m2, p[1], m0}}, {{m1, m0, p[2]}}, {{m0, m1, m2}}}};
 }
 
 /// Cuts a triangle up; a class only to share what does not change on the way down.
@@ -66,19 +62,40 @@ class Micropolygons {
       }
   }
 
-  /// A piece is small and the sample near it, so the products stay within 64 bits. Samples on an edge between two
-  /// pieces go to one of them by the top-left rule; on the triangle's own edges its own rule holds.
+  /// A piece is small and the sample near it, so the products stay within 64 bits.
   bool covers(const MicroTriangle& piece, int column, int row) const {
     const MicroTriangle::Point s = sample(column, row);
+    std::array<bool, 3> tied{}, top_left{};
     for (std::size_t i = 0; i < 3; ++i) {
       const auto &a = piece.corner[(i + 1) % 3], &b = piece.corner[(i + 2) % 3];
       const std::int64_t dx = orientation_ * (b.x - a.x), dy = orientation_ * (b.y - a.y);
       const std::int64_t value = dx * (s.y - a.y) - dy * (s.x - a.x);
-      const bool owned = piece.outer[i] ? input_.edges.threshold[i] < 0 : dy < 0 || (dy == 0 && dx > 0);
-      if (value < 0 || (value == 0 && !owned)) return false;
+      if (value < 0) return false;
+      tied[i] = value == 0;
+      top_left[i] = is_top_left(dx, dy);
     }
+    if (!tied[0] && !tied[1] && !tied[2]) return true;
+    return settle_tie(tied, top_left, column, row);
+  }
+  /// The sample lies on an edge of the piece. On edges of the whole triangle its own rule holds. A sample between
+  /// pieces goes to one of them as if it were moved a little to the right and down, which is what the top-left rule
+  /// amounts to, or the other way round where that would move it out of the triangle.
+  bool settle_tie(const std::array<bool, 3>& tied, const std::array<bool, 3>& top_left, int column, int row) const {
+    const auto values = input_.edges.at(column, row);
+    if (!input_.edges.inside(values)) return false;
+    bool moved_out = false;
+    int outer = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (values[i] != 0) continue;
+      ++outer;
+      moved_out = !is_top_left(input_.edges.step_y[i], -input_.edges.step_x[i]);
+    }
+    if (outer > 1) return true;  // a corner, which only one piece has
+    for (std::size_t i = 0; i < 3; ++i)
+      if (tied[i] && top_left[i] == moved_out) return false;
     return true;
   }
+  static bool is_top_left(std::int64_t dx, std::int64_t dy) { return dy < 0 || (dy == 0 && dx > 0); }
   MicroTriangle::Point sample(int column, int row) const {
     const std::int64_t unit = fixed_unit(input_.grid.subpixel_bits);
     const FixedPoint offset = sample_offset(input_.grid);

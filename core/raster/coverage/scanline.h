@@ -63,7 +63,7 @@ class SpanWalk {
       const std::int64_t a = input_.corners[(i + 1) % 3].y, b = input_.corners[(i + 2) % 3].y;
       if (y < std::min(a, b) || y > std::max(a, b)) continue;
       if (!column_[i]) {  // a horizontal edge runs through the samples: its owner has the row, the other one has not
-        if (input_.edges.threshold[i] >= 0) span.last = span.first;
+        if (input_.edges.threshold[i] >= 0) return {0, -1};
       } else if (column_[i]->is_left()) {
         span.first = std::max(span.first, column_[i]->column());
       } else {
