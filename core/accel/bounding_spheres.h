@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "accel/candidate_ray.h"
+#include "base/memory_size.h"
 #include "inspect/recorder.h"
 
 namespace ps {
@@ -23,6 +24,8 @@ struct SphereNode {
 struct BoundingSpheres {
   std::vector<SphereNode> nodes;
   std::vector<std::uint32_t> order;  ///< primitives, leaf by leaf
+
+  std::size_t heap_bytes() const { return owned_bytes(nodes, order); }
 };
 
 /// What is known of a primitive: a sphere that holds it, and its object (equal numbers stand together).

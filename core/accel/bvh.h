@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "accel/slab.h"
+#include "base/memory_size.h"
 #include "inspect/recorder.h"
 
 namespace ps {
@@ -24,6 +25,8 @@ struct Bvh {
   std::vector<BvhNode<Real>> nodes;
   std::vector<std::uint32_t> order;  ///< primitives, leaf by leaf
   Real reach = 0;                    ///< the largest absolute coordinate of any box
+
+  std::size_t heap_bytes() const { return owned_bytes(nodes, order); }
 };
 
 inline constexpr int bvh_max_depth = 64;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "accel/candidate_ray.h"
+#include "base/memory_size.h"
 #include "inspect/recorder.h"
 
 namespace ps {
@@ -26,6 +27,8 @@ template <class Real>
 struct Octree {
   std::vector<OctreeNode<Real>> nodes;  ///< node 0 is the root
   std::vector<std::uint32_t> entries;
+
+  std::size_t heap_bytes() const { return owned_bytes(nodes, entries); }
 };
 
 struct OctreeOptions {

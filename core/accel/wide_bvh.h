@@ -32,6 +32,8 @@ struct WideBvh {
   std::vector<TriangleBlock> blocks;
   /// More entries can never wait while one ray is followed.
   static constexpr int most_waiting = bvh_max_depth * (wide_width - 1) + 1;
+
+  std::size_t heap_bytes() const { return owned_bytes(nodes, blocks); }
 };
 
 /// A triangle's corners, and its number among all primitives.

@@ -13,6 +13,12 @@ struct MipChain {
   std::shared_ptr<const Image<Vec3f>> base;  ///< level 0, shared with the texture
   std::vector<Image<Vec3f>> reduced;         ///< levels 1, 2, ...
 
+  /// Bytes of the smaller versions; level 0 belongs to the texture.
+  std::size_t heap_bytes() const {
+    std::size_t bytes = reduced.capacity() * sizeof(Image<Vec3f>);
+    for (const Image<Vec3f>& image : reduced) bytes += image.pixels().size_bytes();
+    return bytes;
+  }
   int levels() const { return 1 + static_cast<int>(reduced.size()); }
   const Image<Vec3f>& level(int index) const {
     return index == 0 ? *base : reduced[static_cast<std::size_t>(index - 1)];

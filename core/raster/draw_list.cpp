@@ -11,12 +11,21 @@
 namespace ps::raster {
 namespace {
 
-using Meshes = std::vector<std::shared_ptr<const Mesh>>;
+/// One mesh for each object; empty pointers for instances.
+struct Meshes {
+  std::vector<std::shared_ptr<const Mesh>> of_object;
+
+  std::size_t heap_bytes() const {
+    std::size_t bytes = of_object.capacity() * sizeof(of_object[0]);
+    for (const auto& mesh : of_object)
+      if (mesh) bytes += sizeof(Mesh) + owned_bytes(mesh->positions, mesh->normals, mesh->uvs, mesh->triangles);
+    return bytes;
+  }
+};
 using Bounds = std::vector<BoundingSphere>;
 
 Key& add(Key& key, const Vec3d& v) { return key.add(v.x).add(v.y).add(v.z); }
 
-/// One mesh for each object; empty pointers for instances.
 std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view, const Settings& settings,
                                             const Viewport<double>& viewport, Prepared& prepared) {
   Key key("sphere-tessellation");
@@ -38,11 +47,11 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
       if (sphere) {
         Mesh mesh = tessellate_sphere(*sphere, seen_from);
         if (scene.materials->at(sphere->material).texture >= 0) add_world_map_uvs(mesh, sphere->centre);
-        meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
+        meshes.of_object.push_back(std::make_shared<const Mesh>(std::move(mesh)));
       } else if (solid) {
-        meshes.push_back(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));
+        meshes.of_object.push_back(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));
       } else {
-        meshes.push_back(nullptr);
+        meshes.of_object.push_back(nullptr);
       }
     }
     return meshes;
@@ -113,7 +122,7 @@ std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, con
     if (const auto* sphere = std::get_if<Sphere>(&objects[i].shape)) {
       DrawObject draw;
       draw.object = index;
-      draw.mesh = (*spheres)[i];
+      draw.mesh = spheres->of_object[i];
       draw.sphere = true;
       draw.bounds = {sphere->centre, sphere->radius};
       draw.materials = {sphere->material};
@@ -121,7 +130,7 @@ std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, con
     } else if (const auto* solid = std::get_if<Solid>(&objects[i].shape)) {
       DrawObject draw;
       draw.object = index;
-      draw.mesh = (*spheres)[i];
+      draw.mesh = spheres->of_object[i];
       draw.sphere = true;
       draw.front_only = solid->sides == Sides::front || is_flat(solid->form);
       draw.bounds = bounding_sphere(*draw.mesh);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/memory_size.h"
 #include "image/mip_chain.h"
 #include "options/settings.h"
 
@@ -16,6 +17,8 @@ struct PackedTexture {
   std::array<std::int32_t, most_levels> width{};   ///< of each level, in texels
   std::array<std::int32_t, most_levels> height{};  ///< of each level
   int levels = 0;
+
+  std::size_t heap_bytes() const { return owned_bytes(texels); }
 };
 
 /// Nothing is packed (levels = 0) of a chain too large for 32-bit indices.

@@ -85,6 +85,10 @@ struct TracedGeometry {
   bool one_sided_triangles = false;        ///< some primitives are triangles with front_only
   std::uint64_t degenerate_triangles = 0;  ///< left out, since nothing can hit them
   Real reach = 0;                          ///< the largest absolute coordinate of any bounded primitive's box
+
+  std::size_t heap_bytes() const {
+    return owned_bytes(primitives, spheres, triangles, attributes, forms, solids, solid_boxes, steps);
+  }
 };
 
 /// A box that certainly holds the primitive; for an infinite one a box beyond all coordinates of a scene.
@@ -105,6 +109,8 @@ std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeom
 struct WideGeometry {
   WideBvh triangles;
   Bvh<float> others;  ///< its order holds numbers of primitives
+
+  std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
 };
 std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
                                                   Prepared& prepared);

@@ -18,9 +18,9 @@ std::shared_ptr<const void> Prepared::find(const Key& key) {
   return entry->value;
 }
 
-void Prepared::keep(const Key& key, std::shared_ptr<const void> value) {
+void Prepared::keep(const Key& key, std::shared_ptr<const void> value, std::size_t bytes) {
   const std::lock_guard lock(mutex_);
-  entries_.push_front({key, std::move(value)});
+  entries_.push_front({key, std::move(value), bytes});
   int versions = 0;
   for (auto entry = entries_.begin(); entry != entries_.end();) {
     const bool same_product = entry->key.product() == key.product();
@@ -30,6 +30,13 @@ void Prepared::keep(const Key& key, std::shared_ptr<const void> value) {
     else
       ++entry;
   }
+}
+
+std::size_t Prepared::bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t sum = 0;
+  for (const Entry& entry : entries_) sum += entry.bytes;
+  return sum;
 }
 
 void Prepared::clear() {

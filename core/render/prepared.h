@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/memory_size.h"
+
 namespace ps {
 
 /// Exactly what a product was made from: scene revisions and setting values, in a fixed order.
@@ -44,20 +46,23 @@ class Prepared {
   std::shared_ptr<const T> get(const Key& key, Build&& build) {
     if (auto found = find(key)) return std::static_pointer_cast<const T>(found);
     auto made = std::make_shared<const T>(build());
-    keep(key, made);
+    keep(key, made, memory_size(*made));
     return made;
   }
   void clear();
+  /// Memory of all products that are kept now.
+  std::size_t bytes() const;
 
  private:
   struct Entry {
     Key key;
     std::shared_ptr<const void> value;
+    std::size_t bytes = 0;
   };
   std::shared_ptr<const void> find(const Key& key);
-  void keep(const Key& key, std::shared_ptr<const void> value);
+  void keep(const Key& key, std::shared_ptr<const void> value, std::size_t bytes);
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::list<Entry> entries_;  // most recently used first
 };
 

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
         if (chosen(bench, filter)) fmt::print("{:<44} {:>8}  {}\n", bench.name, bench.unit, bench.yardstick_name);
       return 0;
     }
-    const Machine machine = this_machine();
+    const ps::Machine machine = ps::this_machine();
     std::vector<Row> rows;
     print_header(machine, options);
     const bool agreed = run(filter, options, rows);

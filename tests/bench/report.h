@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/machine.h"
 #include "bench/bench.h"
-#include "bench/machine.h"
 #include "bench/measure.h"
 
 namespace ps::bench {

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "options/settings.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
 #include "scene/part.h"
 
 namespace {
@@ -43,6 +45,31 @@ TEST(Prepared, KeysTellRealsAndOrderApart) {
   EXPECT_NE(Key("a").add(0.0), Key("a").add(-0.0));
   EXPECT_NE(Key("a").add(std::uint64_t{1}).add(std::uint64_t{2}), Key("a").add(std::uint64_t{2}).add(std::uint64_t{1}));
   EXPECT_NE(Key("a"), Key("b"));
+}
+
+TEST(Prepared, CountsTheBytesOfWhatItKeeps) {
+  Prepared prepared;
+  EXPECT_EQ(prepared.bytes(), 0u);
+  prepared.get<std::vector<double>>(Key("plain"), [] { return std::vector<double>(1000); });
+  EXPECT_EQ(prepared.bytes(), sizeof(std::vector<double>) + 8000);
+  prepared.get<std::vector<std::vector<float>>>(
+      Key("nested"), [] { return std::vector<std::vector<float>>(3, std::vector<float>(100)); });
+  EXPECT_EQ(prepared.bytes(), 5 * sizeof(std::vector<double>) + 8000 + 1200);
+  prepared.clear();
+  EXPECT_EQ(prepared.bytes(), 0u);
+}
+
+TEST(Prepared, ARenderedSceneOccupiesAtLeastItsTrianglesAndItsTree) {
+  Prepared prepared;
+  Progress progress;
+  const Scene scene = load_scene("cgpp/teapot");
+  render(scene, {scene.camera, 40, 30}, settings_for(scene), {}, prepared, progress);
+  std::size_t triangles = 0;
+  for (const auto& mesh : scene.geometry->meshes) triangles += mesh->triangles.size();
+  const std::size_t corners = triangles * 9 * sizeof(float);
+  EXPECT_GT(triangles, 1000u);
+  EXPECT_GT(prepared.bytes(), 2 * corners);  // the traced geometry and the wide tree each hold the corners
+  EXPECT_LT(prepared.bytes(), 30 * corners);
 }
 
 TEST(Part, SharesUntilEdited) {

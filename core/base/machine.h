@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace ps::bench {
+namespace ps {
 
 /// What results depend on besides the code.
 struct Machine {
@@ -13,4 +13,4 @@ struct Machine {
 
 Machine this_machine();
 
-}  // namespace ps::bench
+}  // namespace ps

@@ -1,4 +1,4 @@
-#include "bench/machine.h"
+#include "base/machine.h"
 
 #include <hwy/targets.h>
 
@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/version.h"
 
-namespace ps::bench {
+namespace ps {
 namespace {
 
 std::string processor_name() {
@@ -34,4 +34,4 @@ Machine this_machine() {
   return {std::string(version()), processor_name(), simd_name(), resolve_threads(ParallelOptions{})};
 }
 
-}  // namespace ps::bench
+}  // namespace ps

@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 
-namespace ps::bench {
+namespace ps {
 
 /// The middle and the quarters of repeated measurements, in the unit of the samples.
 struct Quartiles {
@@ -35,4 +35,4 @@ inline double geometric_mean(const std::vector<double>& ratios) {
   return std::exp(sum / static_cast<double>(ratios.size()));
 }
 
-}  // namespace ps::bench
+}  // namespace ps

@@ -1,0 +1,44 @@
+#pragma once
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+#include "base/statistics.h"
+
+namespace ps {
+
+/// Seconds since some fixed moment. Tests pass a clock of their own.
+using Clock = std::function<double()>;
+
+inline double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Seconds that `calls` calls take.
+inline double seconds_of(const std::function<void()>& call, int calls, const Clock& clock) {
+  const double start = clock();
+  for (int i = 0; i < calls; ++i) call();
+  return clock() - start;
+}
+
+/// One sample of a timing: milliseconds of one call, as the mean of `calls` calls.
+inline double sample_milliseconds(const std::function<void()>& call, int calls, const Clock& clock) {
+  return 1e3 * seconds_of(call, calls, clock) / calls;
+}
+
+/// How many calls fill a sample of at least `shortest_sample` seconds. The first call (cold caches, first use of
+/// memory) is not counted.
+inline int calls_per_sample(const std::function<void()>& call, double shortest_sample, const Clock& clock) {
+  constexpr int most_calls = 100000;
+  constexpr double surely_long = 4;  // even the cold call is this much longer than needed
+  if (seconds_of(call, 1, clock) > surely_long * shortest_sample) return 1;
+  int calls = 1;
+  double taken = seconds_of(call, calls, clock);
+  while (taken < shortest_sample && calls < most_calls) {
+    calls = std::min(calls * 2, most_calls);
+    taken = seconds_of(call, calls, clock);
+  }
+  return calls;
+}
+
+}  // namespace ps
