@@ -9,6 +9,24 @@ Reason needs_depth_buffer(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+/// 1 / z alone has a place for everything up to infinity.
+Reason needs_range(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_depth_buffer(s, t)) return reason;
+  if (s.depth_value != DepthValue::inverse_z && s.far >= 1e30)
+    return "needs a far limit, unless depth-value = inverse-z";
+  return {};
+}
+Reason needs_integers(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_range(s, t)) return reason;
+  if (s.depth_format != DepthFormat::unorm) return "needs depth-format = unorm";
+  return {};
+}
+Reason needs_unit_range(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_range(s, t)) return reason;
+  if (s.depth_format == DepthFormat::plain) return "needs a depth-format from 0 to 1";
+  return {};
+}
+
 Reason needs_triangles(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_fragments(s, t)) return reason;
   if (!t.triangles && !t.spheres) return "the scene has no triangles";
@@ -38,6 +56,32 @@ std::vector<Option> visibility_rows() {
           {{"inverse-z", "1/z", "Linear on the screen, so interpolation is exact."},
            {"z", "z, interpolated linearly", "Wrong between the corners; close surfaces may swap."},
            {"distance", "distance to the eye", "Taken per pixel from the perspective-correct position."}}),
+      choice<&Settings::depth_format>(
+          {.key = "depth-format",
+           .label = "Depth format",
+           .help =
+               {"How the depth buffer holds its value.", "CGFS ch. 12; the depth formats of Direct3D and OpenGL",
+                "From 0 at the near plane to 1, most of the range lies just behind the near plane: far surfaces that "
+                "are close to each other get equal depths and mix, which is called z-fighting."},
+           .inactive = needs_range},
+          {{"plain", "the value itself", "1/z, z or the distance as a floating-point number."},
+           {"unit-float", "float, 0 to 1", "0 at the near plane, 1 at the far one, as 32-bit float."},
+           {"unorm", "integer, 0 to 1", "The same in steps of one, of as many bits as depth-bits says."}}),
+      integer<&Settings::depth_bits>(
+          {.key = "depth-bits",
+           .label = "Depth bits",
+           .help = {"The steps of an integer depth buffer: two surfaces at z need a gap of about z^2 / (near 2^bits).",
+                    "CGFS ch. 12; LAB 5", "Each bit fewer doubles the gap that is needed."},
+           .inactive = needs_integers},
+          4, 24, "bits"),
+      toggle<&Settings::depth_reversed>(
+          {.key = "depth-reversed",
+           .label = "Reversed depth",
+           .help =
+               {"1 at the near plane, 0 at the far one: float is finest near 0, where 1/z crowds all that is far away.",
+                "the clip-control depth range of Direct3D and OpenGL",
+                "Integers have equal steps, so they gain nothing."},
+           .inactive = needs_unit_range}),
       toggle<&Settings::backface_culling>(
           {.key = "backface-culling",
            .label = "Back-face culling",

@@ -1,26 +1,12 @@
 #pragma once
 #include <cmath>
-#include <limits>
 
+#include "raster/depth_format.h"
 #include "raster/fragment.h"
 
 namespace ps::raster {
 
-/// What the depth buffer holds where nothing was drawn: farther than everything.
-template <class Real>
-inline Real empty_depth(DepthValue value) {
-  return value == DepthValue::inverse_z ? -std::numeric_limits<Real>::infinity()
-                                        : std::numeric_limits<Real>::infinity();
-}
-
-/// Whether a fragment lies before what is stored. Equal is not nearer: the first triangle drawn, which has the lowest
-/// index, keeps the pixel.
-template <class Real>
-inline bool is_nearer(DepthValue value, Real depth, Real stored) {
-  return value == DepthValue::inverse_z ? depth > stored : depth < stored;
-}
-
-/// The value that is stored and compared (CGFS ch. 12).
+/// The value that is encoded, stored and compared (CGFS ch. 12).
 template <class Real>
 inline Real depth_value(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment) {
   switch (pass.settings.depth_value) {

@@ -51,9 +51,9 @@ class TriangleDrawer {
     if (depth_buffer_) {
       recorder_.count(Counter::depth_tests);
       recorder_.count(Counter::attributes_interpolated);
-      depth = depth_value(pass_, setup_, fragment);
+      depth = pass_.depth.encode(depth_value(pass_, setup_, fragment));
       stored = target_.depth(column, row);
-      const bool nearer = is_nearer(pass_.settings.depth_value, depth, stored);
+      const bool nearer = is_nearer(pass_.depth, depth, stored);
       verdict = nearer ? FragmentEvent::Depth::passed : FragmentEvent::Depth::failed;
     }
     recorder_.begin([&] { return fragment_event(pass_, setup_, fragment, values, verdict, stored, depth); });

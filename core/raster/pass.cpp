@@ -54,6 +54,7 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
   pass.planes = make_clip_planes<Real>(settings, pass.viewport);
   pass.grid = {settings.subpixel_bits, settings.fill_rule, pass.viewport.sample};
   pass.coverage = {settings.coverage, settings.edge_arithmetic};
+  pass.depth = make_depth_code(settings, pass.viewport.distance);
   pass.lights = shading_lights<Real>(*scene.lights);
   pass.objects = make_draw_list(scene, view, settings, pass.viewport, prepared);
   const LightNeeds needs = light_needs(*scene.lights);
@@ -72,7 +73,8 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
     }
   }
   if constexpr (std::is_same_v<Real, float>)
-    if (pass.divides() && channels == Channel::none && pass.coverage.is_common()) {
+    if (pass.divides() && channels == Channel::none && pass.coverage.is_common() &&
+        pass.depth.format == DepthFormat::plain) {
       if (book_lights(pass.lights, settings)) pass.shade_batch = shade_function(settings.simd);
       pass.scan_triangle = scan_function(settings.simd);
     }

@@ -6,6 +6,7 @@
 #include "raster/attributes.h"
 #include "raster/clip.h"
 #include "raster/coverage/choice.h"
+#include "raster/depth_format.h"
 #include "raster/draw_list.h"
 #include "raster/edge_function.h"
 #include "raster/projection.h"
@@ -50,6 +51,7 @@ struct Pass {
   std::vector<ClipPlane<Real>> planes;
   CoverageGrid grid;
   CoverageChoice coverage;
+  DepthCode depth;
   std::vector<ShadingLight<Real>> lights;
   std::vector<DrawObject> objects;
   std::vector<std::uint32_t> first_surface;  ///< of each object

@@ -18,7 +18,7 @@ class Target {
       : frame_(frame), rect_(rect), channels_(channels), origin_(origin) {
     if (settings.visibility == Visibility::depth_buffer)
       depth_.assign(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()) + vector_room,
-                    empty_depth<Real>(settings.depth_value));
+                    empty_depth<Real>(make_depth_code(settings, 1)));
     nan_written_ = has_nan(colour(rect.x0, rect.y0));  // a background of NaN
   }
 
