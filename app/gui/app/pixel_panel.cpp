@@ -184,23 +184,36 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
   place(session, *picked);
   static constexpr std::array tabs{Choice{"a", "A", "The pixel in picture A."},
                                    Choice{"b", "B", "The pixel in picture B."},
-                                   Choice{"both", "Both", "The stories of A and B together."}};
-  int tab = state.both ? 2 : session.document().picked == Side::a ? 0 : 1;
+                                   Choice{"both", "Both", "The stories of A and B together."},
+                                   Choice{"parting", "Parting", "Where the two stories part, and why."}};
+  using Shown = PixelPanelState::Shown;
+  int tab = state.shown == Shown::parting          ? 3
+            : state.shown == Shown::both           ? 2
+            : session.document().picked == Side::a ? 0
+                                                   : 1;
   if (tab_row("side", tabs, tab)) {
-    state.both = tab == 2;
-    if (!state.both) session.navigate([&](Document& document) { document.picked = tab == 0 ? Side::a : Side::b; });
+    state.shown = tab == 3 ? Shown::parting : tab == 2 ? Shown::both : Shown::one;
+    if (state.shown == Shown::one)
+      session.navigate([&](Document& document) { document.picked = tab == 0 ? Side::a : Side::b; });
   }
   const std::array stories{session.story(Side::a), session.story(Side::b)};
   for (const Side side : both_sides) follow(state, side, stories[index_of(side)]);
 
   ImGui::BeginChild("story");
-  if (state.both) {
+  switch (state.shown) {
+  case Shown::both:
     both(session, state, stories);
-  } else {
+    break;
+  case Shown::parting:
+    parting_view(session, state.parting, stories, state.cursors);
+    break;
+  case Shown::one: {
     const Side side = session.document().picked;
     if (const auto message = session.inspector(side).message(); !message.empty())
       ImGui::TextWrapped("%s", message.c_str());
     if (const auto& story = stories[index_of(side)]) full_story(session, state, side, *story, copy);
+    break;
+  }
   }
   ImGui::EndChild();
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "gui/app/parting_view.h"
 #include "gui/app/session.h"
 #include "gui/app/story_tree_view.h"
 
@@ -10,9 +11,11 @@ namespace ps::gui {
 
 /// What the inspector remembers of itself.
 struct PixelPanelState {
-  bool both = false;  ///< both stories at once; else that of the document's picked side
+  /// One story is that of the document's picked side.
+  enum class Shown { one, both, parting } shown = Shown::one;
   std::array<StoryCursor, 2> cursors;
   std::array<std::shared_ptr<const PixelStory>, 2> told;  ///< the stories that the cursors point into
+  PartingViewState parting;
   bool events_open = true, sum_open = true, work_open = false;
   std::array<bool, 2> both_events_open{false, false}, both_sum_open{true, true};  ///< in the view of both
 };

@@ -1,0 +1,135 @@
+#include "inspect/parting/align_stories.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "inspect/describe.h"
+#include "inspect/event_fields.h"
+#include "inspect/reason_text.h"
+
+namespace ps {
+namespace {
+
+/// Above this many pairs of siblings they are matched greedily: a table of all pairs would take too long to fill.
+constexpr std::size_t most_pairs = 4'000'000;
+
+std::string key_of(const PixelId& id) { return fmt::format("{}/{}", id.object, id.triangle); }
+
+/// What the event is about: events with equal keys can be partners.
+std::string key_of(const EventData& data) {
+  if (const auto* ray = std::get_if<RayEvent>(&data)) return fmt::format("ray {}", ray_kind_key(ray->kind));
+  if (const auto* node = std::get_if<NodeEvent>(&data)) return fmt::format("node {}", node->node);
+  if (const auto* light = std::get_if<LightEvent>(&data)) return fmt::format("light {}", light->light);
+  if (std::holds_alternative<HitEvent>(data) || std::holds_alternative<MissEvent>(data)) return "hit";
+  if (const auto* test = std::get_if<SphereTestEvent>(&data)) return "test " + key_of(test->id);
+  if (const auto* test = std::get_if<TriangleTestEvent>(&data)) return "test " + key_of(test->id);
+  if (const auto* test = std::get_if<SolidTestEvent>(&data)) return "test " + key_of(test->id);
+  if (const auto* fragment = std::get_if<FragmentEvent>(&data)) return "triangle " + key_of(fragment->id);
+  if (const auto* reject = std::get_if<RejectEvent>(&data)) return "triangle " + key_of(reject->id);
+  return std::string(event_kind(data));
+}
+
+struct Tree {
+  const PixelStory& story;
+  std::vector<std::vector<int>> children;  ///< of each event; the last entry holds the roots
+  std::vector<std::string> keys;
+
+  explicit Tree(const PixelStory& told) : story(told), children(told.events.size() + 1) {
+    for (std::size_t i = 0; i < told.events.size(); ++i) {
+      const int parent = told.events[i].parent;
+      children[parent < 0 ? told.events.size() : static_cast<std::size_t>(parent)].push_back(static_cast<int>(i));
+      keys.push_back(key_of(told.events[i].data));
+    }
+  }
+  const std::vector<int>& below(int event) const {
+    return children[event < 0 ? children.size() - 1 : static_cast<std::size_t>(event)];
+  }
+  const std::string& key(int event) const { return keys[static_cast<std::size_t>(event)]; }
+};
+
+class Aligner {
+ public:
+  Aligner(const Tree& a, const Tree& b, const Scene& scene) : a_(a), b_(b), scene_(scene) {}
+
+  void pair_up(int above_a, int above_b, int depth) {
+    const auto& a = a_.below(above_a);
+    const auto& b = b_.below(above_b);
+    std::size_t i = 0, j = 0;
+    for (const auto& [partner_a, partner_b] : partners(a, b)) {
+      while (i < partner_a) only_a(a[i++], depth);
+      while (j < partner_b) only_b(b[j++], depth);
+      const int event_a = a[i++], event_b = b[j++];
+      rows.push_back({event_a, event_b, depth, text(a_, event_a) == text(b_, event_b)});
+      pair_up(event_a, event_b, depth + 1);
+    }
+    while (i < a.size()) only_a(a[i++], depth);
+    while (j < b.size()) only_b(b[j++], depth);
+  }
+
+  std::vector<AlignedRow> rows;
+
+ private:
+  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  std::string text(const Tree& tree, int event) const {
+    return describe(tree.story.events[static_cast<std::size_t>(event)], scene_);
+  }
+
+  void only_a(int event, int depth) {
+    rows.push_back({event, -1, depth, false});
+    for (const int child : a_.below(event)) only_a(child, depth + 1);
+  }
+  void only_b(int event, int depth) {
+    rows.push_back({-1, event, depth, false});
+    for (const int child : b_.below(event)) only_b(child, depth + 1);
+  }
+
+  bool match(const std::vector<int>& a, std::size_t i, const std::vector<int>& b, std::size_t j) const {
+    return a_.key(a[i]) == b_.key(b[j]);
+  }
+
+  /// Positions of the longest common sequence of keys.
+  Pairs partners(const std::vector<int>& a, const std::vector<int>& b) const {
+    if (a.size() * b.size() > most_pairs) return greedy_partners(a, b);
+    const std::size_t width = b.size() + 1;
+    std::vector<std::uint32_t> longest((a.size() + 1) * width, 0);  // of the sequences from (i, j) on
+    for (std::size_t i = a.size(); i-- > 0;)
+      for (std::size_t j = b.size(); j-- > 0;)
+        longest[i * width + j] = match(a, i, b, j) ? longest[(i + 1) * width + j + 1] + 1
+                                                   : std::max(longest[(i + 1) * width + j], longest[i * width + j + 1]);
+    Pairs pairs;
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+      if (match(a, i, b, j))
+        pairs.push_back({i++, j++});
+      else if (longest[(i + 1) * width + j] >= longest[i * width + j + 1])
+        ++i;
+      else
+        ++j;
+    }
+    return pairs;
+  }
+
+  Pairs greedy_partners(const std::vector<int>& a, const std::vector<int>& b) const {
+    Pairs pairs;
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); ++i)
+      if (match(a, i, b, j)) pairs.push_back({i, j++});
+    return pairs;
+  }
+
+  const Tree& a_;
+  const Tree& b_;
+  const Scene& scene_;
+};
+
+}  // namespace
+
+std::vector<AlignedRow> align_stories(const PixelStory& a, const PixelStory& b, const Scene& scene) {
+  const Tree tree_a(a), tree_b(b);
+  Aligner aligner(tree_a, tree_b, scene);
+  aligner.pair_up(-1, -1, 0);
+  return std::move(aligner.rows);
+}
+
+}  // namespace ps

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "inspect/story.h"
+#include "scene/scene.h"
+
+namespace ps {
+
+/// One step of two stories beside each other: events of A and B that are about the same thing, or one without a
+/// partner.
+struct AlignedRow {
+  int a = -1, b = -1;  ///< event indices; -1 = the step does not exist there
+  int depth = 0;       ///< how many events lie above it
+  bool same = false;   ///< both tell the same, to the four digits that people read
+};
+
+/// Puts the events of two stories of one pixel side by side: the trees are walked together, and among the children of a
+/// matched pair the longest common sequence of events about the same thing (the same primitive, light or kind of ray)
+/// is matched. Rows come in the order in which things happened, A's unmatched before B's.
+std::vector<AlignedRow> align_stories(const PixelStory& a, const PixelStory& b, const Scene& scene);
+
+}  // namespace ps
