@@ -5,19 +5,33 @@
 #include <vector>
 
 #include "accel/bvh.h"
+#include "base/large_array.h"
 
 namespace ps {
 
 inline constexpr int wide_width = 8;        ///< children of a node
 inline constexpr int wide_block_width = 4;  ///< triangles of a block
 
-/// Up to eight children whose boxes are tested by the same instructions. A child with blocks is a leaf: `blocks`
-/// TriangleBlocks from `child` on; with 0 it is the node `child`. Places without a child hold an empty box.
+/// A child of a node: another node, or a leaf of one to `wide_leaf_blocks` blocks. Of a node its index.
+using WideChild = std::uint32_t;
+inline constexpr std::uint32_t wide_leaf_blocks = 8;
+inline constexpr WideChild wide_leaf_flag = 0x80000000u;
+inline constexpr int wide_count_shift = 28;  ///< three bits: the leaf's blocks less one
+inline bool is_leaf(WideChild child) { return (child & wide_leaf_flag) != 0; }
+inline std::uint32_t leaf_first(WideChild child) { return child & ((1u << wide_count_shift) - 1); }
+inline std::uint32_t leaf_count(WideChild child) { return ((child >> wide_count_shift) & 7u) + 1; }
+inline WideChild wide_leaf(std::uint32_t first, std::uint32_t count) {
+  return wide_leaf_flag | ((count - 1) << wide_count_shift) | first;
+}
+
+/// Up to eight children whose boxes are tested by the same instructions. Places without a child hold an empty box.
 struct alignas(64) WideNode {
   /// Planes of the children's boxes: low x, high x, low y, high y, low z, high z.
   float planes[6][wide_width];
-  std::uint32_t child[wide_width];
-  std::uint32_t blocks[wide_width];
+  WideChild child[wide_width];
+  /// For each octant of ray directions the places in the order from near to far: three bits of octant o from bit 3 o
+  /// on. Bit k of an octant says that the direction points down axis k.
+  std::uint32_t order[wide_width];
 };
 
 /// Corners of four triangles side by side. Places without a triangle hold NaN, which no test accepts.
@@ -28,10 +42,10 @@ struct alignas(32) TriangleBlock {
 
 /// A tree eight wide over triangles, for queries of single rays with SIMD. Node 0 is the root.
 struct WideBvh {
-  std::vector<WideNode> nodes;
-  std::vector<TriangleBlock> blocks;
-  /// More entries can never wait while one ray is followed.
-  static constexpr int most_waiting = bvh_max_depth * (wide_width - 1) + 1;
+  LargeArray<WideNode> nodes;
+  LargeArray<TriangleBlock> blocks;
+  /// More entries can never wait while one ray is followed; a leaf too large for one child makes a node more.
+  static constexpr int most_waiting = (bvh_max_depth + 32) * (wide_width - 1) + 1;
 
   std::size_t heap_bytes() const { return owned_bytes(nodes, blocks); }
 };
@@ -51,7 +65,7 @@ WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads = 0);
 struct BlockRange {
   std::uint32_t first = 0, count = 0;
 };
-std::vector<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks);
+LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks);
 void clear_block(TriangleBlock& block);
 void put_triangle(TriangleBlock& block, std::size_t lane, const WideTriangle& triangle);
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& body);

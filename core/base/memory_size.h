@@ -26,9 +26,9 @@ struct OwnedBytes {
   }
 };
 
-template <class T>
-struct OwnedBytes<std::vector<T>> {
-  static std::size_t of(const std::vector<T>& values) {
+template <class T, class Allocator>
+struct OwnedBytes<std::vector<T, Allocator>> {
+  static std::size_t of(const std::vector<T, Allocator>& values) {
     std::size_t bytes = values.capacity() * sizeof(T);
     if constexpr (!std::is_trivially_copyable_v<T>)
       for (const T& value : values) bytes += OwnedBytes<T>::of(value);

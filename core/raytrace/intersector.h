@@ -54,7 +54,7 @@ class Intersector {
       return test(query, primitive, best) && any;
     };
     if constexpr (std::is_same_v<Real, float> && !Recorder::records) {
-      if (inputs_.wide) {
+      if (inputs_.wide && suits_wide(ray)) {
         query.a = dot(ray.direction, ray.direction);
         search_wide(query, visit, any, best);
         return best;
@@ -76,11 +76,12 @@ class Intersector {
     return best;
   }
 
-  Real padding(const Ray<Real>& ray) const {
-    Real reach = geometry_.reach;
-    for (int axis = 0; axis < 3; ++axis) reach = std::max(reach, std::abs(ray.origin[axis]));
-    return inputs_.box_padding * reach;
+  /// The largest coordinate, of the scene or of the ray's origin.
+  Real reach(const Ray<Real>& ray) const {
+    const Vec3<Real>& o = ray.origin;
+    return std::max({geometry_.reach, std::abs(o.x), std::abs(o.y), std::abs(o.z)});
   }
+  Real padding(const Ray<Real>& ray) const { return inputs_.box_padding * reach(ray); }
   SlabRay<Real> padded_slabs(const Ray<Real>& ray) const {
     return SlabRay<Real>(ray.origin, ray.direction, padding(ray));
   }
@@ -94,15 +95,20 @@ class Intersector {
     if (simple.octree) for_each_candidate(*simple.octree, candidate, best.t, visit, recorder_);
   }
 
+  /// The arithmetic of the wide tree's boxes must not overflow: no direction that is tiny beside the scene, no NaN.
+  bool suits_wide(const Ray<Real>& ray) const {
+    const Vec3<Real>& d = ray.direction;
+    return reach(ray) < Real(1e15) * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  }
+
   /// The fast path: what is not a triangle first, in its own tree, then the triangles with SIMD.
   template <class Visit>
   void search_wide(const Query& query, Visit&& visit, bool any, Hit<Real>& best) const {
-    const SlabRay<Real> slabs = padded_slabs(query.ray);
     if (!inputs_.wide->others.nodes.empty()) {
-      for_each_candidate(inputs_.wide->others, slabs, best.t, visit, recorder_);
+      for_each_candidate(inputs_.wide->others, padded_slabs(query.ray), best.t, visit, recorder_);
       if (any && best.found()) return;
     }
-    const WideQuery wide{query.ray, slabs, inputs_.triangle_epsilon};
+    const WideQuery wide{query.ray, padding(query.ray), inputs_.triangle_epsilon};
     const WideSearches& searches = inputs_.wide_searches;
     WideCount count;
     (any ? searches.any : searches.nearest)(inputs_.wide->triangles, wide, best, count);

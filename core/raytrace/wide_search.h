@@ -1,5 +1,4 @@
 #pragma once
-#include "accel/slab.h"
 #include "accel/wide_bvh.h"
 #include "options/settings.h"
 #include "raytrace/ray.h"
@@ -12,7 +11,7 @@ namespace ps {
 
 struct WideQuery {
   const Ray<float>& ray;
-  SlabRay<float> slabs;
+  float pad = 0;               ///< boxes are grown by this much, and a quarter more for rounding in their own test
   float triangle_epsilon = 0;  ///< for Moeller-Trumbore
 };
 

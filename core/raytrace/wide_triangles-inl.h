@@ -86,13 +86,22 @@ struct BlockRay<TriangleTest::moeller_trumbore> {
     const Four determinant = dot4(edge_b, p);
     const Point4 s = subtract4(origin, a);
     const Point4 q = cross4(s, edge_b);
-    const Four u = hn::Div(dot4(s, p), determinant);
-    const Four v = hn::Div(dot4(direction, q), determinant);
-    const Mask4 sure = hn::Gt(hn::Abs(determinant), all4(query.triangle_epsilon));
+    const Four u_part = dot4(s, p), v_part = dot4(direction, q), t_part = dot4(edge_c, q);
+    // Most lanes can be told to miss before the divisions. The decision falls after them.
+    const Four sign = hn::And(determinant, hn::SignBit(d));
+    const Four size = hn::Xor(determinant, sign), slack = hn::Mul(size, all4(1e-6f));
+    const Four u_size = hn::Xor(u_part, sign), v_size = hn::Xor(v_part, sign), t_size = hn::Xor(t_part, sign);
+    const Four rest = hn::Sub(hn::Sub(size, u_size), v_size);
+    const Mask4 perhaps =
+        hn::And(hn::Ge(hn::Add(hn::Min(hn::Min(u_size, v_size), rest), slack), zero),
+                hn::And(hn::Ge(t_size, zero), hn::Le(t_size, hn::Mul(size, all4(best.t * 1.000001f)))));
+    if (hn::AllFalse(d, perhaps)) return false;
+    const Four u = hn::Div(u_part, determinant);
+    const Four v = hn::Div(v_part, determinant);
+    const Mask4 sure = hn::Gt(size, all4(query.triangle_epsilon));
     const Mask4 positive = hn::And(hn::Ge(u, zero), hn::Ge(v, zero));
     const Mask4 inside = hn::And(hn::And(sure, positive), hn::Le(hn::Add(u, v), all4(1)));
-    if (hn::AllFalse(d, inside)) return false;
-    const Four t = hn::Div(dot4(edge_c, q), determinant);
+    const Four t = hn::Div(t_part, determinant);
     const unsigned bits = bits4(hn::And(inside, in_range4(t, query.ray, best)));
     if (bits == 0) return false;
     HWY_ALIGN float ts[4], us[4], vs[4];

@@ -1,0 +1,138 @@
+// One ray against the eight boxes of a node, and the stack of children that wait.
+#if defined(PIXELSCOPE_WIDE_NODES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELSCOPE_WIDE_NODES_INL_H_
+#undef PIXELSCOPE_WIDE_NODES_INL_H_
+#else
+#define PIXELSCOPE_WIDE_NODES_INL_H_
+#endif
+
+#include <array>
+#include <cmath>
+
+#include "hwy/highway.h"
+#include "raytrace/wide_search.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ps::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Boxes = hn::CappedTag<float, wide_width>;
+using Words = hn::Rebind<std::uint32_t, Boxes>;
+using Boxes8 = hn::Vec<Boxes>;
+inline constexpr std::size_t box_lanes = HWY_TARGET == HWY_SSE4 ? 4 : 8;
+
+/// The ray's numbers as a node's test wants them: t of a plane is plane * inverse - from. With u = 2^-24, the rounding
+/// of the reciprocal, of `from` and of t moves a plane by no more than 6 u times the largest coordinate (of boxes and
+/// origin), and WideQuery::pad is at least 32 u times that: a quarter more covers it.
+struct BoxRay {
+  HWY_INLINE explicit BoxRay(const WideQuery& query) {
+    const Ray<float>& ray = query.ray;
+    const float x = ray.direction.x, y = ray.direction.y, z = ray.direction.z;
+    // A component of (about) zero would make 0 * infinity. This little moves no point of the ray by more than `pad`.
+    const float least = 1e-20f * std::max(std::max(std::abs(x), std::abs(y)), std::abs(z));
+    const unsigned down_x = std::signbit(x), down_y = std::signbit(y), down_z = std::signbit(z);
+    octant_shift = 3 * static_cast<int>(down_x | down_y << 1 | down_z << 2);
+    plane_x = down_x * wide_width;
+    plane_y = (2 + down_y) * wide_width;
+    plane_z = (4 + down_z) * wide_width;
+    const float pad = 1.25f * query.pad;
+    set_axis(ray.origin.x, x, least, pad, inverse_x, near_x, far_x);
+    set_axis(ray.origin.y, y, least, pad, inverse_y, near_y, far_y);
+    set_axis(ray.origin.z, z, least, pad, inverse_z, near_z, far_z);
+  }
+  HWY_INLINE static void set_axis(float origin, float direction, float least, float pad, Boxes8& inverse, Boxes8& near,
+                                  Boxes8& far) {
+    const Boxes d;
+    const float inverted = 1 / std::copysign(std::max(std::abs(direction), least), direction);
+    const float grown = std::copysign(pad, direction);
+    inverse = hn::Set(d, inverted);
+    near = hn::Set(d, (origin + grown) * inverted);
+    far = hn::Set(d, (origin - grown) * inverted);
+  }
+  Boxes8 inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
+  std::size_t plane_x, plane_y, plane_z;  ///< where in WideNode::planes the planes stand that the ray meets first
+  int octant_shift;                       ///< to the octant's bits of WideNode::order
+};
+
+/// Where the ray enters (`first`) and leaves (`last`) boxes of a node from `lane` on, within [0, limit]. The second
+/// operand of Max and Min is what x86 gives for NaN, which leaves the range as it is.
+struct BoxSpan {
+  Boxes8 first, last;
+};
+HWY_INLINE BoxSpan box_span(const WideNode& node, const BoxRay& ray, Boxes8 limit, std::size_t lane) {
+  const Boxes d;
+  const float* const planes = &node.planes[0][0] + lane;
+  const auto plane = [&](std::size_t place) { return hn::Load(d, planes + place); };
+  const Boxes8 in_x = hn::MulSub(plane(ray.plane_x), ray.inverse_x, ray.near_x);
+  const Boxes8 in_y = hn::MulSub(plane(ray.plane_y), ray.inverse_y, ray.near_y);
+  const Boxes8 in_z = hn::MulSub(plane(ray.plane_z), ray.inverse_z, ray.near_z);
+  const Boxes8 out_x = hn::MulSub(plane(ray.plane_x ^ wide_width), ray.inverse_x, ray.far_x);
+  const Boxes8 out_y = hn::MulSub(plane(ray.plane_y ^ wide_width), ray.inverse_y, ray.far_y);
+  const Boxes8 out_z = hn::MulSub(plane(ray.plane_z ^ wide_width), ray.inverse_z, ray.far_z);
+  return {hn::Max(in_z, hn::Max(in_y, hn::Max(in_x, hn::Zero(d)))),
+          hn::Min(out_z, hn::Min(out_y, hn::Min(out_x, limit)))};
+}
+
+/// Children that wait for their turn, with the t at which the ray enters them.
+struct Waiting {
+  std::array<float, WideBvh::most_waiting + wide_width> near;  // a whole vector is written at the top
+  std::array<WideChild, WideBvh::most_waiting + wide_width> child;
+};
+
+/// Enters those children of a node that the ray meets before `limit`: the nearest, by the order for the ray's octant,
+/// becomes `next`, the others wait on top of the stack, the nearer the higher. False if there is none.
+HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit, Waiting& waiting, std::size_t& top,
+                           WideChild& next) {
+  const Boxes d;
+  if constexpr (box_lanes == 8) {
+    const Words w;
+    const BoxSpan span = box_span(node, ray, limit, 0);
+    const auto entered = hn::Le(span.first, span.last);
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, entered, bytes);
+    const unsigned bits = bytes[0];
+    if (bits == 0) return false;
+    if ((bits & (bits - 1)) == 0) {
+      next = node.child[hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
+      return true;
+    }
+    const auto order = hn::And(hn::ShiftRightSame(hn::Load(w, node.order), ray.octant_shift), hn::Set(w, 7u));
+    const auto places = hn::IndicesFromVec(d, order);
+    const auto first = hn::TableLookupLanes(span.first, places);
+    const auto last = hn::TableLookupLanes(span.last, places);
+    const auto child = hn::TableLookupLanes(hn::Load(w, node.child), hn::IndicesFromVec(w, order));
+    const auto chosen = hn::Le(first, last);
+    const auto near_first = hn::Compress(first, chosen);
+    const auto child_first = hn::Compress(child, hn::RebindMask(w, chosen));
+    next = hn::GetLane(child_first);
+    // The nearest stands first; on the stack it is last.
+    const auto count = static_cast<std::uint32_t>(hwy::PopCount(bits));
+    const auto turned = hn::And(hn::Sub(hn::Set(w, count - 1), hn::Iota(w, 0)), hn::Set(w, 7u));
+    hn::StoreU(hn::TableLookupLanes(near_first, hn::IndicesFromVec(d, turned)), d, waiting.near.data() + top);
+    hn::StoreU(hn::TableLookupLanes(child_first, hn::IndicesFromVec(w, turned)), w, waiting.child.data() + top);
+    top += count - 1;
+    return true;
+  } else {
+    HWY_ALIGN float first[wide_width], last[wide_width];
+    for (std::size_t lane = 0; lane < wide_width; lane += box_lanes) {
+      const BoxSpan span = box_span(node, ray, limit, lane);
+      hn::Store(span.first, d, first + lane);
+      hn::Store(span.last, d, last + lane);
+    }
+    const std::size_t before = top;
+    for (int place = wide_width - 1; place >= 0; --place) {
+      const std::uint32_t slot = node.order[place] >> ray.octant_shift & 7u;
+      waiting.near[top] = first[slot];
+      waiting.child[top] = node.child[slot];
+      top += first[slot] <= last[slot] ? 1 : 0;
+    }
+    if (top == before) return false;
+    next = waiting.child[--top];
+    return true;
+  }
+}
+
+}  // namespace ps::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
