@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/atomic_file.h"
 #include "base/timer.h"
@@ -26,7 +28,23 @@ struct RenderArguments {
   std::string output;
   std::string show = "colour";
   std::string stats;
+  std::vector<int> region;  ///< x, y, width, height; empty = all
 };
+
+/// The pixels that --region asks for, which must lie in the picture at least in part.
+std::optional<TileRect> region_of(const std::vector<int>& numbers, const View& view) {
+  if (numbers.empty()) return {};
+  const int x = numbers[0], y = numbers[1], width = numbers[2], height = numbers[3];
+  const bool inside = x < view.width && y < view.height && width > 0 && height > 0 && std::int64_t{x} + width > 0 &&
+                      std::int64_t{y} + height > 0;
+  if (!inside)
+    throw InputError(fmt::format("--region: found {},{},{},{}, expected X,Y,W,H with W and H above 0, inside {}x{}", x,
+                                 y, width, height, view.width, view.height));
+  const auto end = [](int from, int size, int limit) {
+    return static_cast<int>(std::min<std::int64_t>(std::int64_t{from} + size, limit));
+  };
+  return TileRect{std::max(x, 0), std::max(y, 0), end(x, width, view.width), end(y, height, view.height)};
+}
 
 /// Everything about a finished picture except its pixels.
 std::string stats_json(const Document& document, const View& view, const Frame& frame, double milliseconds) {
@@ -77,6 +95,7 @@ int run_render(const RenderArguments& arguments) {
   Prepared prepared;
   RenderRequest request;
   request.channels = shown_channel(show).needs;
+  request.region = region_of(arguments.region, view);
   const Timer timer;
   const Frame frame = render(document.scene, view, document.a.settings, request, prepared, interruptible_progress());
   const double milliseconds = timer.milliseconds();
@@ -95,6 +114,10 @@ void add_render_command(CLI::App& app, Action& chosen) {
   std::string views;
   for (const ShownChannelRow& row : shown_channels()) views += fmt::format("{}{}", views.empty() ? "" : " ", row.key);
   command->add_option("--show", arguments->show, "what to show of each pixel: " + views)->type_name("VIEW");
+  command->add_option("--region", arguments->region, "only these pixels; the others stay black")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("X,Y,W,H");
   command->add_option("--stats", arguments->stats, "a JSON file for times and counters");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_render(*arguments); }; });
 }

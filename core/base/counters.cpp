@@ -36,6 +36,8 @@ constexpr std::array<CounterName, counter_count> names{{
     {"attributes-interpolated", "scalars interpolated"},
     {"pixels-written", "pixels written"},
     {"lines-drawn", "lines drawn"},
+    {"pixels-subdivided", "pixels subdivided"},
+    {"searches-saved", "searches saved by reuse"},
     {"nan-pixels", "NaN pixels"},
 }};
 

@@ -34,6 +34,8 @@ enum class Counter {
   attributes_interpolated,  ///< single scalars interpolated across a triangle
   pixels_written,
   lines_drawn,
+  pixels_subdivided,  ///< got more samples because neighbours differed
+  searches_saved,     ///< eye rays that met the object of the pixels around without a search
   nan_pixels,
   count_
 };

@@ -107,6 +107,28 @@ struct Describer {
     return fmt::format("line from {} to {} writes {} at step {}", vector_text(e.from), vector_text(e.to),
                        vector_text(e.colour), e.step);
   }
+  std::string operator()(const SampleEvent& e) const {
+    return fmt::format("sample {} of {} at {}: {} of {}", e.index + 1, e.count, vector_text(e.position),
+                       number_text(e.weight), vector_text(e.colour));
+  }
+  std::string operator()(const CompareEvent& e) const {
+    const std::string pixel = fmt::format("pixel ({}, {})", e.neighbour.x, e.neighbour.y);
+    if (e.own.object != e.other.object)
+      return fmt::format("{} sees {}, this one {}: subdivided", pixel, primitive_name(scene, e.other),
+                         primitive_name(scene, e.own));
+    return fmt::format("{} sees the same, colours differ by {} of {}: {}", pixel, number_text(e.difference),
+                       number_text(e.threshold), e.subdivides ? "subdivided" : "left as it is");
+  }
+  std::string operator()(const ReuseEvent& e) const {
+    if (!e.same) return "the traced pixels around saw different objects: the ray is searched for";
+    const std::string seen = primitive_name(scene, e.seen);
+    if (!e.met) return fmt::format("the traced pixels around saw {}, this ray misses it: searched for", seen);
+    return fmt::format("the traced pixels around saw {}: nothing else is tested", seen);
+  }
+  std::string operator()(const NormalMapEvent& e) const {
+    return fmt::format("normal map: {} in tangent space turns the normal {} to {}", vector_text(e.stored),
+                       vector_text(e.before), vector_text(e.after));
+  }
   std::string operator()(const PixelEvent& e) const {
     return fmt::format("pixel {}, stored as {}, {}, {}", vector_text(e.linear), e.display[0], e.display[1],
                        e.display[2]);

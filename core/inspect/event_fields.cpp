@@ -169,13 +169,48 @@ Fields fields(const CoverageEvent& e) {
           {"values", e.values},   {"tests", whole(e.tests)}};
 }
 
+Fields fields(const SampleEvent& e) {
+  return {{"sample", whole(e.index)},
+          {"samples", whole(e.count)},
+          {"position", list(e.position)},
+          {"weight", e.weight},
+          {"colour", list(e.colour)}};
+}
+
+Fields fields(const CompareEvent& e) {
+  return {{"neighbour", std::vector<double>{static_cast<double>(e.neighbour.x), static_cast<double>(e.neighbour.y)}},
+          {"own", e.own},
+          {"other", e.other},
+          {"difference", e.difference},
+          {"threshold", e.threshold},
+          {"subdivides", e.subdivides}};
+}
+
+Fields fields(const ReuseEvent& e) {
+  std::vector<double> columns, rows;
+  for (int i = 0; i < e.count; ++i) {
+    const Vec2i& pixel = e.around.at(static_cast<std::size_t>(i));
+    columns.push_back(pixel.x);
+    rows.push_back(pixel.y);
+  }
+  return {{"columns", columns}, {"rows", rows}, {"seen", e.seen}, {"same", e.same}, {"met", e.met}};
+}
+
+Fields fields(const NormalMapEvent& e) {
+  return {{"texture", whole(e.texture)},    {"uv", list(e.uv)},
+          {"stored", list(e.stored)},       {"tangent", list(e.tangent)},
+          {"bitangent", list(e.bitangent)}, {"before", list(e.before)},
+          {"after", list(e.after)}};
+}
+
 Fields fields(const PixelEvent& e) {
   return {{"linear", list(e.linear)}, {"display", std::vector<double>(e.display.begin(), e.display.end())}};
 }
 
 constexpr std::array<std::string_view, std::variant_size_v<EventData>> kinds{
-    "ray",        "node",   "sphere-test", "triangle-test", "hit",  "miss",  "texture",    "light",      "shade",
-    "reflection", "reject", "fragment",    "write",         "line", "pixel", "solid-test", "refraction", "coverage"};
+    "ray",        "node",       "sphere-test", "triangle-test", "hit",   "miss",      "texture", "light",
+    "shade",      "reflection", "reject",      "fragment",      "write", "line",      "pixel",   "solid-test",
+    "refraction", "coverage",   "sample",      "compare",       "reuse", "normal-map"};
 
 }  // namespace
 

@@ -205,15 +205,51 @@ struct LineEvent {
   Vec3d colour{0, 0, 0};
 };
 
+/// One of several samples of the pixel; its ray follows as its child.
+struct SampleEvent {
+  int index = 0, count = 1;
+  Vec2d position{0.5, 0.5};  ///< in pixels from the pixel's top-left corner
+  double weight = 1;         ///< its share of the pixel's colour
+  Vec3d colour{0, 0, 0};
+};
+
+/// Adaptive sampling compared the pixel's first ray with that of a neighbour (CGFS ch. 5).
+struct CompareEvent {
+  Vec2i neighbour{0, 0};  ///< array position
+  PixelId own, other;
+  double difference = 0;  ///< largest difference of a channel on the display, 1 = white
+  double threshold = 0;
+  bool subdivides = false;
+};
+
+/// Subsampling: the traced pixels around saw the same, so the eye ray was not searched for (CGFS ch. 5), or they did
+/// not.
+struct ReuseEvent {
+  std::array<Vec2i, 4> around{};  ///< array positions; two on a searched row or column, else four
+  int count = 0;                  ///< of them
+  PixelId seen;                   ///< by the first of them
+  bool same = false;              ///< all saw the same object
+  bool met = false;               ///< and the pixel's own ray meets it; else it is searched for after all
+};
+
+/// A normal read from a normal map and turned from tangent space to the world (CGFS ch. 15).
+struct NormalMapEvent {
+  int texture = 0;
+  Vec2d uv{0, 0};
+  Vec3d stored{0, 0, 1};  ///< in tangent space, as the map has it
+  Vec3d tangent{1, 0, 0}, bitangent{0, 1, 0}, before{0, 0, 1}, after{0, 0, 1};
+};
+
 /// The finished pixel. The last event of every story.
 struct PixelEvent {
   Vec3d linear{0, 0, 0};
   std::array<int, 3> display{};
 };
 
-using EventData = std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent,
-                               TextureEvent, LightEvent, ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent,
-                               WriteEvent, LineEvent, PixelEvent, SolidTestEvent, RefractionEvent, CoverageEvent>;
+using EventData =
+    std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent, TextureEvent, LightEvent,
+                 ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent, WriteEvent, LineEvent, PixelEvent,
+                 SolidTestEvent, RefractionEvent, CoverageEvent, SampleEvent, CompareEvent, ReuseEvent, NormalMapEvent>;
 
 /// One event with its place in the tree: `parent` is the index of the event it belongs to, -1 at the top.
 struct Event {

@@ -123,6 +123,35 @@ void add_write(const PixelStory& story, const Scene& scene, int index, Lines& li
                    write.after, index});
 }
 
+/// A line for what rounding does to a sum of `lines` (level 0) that should be `total`: the kernel adds in its own
+/// precision.
+void add_rounding(Lines& lines, const Vec3d& total, int event) {
+  Vec3d sum{0, 0, 0};
+  for (const LedgerLine& line : lines)
+    if (line.level == 0) sum += line.value;
+  if (sum != total) lines.push_back({0, "rounding of the sum", total - sum, event});
+}
+
+/// The pixel as the mean of its samples (CGFS ch. 5), those with a story of their own unfolded.
+Lines sample_lines(const PixelStory& story, const Scene& scene, const std::vector<int>& samples) {
+  Lines lines;
+  for (const int index : samples) {
+    const auto& sample = event_as<SampleEvent>(story.events, index);
+    lines.push_back({0,
+                     fmt::format("sample {} of {} at {}: {} of {}", sample.index + 1, sample.count,
+                                 vector_text(sample.position), number_text(sample.weight), vector_text(sample.colour)),
+                     sample.weight * sample.colour, index});
+    for (int i = index + 1; i < static_cast<int>(story.events.size()); ++i) {
+      const Event& event = story.events[static_cast<std::size_t>(i)];
+      if (event.parent == index && std::holds_alternative<RayEvent>(event.data))
+        add_ray(story, scene, i, sample.weight, 1, lines);
+      if (event.parent < index) break;
+    }
+  }
+  add_rounding(lines, story.linear, samples.back());
+  return lines;
+}
+
 Lines fragment_lines(const PixelStory& story, const Scene& scene) {
   Lines lines;
   bool written = false;
@@ -147,7 +176,9 @@ Lines fragment_lines(const PixelStory& story, const Scene& scene) {
 std::vector<LedgerLine> story_ledger(const PixelStory& story, const Scene& scene, const Settings& settings) {
   Lines lines;
   const int eye = eye_ray(story.events);
-  if (eye >= 0)
+  if (const auto samples = events_of_ray<SampleEvent>(story.events, -1); !samples.empty())
+    lines = sample_lines(story, scene, samples);
+  else if (eye >= 0)
     add_ray(story, scene, eye, 1, 0, lines);
   else
     lines = fragment_lines(story, scene);

@@ -12,7 +12,8 @@ namespace ps {
 ///   wants(x, y)      whether events of pixel (x, y) are collected
 ///   event(make)      collects make() (an event struct), a leaf of the tree
 ///   begin(make)      collects make() and makes it the parent of what follows, until end()
-///   end()
+///   end(), end(make) the latter puts make() in the place of what begin() collected
+///   collects()       whether events are kept at the moment
 /// `make` is a callable, evaluated only where its result is kept, so that building an event costs nothing elsewhere.
 
 /// Collects nothing and compiles to nothing.
@@ -26,6 +27,9 @@ struct Silent {
   template <class Make>
   void begin(Make&&) {}
   void end() {}
+  template <class Make>
+  void end(Make&&) {}
+  static constexpr bool collects() { return false; }
 };
 
 /// Counts work. One per tile, added up in tile order.
@@ -40,6 +44,9 @@ struct CountingRecorder {
   template <class Make>
   void begin(Make&&) {}
   void end() {}
+  template <class Make>
+  void end(Make&&) {}
+  static constexpr bool collects() { return false; }
 };
 
 /// Counts, and collects the events of one pixel.
@@ -53,16 +60,29 @@ class PixelRecorder {
   void count(Counter c, std::uint64_t n = 1) { counters[c] += n; }
   bool wants(int x, int y) const { return x == pixel_.x && y == pixel_.y; }
   Vec2i pixel() const { return pixel_; }
+  /// Muted, it only counts: for work that must be repeated before the pixel's own begins.
+  void mute(bool muted) { muted_ = muted; }
+  bool collects() const { return !muted_; }
   template <class Make>
   void event(Make&& make) {
+    if (muted_) return;
     events_.push_back({parent(), EventData(std::forward<Make>(make)())});
   }
   template <class Make>
   void begin(Make&& make) {
+    if (muted_) return;
     event(std::forward<Make>(make));
     open_.push_back(static_cast<int>(events_.size()) - 1);
   }
-  void end() { open_.pop_back(); }
+  void end() {
+    if (!muted_) open_.pop_back();
+  }
+  template <class Make>
+  void end(Make&& make) {
+    if (muted_) return;
+    events_[static_cast<std::size_t>(open_.back())].data = EventData(std::forward<Make>(make)());
+    open_.pop_back();
+  }
   std::vector<Event> take() { return std::move(events_); }
 
  private:
@@ -70,6 +90,7 @@ class PixelRecorder {
   Vec2i pixel_;
   std::vector<Event> events_;
   std::vector<int> open_;
+  bool muted_ = false;
 };
 
 }  // namespace ps

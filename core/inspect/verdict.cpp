@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <map>
+
 #include "inspect/finish_story.h"
 #include "inspect/names.h"
 #include "inspect/number_text.h"
@@ -39,6 +41,29 @@ void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, con
     else if (light.blocker)
       parts.push_back(fmt::format("light {} is blocked by {}", light.light + 1, primitive_name(scene, *light.blocker)));
   }
+}
+
+/// "16 samples: 9 see sphere 1 (red), 7 background", for as many as tell what they saw.
+std::string samples_verdict(const PixelStory& story, const Scene& scene, const std::vector<int>& samples) {
+  const auto& events = story.events;
+  std::map<int, std::size_t> seen;  // by object; -1 = background
+  for (const int index : samples)
+    for (const int ray : events_below<RayEvent>(events, index)) {
+      if (event_as<RayEvent>(events, ray).kind != RayKind::eye) continue;
+      const auto hits = events_of_ray<HitEvent>(events, ray);
+      ++seen[hits.empty() ? -1 : event_as<HitEvent>(events, hits.back()).id.object];
+    }
+  std::size_t told = 0;
+  std::string text;
+  for (const auto& [object, count] : seen) {
+    told += count;
+    text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", count,
+                        object < 0 ? "background" : object_name(scene, object));
+  }
+  const std::string which = told < samples.size() ? fmt::format(", the first {}", told) : "";
+  const bool subdivided = !events_of_ray<CompareEvent>(events, -1).empty();
+  return fmt::format("mean of {}{}: {}{}", plural(samples.size(), "sample", "samples"), which, text,
+                     subdivided ? "; subdivided, since a neighbour differs" : "");
 }
 
 std::string ray_verdict(const PixelStory& story, const Scene& scene, int eye) {
@@ -121,6 +146,8 @@ std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
 }  // namespace
 
 std::string story_verdict(const PixelStory& story, const Scene& scene) {
+  if (const auto samples = events_of_ray<SampleEvent>(story.events, -1); !samples.empty())
+    return samples_verdict(story, scene, samples);
   const int eye = eye_ray(story.events);
   return eye >= 0 ? ray_verdict(story, scene, eye) : fragment_verdict(story, scene);
 }

@@ -92,6 +92,7 @@ inline Reason needs_fragments(const Settings& s, const SceneTraits&) {
 
 std::vector<Option> renderer_rows();
 std::vector<Option> camera_rows();
+std::vector<Option> sampling_rows();
 std::vector<Option> visibility_rows();
 std::vector<Option> drawing_rows();
 std::vector<Option> shading_rows();

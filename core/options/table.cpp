@@ -15,6 +15,7 @@ std::vector<Option> make_table() {
   std::vector<Option> table;
   append(table, "Renderer", rows::renderer_rows());
   append(table, "Camera", rows::camera_rows());
+  append(table, "Sampling", rows::sampling_rows());
   append(table, "Visibility", rows::visibility_rows());
   append(table, "Drawing", rows::drawing_rows());
   append(table, "Shading", rows::shading_rows());

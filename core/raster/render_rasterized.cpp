@@ -4,6 +4,7 @@
 #include "inspect/recorder.h"
 #include "raster/canvas_items.h"
 #include "raster/draw_primitives.h"
+#include "render/region.h"
 #include "render/render.h"
 
 namespace ps {
@@ -46,9 +47,11 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
   stages.done("sorting into tiles");
 
   const std::vector<TileRect> tiles = make_tiles(view.width, view.height, tile_size);
+  const TileRect region = asked_region(request, view.width, view.height);
   std::vector<Counters> counters(tiles.size());
   parallel_for(static_cast<int>(tiles.size()), parallel, progress, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
+    if (is_empty(common_part(tiles[i], region))) return;
     CountingRecorder recorder;
     Target<Real> target(frame, tiles[i], settings, request.channels);
     for (std::size_t part = 0; part < bins.parts; ++part)
@@ -61,6 +64,7 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
   frame.counters += geometry.counters;
   for (const Counters& tile : counters) frame.counters += tile;
   frame.counters[Counter::lines_drawn] += count_canvas_lines(scene);
+  if (request.region) clear_outside(region, frame);
   stages.done("fragments");
   return frame;
 }

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "render/eye_directions.h"
+
 namespace ps::raster {
 
 Frame make_frame(const Scene& scene, const View& view, const Settings& settings, Channel channels) {
@@ -20,6 +22,8 @@ Frame make_frame(const Scene& scene, const View& view, const Settings& settings,
   if (has(channels, Channel::tests)) frame.tests = Image<std::uint32_t>(width, height, 0);
   if (has(channels, Channel::mip)) frame.mip = Image<float>(width, height, -1.0f);
   if (has(channels, Channel::shadow)) frame.shadow = Image<std::uint32_t>(width, height, 0);
+  if (has(channels, Channel::samples)) frame.samples = Image<std::uint32_t>(width, height, 1);
+  if (has(channels, Channel::direction)) frame.direction = eye_directions(view, settings);
   return frame;
 }
 

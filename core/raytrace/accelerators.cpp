@@ -8,15 +8,17 @@ namespace {
 template <class Real>
 Box<Real> box_of_all(const TracedGeometry<Real>& geometry) {
   Box<Real> box;
-  for (const Primitive& primitive : geometry.primitives) box.include(primitive_box(geometry, primitive));
+  for (std::uint32_t i = 0; i < bounded_count(geometry); ++i)
+    box.include(primitive_box(geometry, geometry.primitives[bounded_primitive(geometry, i)]));
   return box;
 }
 
 template <class Real>
 BoundingSpheres make_spheres(const TracedGeometry<Real>& geometry) {
   std::vector<BoundedPrimitive> bounded;
-  bounded.reserve(geometry.primitives.size());
-  for (const Primitive& primitive : geometry.primitives) {
+  bounded.reserve(bounded_count(geometry));
+  for (std::uint32_t i = 0; i < bounded_count(geometry); ++i) {
+    const Primitive& primitive = geometry.primitives[bounded_primitive(geometry, i)];
     BoundedPrimitive entry;
     entry.object = primitive.id.object;
     if (primitive.kind == PrimitiveKind::sphere) {
@@ -31,7 +33,9 @@ BoundingSpheres make_spheres(const TracedGeometry<Real>& geometry) {
     }
     bounded.push_back(entry);
   }
-  return build_bounding_spheres(bounded);
+  BoundingSpheres spheres = build_bounding_spheres(bounded);
+  for (std::uint32_t& entry : spheres.order) entry = bounded_primitive(geometry, entry);
+  return spheres;
 }
 
 template <class Real>
@@ -39,7 +43,7 @@ Octree<Real> make_octree(const TracedGeometry<Real>& geometry, const Settings& s
   const Box<Real> all = box_of_all(geometry);
   const double slack = 64 * std::numeric_limits<double>::epsilon() * static_cast<double>(geometry.reach);
   const auto overlaps = [&](std::uint32_t index, const Box<Real>& cell) {
-    const Primitive& primitive = geometry.primitives[index];
+    const Primitive& primitive = geometry.primitives[bounded_primitive(geometry, index)];
     const Box<Real> box = primitive_box(geometry, primitive);
     for (int axis = 0; axis < 3; ++axis)
       if (box.low[axis] > cell.high[axis] || box.high[axis] < cell.low[axis]) return false;
@@ -49,7 +53,9 @@ Octree<Real> make_octree(const TracedGeometry<Real>& geometry, const Settings& s
     return triangle_overlaps_box({Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c)}, wide, slack);
   };
   const OctreeOptions options{static_cast<std::uint32_t>(settings.octree_leaf), settings.octree_depth};
-  return build_octree<Real>(all, static_cast<std::uint32_t>(geometry.primitives.size()), options, overlaps);
+  Octree<Real> octree = build_octree<Real>(all, bounded_count(geometry), options, overlaps);
+  for (std::uint32_t& entry : octree.entries) entry = bounded_primitive(geometry, entry);
+  return octree;
 }
 
 }  // namespace
@@ -73,7 +79,10 @@ SimpleAccelerators<Real> simple_accelerators(const Scene& scene, const TracedGeo
     break;
   case Accelerator::box:
     result.box = prepared.get<SingleBox<Real>>(key("box of all"), [&] {
-      return SingleBox<Real>{box_of_all(geometry), static_cast<std::uint32_t>(geometry.primitives.size())};
+      SingleBox<Real> box{box_of_all(geometry), {}};
+      for (std::uint32_t i = 0; i < bounded_count(geometry); ++i)
+        box.primitives.push_back(bounded_primitive(geometry, i));
+      return box;
     });
     break;
   case Accelerator::octree:

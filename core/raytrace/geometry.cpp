@@ -155,9 +155,21 @@ TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals)
     }
   }
   Box<Real> all;
-  for (const Primitive& primitive : geometry.primitives)
-    if (primitive.kind != PrimitiveKind::solid || !geometry.solids[primitive.shape].unbounded)
+  for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
+    const Primitive& primitive = geometry.primitives[i];
+    if (primitive.kind == PrimitiveKind::solid && geometry.solids[primitive.shape].unbounded)
+      geometry.unbounded.push_back(i);
+    else
       all.include(primitive_box(geometry, primitive));
+  }
+  if (!geometry.unbounded.empty())
+    for (std::uint32_t i = 0, next = 0; i < geometry.primitives.size(); ++i) {
+      const bool endless = next < geometry.unbounded.size() && geometry.unbounded[next] == i;
+      if (endless)
+        ++next;
+      else
+        geometry.bounded.push_back(i);
+    }
   geometry.reach = all.reach();
   return geometry;
 }
@@ -208,11 +220,14 @@ std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeom
   Key key("traced bvh");
   key.add(scene.geometry.revision()).add(precision_key<Real>);
   return prepared.get<Bvh<Real>>(key, [&] {
-    std::vector<Box<Real>> boxes(geometry.primitives.size());
+    std::vector<Box<Real>> boxes(bounded_count(geometry));
+    const auto primitive = [&](std::size_t i) { return bounded_primitive(geometry, static_cast<std::uint32_t>(i)); };
     for_each_range(boxes.size(), 0, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) boxes[i] = primitive_box(geometry, geometry.primitives[i]);
+      for (std::size_t i = begin; i < end; ++i) boxes[i] = primitive_box(geometry, geometry.primitives[primitive(i)]);
     });
-    return build_bvh<Real>(boxes);
+    Bvh<Real> bvh = build_bvh<Real>(boxes);
+    for (std::uint32_t& entry : bvh.order) entry = primitive(entry);
+    return bvh;
   });
 }
 

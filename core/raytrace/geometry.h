@@ -82,6 +82,9 @@ struct TracedGeometry {
   std::vector<TracedSolid> solids;
   std::vector<Box<Real>> solid_boxes;  ///< one for each of `solids`
   std::vector<CsgStep> steps;
+  /// Primitives without an end, such as planes. They stand outside of every accelerator, since no box around them would
+  /// keep a ray away; all others stand in `bounded`, in the same order. Empty `unbounded`: `bounded` is empty too.
+  std::vector<std::uint32_t> unbounded, bounded;
   bool one_sided_triangles = false;        ///< some primitives are triangles with front_only
   std::uint64_t degenerate_triangles = 0;  ///< left out, since nothing can hit them
   Real reach = 0;                          ///< the largest absolute coordinate of any bounded primitive's box
@@ -100,7 +103,17 @@ template <class Real>
 std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, const Settings& settings,
                                                             Prepared& prepared);
 
-/// The tree over the primitives of traced_geometry().
+/// How many primitives an accelerator holds, and which one is its i-th.
+template <class Real>
+inline std::uint32_t bounded_count(const TracedGeometry<Real>& geometry) {
+  return static_cast<std::uint32_t>(geometry.unbounded.empty() ? geometry.primitives.size() : geometry.bounded.size());
+}
+template <class Real>
+inline std::uint32_t bounded_primitive(const TracedGeometry<Real>& geometry, std::uint32_t i) {
+  return geometry.unbounded.empty() ? i : geometry.bounded[i];
+}
+
+/// The tree over the primitives of traced_geometry() that have an end.
 template <class Real>
 std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeometry<Real>& geometry,
                                             Prepared& prepared);

@@ -1,20 +1,86 @@
 #include "image/display.h"
 #include "inspect/finish_story.h"
-#include "raytrace/tracer.h"
+#include "raytrace/sampling/compare.h"
+#include "raytrace/sampling/tile_rays.h"
 #include "render/render.h"
 
 namespace ps {
 namespace {
 
+/// Repeats what the renderer does for one pixel, from the start of its tile where that matters.
+template <class Real>
+class PixelInspection {
+ public:
+  PixelInspection(const TraceInputs<Real>& inputs, const View& view, Vec2i pixel, PixelRecorder& recorder)
+      : inputs_(inputs), plan_(sampling_plan(inputs.settings)), size_{view.width, view.height}, pixel_(pixel),
+        recorder_(recorder) {
+    for (const TileRect& tile : make_tiles(view.width, view.height, traced_tile_size))
+      if (pixel.x >= tile.x0 && pixel.x < tile.x1 && pixel.y >= tile.y0 && pixel.y < tile.y1) tile_ = tile;
+  }
+
+  Vec3<Real> trace() {
+    const Vec3<Real> colour = trace_with(plan_);
+    if (plan_.mode != SamplingMode::adaptive || !differs(colour)) return colour;
+    SamplingPlan many = plan_;
+    many.mode = SamplingMode::many;
+    return trace_with(many);
+  }
+
+ private:
+  Vec3<Real> trace_with(const SamplingPlan& plan) {
+    const Counters counters = recorder_.counters;
+    recorder_.mute(true);
+    const TileRays<Real, PixelRecorder> rays(inputs_, plan, tile_, recorder_);
+    if (inputs_.settings.shadow_cache) trace_pixels_before(rays);
+    recorder_.mute(false);
+    recorder_.counters = counters;
+    const TracedPixel<Real> traced = rays.pixel(pixel_.x, pixel_.y);
+    id_ = traced.hit.found() ? id_of(*inputs_.geometry, traced.hit) : PixelId{};
+    return traced.colour;
+  }
+
+  /// What they leave in the shadow cache decides which blocker is tested first.
+  void trace_pixels_before(const TileRays<Real, PixelRecorder>& rays) const {
+    for (int y = tile_.y0; y <= pixel_.y; ++y)
+      for (int x = tile_.x0; x < (y == pixel_.y ? pixel_.x : tile_.x1); ++x) rays.pixel(x, y);
+  }
+
+  /// Does the first ray differ from a neighbour's?
+  bool differs(const Vec3<Real>& colour) {
+    const FirstRay own{id_, Vec3d(colour)};
+    const Counters counters = recorder_.counters;
+    bool subdivides = false;
+    for (const Vec2i& step : neighbour_steps) {
+      const Vec2i place = pixel_ + step;
+      if (place.x < 0 || place.y < 0 || place.x >= size_.x || place.y >= size_.y) continue;
+      recorder_.mute(true);
+      const TracedPixel<Real> traced = Tracer<Real, PixelRecorder>(inputs_, recorder_).trace_pixel(place.x, place.y);
+      recorder_.mute(false);
+      const PixelId id = traced.hit.found() ? id_of(*inputs_.geometry, traced.hit) : PixelId{};
+      const CompareEvent event = compare_rays(own, {id, Vec3d(traced.colour)}, place, plan_.threshold);
+      recorder_.event([&] { return event; });
+      subdivides = subdivides || event.subdivides;
+    }
+    recorder_.counters = counters;
+    return subdivides;
+  }
+
+  const TraceInputs<Real>& inputs_;
+  SamplingPlan plan_;
+  Vec2i size_, pixel_;
+  PixelRecorder& recorder_;
+  TileRect tile_;
+  PixelId id_;
+};
+
 template <class Real>
 PixelStory inspect_in(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared) {
   const TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, view, settings, prepared);
   PixelRecorder recorder(pixel);
-  const TracedPixel<Real> traced = Tracer<Real, PixelRecorder>(inputs, recorder).trace_pixel(pixel.x, pixel.y);
   PixelStory story;
   story.pixel = pixel;
   story.renderer = Renderer::ray_tracer;
-  story.linear = Vec3d(traced.colour);
+  story.linear = Vec3d(PixelInspection<Real>(inputs, view, pixel, recorder).trace());
   const Rgb8 display = display_pixel(story.linear, display_transform(settings));
   story.display = {display.r, display.g, display.b};
   recorder.event([&] { return PixelEvent{story.linear, story.display}; });

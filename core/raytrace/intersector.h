@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 
 #include "accel/none.h"
 #include "inspect/recorder.h"
@@ -22,12 +23,14 @@ class Intersector {
   Hit<Real> nearest(const Ray<Real>& ray) const { return search(ray, false); }
   Hit<Real> any(const Ray<Real>& ray) const { return search(ray, true); }
   /// Whether the ray meets this primitive; found() or not.
-  Hit<Real> one(const Ray<Real>& ray, std::uint32_t primitive) const {
+  Hit<Real> one(const Ray<Real>& ray, std::uint32_t primitive) const { return among(ray, std::span(&primitive, 1)); }
+  /// The nearest of these primitives that the ray meets.
+  Hit<Real> among(const Ray<Real>& ray, std::span<const std::uint32_t> primitives) const {
     Hit<Real> best;
     best.t = ray.t_max;
     Query query{ray};
     prepare(query);
-    test(query, primitive, best);
+    for (const std::uint32_t primitive : primitives) test(query, primitive, best);
     return best;
   }
 
@@ -53,8 +56,13 @@ class Intersector {
       if (!cached) prepare(query);
       return test(query, primitive, best) && any;
     };
-    if constexpr (std::is_same_v<Real, float> && !Recorder::records) {
-      if (inputs_.wide && suits_wide(ray)) {
+    if (inputs_.settings.accelerator != Accelerator::none && !geometry_.unbounded.empty()) {
+      prepare(query);
+      for (const std::uint32_t primitive : geometry_.unbounded)
+        if (visit(primitive)) return best;
+    }
+    if constexpr (std::is_same_v<Real, float>) {
+      if (inputs_.wide && !recorder_.collects() && suits_wide(ray)) {
         query.a = dot(ray.direction, ray.direction);
         search_wide(query, visit, any, best);
         return best;

@@ -1,136 +1,151 @@
-#include <cmath>
-
 #include "base/timer.h"
 #include "raytrace/packet.h"
-#include "raytrace/tracer.h"
+#include "raytrace/sampling/subdivide.h"
+#include "raytrace/sampling/tile_rays.h"
+#include "raytrace/store_pixel.h"
+#include "render/region.h"
 #include "render/render.h"
 
 namespace ps {
 namespace {
 
-constexpr int tile_size = 32;
-
-template <class Element>
-void give_size(Image<Element>& image, const View& view, const RenderRequest& request, Channel channel) {
-  if (has(request.channels, channel)) image = Image<Element>(view.width, view.height);
-}
-
+/// Traces one picture, tile by tile.
 template <class Real>
-Frame empty_frame(const View& view, const RenderRequest& request) {
-  Frame frame;
-  frame.colour = Image<Vec3f>(view.width, view.height);
-  if constexpr (std::is_same_v<Real, double>) frame.colour_double = Image<Vec3d>(view.width, view.height);
-  give_size(frame.depth, view, request, Channel::depth);
-  give_size(frame.normal, view, request, Channel::normal);
-  give_size(frame.barycentric, view, request, Channel::barycentric);
-  give_size(frame.uv, view, request, Channel::uv);
-  give_size(frame.ids, view, request, Channel::ids);
-  give_size(frame.facing, view, request, Channel::facing);
-  give_size(frame.overdraw, view, request, Channel::overdraw);
-  give_size(frame.tests, view, request, Channel::tests);
-  give_size(frame.mip, view, request, Channel::mip);
-  give_size(frame.shadow, view, request, Channel::shadow);
-  return frame;
-}
-
-/// Does the primitive's own colour come from a texture?
-template <class Real>
-bool reads_texture(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inputs) {
-  const std::uint32_t material = pixel.surface.material;
-  return inputs.settings.textures && pixel.surface.has_uv && inputs.materials[material].texture >= 0;
-}
-
-/// Stores the channels that were asked for, which are those that have a size.
-template <class Real>
-void store_channels(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inputs, int x, int y, Frame& frame) {
-  const bool hit = pixel.hit.found();
-  const Surface<Real>& surface = pixel.surface;
-  if (!frame.depth.empty())
-    frame.depth.at(x, y) =
-        hit ? static_cast<float>(pixel.hit.t * inputs.viewport.distance) : std::numeric_limits<float>::infinity();
-  if (!frame.normal.empty()) frame.normal.at(x, y) = hit ? Vec3f(normalised(surface.shading_normal)) : Vec3f(0);
-  if (!frame.barycentric.empty()) {
-    const auto& w = pixel.hit.weights;
-    frame.barycentric.at(x, y) = Vec3f(Vec3<Real>(w[0], w[1], w[2]));
-  }
-  if (!frame.uv.empty()) frame.uv.at(x, y) = Vec2f(surface.uv);
-  if (!frame.ids.empty()) frame.ids.at(x, y) = hit ? id_of(*inputs.geometry, pixel.hit) : PixelId{};
-  if (!frame.facing.empty())
-    frame.facing.at(x, y) =
-        hit ? static_cast<float>(-dot(normalised(pixel.ray.direction), surface.geometric_normal)) : 0.0f;
-  if (!frame.overdraw.empty()) frame.overdraw.at(x, y) = hit ? 1u : 0u;
-  if (!frame.mip.empty()) frame.mip.at(x, y) = hit && reads_texture(pixel, inputs) ? 0.0f : -1.0f;
-  if (!frame.shadow.empty()) frame.shadow.at(x, y) = pixel.shadow_mask;
-}
-
-template <class Real>
-void render_tile(const TraceInputs<Real>& inputs, const TileRect& tile, Frame& frame, Counters& counters) {
-  CountingRecorder recorder;
-  const Tracer<Real, CountingRecorder> tracer(inputs, recorder);
-  const auto tests = [&] {
-    return recorder.counters[Counter::sphere_tests] + recorder.counters[Counter::triangle_tests] +
-           recorder.counters[Counter::solid_tests];
-  };
-  for (int y = tile.y0; y < tile.y1; ++y) {
-    for (int x = tile.x0; x < tile.x1; ++x) {
-      const std::uint64_t tests_before = tests();
-      const TracedPixel<Real> pixel = tracer.trace_pixel(x, y);
-      const Vec3<Real>& colour = pixel.colour;
-      frame.colour.at(x, y) = Vec3f(colour);
-      if constexpr (std::is_same_v<Real, double>) frame.colour_double.at(x, y) = colour;
-      if (std::isnan(colour.x) || std::isnan(colour.y) || std::isnan(colour.z)) recorder.count(Counter::nan_pixels);
-      store_channels(pixel, inputs, x, y, frame);
-      if (!frame.tests.empty()) frame.tests.at(x, y) = static_cast<std::uint32_t>(tests() - tests_before);
-    }
-  }
-  recorder.count(Counter::pixels_written,
-                 static_cast<std::uint64_t>(tile.width()) * static_cast<std::uint64_t>(tile.height()));
-  counters = recorder.counters;
-}
-
-/// Traces tiles the fast way where that is possible, else the clear way.
-template <class Real>
-class TileTracer {
+class PictureTracer {
  public:
-  TileTracer(const TraceInputs<Real>& inputs, const RenderRequest& request) : inputs_(inputs) {
+  PictureTracer(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                Prepared& prepared, Progress& progress)
+      : request_(request), ids_asked_(has(request.channels, Channel::ids)),
+        plan_(sampling_plan(settings)), parallel_{settings.threads, request.priority}, progress_(progress),
+        inputs_(make_trace_inputs<Real>(scene, view, settings, prepared)),
+        tiles_(make_tiles(view.width, view.height, traced_tile_size)),
+        region_(asked_region(request, view.width, view.height)) {
+    if (has(request.channels, Channel::tests)) inputs_.wide.reset();  // a picture of the tests that inspection lists
+    if (plan_.mode == SamplingMode::adaptive) request_.channels = request_.channels | Channel::ids;
     if constexpr (std::is_same_v<Real, float>) {
-      packets_ = packet_function(inputs.settings.simd);
-      if (packets_) scene_ = packet_scene(inputs, request);
+      packets_ = packet_function(settings.simd);
+      if (packets_ && (plan_.mode == SamplingMode::one || plan_.mode == SamplingMode::adaptive))
+        scene_ = packet_scene(inputs_, request_);
     }
+    frame_ = empty_frame<Real>(view, request_);
   }
-  void trace(const TileRect& tile, Frame& frame, Counters& counters) const {
-    if (scene_)
-      packets_(*scene_, tile, frame, counters);
-    else
-      render_tile(inputs_, tile, frame, counters);
+
+  Frame trace() {
+    const bool adaptive = plan_.mode == SamplingMode::adaptive;
+    const TileRect all{0, 0, frame_.width(), frame_.height()};
+    // Adaptive sampling compares with the pixels just outside, too.
+    const TileRect wanted = adaptive ? common_part(grown(region_), all) : region_;
+    for_each_tile([&](std::size_t index, Counters& counters) {
+      const TileRect& tile = tiles_[index];
+      const TileRect part = common_part(tile, wanted);
+      if (is_empty(part)) return false;
+      if (scene_)
+        packets_(*scene_, part, frame_, counters);
+      else
+        trace_part(tile, part, counters);
+      store_sample_counts(part);
+      return true;
+    });
+    if (adaptive) {
+      subdivide();
+      if (!ids_asked_) frame_.ids = {};
+    }
+    frame_.counters[Counter::triangles_degenerate] += inputs_.geometry->degenerate_triangles;
+    if (request_.region) clear_outside(region_, frame_);
+    return std::move(frame_);
   }
 
  private:
-  const TraceInputs<Real>& inputs_;
+  /// Calls body(index, counters) for all tiles; those for which it tells that it changed something are shown.
+  template <class Body>
+  void for_each_tile(Body&& body) {
+    std::vector<Counters> counters(tiles_.size());
+    parallel_for(static_cast<int>(tiles_.size()), parallel_, progress_, [&](int index, int) {
+      const auto i = static_cast<std::size_t>(index);
+      if (body(i, counters[i]) && request_.on_tile) request_.on_tile(frame_, tiles_[i]);
+    });
+    for (const Counters& tile : counters) frame_.counters += tile;
+  }
+
+  /// The clear path for the pixels `part` of a tile.
+  void trace_part(const TileRect& tile, const TileRect& part, Counters& counters) {
+    CountingRecorder recorder;
+    const TileRays<Real, CountingRecorder> rays(inputs_, plan_, tile, recorder);
+    for (int y = part.y0; y < part.y1; ++y)
+      for (int x = part.x0; x < part.x1; ++x) {
+        const std::uint64_t before = primitive_tests(recorder.counters);
+        if (store_pixel(rays.pixel(x, y), inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
+        if (!frame_.tests.empty())
+          frame_.tests.at(x, y) = static_cast<std::uint32_t>(primitive_tests(recorder.counters) - before);
+      }
+    recorder.count(Counter::pixels_written,
+                   static_cast<std::uint64_t>(part.width()) * static_cast<std::uint64_t>(part.height()));
+    counters = recorder.counters;
+  }
+
+  void store_sample_counts(const TileRect& part) {
+    if (frame_.samples.empty()) return;
+    const bool many = plan_.mode == SamplingMode::many;
+    for (int y = part.y0; y < part.y1; ++y)
+      for (int x = part.x0; x < part.x1; ++x)
+        frame_.samples.at(x, y) = many ? static_cast<std::uint32_t>(plan_.samples) : 1u;
+  }
+
+  /// The second pass of adaptive sampling: pixels whose first ray differs from a neighbour's are traced as with a fixed
+  /// number of samples.
+  void subdivide() {
+    const Image<std::uint8_t> chosen = pixels_to_subdivide(frame_, region_, plan_);
+    SamplingPlan many = plan_;
+    many.mode = SamplingMode::many;
+    std::vector<std::uint64_t> nan_before(tiles_.size());
+    for_each_tile([&](std::size_t index, Counters& counters) {
+      const TileRect part = common_part(tiles_[index], region_);
+      CountingRecorder recorder;
+      const TileRays<Real, CountingRecorder> rays(inputs_, many, tiles_[index], recorder);
+      for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x)
+          if (chosen.at(x, y) != 0) subdivide_pixel(rays, {x, y}, recorder, nan_before[index]);
+      counters = recorder.counters;
+      return counters[Counter::pixels_subdivided] > 0;
+    });
+    for (const std::uint64_t nan : nan_before) frame_.counters[Counter::nan_pixels] -= nan;
+  }
+
+  void subdivide_pixel(const TileRays<Real, CountingRecorder>& rays, Vec2i pixel, CountingRecorder& recorder,
+                       std::uint64_t& nan_before) {
+    const auto [x, y] = std::pair{pixel.x, pixel.y};
+    const Vec3f& first = frame_.colour.at(x, y);
+    if (std::isnan(first.x) || std::isnan(first.y) || std::isnan(first.z)) ++nan_before;
+    const std::uint64_t before = primitive_tests(recorder.counters);
+    if (store_pixel(rays.pixel(x, y), inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
+    if (!frame_.tests.empty())
+      frame_.tests.at(x, y) += static_cast<std::uint32_t>(primitive_tests(recorder.counters) - before);
+    if (!frame_.samples.empty()) frame_.samples.at(x, y) = static_cast<std::uint32_t>(plan_.samples);
+    recorder.count(Counter::pixels_subdivided);
+  }
+
+  RenderRequest request_;
+  bool ids_asked_;
+  SamplingPlan plan_;
+  ParallelOptions parallel_;
+  Progress& progress_;
+  TraceInputs<Real> inputs_;
+  std::vector<TileRect> tiles_;
+  TileRect region_;
   TracePackets packets_ = nullptr;
   std::optional<PacketScene> scene_;
+  Frame frame_;
 };
 
 template <class Real>
 Frame render_in(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                 Prepared& prepared, Progress& progress) {
   const Timer preparing;
-  TraceInputs<Real> inputs = make_trace_inputs<Real>(scene, view, settings, prepared);
-  if (has(request.channels, Channel::tests)) inputs.wide.reset();  // a picture of the tests that inspection lists
-  Frame frame = empty_frame<Real>(view, request);
-  frame.times.push_back({"prepare", preparing.milliseconds()});
-
+  PictureTracer<Real> tracer(scene, view, settings, request, prepared, progress);
+  const double prepared_ms = preparing.milliseconds();
   const Timer tracing;
-  const std::vector<TileRect> tiles = make_tiles(view.width, view.height, tile_size);
-  std::vector<Counters> counters(tiles.size());
-  const TileTracer<Real> tracer(inputs, request);
-  parallel_for(static_cast<int>(tiles.size()), {settings.threads, request.priority}, progress, [&](int index, int) {
-    const auto i = static_cast<std::size_t>(index);
-    tracer.trace(tiles[i], frame, counters[i]);
-    if (request.on_tile) request.on_tile(frame, tiles[i]);
-  });
-  for (const Counters& tile : counters) frame.counters += tile;
-  frame.counters[Counter::triangles_degenerate] += inputs.geometry->degenerate_triangles;
+  Frame frame = tracer.trace();
+  frame.times.push_back({"prepare", prepared_ms});
   frame.times.push_back({"trace", tracing.milliseconds()});
   return frame;
 }

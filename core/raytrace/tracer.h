@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 
 #include "image/texture_sampling.h"
 #include "raytrace/intersector.h"
@@ -27,16 +28,57 @@ class Tracer {
   Tracer(const TraceInputs<Real>& inputs, Recorder& recorder)
       : inputs_(inputs), recorder_(recorder), intersector_(inputs, recorder) {}
 
+  /// The pixel as one ray through its sample position sees it.
   TracedPixel<Real> trace_pixel(int column, int row) const {
+    return trace_eye_ray(eye_ray(column, row, inputs_.viewport.sample));
+  }
+
+  TracedPixel<Real> trace_eye_ray(const Ray<Real>& ray) const {
     TracedPixel<Real> pixel;
-    pixel.ray = eye_ray(column, row);
+    pixel.ray = ray;
     recorder_.count(Counter::eye_rays);
     pixel.colour = trace(pixel.ray, RayKind::eye, 0, Real(1), {}, &pixel);
     return pixel;
   }
 
-  Ray<Real> eye_ray(int column, int row) const {
-    const Vec2<Real> v = inputs_.viewport.at(column, row);
+  /// What an eye ray meets first, without shading it.
+  Hit<Real> find(const Ray<Real>& ray) const {
+    recorder_.count(Counter::eye_rays);
+    return intersector_.nearest(ray);
+  }
+
+  /// The pixel whose eye ray is known to meet `hit`.
+  TracedPixel<Real> trace_known(const Ray<Real>& ray, const Hit<Real>& hit) const {
+    TracedPixel<Real> pixel;
+    pixel.ray = ray;
+    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), {}, &pixel);
+    return pixel;
+  }
+
+  /// Subsampling (CGFS ch. 5): the searched pixels around saw what `around` tells, by these primitives. If all saw the
+  /// same object, or nothing, only they are tested; else, or if the ray misses them, it is searched for after all.
+  TracedPixel<Real> trace_between(const Ray<Real>& ray, std::span<const std::uint32_t> primitives,
+                                  ReuseEvent around) const {
+    TracedPixel<Real> pixel;
+    pixel.ray = ray;
+    recorder_.count(Counter::eye_rays);
+    recorder_.begin([&] { return ray_event(ray, RayKind::eye, 0, Real(1)); });
+    Hit<Real> hit;
+    if (around.same) hit = intersector_.among(ray, primitives);
+    around.met = around.same && (primitives.empty() || hit.found());
+    recorder_.event([&] { return around; });
+    if (around.met)
+      recorder_.count(Counter::searches_saved);
+    else
+      hit = intersector_.nearest(ray);
+    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), {}, &pixel);
+    recorder_.end();
+    return pixel;
+  }
+
+  /// Ray through a point of pixel (column, row), `offset` from its top-left corner.
+  Ray<Real> eye_ray(int column, int row, const Vec2d& offset) const {
+    const Vec2<Real> v = inputs_.viewport.at(column, row, offset);
     const Vec3<Real> across = inputs_.right * v.x + inputs_.up * v.y;
     Ray<Real> ray{inputs_.eye, inputs_.forward, inputs_.near, inputs_.far, no_primitive};
     switch (inputs_.viewport.projection) {
@@ -56,6 +98,14 @@ class Tracer {
                    TracedPixel<Real>* first) const {
     recorder_.begin([&] { return ray_event(ray, kind, depth, share); });
     const Hit<Real> hit = intersector_.nearest(ray);
+    const Vec3<Real> colour = colour_of(ray, hit, depth, share, medium, first);
+    recorder_.end();
+    return colour;
+  }
+
+  /// The colour that comes back along `ray` from `hit`, or from the background.
+  Vec3<Real> colour_of(const Ray<Real>& ray, const Hit<Real>& hit, int depth, Real share, const Medium<Real>& medium,
+                       TracedPixel<Real>* first) const {
     Vec3<Real> colour = inputs_.background;
     if (hit.found()) {
       const Surface<Real> surface = surface_of(ray, hit, inputs_);
@@ -68,7 +118,6 @@ class Tracer {
     } else {
       recorder_.event([&] { return MissEvent{Vec3d(inputs_.background)}; });
     }
-    recorder_.end();
     return colour;
   }
 

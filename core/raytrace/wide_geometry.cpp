@@ -30,8 +30,10 @@ std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const Trac
     if (geometry.triangles.size() == geometry.primitives.size())  // the tree that is there anyway
       return WideGeometry{widen(*traced_bvh<float>(scene, geometry, prepared), triangle), {}};
     std::vector<std::uint32_t> triangles, others;
-    for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i)
+    for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
+      const std::uint32_t i = bounded_primitive(geometry, k);
       (geometry.primitives[i].kind == PrimitiveKind::triangle ? triangles : others).push_back(i);
+    }
     return WideGeometry{widen(tree_over(geometry, triangles), triangle), tree_over(geometry, others)};
   });
 }

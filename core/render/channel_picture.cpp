@@ -112,6 +112,19 @@ ChannelPicture nan_picture(const Frame& frame, const Settings& settings) {
   return {levels, keys({{magenta, "not a number"}, {orange, "infinite"}})};
 }
 
+/// Unit vectors: (x, y, z) from -1 to 1 as red, green, blue (CGPP 15.4.1.2).
+ChannelPicture vector_picture(const Frame& frame, const Image<Vec3f>& vectors) {
+  return {
+      paint(frame,
+            [&](int x, int y) {
+              const Vec3f n = vectors.at(x, y);
+              if (n == Vec3f(0)) return nothing_seen;
+              return unit_levels((n.x + 1) / 2, (n.y + 1) / 2, (n.z + 1) / 2);
+            }),
+      keys(
+          {{{255, 128, 128}, "+x"}, {{128, 255, 128}, "+y"}, {{128, 128, 255}, "+z"}, {nothing_seen, "nothing seen"}})};
+}
+
 ChannelPicture make_picture(const Frame& frame, ShownChannel channel, const Settings& settings,
                             const std::optional<ValueRange>& range) {
   switch (channel) {
@@ -121,19 +134,13 @@ ChannelPicture make_picture(const Frame& frame, ShownChannel channel, const Sett
   case ShownChannel::overdraw:
   case ShownChannel::tests:
   case ShownChannel::mip:
+  case ShownChannel::samples:
   case ShownChannel::shadow:
     return heat_picture(frame, channel, range);
   case ShownChannel::normal:
-    return {paint(frame,
-                  [&](int x, int y) {
-                    const Vec3f n = frame.normal.at(x, y);
-                    if (n == Vec3f(0)) return nothing_seen;
-                    return unit_levels((n.x + 1) / 2, (n.y + 1) / 2, (n.z + 1) / 2);
-                  }),
-            keys({{{255, 128, 128}, "+x"},
-                  {{128, 255, 128}, "+y"},
-                  {{128, 128, 255}, "+z"},
-                  {nothing_seen, "nothing seen"}})};
+    return vector_picture(frame, frame.normal);
+  case ShownChannel::direction:
+    return vector_picture(frame, frame.direction);
   case ShownChannel::barycentric:
     return {paint(frame,
                   [&](int x, int y) {

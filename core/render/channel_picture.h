@@ -23,8 +23,10 @@ enum class ShownChannel {
   overdraw,
   tests,
   mip,
+  samples,
   shadow,
   hit,
+  direction,
   nan
 };
 

@@ -8,7 +8,7 @@
 namespace ps {
 namespace {
 
-const std::array<ShownChannelRow, 14> rows{{
+const std::array<ShownChannelRow, 16> rows{{
     {ShownChannel::colour, "colour", "Colour", "The picture itself.", Channel::none, ""},
     {ShownChannel::depth, "depth", "Depth", "Distance in front of the camera along its forward axis.", Channel::depth,
      "world units"},
@@ -26,9 +26,13 @@ const std::array<ShownChannelRow, 14> rows{{
     {ShownChannel::tests, "tests", "Tests", "How many primitives or samples were tested for the pixel.", Channel::tests,
      "tests"},
     {ShownChannel::mip, "mip", "Mip level", "Level of detail at which the texture was read.", Channel::mip, "level"},
+    {ShownChannel::samples, "samples", "Samples", "How many colours were averaged for the pixel.", Channel::samples,
+     "samples"},
     {ShownChannel::shadow, "shadow", "Shadows", "How many lights are blocked at the point.",
      Channel::shadow | Channel::ids, "lights"},
     {ShownChannel::hit, "hit", "Hit", "White where something is seen.", Channel::ids, ""},
+    {ShownChannel::direction, "direction", "Eye rays",
+     "Direction of the eye ray: x, y, z from -1 to 1 as red, green, blue.", Channel::direction, ""},
     {ShownChannel::nan, "nan", "NaN", "Magenta where a colour is not a number, orange where it is infinite.",
      Channel::none, ""},
 }};

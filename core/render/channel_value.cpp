@@ -26,6 +26,7 @@ bool is_heat_map(ShownChannel channel) {
   case ShownChannel::overdraw:
   case ShownChannel::tests:
   case ShownChannel::mip:
+  case ShownChannel::samples:
   case ShownChannel::shadow:
     return true;
   case ShownChannel::colour:
@@ -36,6 +37,7 @@ bool is_heat_map(ShownChannel channel) {
   case ShownChannel::object:
   case ShownChannel::facing:
   case ShownChannel::hit:
+  case ShownChannel::direction:
   case ShownChannel::nan:
     return false;
   }
@@ -51,6 +53,8 @@ std::optional<double> heat_value(const Frame& frame, ShownChannel channel, int x
     return frame.overdraw.at(x, y);
   case ShownChannel::tests:
     return frame.tests.at(x, y);
+  case ShownChannel::samples:
+    return frame.samples.at(x, y);
   case ShownChannel::mip:
     if (const float level = frame.mip.at(x, y); level >= 0) return level;
     return {};
@@ -65,6 +69,7 @@ std::optional<double> heat_value(const Frame& frame, ShownChannel channel, int x
   case ShownChannel::object:
   case ShownChannel::facing:
   case ShownChannel::hit:
+  case ShownChannel::direction:
   case ShownChannel::nan:
     return {};
   }
@@ -85,6 +90,8 @@ std::string channel_value_text(const Frame& frame, ShownChannel channel, const S
     return heat_value(frame, channel, x, y) ? fmt::format("z {:.5g}", frame.depth.at(x, y)) : "nothing";
   case ShownChannel::normal:
     return triple(Vec3d(frame.normal.at(x, y)));
+  case ShownChannel::direction:
+    return triple(Vec3d(frame.direction.at(x, y)));
   case ShownChannel::barycentric:
     return triple(Vec3d(frame.barycentric.at(x, y)));
   case ShownChannel::uv:
@@ -98,6 +105,7 @@ std::string channel_value_text(const Frame& frame, ShownChannel channel, const S
     return fmt::format("{:.4g}", frame.facing.at(x, y));
   case ShownChannel::overdraw:
   case ShownChannel::tests:
+  case ShownChannel::samples:
     return fmt::format("{}", *heat_value(frame, channel, x, y));
   case ShownChannel::mip: {
     const auto level = heat_value(frame, channel, x, y);

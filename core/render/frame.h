@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,12 +20,14 @@ enum class Channel : std::uint32_t {
   normal = 1u << 1,       ///< shading normal, world space, unit length; (0,0,0) where nothing is seen
   barycentric = 1u << 2,  ///< perspective-correct weights of the triangle's corners; (0,0,0) on spheres and background
   uv = 1u << 3,
-  ids = 1u << 4,       ///< object and triangle; -1 where nothing is seen
-  facing = 1u << 5,    ///< cosine between the geometric normal and the direction to the eye; negative = back
-  overdraw = 1u << 6,  ///< fragments that covered the pixel
-  tests = 1u << 7,     ///< primitives (rays) or coverage samples (fragments) tested for the pixel
-  mip = 1u << 8,       ///< texture level of detail used; -1 where no texture was read
-  shadow = 1u << 9,    ///< bit i set: light i is blocked at the visible point
+  ids = 1u << 4,         ///< object and triangle; -1 where nothing is seen
+  facing = 1u << 5,      ///< cosine between the geometric normal and the direction to the eye; negative = back
+  overdraw = 1u << 6,    ///< fragments that covered the pixel
+  tests = 1u << 7,       ///< primitives (rays) or coverage samples (fragments) tested for the pixel
+  mip = 1u << 8,         ///< texture level of detail used; -1 where no texture was read
+  shadow = 1u << 9,      ///< bit i set: light i is blocked at the visible point
+  samples = 1u << 10,    ///< colours that were averaged for the pixel
+  direction = 1u << 11,  ///< of the ray through the pixel's sample position, world space, unit length (CGPP 15.4.1)
 };
 constexpr Channel operator|(Channel a, Channel b) {
   return static_cast<Channel>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -60,6 +63,8 @@ struct Frame {
   Image<std::uint32_t> tests;
   Image<float> mip;
   Image<std::uint32_t> shadow;
+  Image<std::uint32_t> samples;
+  Image<Vec3f> direction;
   Counters counters;
   std::vector<StageTime> times;
 
@@ -71,6 +76,8 @@ struct Frame {
 struct RenderRequest {
   Channel channels = Channel::none;
   WorkerPriority priority = WorkerPriority::normal;
+  /// Only these pixels are wanted (CGPP 15.4.4); they come out as in the whole picture, the others stay black.
+  std::optional<TileRect> region{};
   /// Called on a worker thread after each finished rectangle of the frame that is being made; only that rectangle may
   /// be read. May be empty.
   std::function<void(const Frame&, const TileRect&)> on_tile;

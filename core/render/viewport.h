@@ -21,8 +21,10 @@ struct Viewport {
   Projection projection = Projection::perspective;
 
   /// Viewport position of the sample of pixel (column, row): coordinates along the camera's right and up.
-  Vec2<Real> at(int column, int row) const {
-    const Vec2<Real> p = canvas_position<Real>(column, row, sample, columns, rows);
+  Vec2<Real> at(int column, int row) const { return at(column, row, sample); }
+  /// The same for a sample anywhere in the pixel, `offset` from its top-left corner.
+  Vec2<Real> at(int column, int row, const Vec2d& offset) const {
+    const Vec2<Real> p = canvas_position<Real>(column, row, offset, columns, rows);
     return {p.x * width / span_x, p.y * height / span_y};
   }
 };

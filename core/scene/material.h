@@ -17,6 +17,8 @@ struct Material {
   double transparency = 0;               ///< share of light that comes through, 0..1; throws no shadow if above 0
   double refraction_index = 1;           ///< of what is inside (CGFS ch. 5); vacuum has 1
   int texture = -1;  ///< index into Scene::textures; its texels are multiplied by `colour`; -1 = none
+  int normal_map =
+      -1;  ///< index into Scene::textures: red, green, blue = tangent-space x, y, z from -1 to 1; -1 = none
   bool operator==(const Material&) const = default;
 };
 

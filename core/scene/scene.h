@@ -52,6 +52,7 @@ struct SceneTraits {
   bool triangles = false;
   bool vertex_normals = false;
   bool textures = false;
+  bool normal_maps = false;
   bool reflective = false;
   bool specular = false;
   bool casting_lights = false;  ///< a point or directional light

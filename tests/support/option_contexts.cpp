@@ -49,6 +49,8 @@ const std::vector<OptionContext>& option_contexts() {
       {"lab/z-fighting", {"depth-format=unit-float"}},
       {"cgfs/lines", {"renderer=rasterizer"}},
       {"cgfs/wireframe", {"renderer=rasterizer"}},
+      {"cgfs/reflections", {"samples-per-pixel=4"}},
+      {"cgfs/reflections", {"samples-per-pixel=4", "adaptive-sampling=on"}},
       {"octree/attenuation", {}},
       {"cgfs/magnifying-glass", {}},
       {"lab/flattened", {"renderer=rasterizer"}},

@@ -90,6 +90,12 @@ struct Drawer {
   void operator()(const ShadeEvent& e) const { swatch(e.local); }
   void operator()(const ReflectionEvent& e) const { swatch(e.result); }
   void operator()(const RefractionEvent& e) const { swatch(e.result); }
+  void operator()(const SampleEvent& e) const { swatch(e.colour); }
+  void operator()(const CompareEvent& e) const {
+    pen.square(e.subdivides ? p.right : p.text_quiet, e.subdivides ? Fill::filled : Fill::hollow);
+  }
+  void operator()(const ReuseEvent& e) const { e.met ? pen.diamond(p.right) : pen.cross(p.text_quiet); }
+  void operator()(const NormalMapEvent&) const { pen.arrow(p.right); }
   void operator()(const RejectEvent&) const { pen.triangle(p.wrong, Fill::hollow); }
   void operator()(const FragmentEvent& e) const {
     pen.triangle(e.depth == FragmentEvent::Depth::failed ? p.wrong : p.right, Fill::filled);

@@ -1,0 +1,52 @@
+#pragma once
+#include <limits>
+
+#include "raytrace/sampling/pattern.h"
+#include "raytrace/sampling/plan.h"
+#include "raytrace/tracer.h"
+
+namespace ps {
+
+/// Finds the sample nearest to the middle of its pixel (ties: the first): it stands for the pixel in channels that
+/// cannot be averaged, such as ids.
+class MiddleSample {
+ public:
+  bool is_nearer(const Vec2d& offset, const Vec2d& middle) {
+    const Vec2d away = offset - middle;
+    const double distance = dot(away, away);
+    if (!(distance < nearest_)) return false;
+    nearest_ = distance;
+    return true;
+  }
+
+ private:
+  double nearest_ = std::numeric_limits<double>::infinity();
+};
+
+/// How many samples of an inspected pixel tell their whole story; of the others only place, weight and colour are kept.
+inline constexpr int most_sample_stories = 16;
+
+/// Supersampling (CGFS ch. 5): the mean of several rays, added up in their order.
+template <class Real, class Recorder>
+TracedPixel<Real> trace_many(const Tracer<Real, Recorder>& tracer, const Viewport<Real>& viewport,
+                             const SamplingPlan& plan, Vec2i place, Recorder& recorder) {
+  TracedPixel<Real> pixel;
+  Vec3<Real> sum(0);
+  MiddleSample middle;
+  for (int i = 0; i < plan.samples; ++i) {
+    const Vec2d offset = sample_in_pixel(plan.pattern, i, plan.samples, place, viewport.sample);
+    SampleEvent event{i, plan.samples, offset, 1.0 / plan.samples, {}};
+    recorder.begin([&] { return event; });
+    if constexpr (Recorder::records) recorder.mute(i >= most_sample_stories);
+    const TracedPixel<Real> sample = tracer.trace_eye_ray(tracer.eye_ray(place.x, place.y, offset));
+    if constexpr (Recorder::records) recorder.mute(false);
+    event.colour = Vec3d(sample.colour);
+    recorder.end([&] { return event; });
+    sum += sample.colour;
+    if (middle.is_nearer(offset, viewport.sample)) pixel = sample;
+  }
+  pixel.colour = sum / static_cast<Real>(plan.samples);
+  return pixel;
+}
+
+}  // namespace ps

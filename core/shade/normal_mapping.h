@@ -1,0 +1,71 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "math/vec.h"
+
+namespace ps {
+
+/// Normal mapping in tangent space (CGFS ch. 15), shared by both renderers.
+///
+/// A normal map holds directions relative to the surface: x along growing u, y towards the top of the picture (falling
+/// v, since v = 0 is the top row), z along the surface's own normal. Red, green and blue from 0 to 1 stand for -1 to 1.
+
+/// How a surface's texture lies on it: directions in which u grows and v falls, of any length.
+template <class Real>
+struct TangentFrame {
+  Vec3<Real> along_u{0, 0, 0};
+  Vec3<Real> upwards{0, 0, 0};
+};
+
+/// The frame of a triangle: dP/du and -dP/dv, which solve (b - a, c - a) = (dP/du, dP/dv) * (duv). Nothing if its
+/// texture coordinates span no area.
+template <class Real>
+inline std::optional<TangentFrame<Real>> triangle_frame(const std::array<Vec3<Real>, 3>& p,
+                                                        const std::array<Vec2<Real>, 3>& uv) {
+  const Vec3<Real> ab = p[1] - p[0], ac = p[2] - p[0];
+  const Vec2<Real> s = uv[1] - uv[0], t = uv[2] - uv[0];
+  const Real area = s.x * t.y - t.x * s.y;
+  if (!(area != 0)) return {};
+  const Real sign = area > 0 ? Real(1) : Real(-1);  // lengths do not matter, so the division by the area is left out
+  return TangentFrame<Real>{(ab * t.y - ac * s.y) * sign, (ab * t.x - ac * s.x) * sign};
+}
+
+/// A texel as a direction in tangent space, not normalised: filtering shortens it.
+template <class Real>
+inline Vec3<Real> stored_normal(const Vec3<Real>& texel) {
+  return texel * Real(2) - Vec3<Real>(1);
+}
+
+/// The axes of tangent space at a point: the tangent made perpendicular to the normal (Gram-Schmidt), the bitangent
+/// perpendicular to both, on the side to which v falls.
+template <class Real>
+struct TangentSpace {
+  Vec3<Real> tangent{1, 0, 0}, bitangent{0, 1, 0}, normal{0, 0, 1};  ///< length 1
+};
+
+/// Nothing where the tangent runs along the normal.
+template <class Real>
+inline std::optional<TangentSpace<Real>> tangent_space(const Vec3<Real>& normal, const TangentFrame<Real>& frame) {
+  const auto unit = [](const Vec3<Real>& v) { return v / std::sqrt(dot(v, v)); };
+  TangentSpace<Real> space;
+  space.normal = unit(normal);
+  const Vec3<Real> across = frame.along_u - space.normal * dot(space.normal, frame.along_u);
+  if (!(dot(across, across) > 0)) return {};
+  space.tangent = unit(across);
+  const Vec3<Real> side = cross(space.normal, space.tangent);
+  space.bitangent = dot(side, frame.upwards) < 0 ? -side : side;
+  return space;
+}
+
+/// A stored normal in the world, of length 1; the surface's own where the map holds nothing usable.
+template <class Real>
+inline Vec3<Real> mapped_normal(const TangentSpace<Real>& space, const Vec3<Real>& stored) {
+  const Vec3<Real> turned = space.tangent * stored.x + space.bitangent * stored.y + space.normal * stored.z;
+  const Real square = dot(turned, turned);
+  if (!(square > 0)) return space.normal;
+  return turned / std::sqrt(square);
+}
+
+}  // namespace ps
