@@ -15,6 +15,15 @@ Reason needs_textures_on(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+Reason needs_normal_map(const Settings& s, const SceneTraits& t) {
+  if (!t.normal_maps) return "the scene has no normal map";
+  if (!s.lighting) return "needs lighting";
+  if (s.renderer == Renderer::ray_tracer) return {};
+  if (s.draw != Draw::filled) return "needs draw = filled";
+  if (s.shading != Shading::phong) return "needs shading = phong: light is computed at corners";
+  return {};
+}
+
 Reason needs_mipmaps(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_textures_on(s, t)) return reason;
   if (s.renderer == Renderer::ray_tracer) return "rays have no footprint: they read the finest level";
@@ -56,6 +65,15 @@ std::vector<Option> texture_rows() {
                                       {{"repeat", "repeat", "The picture again."},
                                        {"clamp", "clamp", "Its border texels."},
                                        {"mirror", "mirror", "The picture mirrored."}}),
+      toggle<&Settings::normal_mapping>(
+          {.key = "normal-mapping",
+           .label = "Normal mapping",
+           .help =
+               {"Light falls on normals that a picture holds, turned from tangent space to the surface. Red is along "
+                "u, green towards the top of the picture, blue along the surface's own normal.",
+                "CGFS ch. 15; normal mapping after OBJ files",
+                "Outlines and shadows stay those of the flat surface; seen edge-on, the trick shows."},
+           .inactive = needs_normal_map}),
   };
 }
 

@@ -30,7 +30,10 @@ AttributeLayout make_layout(const Settings& settings, const LightNeeds& lights, 
   const bool highlights = settings.specular && material.specular && lights.normal;
   if (per_pixel && (lights.point || highlights)) take(layout.position, 3);
   const bool textured = settings.textures && material.texture >= 0;
-  if (!mesh.uvs.empty() && (textured || has(channels, Channel::uv))) take(layout.uv, 2);
+  const bool mapped = settings.normal_mapping && material.normal_map >= 0 && layout.shading_normal &&
+                      settings.shading == Shading::phong && !mesh.uvs.empty();
+  if (!mesh.uvs.empty() && (textured || mapped || has(channels, Channel::uv))) take(layout.uv, 2);
+  if (mapped) take(layout.tangents, 6);
   if (settings.lighting && settings.shading == Shading::gouraud) {
     take(layout.light, 3);
     if (material.specular_colour || material.ambient_colour) take(layout.extra, 3);

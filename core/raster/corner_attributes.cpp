@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "raster/light_at.h"
+#include "shade/normal_mapping.h"
 
 namespace ps::raster {
 namespace {
@@ -13,6 +14,18 @@ void put(CornerAttributes<Real>& corner, int slot, const Vec3<Real>& value) {
   for (int i = 0; i < 3; ++i) corner[static_cast<std::size_t>(slot + i)] = value[i];
 }
 
+template <class Real>
+std::optional<TangentFrame<Real>> frame_of(const CornerSource<Real>& source) {
+  std::array<Vec3<Real>, 3> positions;
+  std::array<Vec2<Real>, 3> uvs;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (source.triangle->uv[k] < 0) return {};
+    positions[k] = source.position(k);
+    uvs[k] = Vec2<Real>(source.mesh->uvs[static_cast<std::size_t>(source.triangle->uv[k])]);
+  }
+  return triangle_frame<Real>(positions, uvs);
+}
+
 }  // namespace
 
 template <class Real>
@@ -21,6 +34,8 @@ std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>& pass, 
   const AttributeLayout& layout = surface.layout;
   const Normals normals = pass.settings.normals;
   std::array<CornerAttributes<Real>, 3> corners;
+  TangentFrame<Real> tangents;  // zeros: the normal stays as it is
+  if (layout.tangents != AttributeLayout::absent) tangents = frame_of(source).value_or(tangents);
   for (std::size_t k = 0; k < 3; ++k) {
     if (layout.normal != AttributeLayout::absent) put(corners[k], layout.normal, source.normal(k, normals));
     if (layout.position != AttributeLayout::absent) put(corners[k], layout.position, source.position(k));
@@ -29,6 +44,10 @@ std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>& pass, 
       const Vec2d value = uv >= 0 ? source.mesh->uvs[static_cast<std::size_t>(uv)] : Vec2d(0);
       corners[k][static_cast<std::size_t>(layout.uv)] = static_cast<Real>(value.x);
       corners[k][static_cast<std::size_t>(layout.uv) + 1] = static_cast<Real>(value.y);
+    }
+    if (layout.tangents != AttributeLayout::absent) {
+      put(corners[k], layout.tangents, tangents.along_u);
+      put(corners[k], layout.tangents + 3, tangents.upwards);
     }
     if (layout.light != AttributeLayout::absent) {
       const Lighting<Real> lighting = light_at(pass, surface, source.position(k), source.normal(k, normals), recorder);

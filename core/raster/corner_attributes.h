@@ -6,8 +6,8 @@
 
 namespace ps::raster {
 
-/// Most scalars that one corner can carry: normal, position, uv, light and extra.
-inline constexpr std::size_t max_attributes = 14;
+/// Most scalars that one corner can carry: normal, position, uv, tangents, light and extra.
+inline constexpr std::size_t max_attributes = 20;
 
 /// The scalars of one corner, in the order of its surface's layout.
 template <class Real>

@@ -136,9 +136,10 @@ class TriangleDrawer {
     recorder_.count(Counter::light_samples, shaded * pass_.lights.size());
   }
 
-  /// Whether the fast path shades this triangle: no light with a colour of its own.
+  /// Whether the fast path shades this triangle: no light with a colour of its own, no normal map.
   bool can_batch() const {
     const ShadingMaterial<Real>& material = setup_.surface->material;
+    if (setup_.surface->layout.tangents != AttributeLayout::absent) return false;
     if (setup_.surface->layout.uv != AttributeLayout::absent && !packed_texture()) return false;
     return !material.ambient_colour && !material.specular_colour && (!material.specular || *material.specular > 0);
   }

@@ -69,7 +69,8 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
       surface.layout = make_layout(settings, needs, material, *object.mesh, channels);
       surface.material = shading_material<Real>(material);
       pass.surfaces.push_back(surface);
-      textured = textured || (surface.layout.uv != AttributeLayout::absent && material.texture >= 0);
+      textured = textured || surface.layout.tangents != AttributeLayout::absent ||
+                 (settings.textures && surface.layout.uv != AttributeLayout::absent && material.texture >= 0);
     }
   }
   if constexpr (std::is_same_v<Real, float>)
@@ -78,7 +79,7 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
       if (book_lights(pass.lights, settings)) pass.shade_batch = shade_function(settings.simd);
       pass.scan_triangle = scan_function(settings.simd);
     }
-  if (textured && settings.textures) {
+  if (textured) {
     pass.textures = mip_chains(scene, settings.texture_filter, prepared);
     if (pass.shade_batch)
       pass.packed_textures = pack_textures(scene, settings.texture_filter, *pass.textures, prepared);

@@ -7,6 +7,7 @@
 #include "raster/fragment.h"
 #include "raster/geometry.h"
 #include "raster/light_at.h"
+#include "shade/normal_mapping.h"
 
 namespace ps::raster {
 
@@ -43,28 +44,26 @@ TextureDerivatives<Real> uv_derivatives(const Pass<Real>& pass, const TriangleSe
   return {along(setup.edges.step_x), along(setup.edges.step_y)};
 }
 
-/// The texture's colour at the fragment (CGFS ch. 14).
+/// A texture at the fragment (CGFS ch. 14): its colour, or what else it holds.
 template <class Real, class Recorder>
-Vec3<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                        ShadedFragment<Real>& shaded, Recorder& recorder) {
-  const int index = setup.surface->material.texture;
+TextureSample<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
+                                 const Fragment<Real>& fragment, int index, const Vec2<Real>& uv, Recorder& recorder) {
   const MipChain& chain = (*pass.textures)[static_cast<std::size_t>(index)];
   TextureLookup<Real> lookup{pass.settings.texture_filter, pass.settings.texture_wrap, 0};
   if (lookup.filter == TextureFilter::trilinear || lookup.filter == TextureFilter::mipmap)
-    lookup.level = mip_level(uv_derivatives(pass, setup, fragment, shaded.uv, *chain.base),
-                             static_cast<Real>(pass.settings.mip_bias));
-  const TextureSample<Real> sample = sample_texture(chain, shaded.uv, lookup);
-  shaded.mip = sample.level;
+    lookup.level =
+        mip_level(uv_derivatives(pass, setup, fragment, uv, *chain.base), static_cast<Real>(pass.settings.mip_bias));
+  const TextureSample<Real> sample = sample_texture(chain, uv, lookup);
   recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
   recorder.event([&] {
     TextureEvent event;
     event.texture = index;
-    event.uv = Vec2d(shaded.uv);
+    event.uv = Vec2d(uv);
     event.level = static_cast<double>(lookup.level);
-    event.result = Vec3d(sample_texture(chain, shaded.uv, lookup, &event.texels).colour);
+    event.result = Vec3d(sample_texture(chain, uv, lookup, &event.texels).colour);
     return event;
   });
-  return sample.colour;
+  return sample;
 }
 
 template <class Real>
@@ -72,6 +71,24 @@ Vec3<Real> shading_normal(const Pass<Real>& pass, const TriangleSetup<Real>& set
   const int slot = setup.surface->layout.normal;
   if (slot == AttributeLayout::absent) return setup.triangle->face_normal;
   return interpolate3(pass, setup, fragment, slot);
+}
+
+/// Normal mapping (CGFS ch. 15): the normal that the map holds, turned from tangent space to the world.
+template <class Real, class Recorder>
+Vec3<Real> map_normal(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                      const Vec2<Real>& uv, const Vec3<Real>& normal, Recorder& recorder) {
+  const int slot = setup.surface->layout.tangents, index = setup.surface->material.normal_map;
+  const TangentFrame<Real> frame{interpolate3(pass, setup, fragment, slot),
+                                 interpolate3(pass, setup, fragment, slot + 3)};
+  const auto space = tangent_space(normal, frame);
+  if (!space) return normal;
+  const Vec3<Real> stored = stored_normal(read_texture(pass, setup, fragment, index, uv, recorder).colour);
+  const Vec3<Real> mapped = mapped_normal(*space, stored);
+  recorder.event([&] {
+    return NormalMapEvent{index,         Vec2d(uv),    Vec3d(stored), Vec3d(space->tangent), Vec3d(space->bitangent),
+                          Vec3d(normal), Vec3d(mapped)};
+  });
+  return mapped;
 }
 
 template <class Real>
@@ -127,12 +144,17 @@ ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry
   Vec3<Real> colour = surface.material.colour;
   if (layout.uv != AttributeLayout::absent) {
     shaded.uv = {interpolate(pass, setup, fragment, layout.uv), interpolate(pass, setup, fragment, layout.uv + 1)};
-    if (pass.settings.textures && surface.material.texture >= 0)
-      colour *= read_texture(pass, setup, fragment, shaded, recorder);
+    if (pass.settings.textures && surface.material.texture >= 0) {
+      const auto sample = read_texture(pass, setup, fragment, surface.material.texture, shaded.uv, recorder);
+      shaded.mip = sample.level;
+      colour *= sample.colour;
+    }
   }
   Vec3<Real> normal(0);
   if (layout.shading_normal) {
     normal = shading_normal(pass, setup, fragment);
+    if (layout.tangents != AttributeLayout::absent)
+      normal = map_normal(pass, setup, fragment, shaded.uv, normal, recorder);
     shaded.normal = unit(normal);
     if (pass.settings.renormalise) normal = shaded.normal;
   }

@@ -31,7 +31,8 @@ bool needs_vertex_normals(const Pass<Real>& pass, const Surface<Real>& surface) 
 template <class Real>
 bool needs_world_positions(const Pass<Real>& pass, const Surface<Real>& surface) {
   const bool corner_light = surface.layout.lit && pass.settings.shading != Shading::phong;
-  return surface.layout.position != AttributeLayout::absent || corner_light;
+  return surface.layout.position != AttributeLayout::absent || surface.layout.tangents != AttributeLayout::absent ||
+         corner_light;
 }
 
 }  // namespace

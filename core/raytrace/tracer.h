@@ -5,6 +5,7 @@
 #include "image/texture_sampling.h"
 #include "raytrace/intersector.h"
 #include "raytrace/medium.h"
+#include "raytrace/normal_map.h"
 #include "raytrace/self_hit.h"
 #include "shade/fresnel.h"
 #include "shade/illumination.h"
@@ -108,7 +109,9 @@ class Tracer {
                        TracedPixel<Real>* first) const {
     Vec3<Real> colour = inputs_.background;
     if (hit.found()) {
-      const Surface<Real> surface = surface_of(ray, hit, inputs_);
+      Surface<Real> surface = surface_of(ray, hit, inputs_);
+      if (inputs_.settings.normal_mapping && inputs_.materials[surface.material].normal_map >= 0)
+        map_normal(inputs_.materials[surface.material], surface);
       if (first) {
         first->hit = hit;
         first->surface = surface;
@@ -248,21 +251,39 @@ class Tracer {
     return local;
   }
 
-  /// Rays have no footprint, so they read the finest level of the texture.
-  Vec3<Real> textured_colour(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const {
-    if (material.texture < 0 || !inputs_.settings.textures || !surface.has_uv) return material.colour;
-    const Image<Vec3f>& image = *inputs_.textures[static_cast<std::size_t>(material.texture)];
+  /// Normal mapping (CGFS ch. 15).
+  void map_normal(const ShadingMaterial<Real>& material, Surface<Real>& surface) const {
+    const auto frame = tangents_of(surface, *inputs_.geometry);
+    if (!frame) return;
+    const auto space = tangent_space(surface.shading_normal, *frame);
+    if (!space) return;
+    const Vec3<Real> stored = stored_normal(read_finest(material.normal_map, surface.uv));
+    const Vec3<Real> before = surface.shading_normal;
+    surface.shading_normal = mapped_normal(*space, stored);
+    recorder_.event([&] {
+      return NormalMapEvent{material.normal_map,          Vec2d(surface.uv),       Vec3d(stored),
+                            Vec3d(space->tangent),        Vec3d(space->bitangent), Vec3d(before),
+                            Vec3d(surface.shading_normal)};
+    });
+  }
+
+  /// Rays have no footprint, so they read the finest level of a texture.
+  Vec3<Real> read_finest(int texture, const Vec2<Real>& uv) const {
+    const Image<Vec3f>& image = *inputs_.textures[static_cast<std::size_t>(texture)];
     const TextureWrap wrap = inputs_.settings.texture_wrap;
     const bool nearest = inputs_.settings.texture_filter == TextureFilter::nearest;
     std::vector<Texel> texels;
     const TexelNotes notes = Recorder::records ? &texels : nullptr;
-    const Vec3<Real> texel = nearest ? sample_nearest(image, surface.uv, wrap, 0, notes)
-                                     : sample_bilinear(image, surface.uv, wrap, 0, notes);
+    const Vec3<Real> texel =
+        nearest ? sample_nearest(image, uv, wrap, 0, notes) : sample_bilinear(image, uv, wrap, 0, notes);
     recorder_.count(Counter::texel_reads, nearest ? 1 : 4);
-    recorder_.event([&] {
-      return TextureEvent{material.texture, Vec2d(surface.uv), 0, std::move(texels), Vec3d(texel)};
-    });
-    return texel * material.colour;
+    recorder_.event([&] { return TextureEvent{texture, Vec2d(uv), 0, std::move(texels), Vec3d(texel)}; });
+    return texel;
+  }
+
+  Vec3<Real> textured_colour(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const {
+    if (material.texture < 0 || !inputs_.settings.textures || !surface.has_uv) return material.colour;
+    return read_finest(material.texture, surface.uv) * material.colour;
   }
 
   std::optional<PixelId> find_blocker(const Surface<Real>& surface, int light, const Vec3<Real>& to_light,

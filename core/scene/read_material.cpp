@@ -9,9 +9,9 @@
 namespace ps {
 
 const std::vector<std::string_view>& surface_keys() {
-  static const std::vector<std::string_view> keys{"color",        "specular",        "reflective",
-                                                  "texture",      "specular_color",  "ambient_color",
-                                                  "transparency", "refraction_index"};
+  static const std::vector<std::string_view> keys{"color",        "specular",         "reflective",
+                                                  "texture",      "specular_color",   "ambient_color",
+                                                  "transparency", "refraction_index", "normal_map"};
   return keys;
 }
 
@@ -51,6 +51,8 @@ Material read_surface(const SceneSource& source, const SceneFields& fields, Mate
     base.refraction_index = values.in_range(*term, min_refraction_index, max_refraction_index);
   if (const auto* term = fields.find("texture"))
     base.texture = find_named(source, *term, draft.texture_index, "texture");
+  if (const auto* term = fields.find("normal_map"))
+    base.normal_map = find_named(source, *term, draft.texture_index, "texture");
   if (const auto* term = fields.find("specular_color")) base.specular_colour = values.colour(*term);
   if (const auto* term = fields.find("ambient_color")) base.ambient_colour = values.colour(*term);
   return base;

@@ -100,6 +100,7 @@ class ModelReader {
       while (!draft_.material_index.emplace(material.name, static_cast<std::uint32_t>(draft_.materials.size())).second)
         material.name += "'";
       if (material.texture >= 0) material.texture += first_texture;
+      if (material.normal_map >= 0) material.normal_map += first_texture;
       draft_.materials.push_back(std::move(material));
     }
     for (std::uint32_t& slot : mesh_.materials) slot += first_material;
@@ -175,7 +176,8 @@ class ModelReader {
   }
 
   void add(const MeshTriangle& triangle, const SceneTerm& term) {
-    const bool textured = draft_.materials[mesh_.materials[triangle.material]].texture >= 0;
+    const Material& material = draft_.materials[mesh_.materials[triangle.material]];
+    const bool textured = material.texture >= 0 || material.normal_map >= 0;
     if (textured && triangle.uv[0] < 0) values_.fail(term, "texture coordinates, since the model has a texture");
     mesh_.triangles.push_back(triangle);
   }

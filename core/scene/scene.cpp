@@ -12,6 +12,7 @@ void note_material(const Material& material, SceneTraits& traits) {
   traits.reflective = traits.reflective || material.reflective > 0;
   traits.specular = traits.specular || material.specular.has_value();
   traits.textures = traits.textures || material.texture >= 0;
+  traits.normal_maps = traits.normal_maps || material.normal_map >= 0;
   traits.transparent = traits.transparent || material.transparency > 0;
 }
 

@@ -161,6 +161,8 @@ class SceneWriter {
     if (material.reflective != 0) line("    reflective = {}", scene_number(material.reflective));
     if (material.texture >= 0)
       line("    texture = {}", scene_name(textures_.at(static_cast<std::size_t>(material.texture))));
+    if (material.normal_map >= 0)
+      line("    normal_map = {}", scene_name(textures_.at(static_cast<std::size_t>(material.normal_map))));
     if (material.specular_colour) line("    specular_color = {}", scene_colour(*material.specular_colour));
     if (material.ambient_colour) line("    ambient_color = {}", scene_colour(*material.ambient_colour));
     if (material.transparency != 0) line("    transparency = {}", scene_number(material.transparency));

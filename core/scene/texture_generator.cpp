@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -51,6 +52,28 @@ Vec3f bricks(int x, int y, int size) {
   return levels(135 + tone + rough, 60 + tone / 2 + rough, 45 + tone / 3 + rough);
 }
 
+/// How far the wall of bricks() stands out at a texel, 0 in the mortar and 1 on a brick, with bevelled edges.
+double brick_height(int x, int y, int size) {
+  const auto around = [size](int i) { return (i % size + size) % size; };
+  const double u = (around(x) + 0.5) * 64 / size, v = (around(y) + 0.5) * 64 / size;
+  const double shifted = u + (static_cast<int>(v / 8) % 2) * 8;
+  const double across = std::fmod(shifted, 16.0), down = std::fmod(v, 8.0);  // mortar lies in [0, 1)
+  const auto above_mortar = [](double at, double period) {
+    const double from_middle = std::min(std::abs(at - 0.5), period - std::abs(at - 0.5));
+    return std::clamp((from_middle - 0.5) / 1.0, 0.0, 1.0);
+  };
+  return std::min(above_mortar(across, 16), above_mortar(down, 8));
+}
+
+/// The normals of that wall, as a normal map holds them (shade/normal_mapping.h).
+Vec3f brick_normals(int x, int y, int size) {
+  const double steepness = 0.012 * size;  // texels that a brick stands out
+  const double right = (brick_height(x + 1, y, size) - brick_height(x - 1, y, size)) / 2 * steepness;
+  const double below = (brick_height(x, y + 1, size) - brick_height(x, y - 1, size)) / 2 * steepness;
+  const Vec3d normal = Vec3d{-right, below, 1} / std::sqrt(right * right + below * below + 1);
+  return Vec3f(normal * 0.5 + Vec3d(0.5));
+}
+
 /// One plank, lit along its edges; `along` runs with the grain and both coordinates are in 512ths of the picture.
 Vec3f plank(int along, int across, int width, int number) {
   const int inside = across % width;
@@ -85,8 +108,8 @@ struct Generator {
   std::string_view name;
   Texel texel;
 };
-constexpr std::array<Generator, 4> generators{
-    {{"checker", checker}, {"tiles", tiles}, {"bricks", bricks}, {"crate", crate}}};
+constexpr std::array<Generator, 5> generators{
+    {{"checker", checker}, {"tiles", tiles}, {"bricks", bricks}, {"brick-normals", brick_normals}, {"crate", crate}}};
 
 }  // namespace
 

@@ -30,6 +30,7 @@ struct ShadingMaterial {
   Real transparency = 0;
   Real refraction_index = 1;
   int texture = -1;
+  int normal_map = -1;
 };
 
 template <class Real>
@@ -50,6 +51,7 @@ inline ShadingMaterial<Real> shading_material(const Material& material) {
   result.transparency = static_cast<Real>(material.transparency);
   result.refraction_index = static_cast<Real>(material.refraction_index);
   result.texture = material.texture;
+  result.normal_map = material.normal_map;
   return result;
 }
 

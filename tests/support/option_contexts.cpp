@@ -51,6 +51,7 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/wireframe", {"renderer=rasterizer"}},
       {"cgfs/reflections", {"samples-per-pixel=4"}},
       {"cgfs/reflections", {"samples-per-pixel=4", "adaptive-sampling=on"}},
+      {"cgfs/brick-wall", {}},
       {"octree/attenuation", {}},
       {"cgfs/magnifying-glass", {}},
       {"lab/flattened", {"renderer=rasterizer"}},

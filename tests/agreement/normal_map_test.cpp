@@ -1,0 +1,173 @@
+// Normal mapping against a closed form, and rays against fragments.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <numbers>
+
+#include "image/height_map.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "scene/scene_file.h"
+
+namespace {
+
+using namespace ps;
+
+Frame rendered(const Scene& scene, const Settings& settings, int size = 80) {
+  Prepared prepared;
+  Progress progress;
+  RenderRequest request;
+  request.channels = Channel::normal | Channel::ids;
+  return render(scene, View{scene.camera, size, size}, settings, request, prepared, progress);
+}
+
+/// A quad that fills the picture, turned out of every axis, with `material` and the texture coordinates of its corners.
+/// Front to the eye; u along `right`, v down.
+Scene quad(const std::string& normals, const Vec3f& map) {
+  Scene scene = parse_scene("viewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = black\n"
+                            "texture { name = map  generator = checker  size = 1 }\n"
+                            "material { name = clay  color = (200, 150, 100)  specular = 20" +
+                                std::string(map == Vec3f(0) ? "" : "  normal_map = map") +
+                                " }\n"
+                                "model { name = quad  materials = [clay]\n"
+                                "  vertices { 0 = (-3, -3, 4)  1 = (-3, 3, 5)  2 = (3, 3, 6)  3 = (3, -3, 5) }\n"
+                                "  triangles {\n"
+                                "    0 = { vertices = [0, 1, 2]  uvs = [(0, 1), (0, 0), (1, 0)] " +
+                                normals +
+                                " }\n"
+                                "    1 = { vertices = [0, 2, 3]  uvs = [(0, 1), (1, 0), (1, 1)] " +
+                                normals +
+                                " }\n"
+                                "  }\n}\n"
+                                "instance { model = quad }\n"
+                                "light { type = ambient  intensity = 0.2 }\n"
+                                "light { type = point  intensity = 0.6  position = (1, 2, 1) }\n"
+                                "light { type = directional  intensity = 0.2  direction = (-1, 1, -2) }\n",
+                            "quad.scene", ".");
+  if (map != Vec3f(0)) {
+    std::vector<Texture> textures = *scene.textures;
+    textures[0].texels = std::make_shared<const Image<Vec3f>>(Image<Vec3f>(1, 1, map));
+    scene.textures = Part<std::vector<Texture>>(std::move(textures));
+  }
+  return scene;
+}
+
+// The quad spans u = (1, 0, 1/6) and, upwards, (0, 1, 1/6): a map of one texel tilts its normal by a known rotation, so
+// the picture must be that of the same quad with that vertex normal and no map.
+TEST(NormalMap, AConstantMapIsAVertexNormal) {
+  const Vec3d along = Vec3d{6, 0, 1} / std::sqrt(37.0), up_edge{0, 6, 1};
+  // (b - a) x (c - a) of the first triangle: its front.
+  const Vec3d raw = cross(Vec3d{0, 6, 1}, Vec3d{6, 6, 2});
+  const Vec3d n = raw / std::sqrt(dot(raw, raw));
+  const Vec3d flat_bitangent = cross(n, along);
+  const Vec3d bitangent = dot(flat_bitangent, up_edge) < 0 ? -flat_bitangent : flat_bitangent;
+  for (const Vec3d& tilt : {Vec3d{0.48, -0.36, 0.8}, Vec3d{-0.6, 0, 0.8}, Vec3d{0, 0.6, 0.8}, Vec3d{0, 0, 1}}) {
+    const Vec3d normal = along * tilt.x + bitangent * tilt.y + n * tilt.z;
+    char text[256];
+    std::snprintf(text, sizeof text, "normals = [(%.17g, %.17g, %.17g), (%.17g, %.17g, %.17g), (%.17g, %.17g, %.17g)]",
+                  normal.x, normal.y, normal.z, normal.x, normal.y, normal.z, normal.x, normal.y, normal.z);
+    const Scene mapped = quad("", Vec3f(tilt * 0.5 + Vec3d(0.5))), tilted = quad(text, Vec3f(0));
+    for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+      Settings settings;
+      settings.renderer = renderer;
+      settings.precision = Precision::float64;
+      settings.shadows = Shadows::none;
+      const Frame a = rendered(mapped, settings), b = rendered(tilted, settings);
+      settings.normal_mapping = false;
+      const Frame flat = rendered(mapped, settings);
+      double worst = 0, apart = 0;
+      for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 80; ++x) {
+          ASSERT_GE(a.ids.at(x, y).object, 0);
+          const Vec3d d = a.colour_double.at(x, y) - b.colour_double.at(x, y);
+          worst = std::max(worst, std::sqrt(dot(d, d)));
+          const Vec3d off = a.colour_double.at(x, y) - flat.colour_double.at(x, y);
+          apart = std::max(apart, std::sqrt(dot(off, off)));
+        }
+      EXPECT_LT(worst, 1e-6) << static_cast<int>(renderer);  // texels are floats
+      if (tilt.z < 1) {
+        EXPECT_GT(apart, 0.02) << "without the map the picture is the same";
+      }
+    }
+  }
+}
+
+TEST(NormalMap, RaysAndFragmentsAgree) {
+  const Scene scene = load_scene("cgfs/brick-wall");
+  Settings settings;
+  settings.shadows = Shadows::none;
+  settings.texture_filter = TextureFilter::bilinear;
+  const Frame rays = rendered(scene, settings, 300);
+  settings.renderer = Renderer::rasterizer;
+  const Frame fragments = rendered(scene, settings, 300);
+  int compared = 0, far = 0;
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 300; ++x) {
+      if (rays.ids.at(x, y).object != 0 || fragments.ids.at(x, y).object != 0) continue;  // the wall: same triangles
+      ++compared;
+      const Vec3f d = rays.colour.at(x, y) - fragments.colour.at(x, y);
+      far += dot(d, d) > 1e-6f ? 1 : 0;
+    }
+  EXPECT_GT(compared, 50000);
+  EXPECT_LT(far, compared / 500);
+}
+
+TEST(NormalMap, FastAndClearPathsAgree) {
+  const Scene scene = load_scene("cgfs/brick-wall");
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+    Settings settings;
+    settings.renderer = renderer;
+    Prepared prepared;
+    Progress progress;
+    const View view{scene.camera, 160, 120};
+    settings.simd = Simd::off;
+    const Frame clear = render(scene, view, settings, {}, prepared, progress);
+    settings.simd = Simd::automatic;
+    const Frame fast = render(scene, view, settings, {}, prepared, progress);
+    EXPECT_EQ(
+        std::memcmp(clear.colour.pixels().data(), fast.colour.pixels().data(), clear.colour.pixels().size_bytes()), 0);
+  }
+}
+
+// On a sphere the map's middle row looks along the equator: (0.5, 0.5, 1) is no tilt, and a tilt along u turns the
+// normal eastwards by its angle.
+TEST(NormalMap, OnASphereRedLeansEast) {
+  const double angle = 0.3;
+  const Vec3d tilt{std::sin(angle), 0, std::cos(angle)};
+  Scene scene = parse_scene("viewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = black\n"
+                            "texture { name = map  generator = checker  size = 1 }\n"
+                            "sphere { center = (0, 0, 4)  radius = 1.5  color = white  normal_map = map }\n"
+                            "light { type = directional  intensity = 1  direction = (0, 0, -1) }\n",
+                            "ball.scene", ".");
+  std::vector<Texture> textures = *scene.textures;
+  textures[0].texels = std::make_shared<const Image<Vec3f>>(Image<Vec3f>(1, 1, Vec3f(tilt * 0.5 + Vec3d(0.5))));
+  scene.textures = Part<std::vector<Texture>>(std::move(textures));
+  Settings settings;
+  settings.precision = Precision::float64;
+  const Frame frame = rendered(scene, settings, 81);
+  for (int y = 20; y < 61; y += 10)
+    for (int x = 20; x < 61; x += 10) {
+      settings.normal_mapping = false;
+      const Vec3d own(rendered(scene, settings, 81).normal.at(x, y));
+      const Vec3d east = Vec3d{-own.z, 0, own.x} / std::sqrt(own.x * own.x + own.z * own.z);
+      const Vec3d expected = own * std::cos(angle) + east * std::sin(angle);
+      const Vec3d got(frame.normal.at(x, y));
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(got[k], expected[k], 1e-6);
+    }
+}
+
+TEST(HeightMap, APlaneOfHeightsTiltsByItsSlope) {
+  Image<Vec3f> ramp(16, 16);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) ramp.at(x, y) = Vec3f(static_cast<float>(x) / 16 + static_cast<float>(y) / 32);
+  EXPECT_TRUE(is_height_map(ramp));
+  const Image<Vec3f> normals = normals_from_heights(ramp, 8);
+  const Vec3d expected = Vec3d{-0.5, 0.25, 1} / std::sqrt(0.25 + 0.0625 + 1);
+  const Vec3f got = normals.at(7, 7) * 2.0f - Vec3f(1);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(got[k], expected[k], 1e-5);
+  EXPECT_FALSE(is_height_map(normals));
+}
+
+}  // namespace
