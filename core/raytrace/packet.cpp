@@ -169,19 +169,44 @@ V3 trace(const PacketScene& scene, PacketRay ray, M active, PacketHit& first, Co
   }
 }
 
-/// Eye rays of a row's pixels from column x on, one in each lane (Viewport::at).
-HWY_INLINE PacketRay eye_rays(const PacketScene& scene, int x, int y) {
+/// Eye rays through centred canvas positions (Viewport::at).
+HWY_INLINE PacketRay eye_rays(const PacketScene& scene, V canvas_x, V canvas_y) {
   const D d;
   const Viewport<float>& viewport = scene.viewport;
-  const V column = hn::Iota(d, static_cast<float>(x));
-  const V canvas_x = hn::Sub(hn::Add(column, splat(static_cast<float>(viewport.sample.x))),
-                             splat(static_cast<float>(viewport.columns) / 2.0f));
   const V vx = hn::Div(hn::Mul(canvas_x, splat(viewport.width)), splat(viewport.span_x));
-  const V vy = splat(viewport.at(x, y).y);
+  const V vy = hn::Div(hn::Mul(canvas_y, splat(viewport.height)), splat(viewport.span_y));
   const V3 across = add(scale(splat(scene.right), vx), scale(splat(scene.up), vy));
   const V3 direction = add(across, splat(scene.forward));
   return {splat(scene.eye), direction, dot(direction, direction), splat(-1), splat(scene.near),
           splat(scene.far), From::eye};
+}
+
+/// Those of a row's pixels from column x on, one in each lane.
+HWY_INLINE PacketRay eye_rays(const PacketScene& scene, int x, int y) {
+  const Viewport<float>& viewport = scene.viewport;
+  const V column = hn::Iota(D(), static_cast<float>(x));
+  const V canvas_x = hn::Sub(hn::Add(column, splat(static_cast<float>(viewport.sample.x))),
+                             splat(static_cast<float>(viewport.columns) / 2.0f));
+  const float canvas_y =
+      canvas_position<float>(x, y, viewport.sample, viewport.columns, viewport.rows).y;  // the same for the row
+  return eye_rays(scene, canvas_x, splat(canvas_y));
+}
+
+/// Places of samples, lane by lane.
+struct SampleLanes {
+  HWY_ALIGN float column[HWY_MAX_BYTES / 4], row[HWY_MAX_BYTES / 4];
+  HWY_ALIGN float offset_x[HWY_MAX_BYTES / 4], offset_y[HWY_MAX_BYTES / 4];
+};
+
+/// Those through samples (canvas_position).
+HWY_INLINE PacketRay eye_rays(const PacketScene& scene, const SampleLanes& places) {
+  const D d;
+  const Viewport<float>& viewport = scene.viewport;
+  const V x = hn::Sub(hn::Add(hn::Load(d, places.column), hn::Load(d, places.offset_x)),
+                      splat(static_cast<float>(viewport.columns) / 2.0f));
+  const V y = hn::Sub(hn::Sub(splat(static_cast<float>(viewport.rows) / 2.0f), hn::Load(d, places.row)),
+                      hn::Load(d, places.offset_y));
+  return eye_rays(scene, x, y);
 }
 
 /// The results of one packet as plain numbers.
@@ -189,6 +214,25 @@ struct Lanes {
   HWY_ALIGN float red[HWY_MAX_BYTES / 4], green[HWY_MAX_BYTES / 4], blue[HWY_MAX_BYTES / 4];
   HWY_ALIGN float t[HWY_MAX_BYTES / 4], index[HWY_MAX_BYTES / 4];
 };
+
+HWY_INLINE void store_lanes(const V3& colour, const PacketHit& hit, Lanes& lanes) {
+  const D d;
+  hn::Store(colour.x, d, lanes.red);
+  hn::Store(colour.y, d, lanes.green);
+  hn::Store(colour.z, d, lanes.blue);
+  hn::Store(hit.t, d, lanes.t);
+  hn::Store(hit.index, d, lanes.index);
+}
+
+void add_counts(const PacketScene& scene, const Count& count, std::uint64_t eye_rays, Counters& counters) {
+  counters[Counter::eye_rays] += eye_rays;
+  counters[Counter::shadow_rays] += count.shadow_rays;
+  counters[Counter::reflection_rays] += count.reflection_rays;
+  counters[Counter::sphere_tests] += count.sphere_tests;
+  counters[Counter::node_visits] += scene.tree ? count.rays + count.shadow_rays : 0;
+  counters[Counter::shading_calls] += count.shadings;
+  counters[Counter::light_samples] += scene.lighting ? count.shadings * scene.lights.size() : 0;
+}
 
 void store(const PacketScene& scene, const Lanes& lanes, int x, int y, int width, Frame& frame) {
   for (int i = 0; i < width; ++i) {
@@ -216,24 +260,40 @@ void trace_packets(const PacketScene& scene, const TileRect& tile, Frame& frame,
       const V3 result = trace(scene, eye_rays(scene, x, y), active, first, count);
       const M nan = hn::Or(hn::Or(hn::Ne(result.x, result.x), hn::Ne(result.y, result.y)), hn::Ne(result.z, result.z));
       count.nan_pixels += hn::CountTrue(d, hn::And(active, nan));
-      hn::Store(result.x, d, stored.red);
-      hn::Store(result.y, d, stored.green);
-      hn::Store(result.z, d, stored.blue);
-      hn::Store(first.t, d, stored.t);
-      hn::Store(first.index, d, stored.index);
+      store_lanes(result, first, stored);
       store(scene, stored, x, y, width, frame);
     }
   }
   const auto pixel_count = static_cast<std::uint64_t>(tile.width()) * static_cast<std::uint64_t>(tile.height());
-  counters[Counter::eye_rays] += pixel_count;
+  add_counts(scene, count, pixel_count, counters);
   counters[Counter::pixels_written] += pixel_count;
-  counters[Counter::shadow_rays] += count.shadow_rays;
-  counters[Counter::reflection_rays] += count.reflection_rays;
-  counters[Counter::sphere_tests] += count.sphere_tests;
-  counters[Counter::node_visits] += scene.tree ? count.rays + count.shadow_rays : 0;
-  counters[Counter::shading_calls] += count.shadings;
-  counters[Counter::light_samples] += scene.lighting ? count.shadings * scene.lights.size() : 0;
   counters[Counter::nan_pixels] += count.nan_pixels;
+}
+
+void trace_samples(const PacketScene& scene, std::span<const PacketSample> samples, std::span<PacketResult> results,
+                   Counters& counters) {
+  const D d;
+  const std::size_t lanes = hn::Lanes(d);
+  Lanes stored;
+  SampleLanes places;
+  Count count;
+  for (std::size_t first = 0; first < samples.size(); first += lanes) {
+    const std::size_t width = std::min(lanes, samples.size() - first);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const PacketSample& sample = samples[first + std::min(i, width - 1)];
+      places.column[i] = static_cast<float>(sample.column);
+      places.row[i] = static_cast<float>(sample.row);
+      places.offset_x[i] = sample.offset_x;
+      places.offset_y[i] = sample.offset_y;
+    }
+    PacketHit hit{hn::Zero(d), splat(-1)};
+    const V3 result = trace(scene, eye_rays(scene, places), hn::FirstN(d, width), hit, count);
+    store_lanes(result, hit, stored);
+    for (std::size_t i = 0; i < width; ++i)
+      results[first + i] = {
+          {stored.red[i], stored.green[i], stored.blue[i]}, stored.t[i], static_cast<int>(stored.index[i])};
+  }
+  add_counts(scene, count, samples.size(), counters);
 }
 
 }  // namespace ps::HWY_NAMESPACE
@@ -243,20 +303,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps {
 
-TracePackets packet_function(Simd simd) {
+PacketFunctions packet_functions(Simd simd) {
 #if HWY_ARCH_X86
   const std::int64_t have = hwy::SupportedTargets();
   const auto may_use = [&](Simd target, std::int64_t bit) {
     return (have & bit) != 0 && (simd == Simd::automatic || static_cast<int>(simd) >= static_cast<int>(target));
   };
-  if (simd == Simd::off) return nullptr;
-  if (may_use(Simd::avx512, HWY_AVX3)) return N_AVX3::trace_packets;
-  if (may_use(Simd::avx2, HWY_AVX2)) return N_AVX2::trace_packets;
-  if (may_use(Simd::sse4, HWY_SSE4)) return N_SSE4::trace_packets;
+  if (simd == Simd::off) return {};
+  if (may_use(Simd::avx512, HWY_AVX3)) return {N_AVX3::trace_packets, N_AVX3::trace_samples};
+  if (may_use(Simd::avx2, HWY_AVX2)) return {N_AVX2::trace_packets, N_AVX2::trace_samples};
+  if (may_use(Simd::sse4, HWY_SSE4)) return {N_SSE4::trace_packets, N_SSE4::trace_samples};
 #else
   static_cast<void>(simd);
 #endif
-  return nullptr;
+  return {};
 }
 
 }  // namespace ps

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/counters.h"
@@ -42,8 +43,29 @@ std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const 
 
 using TracePackets = void (*)(const PacketScene& scene, const TileRect& tile, Frame& frame, Counters& counters);
 
-/// The function for this setting on this processor; nullptr means the clear path. A target that the processor lacks
+/// A ray through any point of a pixel: offset from its top-left corner.
+struct PacketSample {
+  int column = 0, row = 0;
+  float offset_x = 0.5f, offset_y = 0.5f;
+};
+
+/// What such a ray brought back.
+struct PacketResult {
+  Vec3f colour{0};
+  float t = 0;
+  int sphere = -1;  ///< index into PacketScene::spheres; -1 = background
+};
+
+using TraceSamples = void (*)(const PacketScene& scene, std::span<const PacketSample> samples,
+                              std::span<PacketResult> results, Counters& counters);
+
+struct PacketFunctions {
+  TracePackets tile = nullptr;  ///< each pixel of a tile one ray through its sample position
+  TraceSamples samples = nullptr;
+};
+
+/// The functions for this setting on this processor; nullptr means the clear path. A target that the processor lacks
 /// gives the best one below it.
-TracePackets packet_function(Simd simd);
+PacketFunctions packet_functions(Simd simd);
 
 }  // namespace ps

@@ -1,5 +1,6 @@
 #include "base/timer.h"
 #include "raytrace/packet.h"
+#include "raytrace/sampling/packet_many.h"
 #include "raytrace/sampling/subdivide.h"
 #include "raytrace/sampling/tile_rays.h"
 #include "raytrace/store_pixel.h"
@@ -23,9 +24,10 @@ class PictureTracer {
     if (has(request.channels, Channel::tests)) inputs_.wide.reset();  // a picture of the tests that inspection lists
     if (plan_.mode == SamplingMode::adaptive) request_.channels = request_.channels | Channel::ids;
     if constexpr (std::is_same_v<Real, float>) {
-      packets_ = packet_function(settings.simd);
-      if (packets_ && (plan_.mode == SamplingMode::one || plan_.mode == SamplingMode::adaptive))
-        scene_ = packet_scene(inputs_, request_);
+      packets_ = packet_functions(settings.simd);
+      RenderRequest traced = request_;  // sample counts are stored here
+      traced.channels = without(request_.channels, Channel::samples);
+      if (packets_.tile && plan_.mode != SamplingMode::subsampling) scene_ = packet_scene(inputs_, traced);
     }
     frame_ = empty_frame<Real>(view, request_);
   }
@@ -39,8 +41,10 @@ class PictureTracer {
       const TileRect& tile = tiles_[index];
       const TileRect part = common_part(tile, wanted);
       if (is_empty(part)) return false;
-      if (scene_)
-        packets_(*scene_, part, frame_, counters);
+      if (scene_ && plan_.mode == SamplingMode::many)
+        trace_fast(pixels_of(part), counters);
+      else if (scene_)
+        packets_.tile(*scene_, part, frame_, counters);
       else
         trace_part(tile, part, counters);
       store_sample_counts(part);
@@ -83,6 +87,19 @@ class PictureTracer {
     counters = recorder.counters;
   }
 
+  static std::vector<Vec2i> pixels_of(const TileRect& part) {
+    std::vector<Vec2i> pixels;
+    for (int y = part.y0; y < part.y1; ++y)
+      for (int x = part.x0; x < part.x1; ++x) pixels.push_back({x, y});
+    return pixels;
+  }
+
+  /// The fast path for several samples of each of these pixels.
+  void trace_fast(const std::vector<Vec2i>& pixels, Counters& counters) {
+    trace_many_packets(*scene_, packets_.samples, plan_, pixels, frame_, counters);
+    counters[Counter::pixels_written] += pixels.size();
+  }
+
   void store_sample_counts(const TileRect& part) {
     if (frame_.samples.empty()) return;
     const bool many = plan_.mode == SamplingMode::many;
@@ -99,30 +116,38 @@ class PictureTracer {
     many.mode = SamplingMode::many;
     std::vector<std::uint64_t> nan_before(tiles_.size());
     for_each_tile([&](std::size_t index, Counters& counters) {
-      const TileRect part = common_part(tiles_[index], region_);
-      CountingRecorder recorder;
-      const TileRays<Real, CountingRecorder> rays(inputs_, many, tiles_[index], recorder);
-      for (int y = part.y0; y < part.y1; ++y)
-        for (int x = part.x0; x < part.x1; ++x)
-          if (chosen.at(x, y) != 0) subdivide_pixel(rays, {x, y}, recorder, nan_before[index]);
-      counters = recorder.counters;
-      return counters[Counter::pixels_subdivided] > 0;
+      std::vector<Vec2i> pixels;
+      for (const Vec2i& pixel : pixels_of(common_part(tiles_[index], region_)))
+        if (chosen.at(pixel.x, pixel.y) != 0) pixels.push_back(pixel);
+      for (const Vec2i& pixel : pixels) {
+        nan_before[index] += has_nan(frame_.colour.at(pixel.x, pixel.y)) ? 1 : 0;
+        if (!frame_.samples.empty()) frame_.samples.at(pixel.x, pixel.y) = static_cast<std::uint32_t>(plan_.samples);
+      }
+      if (scene_)
+        trace_many_packets(*scene_, packets_.samples, plan_, pixels, frame_, counters);
+      else
+        subdivide_tile(many, tiles_[index], pixels, counters);
+      counters[Counter::pixels_subdivided] += pixels.size();
+      return !pixels.empty();
     });
     for (const std::uint64_t nan : nan_before) frame_.counters[Counter::nan_pixels] -= nan;
   }
 
-  void subdivide_pixel(const TileRays<Real, CountingRecorder>& rays, Vec2i pixel, CountingRecorder& recorder,
-                       std::uint64_t& nan_before) {
-    const auto [x, y] = std::pair{pixel.x, pixel.y};
-    const Vec3f& first = frame_.colour.at(x, y);
-    if (std::isnan(first.x) || std::isnan(first.y) || std::isnan(first.z)) ++nan_before;
-    const std::uint64_t before = primitive_tests(recorder.counters);
-    if (store_pixel(rays.pixel(x, y), inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
-    if (!frame_.tests.empty())
-      frame_.tests.at(x, y) += static_cast<std::uint32_t>(primitive_tests(recorder.counters) - before);
-    if (!frame_.samples.empty()) frame_.samples.at(x, y) = static_cast<std::uint32_t>(plan_.samples);
-    recorder.count(Counter::pixels_subdivided);
+  void subdivide_tile(const SamplingPlan& many, const TileRect& tile, const std::vector<Vec2i>& pixels,
+                      Counters& counters) {
+    CountingRecorder recorder;
+    const TileRays<Real, CountingRecorder> rays(inputs_, many, tile, recorder);
+    for (const Vec2i& pixel : pixels) {
+      const int x = pixel.x, y = pixel.y;
+      const std::uint64_t before = primitive_tests(recorder.counters);
+      if (store_pixel(rays.pixel(x, y), inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
+      if (!frame_.tests.empty())
+        frame_.tests.at(x, y) += static_cast<std::uint32_t>(primitive_tests(recorder.counters) - before);
+    }
+    counters = recorder.counters;
   }
+
+  static bool has_nan(const Vec3f& c) { return std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z); }
 
   RenderRequest request_;
   bool ids_asked_;
@@ -132,7 +157,7 @@ class PictureTracer {
   TraceInputs<Real> inputs_;
   std::vector<TileRect> tiles_;
   TileRect region_;
-  TracePackets packets_ = nullptr;
+  PacketFunctions packets_;
   std::optional<PacketScene> scene_;
   Frame frame_;
 };

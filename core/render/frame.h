@@ -32,6 +32,9 @@ enum class Channel : std::uint32_t {
 constexpr Channel operator|(Channel a, Channel b) {
   return static_cast<Channel>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
 }
+constexpr Channel without(Channel set, Channel one) {
+  return static_cast<Channel>(static_cast<std::uint32_t>(set) & ~static_cast<std::uint32_t>(one));
+}
 inline bool has(Channel set, Channel one) {
   return (static_cast<std::uint32_t>(set) & static_cast<std::uint32_t>(one)) != 0;
 }

@@ -146,4 +146,22 @@ TEST(Packets, WhatTheyDoNotCoverIsLeftToTheClearPath) {
   }
 }
 
+TEST(FastPath, SeveralSamplesForEachPixel) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const View view{scene.camera, 61, 43};
+  for (const SamplePattern pattern :
+       {SamplePattern::grid, SamplePattern::jitter, SamplePattern::random, SamplePattern::halton, SamplePattern::r2})
+    for (const int count : {1, 3, 16, 300})
+      for (const bool adaptive : {false, true}) {
+        SCOPED_TRACE(count);
+        Settings settings;
+        settings.samples_per_pixel = count;
+        settings.sample_pattern = pattern;
+        settings.adaptive_sampling = adaptive;
+        settings.sample_position = adaptive ? SamplePosition::corner : SamplePosition::centre;
+        ASSERT_TRUE(takes_the_fast_path(scene, view, settings));
+        expect_same_on_all_targets(scene, view, settings);
+      }
+}
+
 }  // namespace

@@ -1,27 +1,10 @@
 #pragma once
-#include <limits>
-
+#include "raytrace/sampling/middle_sample.h"
 #include "raytrace/sampling/pattern.h"
 #include "raytrace/sampling/plan.h"
 #include "raytrace/tracer.h"
 
 namespace ps {
-
-/// Finds the sample nearest to the middle of its pixel (ties: the first): it stands for the pixel in channels that
-/// cannot be averaged, such as ids.
-class MiddleSample {
- public:
-  bool is_nearer(const Vec2d& offset, const Vec2d& middle) {
-    const Vec2d away = offset - middle;
-    const double distance = dot(away, away);
-    if (!(distance < nearest_)) return false;
-    nearest_ = distance;
-    return true;
-  }
-
- private:
-  double nearest_ = std::numeric_limits<double>::infinity();
-};
 
 /// How many samples of an inspected pixel tell their whole story; of the others only place, weight and colour are kept.
 inline constexpr int most_sample_stories = 16;
