@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <optional>
 #include <random>
 
 #include "accel/triangle_box.h"
 #include "raytrace/intersector.h"
+#include "render/render.h"
+#include "scene/scene_file.h"
 #include "support/closed_sphere.h"
 
 namespace {
@@ -261,6 +264,49 @@ TEST(Accelerators, TheTreeDoesNotDependOnThreads) {
     if (node.count == 0)
       for (std::uint32_t k = 0; k < 2; ++k) content.include(one.nodes[node.first + k].box);
     ASSERT_TRUE(content.low == node.box.low && content.high == node.box.high);
+  }
+}
+
+// A plane in the tree would stand in every cell and make the box of everything endless.
+TEST(Accelerators, PlanesStandOutsideOfEveryTree) {
+  const std::string balls = [] {
+    std::string text = "viewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = black\n";
+    for (int x = 0; x < 6; ++x)
+      for (int z = 0; z < 6; ++z)
+        text += "sphere { center = (" + std::to_string(x - 2.5) + ", 0, " + std::to_string(z + 4) +
+                ") radius = 0.3 color = white }\n";
+    return text + "light { type = point  intensity = 1  position = (0, 5, 2) }\n";
+  }();
+  const std::string plane = "plane { point = (0, -1, 0)  normal = (0, 1, 0)  color = white }\n";
+  const Scene without = parse_scene(balls, "balls.scene", "."), with = parse_scene(plane + balls, "both.scene", ".");
+  Prepared prepared;
+  Progress progress;
+  const View view{with.camera, 60, 40};
+  std::optional<Frame> brute;
+  for (const Accelerator accelerator :
+       {Accelerator::none, Accelerator::bvh, Accelerator::octree, Accelerator::box, Accelerator::bounding_spheres}) {
+    SCOPED_TRACE(static_cast<int>(accelerator));
+    Settings settings;
+    settings.accelerator = accelerator;
+    settings.octree_leaf = 2;
+    const Frame frame = render(with, view, settings, {}, prepared, progress);
+    if (!brute) brute = frame;
+    EXPECT_EQ(
+        std::memcmp(brute->colour.pixels().data(), frame.colour.pixels().data(), frame.colour.pixels().size_bytes()),
+        0);
+    const TraceInputs<float> a = make_trace_inputs<float>(without, view, settings, prepared);
+    const TraceInputs<float> b = make_trace_inputs<float>(with, view, settings, prepared);
+    EXPECT_EQ(b.geometry->unbounded, std::vector<std::uint32_t>{0});
+    if (accelerator == Accelerator::octree) {
+      ASSERT_EQ(a.simple.octree->nodes.size(), b.simple.octree->nodes.size());
+      EXPECT_EQ(a.simple.octree->entries.size(), b.simple.octree->entries.size());
+      for (const std::uint32_t entry : b.simple.octree->entries) EXPECT_GE(entry, 1u);
+      EXPECT_TRUE(a.simple.octree->nodes[0].box.high == b.simple.octree->nodes[0].box.high);
+      EXPECT_LT(frame.counters[Counter::sphere_tests], brute->counters[Counter::sphere_tests] / 3);
+    }
+    if (accelerator == Accelerator::bvh) {
+      EXPECT_EQ(a.bvh->nodes.size(), b.bvh->nodes.size());
+    }
   }
 }
 

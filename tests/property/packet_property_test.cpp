@@ -146,7 +146,7 @@ TEST(Packets, WhatTheyDoNotCoverIsLeftToTheClearPath) {
   }
 }
 
-TEST(FastPath, SeveralSamplesForEachPixel) {
+TEST(Packets, SeveralSamplesForEachPixel) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, 61, 43};
   for (const SamplePattern pattern :
