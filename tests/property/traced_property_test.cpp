@@ -19,7 +19,7 @@ namespace {
 using namespace ps;
 using ps::test::random_scene;
 
-constexpr Channel all_channels = static_cast<Channel>((1u << 10) - 1);
+constexpr Channel all_channels = static_cast<Channel>((1u << 12) - 1);
 
 Frame traced(const Scene& scene, const Settings& settings, RenderRequest request = {}, int width = 97,
              int height = 61) {
@@ -49,6 +49,8 @@ void expect_same(const Frame& a, const Frame& b, Tests tests) {
   EXPECT_TRUE(same_bits(a.overdraw, b.overdraw));
   EXPECT_TRUE(same_bits(a.mip, b.mip));
   EXPECT_TRUE(same_bits(a.shadow, b.shadow));
+  EXPECT_TRUE(same_bits(a.samples, b.samples));
+  EXPECT_TRUE(same_bits(a.direction, b.direction));
   if (tests == Tests::ignore) return;
   EXPECT_TRUE(same_bits(a.tests, b.tests));
   EXPECT_EQ(a.counters, b.counters);
@@ -113,7 +115,7 @@ TEST(TracedProperty, EveryAcceleratorGivesThePictureOfNone) {
   }
 }
 
-TEST(TracedProperty, ShadowCacheAndCachedConstantsChangeNothingButTheWork) {
+TEST(TracedProperty, ShadowCacheCachedConstantsAndAnyHitChangeNothingButTheWork) {
   bool work_changed = false;
   for (unsigned seed = 16; seed <= 19; ++seed) {
     SCOPED_TRACE(seed);
@@ -127,6 +129,9 @@ TEST(TracedProperty, ShadowCacheAndCachedConstantsChangeNothingButTheWork) {
       settings.shadow_cache = false;
       settings.cache_constants = false;
       expect_same(traced(scene, settings), plain, Tests::compare);
+      settings.cache_constants = true;
+      settings.shadow_any_hit = false;
+      expect_same(traced(scene, settings), plain, Tests::ignore);
     }
   }
   EXPECT_TRUE(work_changed);
