@@ -140,6 +140,10 @@ void App::close_on_escape() {
     return;
   }
   pictures_.fly = false;
+  if (session_.region()) {
+    session_.set_region({});
+    return;
+  }
   if (!filling_.empty()) {
     filling_.clear();
     return;

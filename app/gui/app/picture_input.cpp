@@ -34,6 +34,7 @@ void zoom_by_wheel(Session& session, PicturesState& state, const Area& area) {
 PictureDrag drag_of_button(const ImGuiIO& io, std::optional<float> split_at) {
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return PictureDrag::look;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Middle)) return PictureDrag::pan;
+  if (io.KeyShift) return PictureDrag::region;
   if (io.KeyAlt) return PictureDrag::orbit;
   if (io.KeyCtrl) return PictureDrag::look;
   if (split_at && std::abs(io.MousePos.x - *split_at) <= px(divider_reach)) return PictureDrag::divider;
@@ -85,6 +86,9 @@ void drag(Session& session, PicturesState& state, Side side, const Area& area) {
     if (by.x != 0 || by.y != 0)
       store(session, panned(state.transform, by, state.pictures[0].size()), state.pictures[0].size());
     return;
+  case PictureDrag::region:
+    drag_region(session, state, area);
+    return;
   case PictureDrag::look:
   case PictureDrag::orbit:
     if (by.x != 0 || by.y != 0) turn_by_drag(session, state.drag, by);
@@ -97,6 +101,17 @@ void drag(Session& session, PicturesState& state, Side side, const Area& area) {
     return;
   }
   }
+}
+
+/// Shift and the left button: the rectangle between where the drag began and where it is becomes all that is rendered.
+void drag_region(Session& session, const PicturesState& state, const Area& area) {
+  const ImVec2 to = ImGui::GetIO().MousePos;
+  if (std::hypot(to.x - state.drag_from.x, to.y - state.drag_from.y) <= px(click_slack)) return;
+  const Vec2i size = state.pictures[0].size();
+  const Vec2i a = state.transform.pixel_at(state.drag_from, area), b = state.transform.pixel_at(to, area);
+  const TileRect region{std::max(std::min(a.x, b.x), 0), std::max(std::min(a.y, b.y), 0),
+                        std::min(std::max(a.x, b.x) + 1, size.x), std::min(std::max(a.y, b.y) + 1, size.y)};
+  if (region.x0 < region.x1 && region.y0 < region.y1) session.set_region(region);
 }
 
 bool key_down(const char* key) { return ImGui::IsKeyDown(parse_chord(key).scancode); }

@@ -105,6 +105,12 @@ void draw_picture(ImDrawList& list, const ShownPicture& picture, const PictureTr
     draw_grid(list, pixels, transform, area);
     if (transform.zoom >= px(numbers_from)) draw_numbers(list, picture, pixels, transform, area, style);
   }
+  if (style.region) {
+    const ImVec2 low = transform.to_window({style.region->x0, style.region->y0}, area);
+    const ImVec2 high = transform.to_window({style.region->x1, style.region->y1}, area);
+    list.AddRect({low.x - px(1), low.y - px(1)}, {high.x + px(1), high.y + px(1)}, black, 0, 0, px(3));
+    list.AddRect({low.x - px(1), low.y - px(1)}, {high.x + px(1), high.y + px(1)}, white, 0, 0, px(1));
+  }
   if (style.marked)
     draw_mark(list, transform.to_window({style.marked->x, style.marked->y}, area),
               transform.to_window({style.marked->x + 1, style.marked->y + 1}, area));

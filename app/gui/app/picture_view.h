@@ -25,6 +25,7 @@ struct PictureStyle {
   bool grid = true;                           ///< lines between pixels, and numbers in them, once they are large
   std::function<std::string(Vec2i)> text_at;  ///< what to write into a large pixel; empty = its display levels
   std::optional<Vec2i> marked;                ///< the picked pixel
+  std::optional<TileRect> region;             ///< the only pixels that are rendered
 };
 
 /// Draws a picture into an area of the window, and nothing outside it.

@@ -145,6 +145,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     PictureStyle style;
     style.grid = state.grid;
     style.marked = session.pixel();
+    style.region = session.region();
     const ShownChannel channel = session.shown(which);
     const auto result = session.renderer(which).result();
     if (channel != ShownChannel::colour && result &&
@@ -246,6 +247,7 @@ void difference_view(Session& session, PicturesState& state, const Area& row, co
   PictureStyle style;
   style.grid = state.grid;
   style.marked = session.pixel();
+  style.region = session.region();
   draw_picture(list, state.flip ? state.pictures[1] : state.difference, state.transform, area, style);
   if (state.identical && !session.busy()) draw_notice(list, area, "A and B are identical.");
 }

@@ -20,7 +20,7 @@ struct Hover {
 constexpr double divider_reach = 10;  ///< pixels to both sides of the split's divider that take hold of it, at scale 1
 
 /// What dragging in a picture does until the button is released.
-enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle };
+enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle, region };
 
 /// What the pictures remember of themselves. The document holds the rest.
 struct PicturesState {

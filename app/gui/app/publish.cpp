@@ -111,6 +111,9 @@ void App::publish() {
   out.publish("identical", pictures_.hashes[0] == pictures_.hashes[1]);
   const auto picked = session_.pixel();
   out.publish("pixel", picked ? fmt::format("{},{}", picked->x, picked->y) : "none");
+  const auto& region = session_.region();
+  out.publish("region",
+              region ? fmt::format("{},{},{},{}", region->x0, region->y0, region->width(), region->height()) : "all");
   out.publish("picked", std::string(1, letter_of(document.picked)));
   out.publish("permalink", session_.permalink());
   out.publish("undo", session_.undo_label());

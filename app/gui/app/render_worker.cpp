@@ -45,7 +45,8 @@ bool same_render(const PictureRequest& a, const PictureRequest& b) {
   const Scene &s = a.scene, &t = b.scene;
   if (s.geometry.revision() != t.geometry.revision() || s.lights.revision() != t.lights.revision() ||
       s.materials.revision() != t.materials.revision() || s.textures.revision() != t.textures.revision() ||
-      s.canvas_items.revision() != t.canvas_items.revision() || s.background != t.background || !(a.view == b.view))
+      s.canvas_items.revision() != t.canvas_items.revision() || s.background != t.background || !(a.view == b.view) ||
+      a.region != b.region)
     return false;
   if (a.settings == b.settings) return true;
   return std::all_of(option_table().begin(), option_table().end(), [&](const Option& option) {
@@ -171,6 +172,10 @@ void RenderWorker::render_coarse(const Run& run, Progress& progress) {
   RenderRequest options;
   options.channels = shown_channel(run.request.shown).needs;
   options.priority = WorkerPriority::background;
+  if (const auto& region = run.request.region) {
+    const int d = run.coarse_divisor;
+    options.region = TileRect{region->x0 / d, region->y0 / d, (region->x1 + d - 1) / d, (region->y1 + d - 1) / d};
+  }
   options.on_tile = tile_publisher(run, run.coarse_divisor);
   const Frame frame = render_(run.request.scene, view, run.request.settings, options, *prepared_, progress);
   if (const auto request = wanted(run.generation); request && request->shown != ShownChannel::colour) {
@@ -190,6 +195,7 @@ void RenderWorker::render_full(const Run& run, Progress& progress) {
   RenderRequest options;
   options.channels = run.channels;
   options.priority = WorkerPriority::background;
+  options.region = run.request.region;
   options.on_tile = tile_publisher(run, 1);
   const Timer timer;
   const auto result = std::make_shared<RenderResult>();

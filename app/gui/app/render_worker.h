@@ -27,7 +27,8 @@ struct PictureRequest {
   View view;
   Settings settings;
   ShownChannel shown = ShownChannel::colour;
-  std::optional<ValueRange> range;  ///< of a heat map; absent = the frame's own
+  std::optional<ValueRange> range;   ///< of a heat map; absent = the frame's own
+  std::optional<TileRect> region{};  ///< the only pixels that are wanted; absent = all
 };
 
 enum class RenderState { idle, coarse, full, done, cancelled, failed };

@@ -204,6 +204,7 @@ bool Session::take_loaded() {
 void Session::take_up(Document document, Reason reason) {
   switch (reason) {
   case Reason::open:
+    region_.reset();
     if (has_scene()) {
       document.layout = document_.layout;
     }
@@ -237,7 +238,7 @@ void Session::document_changed() {
 void Session::request_work() {
   const auto range = common_range();
   for (const Side side : both_sides) {
-    PictureRequest request{document_.scene, view(), settings(side), shown(side), range};
+    PictureRequest request{document_.scene, view(), settings(side), shown(side), range, region_};
     if (const auto picked = pixel())
       inspectors_[index_of(side)]->request({request, *picked});
     else

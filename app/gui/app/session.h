@@ -76,6 +76,9 @@ class Session {
   /// Moves around without leaving a step: zoom, compare mode, layout, the picked pixel. Undo keeps these as they are.
   void navigate(const std::function<void(Document&)>& apply);
   void set_pixel(std::optional<Vec2i> pixel);
+  /// Only these pixels are rendered (CGPP 15.4.4); absent = all. A new scene shows all again.
+  void set_region(std::optional<TileRect> region) { region_ = region; }
+  const std::optional<TileRect>& region() const { return region_; }
   bool can_undo() const { return history_ && history_->can_undo(); }
   bool can_redo() const { return history_ && history_->can_redo(); }
   /// What undo and redo would take back or do again.
@@ -128,6 +131,7 @@ class Session {
   std::string watched_;                                        // name of the scene whose files are watched
   std::array<std::shared_ptr<const RenderResult>, 2> ranged_;  // results that range_ was made from
   std::optional<ValueRange> range_;
+  std::optional<TileRect> region_;
   std::vector<Message> messages_;
   std::vector<std::string> recent_;
 
