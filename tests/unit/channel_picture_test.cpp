@@ -29,6 +29,8 @@ ps::Frame three_pixels() {
   frame.tests = Image<std::uint32_t>(3, 1, 12);
   frame.mip = Image<float>(3, 1, -1);
   frame.shadow = Image<std::uint32_t>(3, 1);
+  frame.samples = Image<std::uint32_t>(3, 1, 1);
+  frame.direction = Image<Vec3f>(3, 1, Vec3f(0, 0, 1));
   frame.depth.at(1, 0) = 2;
   frame.depth.at(2, 0) = 6;
   frame.normal.at(1, 0) = {1, 0, 0};
@@ -115,6 +117,7 @@ TEST(ChannelPicture, DirectionsWeightsAndIdsHaveTheirColours) {
   EXPECT_EQ(shown(ShownChannel::normal, 0), black);
   EXPECT_EQ(shown(ShownChannel::normal, 1), (Rgb8{255, 128, 128}));
   EXPECT_EQ(shown(ShownChannel::normal, 2), (Rgb8{128, 128, 0}));
+  EXPECT_EQ(shown(ShownChannel::direction, 0), (Rgb8{128, 128, 255}));
   EXPECT_EQ(shown(ShownChannel::barycentric, 1), (Rgb8{255, 0, 0}));
   EXPECT_EQ(shown(ShownChannel::uv, 1), (Rgb8{64, 191, 0}));
   EXPECT_EQ(shown(ShownChannel::object, 1), ps::id_colour(0));
@@ -148,6 +151,8 @@ TEST(ChannelPicture, ValuesReadAsText) {
   EXPECT_EQ(text(ShownChannel::shadow, 1), "lit");
   EXPECT_EQ(text(ShownChannel::shadow, 2), "blocked: light 1, 2");
   EXPECT_EQ(text(ShownChannel::tests, 0), "12");
+  EXPECT_EQ(text(ShownChannel::samples, 0), "1");
+  EXPECT_EQ(text(ShownChannel::direction, 0), "(0, 0, 1)");
   EXPECT_EQ(text(ShownChannel::mip, 0), "no texture");
   EXPECT_EQ(text(ShownChannel::mip, 1), "level 2.5");
 }

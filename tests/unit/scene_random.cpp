@@ -145,6 +145,7 @@ Scene random_scene(std::mt19937_64& random) {
         sphere.material = static_cast<std::uint32_t>(materials.size());
         materials.push_back(random_material(dice, object.name));
         if (dice.coin()) materials.back().texture = 0;
+        if (dice.coin()) materials.back().normal_map = 0;
       }
       object.shape = sphere;
     } else {
