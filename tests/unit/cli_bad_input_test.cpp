@@ -74,6 +74,9 @@ TEST(CliBadInput, RenderArguments) {
   refused({"--set", "shadow-epsilon=nan"}, "shadow-epsilon");
   refused({"--set", "renderer"}, "KEY=VALUE");
   refused({"--show", "nothing"}, "nothing");
+  refused({"--size", "8x8", "--region", "8,0,1,1"}, "--region");
+  refused({"--size", "8x8", "--region", "0,0,0,1"}, "--region");
+  refused({"--size", "8x8", "--region", "0,0,1"}, "--region");
   refused({"--camera", "1,2,3"}, "camera");
   refused({"--edit", "light"}, "PATH=VALUE");
   refused({"--edit", "light.7.intensity=1"}, "light.7");

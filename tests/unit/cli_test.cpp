@@ -79,6 +79,35 @@ TEST(Cli, OptionsListsTheWholeTable) {
     EXPECT_NE(text.out.find(fmt::format("  {} ", option.key)), std::string::npos) << option.key;
 }
 
+TEST(Cli, ARegionAloneAndEveryView) {
+  const ScratchFolder folder;
+  const auto picture = [&](std::vector<std::string> more) {
+    const std::string out = folder.file("picture.png");
+    std::vector<std::string> arguments{"render", "cgfs/reflections", "--size", "60x40", "--out", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto result = run_cli(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return load_levels(out);
+  };
+  const Image<Rgb8> all = picture({}), part = picture({"--region", "20,10,15,12"});
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 60; ++x) {
+      const bool inside = x >= 20 && x < 35 && y >= 10 && y < 22;
+      ASSERT_EQ(part.at(x, y), inside ? all.at(x, y) : (Rgb8{0, 0, 0})) << x << " " << y;
+    }
+  for (const char* show : {"direction", "hit", "samples", "nan"})
+    EXPECT_EQ(picture({"--show", show, "--set", "samples-per-pixel=4", "--set", "adaptive-sampling=on"}).width(), 60);
+  EXPECT_EQ(picture({"--show", "hit"}).at(30, 30), (Rgb8{255, 255, 255}));
+}
+
+TEST(Cli, InspectShowsWhatRenderStoresForSeveralRays) {
+  expect_inspect_equals_render("cgfs/reflections", {"samples-per-pixel=9", "sample-pattern=jitter"});
+  expect_inspect_equals_render("cgfs/fence", {"samples-per-pixel=64", "adaptive-sampling=on"});
+  expect_inspect_equals_render("cgfs/fence", {"subsampling=8"});
+  expect_inspect_equals_render("cgfs/brick-wall", {});
+  expect_inspect_equals_render("cgfs/brick-wall", {"renderer=rasterizer"});
+}
+
 TEST(Cli, PicturesHoldTheirPermalink) {
   const ScratchFolder folder;
   const std::string out = folder.file("picture.png");
