@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "image/file.h"
+#include "image/height_map.h"
 #include "scene/scene_draft.h"
 #include "scene/texture_generator.h"
 
@@ -84,7 +85,7 @@ void read_material(const SceneSource& source, const SceneEntry& entry, SceneDraf
 
 void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneValues& values = source.values;
-  const SceneFields fields(values, entry, {"name", "file", "generator", "size"});
+  const SceneFields fields(values, entry, {"name", "file", "heights", "generator", "size"});
   const SceneTerm& name = fields.require("name");
   require_new_name(source, name, draft.texture_index, "texture");
   Texture texture;
@@ -94,8 +95,14 @@ void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft
     const auto path = (source.folder / values.name(*file, "a file name")).lexically_normal();
     texture.path = path.string();
     draft.scene.files.push_back(texture.path);
-    texture.texels = std::make_shared<const Image<Vec3f>>(load_image(path));
+    Image<Vec3f> texels = load_image(path);
+    if (const SceneTerm* heights = fields.find("heights")) {
+      texture.generator = heights_generator(values.positive(*heights));
+      texels = normals_from_heights(texels, values.positive(*heights));
+    }
+    texture.texels = std::make_shared<const Image<Vec3f>>(std::move(texels));
   } else {
+    fields.forbid({"heights"}, "a 'file' beside 'heights'");
     const SceneTerm& generator = fields.require("generator");
     texture.generator = values.name(generator);
     const auto known = texture_generators();

@@ -124,6 +124,8 @@ class SceneWriter {
     line("\ntexture {{\n    name = {}", scene_name(textures_[index]));
     if (!texture.path.empty()) {
       line("    file = {}", file_name(texture.path));
+      if (const auto steepness = heights_steepness(texture.generator))
+        line("    heights = {}", scene_number(*steepness));
     } else if (!texture.generator.empty()) {
       line("    generator = {}\n    size = {}", texture.generator, texture.texels->width());
     } else {

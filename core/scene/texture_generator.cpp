@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/number_text.h"
 #include "base/spelling.h"
 
 namespace ps {
@@ -130,6 +131,15 @@ Image<Vec3f> generate_texture(std::string_view generator, int size) {
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) image.at(x, y) = found->texel(x, y, size);
   return image;
+}
+
+constexpr std::string_view heights_word = "heights ";
+
+std::string heights_generator(double steepness) { return fmt::format("{}{}", heights_word, steepness); }
+
+std::optional<double> heights_steepness(std::string_view generator) {
+  if (!generator.starts_with(heights_word)) return {};
+  return parse_number(generator.substr(heights_word.size()));
 }
 
 }  // namespace ps
