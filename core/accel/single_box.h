@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "accel/candidate_ray.h"
+#include "base/memory_size.h"
 #include "inspect/recorder.h"
 
 namespace ps {
@@ -12,6 +13,7 @@ template <class Real>
 struct SingleBox {
   Box<Real> box;
   std::vector<std::uint32_t> primitives;
+  std::size_t heap_bytes() const { return owned_bytes(primitives); }
 };
 
 /// The accelerator interface (accel/none.h).

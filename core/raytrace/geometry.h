@@ -90,7 +90,8 @@ struct TracedGeometry {
   Real reach = 0;                          ///< the largest absolute coordinate of any bounded primitive's box
 
   std::size_t heap_bytes() const {
-    return owned_bytes(primitives, spheres, triangles, attributes, forms, solids, solid_boxes, steps);
+    return owned_bytes(primitives, spheres, triangles, attributes, forms, solids, solid_boxes, steps, unbounded,
+                       bounded);
   }
 };
 

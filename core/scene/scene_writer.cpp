@@ -7,6 +7,7 @@
 #include "scene/free_names.h"
 #include "scene/rotation.h"
 #include "scene/scene_text.h"
+#include "scene/texture_generator.h"
 
 namespace ps {
 namespace {
