@@ -52,7 +52,9 @@ TEST(Region, ShowsTheSamePixelsAndNothingElse) {
           ASSERT_EQ(part.colour.at(x, y), inside ? all.colour.at(x, y) : Vec3f(0)) << x << " " << y;
           ASSERT_EQ(part.ids.at(x, y), inside ? all.ids.at(x, y) : PixelId{});
           ASSERT_EQ(part.samples.at(x, y), inside ? all.samples.at(x, y) : 0u);
-          if (!inside) ASSERT_TRUE(std::isinf(part.depth.at(x, y)));
+          if (!inside) {
+            ASSERT_TRUE(std::isinf(part.depth.at(x, y)));
+          }
         }
     }
 }

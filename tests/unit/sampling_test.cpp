@@ -123,7 +123,9 @@ TEST(Sampling, TheGridIsALargerPictureMadeSmaller) {
           ASSERT_EQ(expected, small.colour.at(x, y)) << n << " at " << x << " " << y;
       }
     // Thirds are rounded: a ray may end up on the other side of an edge, never more than one of nine.
-    if (n == 3) EXPECT_LT(worst, 0.12);
+    if (n == 3) {
+      EXPECT_LT(worst, 0.12);
+    }
   }
 }
 

@@ -56,6 +56,17 @@ void turn_by_drag(Session& session, PictureDrag drag, ImVec2 by) {
   }
 }
 
+/// Shift and the left button: the rectangle between where the drag began and where it is becomes all that is rendered.
+void drag_region(Session& session, const PicturesState& state, const Area& area) {
+  const ImVec2 to = ImGui::GetIO().MousePos;
+  if (std::hypot(to.x - state.drag_from.x, to.y - state.drag_from.y) <= px(click_slack)) return;
+  const Vec2i size = state.pictures[0].size();
+  const Vec2i a = state.transform.pixel_at(state.drag_from, area), b = state.transform.pixel_at(to, area);
+  const TileRect region{std::max(std::min(a.x, b.x), 0), std::max(std::min(a.y, b.y), 0),
+                        std::min(std::max(a.x, b.x) + 1, size.x), std::min(std::max(a.y, b.y) + 1, size.y)};
+  if (region.x0 < region.x1 && region.y0 < region.y1) session.set_region(region);
+}
+
 void drag(Session& session, PicturesState& state, Side side, const Area& area) {
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 by = io.MouseDelta;
@@ -101,17 +112,6 @@ void drag(Session& session, PicturesState& state, Side side, const Area& area) {
     return;
   }
   }
-}
-
-/// Shift and the left button: the rectangle between where the drag began and where it is becomes all that is rendered.
-void drag_region(Session& session, const PicturesState& state, const Area& area) {
-  const ImVec2 to = ImGui::GetIO().MousePos;
-  if (std::hypot(to.x - state.drag_from.x, to.y - state.drag_from.y) <= px(click_slack)) return;
-  const Vec2i size = state.pictures[0].size();
-  const Vec2i a = state.transform.pixel_at(state.drag_from, area), b = state.transform.pixel_at(to, area);
-  const TileRect region{std::max(std::min(a.x, b.x), 0), std::max(std::min(a.y, b.y), 0),
-                        std::min(std::max(a.x, b.x) + 1, size.x), std::min(std::max(a.y, b.y) + 1, size.y)};
-  if (region.x0 < region.x1 && region.y0 < region.y1) session.set_region(region);
 }
 
 bool key_down(const char* key) { return ImGui::IsKeyDown(parse_chord(key).scancode); }
