@@ -120,6 +120,42 @@ TEST(RenderWorker, CancellingKeepsWhatHasArrived) {
   ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; })) << "the same can be asked again";
 }
 
+TEST(RenderWorker, ARegionIsPassedOnAndRendersAnew) {
+  std::mutex mutex;
+  std::vector<std::pair<int, std::optional<TileRect>>> asked;  // width of the picture, and what is wanted of it
+  RenderWorker worker(
+      std::make_shared<Prepared>(), [] {},
+      [&](const Scene&, const View& view, const Settings&, const RenderRequest& request, Prepared&, Progress&) {
+        const std::lock_guard lock(mutex);
+        asked.emplace_back(view.width, request.region);
+        Frame frame;
+        frame.colour = Image<Vec3f>(view.width, view.height);
+        frame.ids = Image<PixelId>(view.width, view.height);
+        return frame;
+      });
+  auto request = request_with(64);
+  request.region = TileRect{3, 5, 20, 9};
+  worker.request(request);
+  ASSERT_TRUE(comes_true([&] { return worker.status().renders_done == 1; }));
+  request.region.reset();
+  worker.request(request);
+  ASSERT_TRUE(comes_true([&] { return worker.status().renders_done == 2; }));
+  const std::lock_guard lock(mutex);
+  int whole = 0, part = 0;
+  for (const auto& [width, region] : asked) {
+    if (!region) ++whole;
+    if (region && width == size) {
+      EXPECT_EQ(*region, (TileRect{3, 5, 20, 9}));
+      ++part;
+    }
+    if (region && width == size / 2) {
+      EXPECT_EQ(*region, (TileRect{1, 2, 10, 5})) << "the coarse picture's pixels that hold it";
+    }
+  }
+  EXPECT_EQ(part, 1);
+  EXPECT_GE(whole, 1);
+}
+
 TEST(RenderWorker, DisplayOptionsDoNotRenderAgain) {
   GatedRenderer renderer(true);
   RenderWorker worker(
