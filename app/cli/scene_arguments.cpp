@@ -1,5 +1,9 @@
 #include "cli/scene_arguments.h"
 
+#include <fmt/format.h>
+
+#include <cstdio>
+
 #include "base/check.h"
 #include "document/number_list.h"
 #include "options/option.h"
@@ -42,6 +46,7 @@ Document load_document(const SceneArguments& arguments) {
   for (const std::string& assignment : arguments.settings) parse_assignment(assignment, trial);
 
   Scene scene = load_scene(arguments.scene);
+  for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}\n", warning);
   const Settings start = settings_for(scene);
   Document document = open_document(arguments.scene, std::move(scene));
   for (const std::string& edit : arguments.edits) edit_scene(document, parse_edit(edit));

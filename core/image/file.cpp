@@ -16,6 +16,8 @@
 namespace ps {
 namespace {
 
+constexpr std::string_view known_extensions = "png, jpg, jpeg, tga, ppm, pgm, pnm or pfm";
+
 enum class Format { png, jpeg, tga, pnm, pfm };
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -41,14 +43,14 @@ std::optional<Format> format_of(const std::filesystem::path& path) {
 }
 
 /// A palette index beyond the palette shows as whatever lies there: two paddings then give two pictures.
-Image<Vec3f> decode_palette_png(const std::string& bytes, const std::string& file) {
+Image<Vec3f> decode_palette_png(std::string_view bytes, const std::string& file) {
   Image<Vec3f> image = stb_decode(png_with_padded_palette(bytes, 0), file);
   if (image != stb_decode(png_with_padded_palette(bytes, 255), file))
     throw InputError(fmt::format("{}: a pixel's palette index lies beyond the palette", file));
   return image;
 }
 
-Image<Vec3f> decode_png(const std::string& bytes, const std::string& file) {
+Image<Vec3f> decode_png(std::string_view bytes, const std::string& file) {
   const PngInfo info = check_png(bytes, file);
   if (info.palette_entries > 0 && info.palette_entries < 1 << info.bit_depth && info.colour_type == 3)
     return decode_palette_png(bytes, file);
@@ -58,10 +60,14 @@ Image<Vec3f> decode_png(const std::string& bytes, const std::string& file) {
 }  // namespace
 
 Image<Vec3f> load_image(const std::filesystem::path& path) {
-  const auto format = format_of(path);
-  if (!format) fail_extension(path, "png, jpg, jpeg, tga, ppm, pgm, pnm or pfm");
-  const std::string bytes = read_whole_file(path);
-  const std::string file = path.string();
+  if (!format_of(path)) fail_extension(path, known_extensions);
+  return decode_image(read_whole_file(path), path);
+}
+
+Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name) {
+  const auto format = format_of(name);
+  if (!format) fail_extension(name, known_extensions);
+  const std::string file = name.string();
   if (bytes.empty()) throw InputError(fmt::format("{}: the file is empty, expected a picture", file));
   switch (*format) {
   case Format::png:

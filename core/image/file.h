@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/image.h"
@@ -13,6 +14,9 @@ namespace ps {
 /// channels, alpha is dropped. Throws InputError, naming the file and what is wrong with it, for a missing, truncated
 /// or corrupt file, an unknown extension and a size outside 1..max_image_pixels.
 Image<Vec3f> load_image(const std::filesystem::path& path);
+
+/// The same for the bytes of a file at hand; the name gives the format and stands in messages.
+Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name);
 
 /// The same for a file of which only the 8-bit levels are wanted; out-of-range floats are clamped.
 Image<Rgb8> load_levels(const std::filesystem::path& path);

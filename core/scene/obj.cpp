@@ -10,6 +10,7 @@
 #include "scene/obj_material.h"
 #include "scene/polygon.h"
 #include "scene/scene_file.h"
+#include "scene/smooth_normals.h"
 
 namespace ps {
 namespace {
@@ -32,7 +33,7 @@ std::string trimmed(std::string_view text) {
 class ModelBuilder {
  public:
   ModelBuilder(ObjModel& model, const ObjSummary& summary, std::map<std::string, std::uint32_t> by_name)
-      : model_(model), by_name_(std::move(by_name)) {
+      : model_(model), smoothing_(summary.smoothing), by_name_(std::move(by_name)) {
     model.mesh.positions.reserve(summary.positions);
     model.mesh.normals.reserve(summary.normals);
     model.mesh.uvs.reserve(summary.uvs);
@@ -60,6 +61,7 @@ class ModelBuilder {
     PS_ASSERT(errors.empty(), "obj_check leaves tinyobjloader nothing to complain about");
     cut_polygons();
     drop_incomplete_normals();
+    if (!groups_.empty()) add_smooth_normals(model_.mesh, groups_);
   }
 
  private:
@@ -78,10 +80,21 @@ class ModelBuilder {
                           resolve(corners[i].texcoord_index, model_.mesh.uvs.size())});
     }
     if (!slot_) use_material({});
-    if (count == 3) return add(0, 1, 2);
-    // Vertices may follow later in the file, so the shape of a polygon is known only at its end.
-    polygons_.push_back({model_.mesh.triangles.size(), corners_.size()});
-    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) add(0, i, i + 1);
+    if (count == 3) {
+      add(0, 1, 2);
+    } else {
+      // Vertices may follow later in the file, so the shape of a polygon is known only at its end.
+      polygons_.push_back({model_.mesh.triangles.size(), corners_.size()});
+      for (std::size_t i = 1; i + 1 < corners_.size(); ++i) add(0, i, i + 1);
+    }
+    if (!smoothing_.empty()) groups_.resize(model_.mesh.triangles.size(), smoothing_group());
+    ++faces_;
+  }
+
+  /// Of the face that is being read.
+  std::uint32_t smoothing_group() {
+    while (next_change_ < smoothing_.size() && smoothing_[next_change_].first_face <= faces_) ++next_change_;
+    return next_change_ == 0 ? 0 : smoothing_[next_change_ - 1].group;
   }
 
   void add(std::size_t a, std::size_t b, std::size_t c) {
@@ -158,6 +171,10 @@ class ModelBuilder {
     std::size_t first_triangle, corners;
   };
   ObjModel& model_;
+  const std::vector<SmoothingChange>& smoothing_;
+  std::size_t next_change_ = 0;
+  std::size_t faces_ = 0;
+  std::vector<std::uint32_t> groups_;  ///< smoothing group of each triangle; empty if there is none
   std::map<std::string, std::uint32_t> by_name_;
   std::map<std::string, std::uint32_t> slots_;
   std::optional<std::uint32_t> slot_;
@@ -167,11 +184,13 @@ class ModelBuilder {
 
 }  // namespace
 
-ObjModel load_obj(const fs::path& path) {
+ObjModel load_obj(const fs::path& path) { return parse_obj(read_text_file(path, max_obj_bytes), path); }
+
+ObjModel parse_obj(std::string text, const fs::path& path) {
   ObjModel model;
-  std::string text = read_text_file(path, max_obj_bytes);
   const ObjSummary summary = check_obj(text, path.string());
   model.files.push_back(path.string());
+  model.warnings = summary.notes;
   auto by_name = load_obj_materials(path, summary.material_files, model);
   for (const ObjReference& used : summary.used_materials) {
     if (by_name.count(used.name) > 0) continue;

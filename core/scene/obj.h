@@ -12,15 +12,20 @@ struct ObjModel {
   Mesh mesh;  ///< Mesh::materials point into `materials`
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  std::vector<std::string> files;     ///< the OBJ file, its material files, its textures
-  std::vector<std::string> warnings;  ///< materials and textures that could not be found; the model comes without them
+  std::vector<std::string> files;  ///< the OBJ file, its material files, its textures
+  /// Materials and textures that could not be found, and what the files hold that nothing draws, with file and line.
+  std::vector<std::string> warnings;
 };
 
 /// Reads a Wavefront OBJ file with its MTL files and textures through tinyobjloader, after obj_check has read the text.
 /// Faces with more than three corners are cut into triangles. Texture coordinates are turned over, since OBJ counts v
-/// from the bottom and we from the top. Kd becomes the colour, Ks and Ns the highlight, Ka the ambient colour, map_Kd
-/// the texture. Throws InputError.
+/// from the bottom and we from the top. Faces of a smoothing group without normals get the mean ones of their vertices.
+/// Kd becomes the colour, Ks and Ns the highlight, Ka the ambient colour, map_Kd the texture, d or Tr the transparency;
+/// illum says whether there is a highlight, a reflection (as strong as Ks) and refraction (Ni). Throws InputError.
 ObjModel load_obj(const std::filesystem::path& path);
+
+/// The same for a text at hand; material files and textures are looked for beside `path`.
+ObjModel parse_obj(std::string text, const std::filesystem::path& path);
 
 /// A scene of one model alone: framed whole by a camera in front of it that looks along -z with y up, with ambient
 /// light of 0.3 and a directional key light of 0.7 from the upper right.

@@ -14,10 +14,13 @@ namespace {
 constexpr int most_corners = 1000;
 
 /// Statements that say nothing about the surface, or nothing that Pixelscope draws.
-constexpr std::array<std::string_view, 19> ignored{
-    "o",        "g",   "s",          "mg",        "l",      "p",      "vp",   "vw",  "bevel", "c_interp",
-    "d_interp", "lod", "shadow_obj", "trace_obj", "usemap", "maplib", "call", "csh", "t"};
-constexpr std::array<std::string_view, 6> used{"v", "vt", "vn", "f", "usemtl", "mtllib"};
+constexpr std::array<std::string_view, 13> ignored{
+    "o", "g", "mg", "vp", "vw", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "usemap", "maplib"};
+constexpr std::array<std::string_view, 9> used{"v", "vt", "vn", "f", "s", "l", "p", "usemtl", "mtllib"};
+/// Free-form curves and surfaces, and statements that run other files or programs.
+constexpr std::array<std::string_view, 19> refused{"cstype", "deg",   "bmat", "step", "curv", "curv2", "surf",
+                                                   "parm",   "trim",  "hole", "scrv", "sp",   "end",   "con",
+                                                   "ctech",  "stech", "bsp",  "call", "csh"};
 
 std::vector<std::string_view> known_words() {
   std::vector<std::string_view> words(used.begin(), used.end());
@@ -68,8 +71,13 @@ class ObjChecker {
     }
     if (word == "vt") return uv(line);
     if (word == "f") return face(line);
+    if (word == "s") return smoothing(line);
+    if (word == "l" || word == "p") return elements(line, word == "l" ? "lines" : "points");
     if (word == "usemtl") return reference(line, summary_.used_materials, "the name of a material");
     if (word == "mtllib") return reference(line, summary_.material_files, "the name of a material file");
+    if (std::find(refused.begin(), refused.end(), word) != refused.end())
+      line.fail(fmt::format("'{}', which is not about polygons", word), "a model of polygons (v, vt, vn, f)");
+    if (word == "fo") line.fail("'fo', the old form of 'f'", "'f'");
     if (std::find(ignored.begin(), ignored.end(), word) == ignored.end())
       line.fail(line.shown(), fmt::format("'{}'", nearest_word(word, known_words())));
   }
@@ -77,13 +85,46 @@ class ObjChecker {
   /// x y z, then perhaps w, or a colour, or both.
   void position(ObjLine& line) {
     for (int i = 0; i < 3; ++i) line.require_number();
-    for (int extra = 0; extra < 4; ++extra) {
+    int extra = 0;
+    for (; extra < 4; ++extra) {
       ObjLine ahead = line;
       if (ahead.next().empty()) break;
       line.require_number();
     }
     require_end(line, "at most 7 numbers");
+    if (extra >= 3) note("vertex colours", line);
     ++positions_.count;
+  }
+
+  /// s off, s 0, s 3
+  void smoothing(ObjLine& line) {
+    const std::string_view word = line.next();
+    std::uint32_t group = 0;
+    if (word != "off") {
+      constexpr std::size_t most_digits = 9;
+      if (word.empty() || word.size() > most_digits) line.fail(line.shown(), smoothing_form);
+      for (const char c : word) {
+        if (c < '0' || c > '9') line.fail(line.shown(), smoothing_form);
+        group = group * 10 + static_cast<std::uint32_t>(c - '0');
+      }
+    }
+    require_end(line, "one smoothing group");
+    const std::uint32_t before = summary_.smoothing.empty() ? 0 : summary_.smoothing.back().group;
+    if (group != before) summary_.smoothing.push_back({summary_.faces, group});
+  }
+  static constexpr const char* smoothing_form = "off or the number of a smoothing group";
+
+  /// Lines and points: nothing draws them, but what follows may be meant as a face.
+  void elements(ObjLine& line, const char* what) {
+    if (line.next().empty()) line.fail(line.shown(), "a vertex index");
+    note(what, line);
+  }
+
+  void note(const char* what, const ObjLine& line) {
+    const bool known = std::find(noted_.begin(), noted_.end(), what) != noted_.end();
+    if (known) return;
+    noted_.emplace_back(what);
+    summary_.notes.push_back(fmt::format("{}:{}: {} are not drawn.", file_, line.number(), what));
   }
 
   void uv(ObjLine& line) {
@@ -109,8 +150,13 @@ class ObjChecker {
     summary_.corners += static_cast<std::size_t>(corners);
   }
 
-  /// v, v/vt, v//vn or v/vt/vn.
+  /// v, v/vt, v//vn or v/vt/vn. Slashes with nothing behind them go: tinyobjloader would take the next corner's number.
   void corner(ObjLine& line, std::string_view word) {
+    const auto last = word.find_last_not_of('/');
+    if (last != std::string_view::npos && last + 1 < word.size()) {
+      line.blank_word_end(word.size() - last - 1);
+      word = line.word();
+    }
     const auto first = word.find('/');
     index(line, word.substr(0, first), positions_);
     if (first == std::string_view::npos) return;
@@ -166,6 +212,7 @@ class ObjChecker {
   std::string& text_;
   const std::string& file_;
   ObjSummary summary_;
+  std::vector<std::string_view> noted_;
   IndexList positions_{"vertex"};
   IndexList uvs_{"texture coordinate"};
   IndexList normals_{"normal"};

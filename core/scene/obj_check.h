@@ -13,6 +13,12 @@ struct ObjReference {
   int line = 0;
 };
 
+/// From this face on (counted from 0) faces belong to a smoothing group; 0 = off.
+struct SmoothingChange {
+  std::size_t first_face = 0;
+  std::uint32_t group = 0;
+};
+
 /// What check_obj counted and found on its way.
 struct ObjSummary {
   std::size_t positions = 0;
@@ -22,6 +28,8 @@ struct ObjSummary {
   std::size_t corners = 0;  ///< of all faces together
   std::vector<ObjReference> material_files;
   std::vector<ObjReference> used_materials;
+  std::vector<SmoothingChange> smoothing;  ///< in the order of the file; empty without an `s` other than off
+  std::vector<std::string> notes;  ///< what the file holds and nothing draws, with file and line, each kind once
 };
 
 /// Reads the text of a Wavefront OBJ file before tinyobjloader does, which takes "v nan" and "v 1 banana 0" without a

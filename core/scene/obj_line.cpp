@@ -79,7 +79,7 @@ const char* number_fault(std::string_view word) {
 }  // namespace
 
 ObjLine::ObjLine(std::string& text, std::size_t begin, std::size_t end, int number, const std::string& file)
-    : text_(text), begin_(begin), end_(end), at_(begin), word_begin_(begin), word_end_(begin), number_(number),
+    : text_(&text), begin_(begin), end_(end), at_(begin), word_begin_(begin), word_end_(begin), number_(number),
       file_(file) {
   const auto comment = std::string_view(text).substr(begin, end - begin).find('#');
   if (comment == std::string_view::npos) return;
@@ -90,21 +90,28 @@ ObjLine::ObjLine(std::string& text, std::size_t begin, std::size_t end, int numb
 }
 
 std::string_view ObjLine::next() {
-  while (at_ < end_ && is_blank(text_[at_])) ++at_;
+  const std::string& text = *text_;
+  while (at_ < end_ && is_blank(text[at_])) ++at_;
   word_begin_ = at_;
-  while (at_ < end_ && !is_blank(text_[at_])) ++at_;
+  while (at_ < end_ && !is_blank(text[at_])) ++at_;
   word_end_ = at_;
-  return text_.substr(word_begin_, word_end_ - word_begin_);
+  return word();
 }
 
 std::string_view ObjLine::rest() {
-  while (at_ < end_ && is_blank(text_[at_])) ++at_;
+  const std::string& text = *text_;
+  while (at_ < end_ && is_blank(text[at_])) ++at_;
   std::size_t last = end_;
-  while (last > at_ && is_blank(text_[last - 1])) --last;
+  while (last > at_ && is_blank(text[last - 1])) --last;
   word_begin_ = at_;
   word_end_ = last;
   at_ = end_;
-  return text_.substr(word_begin_, last - word_begin_);
+  return word();
+}
+
+void ObjLine::blank_word_end(std::size_t count) {
+  std::fill_n(text_->begin() + static_cast<std::ptrdiff_t>(word_end_ - count), count, ' ');
+  word_end_ -= count;
 }
 
 void ObjLine::fail(const std::string& found, const std::string& expected) const {
@@ -113,7 +120,7 @@ void ObjLine::fail(const std::string& found, const std::string& expected) const 
 
 std::string ObjLine::shown() const {
   if (word_begin_ == word_end_) return "the end of the line";
-  return fmt::format("'{}'", text_.substr(word_begin_, std::min<std::size_t>(word_end_ - word_begin_, 60)));
+  return fmt::format("'{}'", word().substr(0, 60));
 }
 
 void ObjLine::require_number() {
@@ -130,6 +137,9 @@ void prepare_obj_text(std::string& text, const std::string& file) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
     throw InputError({file, static_cast<int>(line), 0}, "a NUL byte", "text");
   }
+  // Other programs take these for blanks as we do, tinyobjloader does not.
+  for (const char blank : {'\f', '\v'})
+    if (view.find(blank) != std::string_view::npos) std::replace(text.begin(), text.end(), blank, ' ');
   if (view.find("\\\n") != std::string_view::npos || view.find("\\\r") != std::string_view::npos)
     text = join_lines(text);
 }

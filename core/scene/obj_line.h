@@ -15,6 +15,10 @@ class ObjLine {
   std::string_view next();
   /// What is left of the line without blanks around it.
   std::string_view rest();
+  /// What next() or rest() returned last.
+  std::string_view word() const { return part(word_begin_, word_end_); }
+  /// Replaces the characters at the end of that word by blanks.
+  void blank_word_end(std::size_t count);
   int number() const { return number_; }
 
   /// Throws InputError at the word that next() returned last.
@@ -25,7 +29,11 @@ class ObjLine {
   void require_number();
 
  private:
-  std::string_view text_;
+  std::string_view part(std::size_t from, std::size_t to) const {
+    return std::string_view(*text_).substr(from, to - from);
+  }
+
+  std::string* text_;
   std::size_t begin_, end_;
   std::size_t at_;
   std::size_t word_begin_;

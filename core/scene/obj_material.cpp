@@ -1,52 +1,21 @@
 #include "scene/obj_material.h"
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
 #include "image/file.h"
-#include "scene/obj_line.h"
+#include "scene/mtl_check.h"
 #include "scene/scene_file.h"
+#include "scene/scene_value.h"
 
 namespace ps {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr std::uintmax_t max_mtl_bytes = std::uintmax_t{16} << 20;
-
-/// What tinyobjloader cannot tell apart from its own defaults.
-struct Stated {
-  std::set<std::string> diffuse;  ///< materials that say Kd
-  std::set<std::string> matte;    ///< materials with illum 0 or 1, which have no highlight
-};
-
-Stated check_mtl(std::string& text, const std::string& file) {
-  Stated stated;
-  std::string material;
-  for_each_obj_line(text, file, [&](ObjLine& line) {
-    const std::string word(line.next());
-    if (word.empty()) return;
-    if (word == "newmtl") {
-      material = std::string(line.rest());
-      if (material.empty()) line.fail(line.shown(), "the name of a material");
-      return;
-    }
-    const bool colour = word == "Ka" || word == "Kd" || word == "Ks" || word == "Ke";
-    const bool number = word == "Ns" || word == "Ni" || word == "illum";
-    if (!colour && !number) return;
-    if (material.empty()) line.fail(fmt::format("'{}' before any material", word), "'newmtl NAME' first");
-    ObjLine value = line;
-    for (int i = 0; i < (colour ? 3 : 1); ++i) line.require_number();
-    if (!line.next().empty()) line.fail(line.shown(), colour ? "three numbers" : "one number");
-    if (word == "Kd") stated.diffuse.insert(material);
-    if (const auto illum = value.next(); word == "illum" && (illum == "0" || illum == "1"))
-      stated.matte.insert(material);
-  });
-  return stated;
-}
 
 /// The file as named; else, as exporters write paths of their own machine, the same name beside the model.
 std::optional<fs::path> find_file(const fs::path& folder, std::string name) {
@@ -78,44 +47,61 @@ class MaterialLoader {
 
   std::map<std::string, std::uint32_t> by_name;
 
- private:
-  void load(const fs::path& path) {
-    std::string text = read_text_file(path, max_mtl_bytes);
-    const Stated stated = check_mtl(text, path.string());
+  void load(const fs::path& path) { parse(read_text_file(path, max_mtl_bytes), path); }
+
+  void parse(std::string text, const fs::path& path) {
+    const MtlSummary summary = check_mtl(text, path.string());
+    model_.warnings.insert(model_.warnings.end(), summary.notes.begin(), summary.notes.end());
     model_.files.push_back(path.string());
     std::istringstream stream(text);
     std::map<std::string, int> ignored_map;
     std::vector<tinyobj::material_t> materials;
     std::string warnings, errors;
     tinyobj::LoadMtl(&ignored_map, &materials, &stream, &warnings, &errors);
-    for (const tinyobj::material_t& material : materials) {
-      if (material.name.empty()) continue;  // tinyobjloader makes one for a file without any
+    for (tinyobj::material_t& material : materials) {
+      // tinyobjloader keeps blanks around names, and makes a material without a name for a file without any.
+      material.name.erase(material.name.find_last_not_of(" \t") + 1);
+      material.name.erase(0, material.name.find_first_not_of(" \t"));
+      const auto facts = summary.materials.find(material.name);
+      if (facts == summary.materials.end()) continue;
       if (!by_name.emplace(material.name, static_cast<std::uint32_t>(model_.materials.size())).second) continue;
-      model_.materials.push_back(convert(material, stated, path));
+      model_.materials.push_back(convert(material, facts->second, path));
     }
   }
 
-  Material convert(const tinyobj::material_t& from, const Stated& stated, const fs::path& mtl) {
+ private:
+  Material convert(const tinyobj::material_t& from, const MtlFacts& facts, const fs::path& mtl) {
     const auto colour = [](const tinyobj::real_t* c) { return glm::max(Vec3d{c[0], c[1], c[2]}, Vec3d{0, 0, 0}); };
     Material material;
     material.name = from.name;
-    if (stated.diffuse.count(from.name) > 0) material.colour = colour(from.diffuse);
+    if (facts.diffuse) material.colour = colour(from.diffuse);
     const Vec3d specular = colour(from.specular);
-    if (specular != Vec3d{0, 0, 0} && from.shininess > 0 && stated.matte.count(from.name) == 0) {
+    const bool matte = facts.illum == 0 || facts.illum == 1;
+    if (specular != Vec3d{0, 0, 0} && from.shininess > 0 && !matte) {
       material.specular = from.shininess;
       material.specular_colour = specular;
     }
     // Black and white are what exporters write for every material, whatever its colour; they carry no intention.
     const Vec3d ambient = colour(from.ambient);
     if (ambient != Vec3d{0, 0, 0} && ambient != Vec3d{1, 1, 1}) material.ambient_colour = ambient;
-    if (!from.diffuse_texname.empty()) material.texture = texture(from.diffuse_texname, mtl);
+    if (facts.diffuse_map) material.texture = texture(*facts.diffuse_map, mtl);
+    material.transparency = 1 - facts.dissolve.value_or(1);
+    // Exporters write Ni for every material; light bends only where illum says so.
+    const bool refracts = facts.illum == 6 || facts.illum == 7;
+    if (material.transparency > 0 && refracts)
+      material.refraction_index =
+          std::clamp(facts.refraction_index.value_or(1), min_refraction_index, max_refraction_index);
+    // Models 3 to 7 trace reflections; what is transparent shares its light between both by the option for it.
+    const bool mirrors = facts.illum && *facts.illum >= 3 && *facts.illum <= 7;
+    if (mirrors && material.transparency == 0)
+      material.reflective = std::min((specular.x + specular.y + specular.z) / 3, 1.0);
     return material;
   }
 
-  int texture(const std::string& name, const fs::path& mtl) {
-    const auto path = find_file(mtl.parent_path(), name);
+  int texture(const MtlTexture& map, const fs::path& mtl) {
+    const auto path = find_file(mtl.parent_path(), map.name);
     if (!path) {
-      model_.warnings.push_back(fmt::format("{}: the texture '{}' is missing.", mtl.string(), name));
+      model_.warnings.push_back(fmt::format("{}:{}: the texture '{}' is missing.", mtl.string(), map.line, map.name));
       return -1;
     }
     const auto known = textures_.find(path->string());
@@ -140,6 +126,12 @@ std::map<std::string, std::uint32_t> load_obj_materials(const fs::path& obj, con
                                                         ObjModel& model) {
   MaterialLoader loader(obj, model);
   for (const ObjReference& file : files) loader.load_all(file);
+  return std::move(loader.by_name);
+}
+
+std::map<std::string, std::uint32_t> parse_obj_materials(std::string text, const fs::path& path, ObjModel& model) {
+  MaterialLoader loader(path, model);
+  loader.parse(std::move(text), path);
   return std::move(loader.by_name);
 }
 

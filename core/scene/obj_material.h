@@ -14,4 +14,8 @@ namespace ps {
 std::map<std::string, std::uint32_t> load_obj_materials(const std::filesystem::path& obj,
                                                         const std::vector<ObjReference>& files, ObjModel& model);
 
+/// The same for the text of one material file; textures are looked for beside `path`.
+std::map<std::string, std::uint32_t> parse_obj_materials(std::string text, const std::filesystem::path& path,
+                                                         ObjModel& model);
+
 }  // namespace ps

@@ -214,10 +214,18 @@ void Session::take_up(Document document, Reason reason) {
   case Reason::reload:
     keep_place(document_, document);
     // What was wrong with the file has been mended.
-    std::erase_if(messages_, [&](const Message& message) { return message.text.starts_with(document.scene_name); });
+    std::erase_if(messages_, [&](const Message& message) {
+      return message.kind == Message::Kind::warning || message.text.starts_with(document.scene_name);
+    });
     break;
   }
   document_ = document;
+  if (const auto& warnings = document_.base.warnings; !warnings.empty()) {
+    const std::size_t others = warnings.size() - 1;
+    say(Message::Kind::warning,
+        others == 0 ? warnings.front()
+                    : fmt::format("{} ({} more such note{})", warnings.front(), others, others == 1 ? "" : "s"));
+  }
   if (!history_)
     history_.emplace(std::move(document), "start");
   else
