@@ -101,6 +101,7 @@ void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft
       texels = normals_from_heights(texels, values.positive(*heights));
     }
     texture.texels = std::make_shared<const Image<Vec3f>>(std::move(texels));
+    charge_texels(source, entry, texture.texels->pixels().size(), draft);
   } else {
     fields.forbid({"heights"}, "a 'file' beside 'heights'");
     const SceneTerm& generator = fields.require("generator");
@@ -109,6 +110,7 @@ void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft
     if (std::find(known.begin(), known.end(), texture.generator) == known.end())
       values.fail(generator, fmt::format("one of {}", fmt::join(known, ", ")));
     const int size = fields.find("size") != nullptr ? values.whole(*fields.find("size"), 1, 4096) : 256;
+    charge_texels(source, entry, static_cast<std::size_t>(size) * static_cast<std::size_t>(size), draft);
     texture.texels = std::make_shared<const Image<Vec3f>>(generate_texture(texture.generator, size));
   }
   draft.texture_index[texture.name] = static_cast<int>(draft.textures.size());

@@ -276,6 +276,7 @@ void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   } else {
     mesh = ModelReader(source, fields, draft).spelled_out();
   }
+  charge_triangles(source, entry, mesh.triangles.size(), draft);
   draft.mesh_index[mesh.name] = static_cast<std::uint32_t>(draft.geometry.meshes.size());
   draft.geometry.meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
 }

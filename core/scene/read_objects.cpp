@@ -82,6 +82,7 @@ void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraf
   }
   Instance instance;
   instance.mesh = mesh->second;
+  charge_triangles(source, entry, draft.geometry.meshes[instance.mesh]->triangles.size(), draft);
   instance.transform = read_transform(source, fields);
   if (const auto* term = fields.find("sides")) instance.sides = read_sides(source.values, *term);
   if (fields.find("material") != nullptr) {

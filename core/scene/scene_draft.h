@@ -23,6 +23,8 @@ struct SceneDraft {
   std::map<std::string, int> object_lines;       ///< given names and the line in which each stands
   std::map<std::string, int> single_keys;        ///< top-level keys that may stand once, and their lines
   std::vector<std::filesystem::path> including;  ///< the chain of files being read, outermost first
+  std::size_t triangles = 0;                     ///< of models and of instances
+  std::size_t texels = 0;                        ///< of all textures
 };
 
 /// Where relative names in the file being read begin.
@@ -72,5 +74,12 @@ std::uint32_t material_for(const SceneSource& source, const SceneFields& fields,
 /// Largest number of spheres and instances, of lights, and of other things in one scene.
 inline constexpr std::size_t max_scene_objects = 100'000;
 inline constexpr std::size_t max_scene_lights = 1'000;
+/// A short scene file can ask for any number of large things: this many triangles (each model and each instance of it)
+/// and texels are the most, about 4 GiB of either.
+inline constexpr std::size_t max_scene_triangles = 16'000'000;
+inline constexpr std::size_t max_scene_texels = std::size_t{1} << 28;
+/// Adds to the draft's sum, which must not pass the limit. Throws InputError at the entry.
+void charge_triangles(const SceneSource& source, const SceneEntry& entry, std::size_t count, SceneDraft& draft);
+void charge_texels(const SceneSource& source, const SceneEntry& entry, std::size_t count, SceneDraft& draft);
 
 }  // namespace ps

@@ -133,6 +133,26 @@ TEST(SceneErrors, NestingIsLimited) {
   }
 }
 
+/// The text must be refused for what it asks for as a whole, at this line.
+void expect_too_much(const std::string& text, int line, const std::string& found) {
+  try {
+    ps::parse_scene(text, "greedy.scene", ".");
+    FAIL() << "was accepted";
+  } catch (const ps::InputError& error) {
+    EXPECT_EQ(error.place().line, line);
+    EXPECT_EQ(error.found(), found);
+  }
+}
+
+TEST(SceneErrors, AShortFileCannotAskForAnyAmountOfMemory) {
+  std::string instances = "model { name = m sphere_divisions = 200 }\n";
+  const std::size_t each = ps::parse_scene(instances, "m.scene", ".").geometry->meshes[0]->triangles.size();
+  const auto most = 16'000'000 / each - 1;  // the model itself counts once
+  for (std::size_t i = 0; i <= most; ++i) instances += "instance { model = m position = (0, 0, 9) }\n";
+  expect_too_much(instances, static_cast<int>(most) + 2,
+                  std::to_string((most + 2) * each) + " triangles by 'instance'");
+}
+
 TEST(SceneErrors, UnclosedBraceInsideAnotherNamesTheInner) {
   try {
     ps::parse_scene("model {\n  vertices {\n    0 = (1, 2, 3)\n", "open.scene", ".");
