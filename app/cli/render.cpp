@@ -90,8 +90,8 @@ int run_render(const RenderArguments& arguments) {
   Document document = load_document(arguments.scene);
   document.a.show = show;
   const View view = view_of(document);
-  for (const std::string& sentence : left_out(document.scene, document.a.settings))
-    fmt::print(stderr, "{}\n", sentence);
+  for (const LeftOut& one : left_out(scene_traits(document.scene), document.a.settings))
+    fmt::print(stderr, "{}\n", one.sentence);
   Prepared prepared;
   RenderRequest request;
   request.channels = shown_channel(show).needs;

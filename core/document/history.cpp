@@ -4,18 +4,18 @@
 
 namespace ps {
 
-History::History(Document start, std::string label) { entries_.push_back({std::move(start), std::move(label)}); }
+History::History(Document start, std::string label) { entries_.push_back({std::move(start), std::move(label), 0}); }
 
 void History::push(Document document, std::string label, const std::string& drag) {
   if (document == current()) return;
   const bool continues = !drag.empty() && drag == drag_ && !can_redo();
   drag_ = drag;
   if (continues) {
-    entries_[place_] = {std::move(document), std::move(label)};
+    entries_[place_] = {std::move(document), std::move(label), next_id_++};
     return;
   }
   entries_.resize(place_ + 1, entries_.front());
-  entries_.push_back({std::move(document), std::move(label)});
+  entries_.push_back({std::move(document), std::move(label), next_id_++});
   if (entries_.size() > limit) entries_.erase(entries_.begin());
   place_ = entries_.size() - 1;
 }

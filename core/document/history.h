@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ class History {
  public:
   struct Entry {
     Document document;
-    std::string label;  ///< what led to it: "shadow-epsilon = 0"
+    std::string label;     ///< what led to it: "shadow-epsilon = 0"
+    std::uint64_t id = 0;  ///< no two states that were ever pushed share one
   };
   /// Older entries than this are forgotten.
   static constexpr std::size_t limit = 1000;
@@ -40,6 +42,7 @@ class History {
   std::vector<Entry> entries_;
   std::size_t place_ = 0;
   std::string drag_;
+  std::uint64_t next_id_ = 1;
 };
 
 }  // namespace ps

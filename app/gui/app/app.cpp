@@ -82,7 +82,7 @@ App::App(Shell& shell, const AppOptions& options, Document document)
           {.wake = [&shell] { shell.wake(); },
            .remembered = [&shell](const std::string& key) { return shell.remembered(key); },
            .remember = [&shell](const std::string& key, std::string value) { shell.remember(key, std::move(value)); }}),
-      space_([&shell] { shell.wake(); }), autosave_(autosave_folder(options)) {
+      space_([&shell] { shell.wake(); }), history_([&shell] { shell.wake(); }), autosave_(autosave_folder(options)) {
   const auto left_behind = autosave_.take_left_behind();
   const bool nothing_asked = options.scene.empty() && options.permalink.empty() && options.lesson.empty();
   if (left_behind && nothing_asked) {
@@ -110,7 +110,8 @@ void App::set_option(Side side, const std::string& assignment) {
 }
 
 bool App::busy() const {
-  return session_.busy() || session_.has_news() || space_.worker.busy() || space_.worker.has_news();
+  return session_.busy() || session_.has_news() || space_.worker.busy() || space_.worker.has_news() ||
+         history_.thumbnails.busy();
 }
 
 std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
@@ -146,6 +147,10 @@ void App::close_on_escape() {
   }
   if (!filling_.empty()) {
     filling_.clear();
+    return;
+  }
+  if (history_.open) {
+    history_.open = false;
     return;
   }
   session_.navigate([](Document& document) {
@@ -287,6 +292,12 @@ void App::left_region(const Area& area) {
     if (splitter("split/lesson", SplitterAxis::up_down, area.width(), divide, height * 0.2f, height * 0.8f).changed)
       lesson_share_ = divide / height;
     options.min.y += divide + grip;
+  }
+  if (history_.open) {
+    begin_region("left", options, "HISTORY");
+    history_panel(session_, history_);
+    ImGui::EndChild();
+    return;
   }
   begin_region("left", options, "OPTIONS");
   if (session_.has_scene()) options_panel(session_, options_panel_);

@@ -6,6 +6,7 @@
 
 #include "gui/app/autosave.h"
 #include "gui/app/file_dialog.h"
+#include "gui/app/history_panel.h"
 #include "gui/app/lesson_panel.h"
 #include "gui/app/lights_panel.h"
 #include "gui/app/options_panel.h"
@@ -90,6 +91,7 @@ class App final : public Content {
   OptionsPanelState options_panel_;
   PixelPanelState pixel_panel_;
   SpacePanelState space_;
+  HistoryPanelState history_;
   StatusBarState status_bar_;
   FileDialog files_;
   LessonShelf lessons_;

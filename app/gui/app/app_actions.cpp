@@ -109,6 +109,16 @@ void App::add_actions() {
                .kind = ActionKind::repeat,
                .run = [this] { session_.redo(); },
                .enabled = [this] { return session_.can_redo(); }});
+  actions.add({.name = "history",
+               .label = "History: every step with its pictures",
+               .group = "Edit",
+               .keys = "Y",
+               .run =
+                   [this] {
+                     history_.open = !history_.open;
+                     if (history_.open) session_.navigate([](Document& document) { document.layout.panels = true; });
+                   },
+               .checked = [this] { return history_.open; }});
   add_view_actions();
   add_pixel_actions();
   add_story_actions();

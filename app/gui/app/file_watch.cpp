@@ -1,5 +1,6 @@
 #include "gui/app/file_watch.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -33,9 +34,14 @@ std::optional<FileWatch::State> FileWatch::look(const std::filesystem::path& pat
 
 void FileWatch::watch(const std::vector<std::filesystem::path>& files) {
   const std::lock_guard lock(mutex_);
-  files_.clear();
-  changed_ = false;
+  // What is watched already stays as it was last known: a change made while its reader was at work is not missed.
+  const auto before = std::exchange(files_, {});
   for (const auto& path : files) {
+    const auto old = std::find_if(before.begin(), before.end(), [&](const auto& file) { return file.path == path; });
+    if (old != before.end()) {
+      files_.push_back(*old);
+      continue;
+    }
     const auto now = look(path);
     files_.push_back({path, now, now});
   }

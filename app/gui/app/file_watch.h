@@ -20,9 +20,10 @@ class FileWatch {
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  /// Watches these files instead of the ones before, from their present state on.
+  /// Watches these files instead of the ones before: from their present state on, or, where they were watched already,
+  /// from the one last known.
   void watch(const std::vector<std::filesystem::path>& files);
-  /// Whether a watched file was written since the last call or since watch().
+  /// Whether a watched file was written since the last call.
   bool take_changed();
 
  private:

@@ -103,7 +103,7 @@ void App::view_menu() {
     for (const char* name : names) menu_action(actions, name);
     ImGui::Separator();
   };
-  items({"undo", "redo"});
+  items({"undo", "redo", "history"});
   items({"side-by-side", "split", "difference", "only-a", "only-b"});
   items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid", "handles"});
   items({"channel-next", "channel-before"});

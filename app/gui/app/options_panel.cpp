@@ -26,13 +26,6 @@ bool differs(const Option& option, const Session& session) {
 /// Groups that show most of what changes a picture are open at the first start.
 bool open_at_first(std::string_view group) { return group == option_table().front().group || group == "Shading"; }
 
-/// Goes on in the same line if a button with this label has room there.
-void same_line_if_fits(const char* label) {
-  const float room = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x;
-  const auto& style = ImGui::GetStyle();
-  if (ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x + style.ItemSpacing.x + px(4) <= room) ImGui::SameLine();
-}
-
 /// Whether a script looks for the option's control, which is out of sight while its group is closed.
 bool wanted_by_script(const Option* option) { return controls().reveals(full_name(option->key)); }
 
@@ -58,11 +51,11 @@ void header(Session& session, OptionsPanelState& state) {
   if (button("copy-to-other", copy, Emphasis::plain,
              {.tooltip = "Gives the other picture all options of this one.", .disabled = same}))
     session.set_settings(other, session.settings(state.side), fmt::format("copy options of {} to {}", here, there));
-  same_line_if_fits("Swap");
+  same_line_if_room(button_width("Swap"));
   if (button("swap", "Swap", Emphasis::plain,
              {.tooltip = "A takes the options of B, and B those of A.", .disabled = same}))
     session.edit("swap A and B", [](Document& document) { std::swap(document.a.settings, document.b.settings); });
-  same_line_if_fits("Reset all");
+  same_line_if_room(button_width("Reset all"));
   // Which renderer a side uses is what it is for; resetting the rest keeps the comparison.
   Settings defaults;
   defaults.renderer = session.settings(state.side).renderer;

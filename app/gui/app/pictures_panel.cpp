@@ -1,130 +1,65 @@
 #include "gui/app/pictures_panel.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "gui/app/handles_view.h"
-#include "gui/app/picture_text.h"
+#include "gui/app/picture_frame.h"
 #include "gui/widgets/widgets.h"
 #include "image/metrics.h"
 #include "inspect/names.h"
+#include "render/left_out.h"
 
 namespace ps::gui {
 namespace {
 
-constexpr double title_height = 34, footer_height = 26, gap = 10;
+constexpr double gap = 10;  // between two pictures
 
 PictureTransform current_transform(const Document& document, Vec2i size, const Area& area) {
   if (document.view.zoom <= 0) return fitted(size, area);
   return {document.view.zoom, {document.view.middle.x * size.x, document.view.middle.y * size.y}};
 }
 
-const std::vector<Choice>& channel_choices() {
-  static const std::vector<Choice> choices = [] {
-    std::vector<Choice> result;
-    for (const auto& row : shown_channels()) result.push_back({row.key, row.label, row.help});
-    return result;
-  }();
-  return choices;
-}
-
-/// The letter of a side on its colour.
-void badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
-  const ImVec4 colour = side == Side::a ? palette().a : palette().b;
-  list.AddRectFilled(corner, {corner.x + size, corner.y + size}, colour_u32(colour), px(3));
-  const char text[2] = {letter_of(side), 0};
-  ImFont* font = theme().font(Face::bold);
-  const float height = font->FontSize;
-  const ImVec2 extent = font->CalcTextSizeA(height, FLT_MAX, 0, text);
-  list.AddText(font, height, {corner.x + (size - extent.x) / 2, corner.y + (size - extent.y) / 2},
-               colour_u32(palette().on_accent), text);
-}
-
-/// Text that ends with "..." where it does not fit.
-void clipped_text(ImDrawList& list, Face face, ImVec2 at, float width, ImU32 colour, std::string text) {
-  ImFont* font = theme().font(face);
-  const float size = font->FontSize;
-  const auto width_of = [&](const std::string& t) { return font->CalcTextSizeA(size, FLT_MAX, 0, t.c_str()).x; };
-  if (width_of(text) > width) {
-    const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-    while (!text.empty() && width_of(text + "...") > width) {
-      while (!text.empty() && is_continuation(text.back())) text.pop_back();
-      if (!text.empty()) text.pop_back();
-    }
-    text += "...";
-  }
-  list.AddText(font, size, at, colour, text.c_str());
-}
-
-/// The line above a picture: letter, what it is made with, and which channel is shown.
-void title(Session& session, Side side, const Area& row) {
-  const NameScope scope(side == Side::a ? "view/a" : "view/b");
-  auto& list = *ImGui::GetWindowDrawList();
-  const float size = px(22), top = row.min.y + (row.height() - size) / 2;
-  badge(list, {row.min.x, top}, size, side);
-  const float choice_width = std::min(px(124), row.width() * 0.39f);
-  const float text_left = row.min.x + size + px(8);
-  const ImVec4 colour = side == Side::a ? palette().a_text : palette().b_text;
-  const std::string text = title_text(session.settings(side), session.traits());
-  clipped_text(list, Face::bold, {text_left, top + (size - theme().font(Face::bold)->FontSize) / 2},
-               row.max.x - choice_width - px(8) - text_left, colour_u32(colour), text);
-
-  ImGui::SetCursorScreenPos(row.min);
-  ImGui::InvisibleButton(side == Side::a ? "title-a" : "title-b", {row.width() - choice_width - px(8), row.height()});
-  controls().record("title", text);
-  tooltip(text + "\nDouble-click: this picture fills the window, and back.");
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
-    session.navigate([&](Document& document) {
-      const CompareMode alone = side == Side::a ? CompareMode::only_a : CompareMode::only_b;
-      const bool filled = document.compare == alone && !document.layout.panels;
-      document.compare = filled ? CompareMode::side_by_side : alone;
-      document.layout.panels = filled;
-    });
-
-  ImGui::SetCursorScreenPos({row.max.x - choice_width, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
-  int shown = static_cast<int>(session.shown(side));
-  if (choice("show", channel_choices(), shown,
-             {.tooltip = "What this picture shows.", .disabled = {}, .width = choice_width}))
-    session.edit(fmt::format("{} shows {}", letter_of(side), channel_choices()[static_cast<std::size_t>(shown)].label),
-                 [&](Document& document) { side_of(document, side).show = static_cast<ShownChannel>(shown); });
-}
-
-/// The line below a picture: how long it took and what it cost; a thin bar while it is being made.
-void footer(Session& session, Side side, const Area& row, const std::string& before = {}) {
-  auto& list = *ImGui::GetWindowDrawList();
-  const auto status = session.renderer(side).status();
-  const auto result = session.renderer(side).result();
-  const std::string text = before + footer_text(status, result.get());
-  clipped_text(list, Face::small, {row.min.x, row.min.y + px(5)}, row.width(), colour_u32(palette().text_quiet), text);
-  ImGui::SetCursorScreenPos(row.min);
-  ImGui::Dummy({row.width(), row.height()});
-  controls().record(side == Side::a ? "view/a/footer" : "view/b/footer", text);
-  if (result) tooltip(counters_text(*result));
-  if (status.state != RenderState::full || status.fraction <= 0) return;
-  const float width = row.width() * static_cast<float>(status.fraction);
-  list.AddRectFilled(row.min, {row.min.x + width, row.min.y + px(3)},
-                     colour_u32(side == Side::a ? palette().a : palette().b));
-}
-
 struct Split {
   float at = 0;  ///< window x of the divider
 };
 
-/// Lights and spheres that can be dragged, while the mouse is in the picture.
-void handles(Session& session, PicturesState& state, Side side, const Area& area, bool hovered) {
-  const auto all = visible_handles(session.scene(), session.view(), session.settings(side), state.transform, area);
-  record_handles(side == Side::a ? "view/a" : "view/b", all, state.transform, area);
-  const bool busy = state.drag != PictureDrag::none && state.drag != PictureDrag::undecided;
-  if (!hovered || flying(state) || (busy && state.drag != PictureDrag::handle)) return;
-  std::string held;
-  if (state.drag == PictureDrag::handle)
-    held = state.grabbed->path;
-  else if (const Handle* under = handle_at(all, ImGui::GetIO().MousePos, state.transform, area))
-    held = under->path;
+/// Lights and spheres that can be dragged, while the mouse is in the picture. `clip` is the part of the area that shows
+/// this side; `prefix` names them for scripts.
+void handles(Session& session, PicturesState& state, Side side, const Area& area, const Area& clip,
+             const std::string& prefix, bool hovered) {
+  if (!session.has_scene() || !state.handles) return;
+  const bool dragging = state.drag == PictureDrag::handle;
+  std::string held = dragging && state.drag_side == side ? state.grabbed->path : "";
+  auto all = visible_handles(session.scene(), session.view(), session.settings(side), state.transform, area);
+  std::erase_if(all, [&](const Handle& handle) {
+    return handle.path != held && !clip.contains(state.transform.to_window(handle.place, area));
+  });
+  record_handles(prefix, all, state.transform, area);
+  if (!hovered || flying(state)) return;
+  if (dragging && state.drag_side != side) return;
+  if (!dragging && state.drag != PictureDrag::none && state.drag != PictureDrag::undecided) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (!dragging && clip.contains(mouse))
+    if (const Handle* under = handle_at(all, mouse, state.transform, area)) held = under->path;
   if (!held.empty()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   draw_handles(*ImGui::GetWindowDrawList(), all, held, state.transform, area);
+}
+
+/// Says why a picture is empty where nothing is in the scene, or nothing that its renderer can show.
+void nothing_drawn(Session& session, Side side, const Area& area) {
+  if (session.scene().geometry->objects.empty() && !session.traits().canvas_items) {
+    draw_notice(*ImGui::GetWindowDrawList(), area,
+                "There is nothing in this scene: every pixel is background. Drop a .scene or .obj file here, or choose "
+                "one from the Scene menu.");
+    return;
+  }
+  const auto result = session.renderer(side).result();
+  const auto reasons = left_out(session.traits(), session.settings(side));
+  if (!result || reasons.empty() || result->frame.counters[Counter::triangles_drawn] > 0 ||
+      result->frame.counters[Counter::eye_rays] > 0)
+    return;
+  draw_notice(*ImGui::GetWindowDrawList(), area, reasons.front().sentence);
 }
 
 /// The picture of one side in its area, with what lies over it.
@@ -178,9 +113,18 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
       if (entry.object >= 0) entry.meaning = object_name(session.scene(), entry.object);
     draw_legend(list, legend, area);
   }
-  if (session.has_scene() && state.handles && !split) handles(session, state, side, area, hovered);
+  const auto handles_in = [&](Side which, const Area& clip) {
+    handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);
+  };
+  if (split) {
+    handles_in(side, {area.min, {split->at - px(divider_reach), area.max.y}});
+    handles_in(other_side(side), {{split->at + px(divider_reach), area.min.y}, area.max});
+  } else {
+    handles_in(side, area);
+  }
   const auto status = session.renderer(shown_side).status();
   if (status.state == RenderState::failed) draw_notice(list, area, status.message);
+  if (status.state == RenderState::done && !split) nothing_drawn(session, shown_side, area);
 }
 
 /// What picture_input() drags; here it is drawn and told to scripts.
@@ -242,6 +186,7 @@ void difference_view(Session& session, PicturesState& state, const Area& row, co
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   controls().record("picture", state.identical ? "identical" : "different");
+  const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   picture_input(session, state, Side::a, area, {});
   state.areas[0] = area;
   PictureStyle style;
@@ -249,13 +194,24 @@ void difference_view(Session& session, PicturesState& state, const Area& row, co
   style.marked = session.pixel();
   style.region = session.region();
   draw_picture(list, state.flip ? state.pictures[1] : state.difference, state.transform, area, style);
-  if (state.identical && !session.busy()) draw_notice(list, area, "A and B are identical.");
+  handles(session, state, Side::a, area, area, "picture", hovered);
+  if (!state.identical || session.busy()) return;
+  const bool same = session.settings(Side::a) == session.settings(Side::b);
+  const std::string text = same ? "A and B have the same options: there is no difference."
+                                : "A and B are identical to the last level, although their options differ.";
+  controls().record("notice", area.min, area.max, text);
+  draw_notice(list, area, text);
 }
 
-Area with_margins(const Area& area, Area& title_row, Area& footer_row) {
-  title_row = {area.min, {area.max.x, area.min.y + px(title_height)}};
-  footer_row = {{area.min.x, area.max.y - px(footer_height)}, area.max};
-  return {{area.min.x, title_row.max.y}, {area.max.x, footer_row.min.y}};
+/// The lines around a picture, and what they leave to it.
+struct Framed {
+  Area title, picture, footer;
+};
+/// `columns`: how many titles stand side by side over the picture.
+Framed framed(const Area& area, int columns = 1) {
+  const PictureMargins margins = picture_margins(area.width() / static_cast<float>(columns));
+  const float top = area.min.y + margins.title, bottom = area.max.y - margins.footer;
+  return {{area.min, {area.max.x, top}}, {{area.min.x, top}, {area.max.x, bottom}}, {{area.min.x, bottom}, area.max}};
 }
 
 struct Halves {
@@ -268,39 +224,36 @@ Halves halves(const Area& area, Vec2i picture_size) {
               middle_y = std::round((area.min.y + area.max.y) / 2);
   const Halves beside{{area.min, {middle_x - space / 2, area.max.y}}, {{middle_x + space / 2, area.min.y}, area.max}};
   const Halves stacked{{area.min, {area.max.x, middle_y}}, {{area.min.x, middle_y}, area.max}};
-  Area title_row, footer_row;
-  const double beside_zoom = fitted(picture_size, with_margins(beside.first, title_row, footer_row)).zoom;
-  const double stacked_zoom = fitted(picture_size, with_margins(stacked.first, title_row, footer_row)).zoom;
+  const double beside_zoom = fitted(picture_size, framed(beside.first).picture).zoom;
+  const double stacked_zoom = fitted(picture_size, framed(stacked.first).picture).zoom;
   return stacked_zoom > beside_zoom ? stacked : beside;
 }
 
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
-  Area title_row, footer_row;
-  const Area inner = with_margins(area, title_row, footer_row);
+  const auto [title, inner, footer] = framed(area);
   state.transform = current_transform(session.document(), state.pictures[index_of(side)].size(), inner);
   const Side shown = state.flip ? other_side(side) : side;
-  title(session, shown, title_row);
+  picture_title(session, shown, title);
   picture(session, state, side, inner, {});
-  footer(session, shown, footer_row);
+  picture_footer(session, shown, footer);
 }
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
-  Area title_row, footer_row;
-  const Area inner = with_margins(area, title_row, footer_row);
+  const auto [title, inner, footer] = framed(area, 2);
   state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
   const Area whole = state.transform.picture_area(state.pictures[0].size(), inner);
   const float low = std::max(whole.min.x, inner.min.x), high = std::min(whole.max.x, inner.max.x);
   const float at = std::round(low + (high - low) * static_cast<float>(session.document().split));
   const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
   const Side left = state.flip ? Side::b : Side::a;
-  title(session, left, {title_row.min, {middle - space, title_row.max.y}});
-  title(session, other_side(left), {{middle + space, title_row.min.y}, title_row.max});
+  picture_title(session, left, {title.min, {middle - space, title.max.y}});
+  picture_title(session, other_side(left), {{middle + space, title.min.y}, title.max});
   picture(session, state, Side::a, inner, Split{at});
   state.areas[1] = inner;
   divider({{inner.min.x, std::max(inner.min.y, whole.min.y)}, {inner.max.x, std::min(inner.max.y, whole.max.y)}}, at,
           session.document().split);
-  footer(session, left, {footer_row.min, {middle - space, footer_row.max.y}});
-  footer(session, other_side(left), {{middle + space, footer_row.min.y}, footer_row.max});
+  picture_footer(session, left, {footer.min, {middle - space, footer.max.y}});
+  picture_footer(session, other_side(left), {{middle + space, footer.min.y}, footer.max});
 }
 
 /// A and B around the mouse, greatly enlarged, side by side.
@@ -317,7 +270,7 @@ void loupe(const PicturesState& state) {
     const float left = corner.x + static_cast<float>(index_of(side)) * (size + space);
     draw_loupe(list, state.pictures[index_of(side)], state.hover->pixel,
                {{left, corner.y}, {left + size, corner.y + size}});
-    badge(list, {left + px(4), corner.y + px(4)}, px(20), side);
+    side_badge(list, {left + px(4), corner.y + px(4)}, px(20), side);
   }
 }
 
@@ -348,13 +301,12 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area) {
     split_view(session, state, area);
     break;
   case CompareMode::difference: {
-    Area title_row, footer_row;
-    const Area inner = with_margins(area, title_row, footer_row);
+    const auto [title, inner, footer] = framed(area, 2);
     state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
-    difference_view(session, state, title_row, inner);
-    const float middle = (area.min.x + area.max.x) / 2;
-    footer(session, Side::a, {footer_row.min, {middle, footer_row.max.y}}, "A   ");
-    footer(session, Side::b, {{middle, footer_row.min.y}, footer_row.max}, "B   ");
+    difference_view(session, state, {{title.min.x, title.max.y - px(34)}, title.max}, inner);
+    const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
+    picture_footer(session, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
+    picture_footer(session, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");
     break;
   }
   case CompareMode::only_a:

@@ -97,7 +97,7 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   if (section("work", "Work for this pixel", state.work_open)) work(story, name + "/work");
   ImGui::Spacing();
   if (button("copy-text", "Copy as text", Emphasis::quiet)) copy(story_text(story, session.scene()));
-  ImGui::SameLine();
+  same_line_if_room(button_width("Copy as JSON"));
   if (button("copy-json", "Copy as JSON", Emphasis::quiet)) copy(story_json(story, session.scene(), session.view()));
 }
 

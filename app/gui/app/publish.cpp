@@ -89,6 +89,25 @@ void publish_side(Session& session, const PicturesState& pictures, Side side) {
   out.publish(name + "events", story ? static_cast<int>(story->events.size()) : 0);
 }
 
+void publish_vector(const std::string& name, const Vec3d& v) {
+  values().publish(name + "/x", v.x);
+  values().publish(name + "/y", v.y);
+  values().publish(name + "/z", v.z);
+}
+
+/// Where camera and lights are now.
+void publish_places(const Session& session) {
+  const Camera camera = session.view().camera;
+  publish_vector("camera/position", camera.position);
+  publish_vector("camera/forward", camera.forward);
+  publish_vector("camera/up", camera.up);
+  const auto& lights = *session.scene().lights;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const bool has_place = lights[i].kind == LightKind::point;
+    publish_vector(fmt::format("light/{}", i), has_place ? lights[i].position : lights[i].direction);
+  }
+}
+
 }  // namespace
 
 /// What scripts and tests may ask for.
@@ -118,11 +137,17 @@ void App::publish() {
   out.publish("permalink", session_.permalink());
   out.publish("undo", session_.undo_label());
   out.publish("redo", session_.redo_label());
+  const History* history = session_.history();
+  out.publish("history/steps", history ? static_cast<int>(history->entries().size()) : 0);
+  out.publish("history/step", history ? static_cast<int>(history->place()) + 1 : 0);
+  out.publish("history/open", history_.open);
   out.publish("messages", static_cast<int>(session_.messages().size()));
   out.publish("message", session_.messages().empty() ? "" : session_.messages().back().text);
   out.publish("zoom", pictures_.transform.zoom);
   out.publish("middle", fmt::format("{:.6f},{:.6f}", document.view.middle.x, document.view.middle.y));
   out.publish("split", document.split);
+  publish_places(session_);
+  out.publish("flying", flying(pictures_));
   out.publish("flicker", pictures_.flip);
   out.publish("lesson", document.lesson);
   out.publish("step", document.lesson.empty() ? 0 : document.step + 1);

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
 #include <sstream>
 #include <utility>
 
@@ -34,6 +37,15 @@ void keep_place(const Document& from, Document& to) {
 
 bool inside(Vec2i pixel, const View& view) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height;
+}
+
+/// By its name: these are textures, never scenes.
+bool is_picture_file(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr std::array pictures{".png", ".ppm", ".pgm", ".pbm", ".pnm", ".pfm", ".jpg", ".jpeg", ".tga", ".bmp"};
+  return std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
 }
 
 }  // namespace
@@ -124,16 +136,16 @@ std::string Session::undo_label() const { return can_undo() ? history_->entries(
 std::string Session::redo_label() const { return can_redo() ? history_->entries()[history_->place() + 1].label : ""; }
 
 void Session::undo() {
-  if (!can_undo()) return;
-  history_->undo();
-  const Document before = std::exchange(document_, history_->current());
-  keep_place(before, document_);
-  document_changed();
+  if (can_undo()) go_to_entry(history_->place() - 1);
 }
 
 void Session::redo() {
-  if (!can_redo()) return;
-  history_->redo();
+  if (can_redo()) go_to_entry(history_->place() + 1);
+}
+
+void Session::go_to_entry(std::size_t place) {
+  if (!history_ || place >= history_->entries().size()) return;
+  history_->go_to(place);
   const Document before = std::exchange(document_, history_->current());
   keep_place(before, document_);
   document_changed();
@@ -142,11 +154,20 @@ void Session::redo() {
 void Session::start(Document document) { take_up(std::move(document), Reason::open); }
 
 void Session::open(const std::string& path_or_name) {
-  load([path_or_name] { return open_document(path_or_name, load_scene(path_or_name)); }, Reason::open);
+  if (is_picture_file(path_or_name)) {
+    say(Message::Kind::error,
+        fmt::format("{} is a picture. What can be opened are scenes (.scene) and models (.obj); a picture becomes "
+                    "visible as a texture that one of them names.",
+                    path_or_name));
+    return;
+  }
+  load(
+      path_or_name, [path_or_name] { return open_document(path_or_name, load_scene(path_or_name)); }, Reason::open);
 }
 
 void Session::open_permalink(const std::string& text) {
   load(
+      "permalink",
       [text] {
         Document document = parse_permalink(text);
         attach_scene(document, load_scene(document.scene_name));
@@ -158,6 +179,7 @@ void Session::open_permalink(const std::string& text) {
 void Session::reload() {
   if (!has_scene()) return;
   load(
+      document_.scene_name,
       [document = document_]() mutable {
         attach_scene(document, load_scene(document.scene_name));
         return document;
@@ -167,7 +189,14 @@ void Session::reload() {
 
 std::string Session::permalink() const { return has_scene() ? ps::permalink(document_) : ""; }
 
-void Session::load(std::function<Document()> make, Reason reason) {
+void Session::cancel_loading() {
+  loading_cancelled_ = true;
+  loader_.cancel();
+}
+
+void Session::load(const std::string& name, std::function<Document()> make, Reason reason) {
+  loading_name_ = name;
+  loading_cancelled_ = false;
   loader_.start([this, make = std::move(make), reason](Progress& progress) {
     Loaded loaded;
     loaded.reason = reason;

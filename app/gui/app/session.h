@@ -86,6 +86,10 @@ class Session {
   std::string redo_label() const;
   void undo();
   void redo();
+  /// Every step there is, oldest first; nullptr before the first scene.
+  const History* history() const { return history_ ? &*history_ : nullptr; }
+  /// Goes to a step as undo and redo do. Without effect where there is none.
+  void go_to_entry(std::size_t place);
 
   // --- scenes ---
   /// Shows a document that is complete. The first thing to call.
@@ -94,8 +98,11 @@ class Session {
   void open(const std::string& path_or_name);
   void open_permalink(const std::string& text);
   void reload();
-  bool loading() const { return loader_.busy(); }
-  void cancel_loading() { loader_.cancel(); }
+  bool loading() const { return !loading_cancelled_ && loader_.busy(); }
+  /// What is being loaded.
+  const std::string& loading_name() const { return loading_name_; }
+  /// Drops what is being loaded; the open scene stays. Reading a file ends some time later, unseen.
+  void cancel_loading();
   const std::vector<std::string>& recent() const { return recent_; }
   std::string permalink() const;
 
@@ -114,7 +121,7 @@ class Session {
     std::string error;
     Reason reason = Reason::open;
   };
-  void load(std::function<Document()> make, Reason reason);
+  void load(const std::string& name, std::function<Document()> make, Reason reason);
   bool take_loaded();
   void take_up(Document document, Reason reason);
   /// Brings what depends on the document's scene up to date.
@@ -134,6 +141,8 @@ class Session {
   std::optional<TileRect> region_;
   std::vector<Message> messages_;
   std::vector<std::string> recent_;
+  std::string loading_name_;
+  bool loading_cancelled_ = false;
 
   mutable std::mutex loaded_mutex_;
   std::optional<Loaded> loaded_;

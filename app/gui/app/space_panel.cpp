@@ -81,24 +81,31 @@ void show_popup(SpacePanelState& state) {
   ImGui::EndPopup();
 }
 
+/// Whether the words of the toolbar must be short.
+bool is_narrow() { return ImGui::GetContentRegionMax().x < px(560); }
+
 void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected) {
   const std::string_view none = state.model.steps.empty() ? "Nothing happened at this pixel that could be shown." : "";
-  if (button("back", "Back", Emphasis::quiet, {.tooltip = "One event back (comma)", .disabled = none}))
+  const bool narrow = is_narrow();
+  if (button("back", narrow ? "‹" : "Back", Emphasis::quiet, {.tooltip = "One event back (comma)", .disabled = none}))
     step_story(session, state, pixel, -1);
   ImGui::SameLine(0, px(2));
   if (button("play", state.play.running ? "Pause" : "Play", Emphasis::plain,
              {.tooltip = "Shows the events one after the other (Space)", .disabled = none, .width = px(62)}))
     play_story(session, state, pixel);
   ImGui::SameLine(0, px(2));
-  if (button("forward", "Step", Emphasis::quiet, {.tooltip = "One event on (full stop)", .disabled = none}))
+  if (button("forward", narrow ? "›" : "Step", Emphasis::quiet,
+             {.tooltip = "One event on (full stop)", .disabled = none}))
     step_story(session, state, pixel, 1);
   ImGui::SameLine();
   const auto& steps = state.model.steps;
   const auto step = std::upper_bound(steps.begin(), steps.end(), selected) - steps.begin();
-  const std::string place =
-      selected >= 0 ? fmt::format("{} of {}", step, steps.size()) : fmt::format("{} events", steps.size());
+  const std::string place = selected >= 0 ? fmt::format("{} of {}", step, steps.size())
+                            : narrow      ? fmt::format("0 of {}", steps.size())
+                                          : fmt::format("{} events", steps.size());
   ImGui::AlignTextToFramePadding();
   value_text("step", place);
+  tooltip("The event that is shown, of those of this pixel's story that have a place in the scene.");
 }
 
 /// Where to look from: words side by side, or a list where the window is narrow.
@@ -115,8 +122,9 @@ void look_from(SpacePanelState& state) {
   const bool wide = ImGui::GetWindowWidth() >= px(690);
   int index = wide && before == turned ? -1 : before;
   const std::span<const Choice> shown(looks.data(), wide || before != turned ? turned : turned + 1);
-  ImGui::SameLine(0, px(14));
-  if (!choice("look", shown, index, {.width = px(wide ? 330 : 110)}) || index == turned) return;
+  const float width = px(wide ? 330 : 104);
+  same_line_if_room(width, px(14));
+  if (!choice("look", shown, index, {.width = width}) || index == turned) return;
   if (index == camera)
     state.through_camera = true;
   else
@@ -128,12 +136,12 @@ bool toolbar(Session& session, SpacePanelState& state, PixelPanelState& pixel, i
              bool filled) {
   play_buttons(session, state, pixel, selected);
   look_from(state);
-  ImGui::SameLine(0, px(2));
+  same_line_if_room(button_width("Focus"), px(2));
   if (button("focus", "Focus", Emphasis::quiet, {.tooltip = "Puts the hit in the middle, from nearby."}))
     focus(state, selected, aspect);
-  ImGui::SameLine(0, px(2));
+  same_line_if_room(button_width("Show…"), px(2));
   show_popup(state);
-  ImGui::SameLine(0, px(2));
+  same_line_if_room(button_width("Fill"), px(2));
   return button_on_off("fill", "Fill", filled, {.tooltip = "Gives this view the whole window (double click; Esc)."});
 }
 
@@ -260,10 +268,9 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
     state.play.running = false;
   }
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float toolbar_height = ImGui::GetFrameHeightWithSpacing();
-  const int width = static_cast<int>(room.x), height = static_cast<int>(room.y - toolbar_height);
+  bool fill_or_not = toolbar(session, state, pixel, selected, room.x / std::max(room.y, 1.f), filled);
+  const int width = static_cast<int>(room.x), height = static_cast<int>(ImGui::GetContentRegionAvail().y);
   const double aspect = static_cast<double>(std::max(width, 1)) / std::max(height, 1);
-  bool fill_or_not = toolbar(session, state, pixel, selected, aspect, filled);
   if (width < 16 || height < 16) return fill_or_not;
 
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -34,7 +34,7 @@ MessageKind kind_of(Message::Kind kind) {
 
 void progress(Session& session, float width) {
   if (session.loading()) {
-    if (progress_bar("progress", "loading", 0, width)) session.cancel_loading();
+    if (progress_bar("progress", "loading " + session.loading_name(), -1, width)) session.cancel_loading();
     return;
   }
   const bool a = rendering(session, Side::a), b = rendering(session, Side::b);

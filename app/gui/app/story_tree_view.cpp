@@ -14,6 +14,8 @@
 namespace ps::gui {
 namespace {
 
+constexpr double narrow_panel = 280;  // width at scale 1
+
 struct TreeDrawing {
   const std::string& name;
   const PixelStory& story;
@@ -32,7 +34,9 @@ struct TreeDrawing {
     const float icon = px(11);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const float label = start.x + ImGui::GetFontSize() + px(6);  // where tree_row begins its text
-    const FontScope font(weight == EventWeight::strong ? Face::bold : Face::body);
+    // Where the panel is narrow, smaller letters tell more than an ellipsis.
+    const Face plain = ImGui::GetWindowWidth() < px(narrow_panel) ? Face::small : Face::body;
+    const FontScope font(weight == EventWeight::strong ? Face::bold : plain);
     // Room for the icon in front of the text, whatever the font's space is wide.
     const auto spaces = static_cast<std::size_t>(std::max(1.f, (icon + px(7)) / ImGui::CalcTextSize(" ").x + 0.5f));
     ImGui::PushStyleColor(ImGuiCol_Text, weight == EventWeight::quiet ? palette().text_quiet : palette().text);

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/atomic_file.h"
 #include "gui/script/expectation.h"
 #include "gui/shell/values.h"
 #include "gui/widgets/record.h"
@@ -36,6 +37,15 @@ std::vector<Command> load(const std::string& path) {
   if (!std::filesystem::is_regular_file(path) || !(text << file.rdbuf()))
     throw InputError({path, 0, 0}, "no readable file", "a script");
   return parse_script(text.str(), path);
+}
+
+MouseButton button_named(const std::string& word) {
+  return word == "right" ? MouseButton::right : word == "middle" ? MouseButton::middle : MouseButton::left;
+}
+
+/// The key that is held during a drag, if the word names one.
+Chord held_key(const std::string& word) {
+  return {.ctrl = word == "ctrl", .shift = word == "shift", .alt = word == "alt"};
 }
 
 }  // namespace
@@ -104,6 +114,11 @@ void ScriptPlayer::begin(const Command& command) {
     return begin_choose(command);
   case Verb::drag:
     return begin_drag(command);
+  case Verb::press:
+  case Verb::lift:
+    push_button(id, button_named(words.empty() ? "left" : words[0]), command.verb == Verb::press, target_.x, target_.y,
+                1);
+    return after_frames(frames_after_input);
   case Verb::move:
     if (is_number_pair(words[0])) {
       const NumberPair point = parse_number_pair(words[0], command.place);
@@ -130,6 +145,9 @@ void ScriptPlayer::begin(const Command& command) {
   case Verb::drop:
     push_drop(id, words[0]);
     return after_frames(frames_after_input);
+  case Verb::write:
+    write_file_atomically(words[0], words[1]);
+    return;
   case Verb::screenshot:
     screenshot_ = words[0];
     return after_frames(1);
@@ -250,7 +268,7 @@ void ScriptPlayer::begin_click(const Command& command) {
     });
   };
   if (kind == "ctrl") control_key(true);
-  press(kind == "right" ? MouseButton::right : kind == "middle" ? MouseButton::middle : MouseButton::left, 1);
+  press(button_named(kind), 1);
   if (kind == "double") press(MouseButton::left, 2);
   if (kind == "ctrl") control_key(false);
 }
@@ -275,12 +293,14 @@ void ScriptPlayer::begin_drag(const Command& command) {
   } else {
     aim_at(command.words[0]);
   }
-  part([this, second, absolute] {
+  const std::string how = command.words.size() > 2 ? command.words[2] : "left";
+  part([this, second, absolute, button = button_named(how), key = held_key(how)] {
     const WindowPoint from = target_;
     const WindowPoint to =
         absolute ? WindowPoint{static_cast<float>(second.first), static_cast<float>(second.second)}
                  : WindowPoint{from.x + static_cast<float>(second.first), from.y + static_cast<float>(second.second)};
-    push_button(window_->id(), MouseButton::left, true, from.x, from.y, 1);
+    if (key != Chord{}) push_key(window_->id(), key, true);
+    push_button(window_->id(), button, true, from.x, from.y, 1);
     constexpr int steps = 8;
     for (int i = 1; i <= steps; ++i)
       part([this, from, to, i] {
@@ -288,8 +308,9 @@ void ScriptPlayer::begin_drag(const Command& command) {
         aim_at_point(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
         return Turn::done;
       });
-    part([this] {
-      push_button(window_->id(), MouseButton::left, false, target_.x, target_.y, 1);
+    part([this, button, key] {
+      push_button(window_->id(), button, false, target_.x, target_.y, 1);
+      if (key != Chord{}) push_key(window_->id(), key, false);
       after_frames(frames_after_input);
       return Turn::done;
     });

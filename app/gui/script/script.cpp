@@ -26,7 +26,9 @@ constexpr std::array verbs{
     VerbRow{"click-pixel", Verb::click_pixel, 2, 2, "click-pixel A|B X,Y"},
     VerbRow{"click", Verb::click, 1, 2, "click CONTROL [left|right|middle|double|ctrl]"},
     VerbRow{"choose", Verb::choose, 2, 2, "choose CONTROL KEY"},
-    VerbRow{"drag", Verb::drag, 2, 2, "drag CONTROL DX,DY or drag X,Y X,Y"},
+    VerbRow{"drag", Verb::drag, 2, 3, "drag CONTROL DX,DY or drag X,Y X,Y, then [left|right|middle|alt|ctrl|shift]"},
+    VerbRow{"press", Verb::press, 0, 1, "press [left|right|middle]"},
+    VerbRow{"lift", Verb::lift, 0, 1, "lift [left|right|middle]"},
     VerbRow{"move", Verb::move, 1, 1, "move CONTROL or move X,Y"},
     VerbRow{"wheel", Verb::wheel, 1, 1, "wheel STEPS"},
     VerbRow{"type", Verb::type, 1, 1, "type TEXT"},
@@ -35,6 +37,7 @@ constexpr std::array verbs{
     VerbRow{"release", Verb::release, 1, 1, "release CHORD"},
     VerbRow{"open", Verb::open, 1, 1, "open PATH-or-NAME"},
     VerbRow{"drop", Verb::drop, 1, 1, "drop PATH"},
+    VerbRow{"write", Verb::write, 2, 2, "write PATH TEXT"},
     VerbRow{"screenshot", Verb::screenshot, 1, 1, "screenshot PATH"},
     VerbRow{"expect", Verb::expect, 2, 4, "expect NAME [=|!=|~=|<|>|contains] VALUE [TOLERANCE]"},
     VerbRow{"expect-not", Verb::expect_not, 2, 2, "expect-not NAME VALUE"},
@@ -46,6 +49,8 @@ constexpr std::array verbs{
 
 constexpr std::array operators{"=", "!=", "~=", "<", ">", "contains"};
 constexpr std::array click_kinds{"left", "right", "middle", "double", "ctrl"};
+constexpr std::array drag_kinds{"left", "right", "middle", "alt", "ctrl", "shift"};
+constexpr std::array buttons{"left", "right", "middle"};
 
 struct Word {
   std::string text;
@@ -115,6 +120,11 @@ void check(const Command& command, std::string_view usage) {
     break;
   case Verb::drag:
     parse_number_pair(words[1], command.place);
+    if (words.size() == 3) require_one_of(words[2], drag_kinds, command.place, usage);
+    break;
+  case Verb::press:
+  case Verb::lift:
+    if (words.size() == 1) require_one_of(words[0], buttons, command.place, usage);
     break;
   case Verb::wheel:
     parse_script_number(words[0], command.place);
@@ -145,6 +155,7 @@ void check(const Command& command, std::string_view usage) {
   case Verb::type:
   case Verb::open:
   case Verb::drop:
+  case Verb::write:
   case Verb::screenshot:
   case Verb::expect_not:
   case Verb::keep:

@@ -15,7 +15,9 @@ enum class Verb {
   click_pixel,  ///< click-pixel A|B X,Y
   click,        ///< click CONTROL [left|right|middle|double|ctrl]
   choose,       ///< choose CONTROL KEY: clicks one of a choice, opening the list if it is a drop-down
-  drag,         ///< drag CONTROL DX,DY | drag X,Y X,Y
+  drag,         ///< drag CONTROL DX,DY [HOW] | drag X,Y X,Y [HOW]; HOW: another button, or a key held meanwhile
+  press,        ///< press [left|right|middle], where the pointer is; the button stays down until lift
+  lift,         ///< lift [left|right|middle]
   move,         ///< move CONTROL | move X,Y
   wheel,        ///< wheel STEPS, where the pointer is; up is positive
   type,         ///< type TEXT
@@ -24,6 +26,7 @@ enum class Verb {
   release,      ///< release CHORD
   open,         ///< open PATH-or-NAME
   drop,         ///< drop PATH, as if dragged into the window
+  write,        ///< write PATH TEXT: what another program does to a file meanwhile
   screenshot,   ///< screenshot PATH
   expect,       ///< expect NAME VALUE | expect NAME OPERATOR VALUE [TOLERANCE]; OPERATOR is = != ~= < > contains
   expect_not,   ///< expect-not NAME VALUE

@@ -27,21 +27,20 @@ std::string keys_of(const Actions& actions, const Action& action) {
   return text;
 }
 
-/// What it does on the left, its keys on the right; where both do not fit, what it does is cut and told in full by its
-/// tooltip.
+/// What it does on the left, its keys on the right; where both do not fit side by side, what it does takes more lines.
 void row(const std::string& label, const std::string& keys, float width) {
-  const float height = ImGui::GetTextLineHeight();
+  const float line = ImGui::GetTextLineHeight();
   float keys_width = 0;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   {
     const FontScope mono(Face::mono);
     keys_width = ImGui::CalcTextSize(keys.c_str()).x;
-    draw_text({at.x + width - keys_width, at.y}, {at.x + width, at.y + height}, keys, palette().text, 1);
+    draw_text({at.x + width - keys_width, at.y}, {at.x + width, at.y + line}, keys, palette().text, 1);
   }
   const float room = width - keys_width - px(14);
-  draw_text(at, {at.x + room, at.y + height}, label, palette().text_quiet, 0);
+  const float height = ImGui::CalcTextSize(label.c_str(), nullptr, false, room).y;
+  ImGui::GetWindowDrawList()->AddText(nullptr, 0, at, colour_u32(palette().text_quiet), label.c_str(), nullptr, room);
   ImGui::Dummy({width, height});
-  if (text_width(label) > room) tooltip(label);
 }
 
 void draw_group(const Actions& actions, const std::string& group, float width) {

@@ -27,6 +27,16 @@ bool push_button_shape(std::string_view name, std::string_view label, const Cont
 
 }  // namespace
 
+float button_width(std::string_view label) {
+  return std::floor(text_width(label) + 2 * ImGui::GetStyle().FramePadding.x);
+}
+
+void same_line_if_room(float width, float spacing) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  const float between = spacing < 0 ? ImGui::GetStyle().ItemSpacing.x : spacing;
+  if (ImGui::GetItemRectMax().x + between + width <= right) ImGui::SameLine(0, between);
+}
+
 bool button(std::string_view name, std::string_view label, Emphasis emphasis, const ControlStyle& style) {
   const Palette& p = palette();
   switch (emphasis) {

@@ -69,7 +69,7 @@ bool progress_bar(std::string_view name, std::string_view label, double fraction
   draw.AddRectFilled({min.x, y}, {max.x, y + px(3)}, colour_u32(p.line), px(2));
   const float share = static_cast<float>(std::clamp(fraction, 0.0, 1.0));
   draw.AddRectFilled({min.x, y}, {min.x + (max.x - min.x) * share, y + px(3)}, colour_u32(p.text_quiet), px(2));
-  const std::string percent = std::to_string(static_cast<int>(share * 100)) + " %";
+  const std::string percent = fraction < 0 ? "" : std::to_string(static_cast<int>(share * 100)) + " %";
   draw_text(min, {max.x - px(48), y}, label, p.text, 0);
   {
     const FontScope mono(Face::mono);

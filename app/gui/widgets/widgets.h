@@ -28,6 +28,10 @@ struct ControlStyle {
 enum class Emphasis { plain, primary, quiet };
 bool button(std::string_view name, std::string_view label, Emphasis emphasis = Emphasis::plain,
             const ControlStyle& style = {});
+/// The width that a button with this label takes.
+float button_width(std::string_view label);
+/// Goes on in the same line if something this wide has room there; `spacing` as in ImGui::SameLine.
+void same_line_if_room(float width, float spacing = -1);
 /// A button that shows a state, such as a tool that is chosen.
 bool button_on_off(std::string_view name, std::string_view label, bool on, const ControlStyle& style = {});
 /// A switch with its label to the right; the value reads "on" or "off".
@@ -106,7 +110,7 @@ void tooltip(std::string_view text);
 /// A tooltip that draws itself.
 bool begin_tooltip();  ///< for the last item; if true, call end_tooltip()
 void end_tooltip();
-/// Share in [0, 1] with a label; answers whether Cancel was clicked (name/cancel).
+/// Share in [0, 1] with a label, or negative where nobody knows it; answers whether Cancel was clicked (name/cancel).
 bool progress_bar(std::string_view name, std::string_view label, double fraction, float width = 0);
 enum class MessageKind { information, warning, error };
 /// One line across the width: a mark, the text, and a button that dismisses it (name/dismiss). True = dismissed.
