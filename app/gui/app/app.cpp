@@ -20,9 +20,10 @@ namespace {
 
 constexpr const char* first_scene = "cgfs/reflections";
 constexpr const char* layout_key = "app/layout";
-constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                          ImGuiWindowFlags_NoScrollWithMouse;
+/// Without backgrounds: the window is cleared to their colour.
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoDecoration |
+                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
 
 /// The sizes of the regions in pixels where the document leaves them to the window. They grow with it only so far that
 /// the pictures keep more than half of it.
@@ -189,6 +190,7 @@ void App::draw() {
   message_bars(session_, px(8), size.x - px(8), size.y - status_height);
   file_dialog();
   about();
+  session_.request_changed();
   publish();
   autosave_.save(session_.permalink());
   if (session_.busy()) shell_.wake_after(0.1);  // progress moves also between tiles
@@ -198,13 +200,11 @@ void App::draw() {
 /// fill the window, another one or Esc takes it back.
 void App::begin_region(const char* name, const Area& area, const char* heading) {
   ImGui::SetCursorScreenPos(area.min);
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(12), px(8)});
   ImGui::BeginChild(name, {area.width(), area.height()}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
   if (heading) region_heading(name, heading);
 }
 

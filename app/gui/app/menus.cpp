@@ -52,7 +52,9 @@ void App::scene_menu() {
       const FontScope font(Face::small);
       ImGui::TextDisabled("%s", book_title(book).c_str());
     }
-    if (menu_item("scene/" + scene.name, scene.title, first_sentence(scene.description),
+    // Where the window is narrow the description would be cut; the tooltip has it.
+    const bool room = ImGui::GetIO().DisplaySize.x >= px(900);
+    if (menu_item("scene/" + scene.name, scene.title, room ? first_sentence(scene.description) : "",
                   session_.document().scene_name == scene.name))
       session_.open(scene.name);
     tooltip(scene.description);

@@ -117,11 +117,13 @@ void picture_title(Session& session, Side side, const Area& row) {
   const float text_left = row.min.x + size + space;
   const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;
   if (two_lines) {
+    const float room = row.max.x - text_left;
+    const Face face = width_of(Face::bold, text) <= room ? Face::bold : Face::small;
     std::string first = text;
-    const std::string rest = take_line(Face::bold, first, row.max.x - text_left);
-    clipped_text(list, Face::bold, {text_left, text_top}, row.max.x - text_left, colour, first);
-    clipped_text(list, Face::bold, {text_left, text_top + line}, row.max.x - choice_width - space - text_left, colour,
-                 rest);
+    const std::string rest = take_line(face, first, room);
+    const float first_top = rest.empty() ? text_top : row.min.y;
+    clipped_text(list, face, {text_left, first_top}, room, colour, first);
+    clipped_text(list, face, {text_left, first_top + px(15)}, room, colour, rest);
   } else {
     clipped_text(list, Face::bold, {text_left, text_top}, row.max.x - choice_width - space - text_left, colour, text);
   }

@@ -72,6 +72,10 @@ bool Session::update() {
   return arrived;
 }
 
+void Session::request_changed() {
+  if (changed_ && has_scene()) request_work();
+}
+
 std::optional<Vec2i> Session::pixel() const {
   if (!has_scene() || !inside(document_.pixel, view())) return {};
   return document_.pixel;
@@ -125,7 +129,9 @@ void Session::set_settings(Side side, const Settings& settings, const std::strin
 }
 
 void Session::navigate(const std::function<void(Document&)>& apply) {
-  if (has_scene()) apply(document_);
+  if (!has_scene()) return;
+  apply(document_);
+  changed_ = true;
 }
 
 void Session::set_pixel(std::optional<Vec2i> pixel) {
@@ -264,6 +270,7 @@ void Session::take_up(Document document, Reason reason) {
 }
 
 void Session::document_changed() {
+  changed_ = true;
   traits_ = scene_traits(document_.scene);
   if (watched_ == document_.scene_name) return;
   watched_ = document_.scene_name;
@@ -273,6 +280,7 @@ void Session::document_changed() {
 }
 
 void Session::request_work() {
+  changed_ = false;
   const auto range = common_range();
   for (const Side side : both_sides) {
     PictureRequest request{document_.scene, view(), settings(side), shown(side), range, region_};

@@ -47,6 +47,8 @@ class Session {
   /// Once per frame: takes up loaded scenes and changed files, and asks for the renders and stories that the document
   /// needs now. Answers whether a new scene has arrived.
   bool update();
+  /// At the end of a frame: asks for what the frame's changes need, so that work begins while the frame is drawn.
+  void request_changed();
 
   // --- what there is ---
   bool has_scene() const { return history_.has_value(); }
@@ -143,6 +145,7 @@ class Session {
   std::vector<std::string> recent_;
   std::string loading_name_;
   bool loading_cancelled_ = false;
+  bool changed_ = false;  // since work was last asked for
 
   mutable std::mutex loaded_mutex_;
   std::optional<Loaded> loaded_;

@@ -285,12 +285,16 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
 
   state.worker.request({session.scene(), viewer(state, width, height), near_of(state, aspect)});
   state.worker.take_news();
-  if (const auto picture = state.worker.picture(); picture && picture != state.picture) {
+  if (const auto picture = state.worker.picture();
+      picture && (picture != state.picture || state.paper != theme().brightness())) {
     state.picture = picture;
+    state.paper = theme().brightness();
     state.texture.upload(paled(*picture, state.model.ground));
   }
   auto& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
+  const bool covered = state.picture && static_cast<float>(state.picture->view.width) >= area.width() &&
+                       static_cast<float>(state.picture->view.height) >= area.height();
+  if (!covered) list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
   if (!state.picture) return fill_or_not;
   const View& view = state.picture->view;
   const Area drawn_area{area.min,

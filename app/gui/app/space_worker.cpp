@@ -21,8 +21,13 @@ SpacePicture draw(const SpaceRequest& request, Prepared& prepared, Progress& pro
   settings.backface_culling = false;  // open models are seen from all sides
   Scene scene = request.scene;
   scene.canvas_items = {};  // they lie on the picture, not in space
-  const Frame frame = render_rasterized(
-      scene, request.view, settings, {Channel::depth | Channel::ids, WorkerPriority::normal, {}}, prepared, progress);
+  const RenderRequest wanted{Channel::depth | Channel::ids, WorkerPriority::normal, {}};
+  if (scene_traits(scene).csg) {  // has no triangles
+    settings.renderer = Renderer::ray_tracer;
+    settings.reflection_depth = 0;
+    settings.shadows = Shadows::none;
+  }
+  const Frame frame = render(scene, request.view, settings, wanted, prepared, progress);
   return {request.view, request.near, display_frame(frame, settings), frame.depth, frame.ids};
 }
 

@@ -18,11 +18,14 @@ std::vector<std::string> groups_of(const Actions& actions) {
   return groups;
 }
 
-std::string keys_of(const Actions& actions, const Action& action) {
+/// Its keys, as many of them as fit beside what it does; the first one always.
+std::string keys_of(const Actions& actions, const Action& action, float room) {
+  const FontScope mono(Face::mono);
   std::string text;
   for (const Chord& chord : actions.chords(action.name)) {
-    if (!text.empty()) text += "  ";
-    text += chord_text(chord);
+    const std::string more = text.empty() ? chord_text(chord) : text + "  " + chord_text(chord);
+    if (!text.empty() && ImGui::CalcTextSize(more.c_str()).x > room) break;
+    text = more;
   }
   return text;
 }
@@ -50,7 +53,8 @@ void draw_group(const Actions& actions, const std::string& group, float width) {
   }
   for (const Action& action : actions.all()) {
     if (action.group != group) continue;
-    row(action.label + (action.kind == ActionKind::hold ? " (hold)" : ""), keys_of(actions, action), width);
+    const std::string label = action.label + (action.kind == ActionKind::hold ? " (hold)" : "");
+    row(label, keys_of(actions, action, width - text_width(label) - px(14)), width);
   }
   ImGui::Dummy({0, px(8)});
 }
@@ -67,7 +71,7 @@ void HelpSheet::draw(const Actions& actions) {
   values().publish("help/open", open_);
   if (!open_) return;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const ImVec2 size{std::min(px(1040), display.x - px(40)), std::min(px(700), display.y - px(40))};
+  const ImVec2 size{std::min(px(1260), display.x - px(40)), std::min(px(860), display.y - px(40))};
   ImGui::SetNextWindowPos({(display.x - size.x) / 2, (display.y - size.y) / 2});
   ImGui::SetNextWindowSize(size);
   ImGui::SetNextWindowFocus();
