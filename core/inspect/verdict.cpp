@@ -107,12 +107,20 @@ void add_rejections(const PixelStory& story, bool with_uncovered, std::vector<st
 void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vector<std::string>& parts) {
   std::size_t failed = 0;
   bool depth_off = false;
+  bool shaded_later = false;
   for (const Event& event : story.events)
     if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
+      if (fragment->pass == FragmentEvent::Pass::shading) {
+        shaded_later = true;
+        continue;
+      }
       if (fragment->depth == FragmentEvent::Depth::failed) ++failed;
       if (fragment->depth == FragmentEvent::Depth::off) depth_off = true;
     }
-  if (writes > 1) parts.push_back(plural(writes - 1, "earlier colour was", "earlier colours were") + " painted over");
+  if (shaded_later)
+    parts.push_back("shaded when visibility was known" + (writes > 1 ? fmt::format(", in {} passes", writes) : ""));
+  else if (writes > 1)
+    parts.push_back(plural(writes - 1, "earlier colour was", "earlier colours were") + " painted over");
   if (failed > 0) parts.push_back(plural(failed, "fragment", "fragments") + " failed depth");
   if (depth_off) parts.push_back("the depth test is off");
 }

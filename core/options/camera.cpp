@@ -34,6 +34,13 @@ std::vector<Option> camera_rows() {
                     "CGPP 15.4.1", "Mixing both up magnifies the picture by width / (width - 1)."}},
           {{"edges", "pixel edges", "The viewport's borders are the picture's borders."},
            {"centres", "pixel centres", "The viewport's borders run through the outermost samples."}}),
+      toggle<&Settings::camera_relative>(
+          {.key = "camera-relative",
+           .label = "Relative to the camera",
+           .help = {"Vertices lose the camera's position before they are rounded to float, not after.",
+                    "the floating origin of large worlds; LAB 7",
+                    "Off, vertices a million units from the origin jump between numbers 1/16 apart."},
+           .inactive = needs_fragments}),
       real<&Settings::near>(
           {.key = "near",
            .label = "Near limit",

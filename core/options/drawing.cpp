@@ -86,6 +86,16 @@ std::vector<Option> drawing_rows() {
            {"float", "float", "Each sample afresh; two triangles may round their edge to different sides."},
            {"float-stepped", "float, stepped", "One rounded addition for each sample."},
            {"int32", "32-bit integers", "Exact until a product overflows."}}),
+      integer<&Settings::multisampling>(
+          {.key = "multisampling",
+           .label = "Multisampling",
+           .help =
+               {"Coverage and depth at 2, 4 or 8 places of each pixel, but one colour for each triangle in it. Values "
+                "between act as the lower one.",
+                "the standard sample patterns of Direct3D",
+                "Smooths edges of triangles, not highlights or textures inside them."},
+           .inactive = needs_filling},
+          1, 8, "samples"),
       integer<&Settings::subpixel_bits>(
           {.key = "subpixel-bits",
            .label = "Sub-pixel bits",

@@ -9,6 +9,31 @@ Reason needs_depth_buffer(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+/// What first finds out what is visible needs a depth buffer with one sample a pixel.
+Reason needs_passes(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_depth_buffer(s, t)) return reason;
+  if (s.draw != Draw::filled) return "needs draw = filled";
+  if (s.multisampling > 1) return "needs multisampling = 1";
+  return {};
+}
+Reason needs_single_pass_lights(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_passes(s, t)) return reason;
+  if (s.light_passes == LightPasses::many && s.lighting && s.shading == Shading::phong)
+    return "light-passes = many finds out what is visible anyway";
+  return {};
+}
+Reason needs_early_depth(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_single_pass_lights(s, t)) return reason;
+  if (s.deferred_shading) return "deferred shading shades only what is visible anyway";
+  return {};
+}
+Reason needs_light_passes(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_passes(s, t)) return reason;
+  if (!s.lighting) return "needs lighting";
+  if (s.shading != Shading::phong) return "needs shading = phong: other shading lights corners";
+  return {};
+}
+
 /// 1 / z alone has a place for everything up to infinity.
 Reason needs_range(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_depth_buffer(s, t)) return reason;
@@ -82,6 +107,28 @@ std::vector<Option> visibility_rows() {
                 "the clip-control depth range of Direct3D and OpenGL",
                 "Integers have equal steps, so they gain nothing."},
            .inactive = needs_unit_range}),
+      toggle<&Settings::early_depth>(
+          {.key = "early-depth",
+           .label = "Early depth pass",
+           .help = {"Draws all triangles twice: first their depth alone, then only what is visible is shaded.",
+                    "CGPP 15.8.3", "Coverage is done twice; it pays where shading is dear and many surfaces overlap."},
+           .inactive = needs_early_depth}),
+      toggle<&Settings::deferred_shading>(
+          {.key = "deferred-shading",
+           .label = "Deferred shading",
+           .help = {"Keeps which triangle each pixel shows, and where on it, and shades each pixel once at the end.",
+                    "CGPP 15.8.3", "Needs memory for what is kept of each pixel, and knows one surface a pixel."},
+           .inactive = needs_single_pass_lights}),
+      choice<&Settings::light_passes>(
+          {.key = "light-passes",
+           .label = "Lights",
+           .help =
+               {"Whether a fragment is shaded under all lights at once or the triangles are drawn once for each light, "
+                "each pass adding to the picture.",
+                "CGPP 15.7.2.3", "Every light more is another walk over all triangles, and sums are rounded between."},
+           .inactive = needs_light_passes},
+          {{"one", "in one pass", "All lights when a fragment is shaded."},
+           {"many", "one pass each", "A pass for the depth, then one for each light."}}),
       toggle<&Settings::backface_culling>(
           {.key = "backface-culling",
            .label = "Back-face culling",

@@ -14,11 +14,15 @@ namespace {
 template <class Real, class Recorder>
 class TriangleDrawer {
  public:
-  TriangleDrawer(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, Target<Real>& target, Recorder& recorder)
-      : pass_(pass), geometry_(geometry), target_(target), recorder_(recorder),
+  TriangleDrawer(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, const DrawStep& step,
+                 Target<Real>& target, Recorder& recorder)
+      : pass_(pass), geometry_(geometry), step_(step), target_(target), recorder_(recorder),
         depth_buffer_(pass.settings.visibility == Visibility::depth_buffer) {}
 
-  void draw(const Batch<Real>& batch, const ScreenTriangle<Real>& triangle) {
+  void set_up(const PrimitiveRef& ref) {
+    const Batch<Real>& batch = geometry_.batches[ref.batch];
+    const ScreenTriangle<Real>& triangle = batch.triangles[ref.index];
+    ref_ = ref;
     const auto edges = make_edges(triangle.corners, pass_.grid);
     PS_ASSERT(edges.has_value(), "triangles without area are left out by the assembly");
     setup_.triangle = &triangle;
@@ -26,10 +30,17 @@ class TriangleDrawer {
     setup_.attributes = batch.attributes.data() + triangle.attributes;
     setup_.edges = *edges;
     setup_.inverse_area = Real(1) / static_cast<Real>(edges->area);
+  }
+
+  void draw(const PrimitiveRef& ref) {
+    set_up(ref);
+    const ScreenTriangle<Real>& triangle = *setup_.triangle;
     const TileRect& rect = target_.rect();
     const PixelBox box = intersection(tested_box(pass_, triangle), {rect.x0, rect.y0, rect.x1, rect.y1});
-    if constexpr (Recorder::records) report_if_missed(rect);
+    if constexpr (Recorder::records)
+      if (step_.is_first() && target_.samples() == 1) report_if_missed(rect);
     if (is_empty(box)) return;
+    if (target_.samples() > 1) return draw_multisampled(box);
     if constexpr (std::is_same_v<Real, float> && !Recorder::records)
       if (draw_fast(box)) return;
     walk_coverage<Real>(pass_.coverage, coverage_input(pass_, triangle, setup_.edges), box, *this);
@@ -40,10 +51,10 @@ class TriangleDrawer {
   void test_all(const PixelBox& box) { count_tests(Counter::coverage_tests, sample_count(box), box); }
   void region(const PixelBox& box) { count_tests(Counter::coverage_regions, 1, box); }
   void cover(int column, int row) { cover(column, row, setup_.edges.at(column, row)); }
-  /// A covered sample: depth test, shading, write.
+  /// A covered sample: depth test, shading, write, as far as the step goes.
   void cover(int column, int row, const std::array<std::int64_t, 3>& values) {
     recorder_.count(Counter::fragments);
-    if (target_.wants(Channel::overdraw)) ++target_.frame().overdraw.at(column, row);
+    if (target_.wants(Channel::overdraw) && step_.is_first()) ++target_.frame().overdraw.at(column, row);
     const Fragment<Real> fragment = make_fragment(pass_, setup_, column, row, values);
     Real depth = 0;
     Real stored = 0;
@@ -53,30 +64,165 @@ class TriangleDrawer {
       recorder_.count(Counter::attributes_interpolated);
       depth = pass_.depth.encode(depth_value(pass_, setup_, fragment));
       stored = target_.depth(column, row);
-      const bool nearer = is_nearer(pass_.depth, depth, stored);
-      verdict = nearer ? FragmentEvent::Depth::passed : FragmentEvent::Depth::failed;
+      const bool passed =
+          step_.is_first() ? is_nearer(pass_.depth, depth, stored) : depth == stored && is_next(column, row);
+      verdict = passed ? FragmentEvent::Depth::passed : FragmentEvent::Depth::failed;
     }
-    recorder_.begin([&] { return fragment_event(pass_, setup_, fragment, values, verdict, stored, depth); });
+    recorder_.begin([&] { return event_of_pass(fragment, values, verdict, stored, depth); });
     if constexpr (Recorder::records)
-      if (!pass_.coverage.is_common()) recorder_.event([&] { return explain(column, row); });
-    if (verdict == FragmentEvent::Depth::failed) {
+      if (!pass_.coverage.is_common() && step_.is_first()) recorder_.event([&] { return explain(column, row); });
+    if (verdict == FragmentEvent::Depth::failed)
       recorder_.count(Counter::depth_failures);
-      recorder_.end();
-      return;
-    }
-    if (depth_buffer_) target_.depth(column, row) = depth;
-    const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_);
-    recorder_.event([&] {
-      return WriteEvent{event_id(setup_), Vec3d(target_.colour(column, row)), Vec3d(shaded.colour),
-                        Vec3d(shaded.colour)};
-    });
+    else
+      pass_on(fragment, depth);
     recorder_.end();
-    recorder_.count(Counter::pixels_written);
-    target_.set_colour(column, row, shaded.colour);
-    if (pass_.channels != Channel::none) write_channels(fragment, shaded);
+  }
+
+  /// Shades and writes what deferred shading kept of a pixel.
+  void shade_winner(const Winner<Real>& winner) {
+    if (!is_set_up_for(winner.triangle)) set_up(winner.triangle);
+    const Fragment<Real>& fragment = winner.fragment;
+    recorder_.begin([&] {
+      const Real depth = target_.depth(fragment.column, fragment.row);
+      return event_of_pass(fragment, setup_.edges.at(fragment.column, fragment.row), FragmentEvent::Depth::passed,
+                           depth, depth);
+    });
+    shade_and_write(fragment);
+    recorder_.end();
   }
 
  private:
+  bool is_set_up_for(const PrimitiveRef& ref) const {
+    return setup_.triangle && ref.batch == ref_.batch && ref.index == ref_.index;
+  }
+  /// Of several fragments at the buffer's own depth the first is shaded, in each pass over the triangles.
+  bool is_next(int column, int row) {
+    const int passes = step_.stage == DrawStage::one_light ? step_.light : 0;
+    return target_.times_shaded(column, row) == passes;
+  }
+  FragmentEvent event_of_pass(const Fragment<Real>& fragment, const std::array<std::int64_t, 3>& values,
+                              FragmentEvent::Depth verdict, Real stored, Real depth) const {
+    FragmentEvent event = fragment_event(pass_, setup_, fragment, values, verdict, stored, depth);
+    switch (step_.stage) {
+    case DrawStage::whole:
+      break;
+    case DrawStage::depth_only:
+    case DrawStage::keep_winners:
+      event.pass = FragmentEvent::Pass::depth_first;
+      break;
+    case DrawStage::shade_visible:
+    case DrawStage::one_light:
+      event.pass = FragmentEvent::Pass::shading;
+      break;
+    }
+    return event;
+  }
+
+  /// What becomes of a fragment that passed.
+  void pass_on(const Fragment<Real>& fragment, Real depth) {
+    const int column = fragment.column, row = fragment.row;
+    switch (step_.stage) {
+    case DrawStage::whole:
+      if (depth_buffer_) target_.depth(column, row) = depth;
+      return shade_and_write(fragment);
+    case DrawStage::depth_only:
+      target_.depth(column, row) = depth;
+      return;
+    case DrawStage::keep_winners:
+      target_.depth(column, row) = depth;
+      target_.winner(column, row) = {ref_, fragment, true};
+      return;
+    case DrawStage::shade_visible:
+    case DrawStage::one_light:
+      ++target_.times_shaded(column, row);
+      return shade_and_write(fragment);
+    }
+  }
+
+  void shade_and_write(const Fragment<Real>& fragment) {
+    const int column = fragment.column, row = fragment.row;
+    const bool one_light = step_.stage == DrawStage::one_light;
+    const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_,
+                                                       one_light ? std::optional<int>(step_.light) : std::nullopt);
+    const Vec3<Real> before = target_.colour(column, row);
+    // Passes after the first light's add to the picture.
+    const Vec3<Real> after = one_light && step_.light > 0 ? before + shaded.colour : shaded.colour;
+    recorder_.event([&] { return WriteEvent{event_id(setup_), Vec3d(before), Vec3d(shaded.colour), Vec3d(after)}; });
+    recorder_.count(Counter::pixels_written);
+    target_.set_colour(column, row, after);
+    if (pass_.channels != Channel::none) write_channels(fragment, shaded);
+  }
+
+  /// Multisampling: coverage and depth for each sub-sample, one shade for the pixel, at its middle.
+  void draw_multisampled(const PixelBox& box) {
+    const SubSampleEdges sub = make_sub_sample_edges(setup_.edges, pass_.grid.subpixel_bits);
+    for (int row = box.y0; row < box.y1; ++row)
+      for (int column = box.x0; column < box.x1; ++column) cover_samples(sub, column, row);
+  }
+  void cover_samples(const SubSampleEdges& sub, int column, int row) {
+    const auto pattern = sample_pattern(pass_.grid.samples);
+    const auto middle = setup_.edges.at(column, row);
+    count_tests(Counter::coverage_tests, pattern.size(), {column, row, column + 1, row + 1});
+    const Fragment<Real> fragment = make_fragment(pass_, setup_, column, row, middle);
+    std::array<bool, 8> visible{};
+    int covered = 0;
+    int passed = 0;
+    Real first_stored = 0, first_depth = 0;
+    for (std::size_t s = 0; s < pattern.size(); ++s) {
+      const auto values = sub.at(middle, pattern[s]);
+      if (!sub.inside(values)) continue;
+      visible[s] = true;
+      if (depth_buffer_) {
+        recorder_.count(Counter::depth_tests);
+        recorder_.count(Counter::attributes_interpolated);
+        const Real depth = pass_.depth.encode(depth_value(pass_, setup_, sample_fragment(sub, column, row, values)));
+        Real& stored = target_.sample_depth(column, row, static_cast<int>(s));
+        if (covered == 0) first_stored = stored, first_depth = depth;
+        visible[s] = is_nearer(pass_.depth, depth, stored);
+        if (visible[s]) stored = depth;
+      }
+      ++covered;
+      passed += visible[s];
+    }
+    if (covered == 0) {
+      if constexpr (Recorder::records) recorder_.event([&] { return not_covered_event(pass_, setup_, middle); });
+      return;
+    }
+    recorder_.count(Counter::fragments);
+    recorder_.count(Counter::subsamples, static_cast<std::uint64_t>(covered));
+    recorder_.count(Counter::depth_failures, static_cast<std::uint64_t>(covered - passed));
+    if (target_.wants(Channel::overdraw)) ++target_.frame().overdraw.at(column, row);
+    recorder_.begin([&] {
+      const auto verdict = !depth_buffer_ ? FragmentEvent::Depth::off
+                           : passed > 0   ? FragmentEvent::Depth::passed
+                                          : FragmentEvent::Depth::failed;
+      FragmentEvent event = fragment_event(pass_, setup_, fragment, middle, verdict, first_stored, first_depth);
+      event.samples = pass_.grid.samples;
+      event.samples_covered = covered;
+      return event;
+    });
+    if (passed > 0) write_samples(fragment, visible);
+    recorder_.end();
+  }
+  /// The fragment at a sub-sample. The scale is a power of two, so dividing by it loses nothing.
+  Fragment<Real> sample_fragment(const SubSampleEdges& sub, int column, int row,
+                                 const std::array<std::int64_t, 3>& values) const {
+    TriangleSetup<Real> setup = setup_;
+    setup.inverse_area = setup_.inverse_area / static_cast<Real>(sub.scale);
+    return make_fragment(pass_, setup, column, row, values);
+  }
+  void write_samples(const Fragment<Real>& fragment, const std::array<bool, 8>& visible) {
+    const ShadedFragment<Real> shaded = shade_fragment(pass_, geometry_, setup_, fragment, recorder_);
+    const Vec3<Real> before = target_.sample_colour(fragment.column, fragment.row, 0);
+    for (int s = 0; s < pass_.grid.samples; ++s)
+      if (visible[static_cast<std::size_t>(s)]) target_.sample_colour(fragment.column, fragment.row, s) = shaded.colour;
+    recorder_.event([&] {
+      return WriteEvent{event_id(setup_), Vec3d(before), Vec3d(shaded.colour), Vec3d(shaded.colour)};
+    });
+    recorder_.count(Counter::pixels_written);
+    if (pass_.channels != Channel::none && visible[0]) write_channels(fragment, shaded);
+  }
+
   static std::uint64_t sample_count(const PixelBox& box) {
     return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0);
   }
@@ -251,9 +397,11 @@ class TriangleDrawer {
 
   const Pass<Real>& pass_;
   const ScreenGeometry<Real>& geometry_;
+  DrawStep step_;
   Target<Real>& target_;
   Recorder& recorder_;
   bool depth_buffer_;
+  PrimitiveRef ref_;
   ShadeBatch batch_;
   TriangleSetup<Real> setup_;
 };
@@ -262,20 +410,30 @@ class TriangleDrawer {
 
 template <class Real, class Recorder>
 void draw_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
-                     std::span<const PrimitiveRef> primitives, Target<Real>& target, Recorder& recorder) {
-  TriangleDrawer<Real, Recorder> triangles(pass, geometry, target, recorder);
-  for (const PrimitiveRef& ref : primitives) {
-    const Batch<Real>& batch = geometry.batches[ref.batch];
+                     std::span<const PrimitiveRef> primitives, const DrawStep& step, Target<Real>& target,
+                     Recorder& recorder) {
+  TriangleDrawer<Real, Recorder> triangles(pass, geometry, step, target, recorder);
+  for (const PrimitiveRef& ref : primitives)
     if (pass.settings.draw == Draw::filled)
-      triangles.draw(batch, batch.triangles[ref.index]);
+      triangles.draw(ref);
     else
-      draw_edge(pass, batch.lines[ref.index], target, recorder);
-  }
+      draw_edge(pass, geometry.batches[ref.batch].lines[ref.index], target, recorder);
+}
+
+template <class Real, class Recorder>
+void shade_winners(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, Target<Real>& target,
+                   Recorder& recorder) {
+  TriangleDrawer<Real, Recorder> triangles(pass, geometry, {DrawStage::shade_visible, 0}, target, recorder);
+  const TileRect& rect = target.rect();
+  for (int row = rect.y0; row < rect.y1; ++row)
+    for (int column = rect.x0; column < rect.x1; ++column)
+      if (const Winner<Real>& winner = target.winner(column, row); winner.any) triangles.shade_winner(winner);
 }
 
 #define PS_INSTANTIATE(Real, Recorder)                                                                                 \
   template void draw_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>,         \
-                                Target<Real>&, Recorder&);
+                                const DrawStep&, Target<Real>&, Recorder&);                                            \
+  template void shade_winners(const Pass<Real>&, const ScreenGeometry<Real>&, Target<Real>&, Recorder&);
 PS_INSTANTIATE(float, Silent)
 PS_INSTANTIATE(float, CountingRecorder)
 PS_INSTANTIATE(float, PixelRecorder)

@@ -60,6 +60,7 @@ struct CoverageGrid {
   int subpixel_bits = 8;
   FillRule fill_rule = FillRule::top_left;
   Vec2d sample{0.5, 0.5};  ///< of the sample inside its pixel, a multiple of one half
+  int samples = 1;         ///< of a pixel; more than one lie anywhere in it (multisample.h)
 };
 
 /// Twice the triangle's area, exactly; its sign tells the orientation.
@@ -118,7 +119,8 @@ inline PixelBox sample_box(const std::array<FixedPoint, 3>& corner, const Covera
   const std::int64_t high_y = std::max({corner[0].y, corner[1].y, corner[2].y}) - sample_y;
   const auto ceiling = [&](std::int64_t v) { return static_cast<int>((v + unit - 1) >> shift); };
   const auto floor_next = [&](std::int64_t v) { return static_cast<int>((v >> shift) + 1); };
-  return {ceiling(low_x), ceiling(low_y), floor_next(high_x), floor_next(high_y)};
+  const std::int64_t half = grid.samples > 1 ? unit / 2 : 0;  // how far sub-samples stray from the middle, at most
+  return {ceiling(low_x - half), ceiling(low_y - half), floor_next(high_x + half), floor_next(high_y + half)};
 }
 
 }  // namespace ps::raster

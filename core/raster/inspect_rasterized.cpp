@@ -37,6 +37,7 @@ class PixelWalk {
 
   void draw(Target<Real>& target, PixelRecorder& recorder) {
     const std::vector<PrimitiveRef> near = pick_near();
+    const std::vector<DrawStep> steps = draw_steps(pass_.settings, pass_.lights.size());
     const bool in_order = pass_.settings.visibility != Visibility::painter;
     if (!in_order) report_rejected(recorder, ~std::uint32_t{0});
     for (std::size_t i = 0; i < near.size();) {
@@ -44,11 +45,15 @@ class PixelWalk {
       const std::size_t first = i;
       const std::uint64_t before = recorder.counters[Counter::pixels_written];
       for (; i < near.size() && sequence(near[i]) == sequence(near[first]); ++i)
-        draw_primitives(pass_, geometry_, std::span<const PrimitiveRef>(&near[i], 1), target, recorder);
+        draw_primitives(pass_, geometry_, std::span<const PrimitiveRef>(&near[i], 1), steps.front(), target, recorder);
       if (!filled() && recorder.counters[Counter::pixels_written] == before)
         report_untouched(recorder, line(near[first]));
     }
     report_rejected(recorder, ~std::uint32_t{0});
+    for (std::size_t s = 1; s < steps.size(); ++s)
+      draw_primitives(pass_, geometry_, std::span<const PrimitiveRef>(near), steps[s], target, recorder);
+    if (defers_shading(pass_.settings)) shade_winners(pass_, geometry_, target, recorder);
+    target.resolve();
     draw_canvas_items(pass_, target, recorder);
   }
 
@@ -112,6 +117,13 @@ class PixelWalk {
   }
   bool covers(const ScreenTriangle<Real>& candidate) const {
     const auto edges = make_edges(candidate.corners, pass_.grid);
+    if (edges && pass_.grid.samples > 1) {
+      const SubSampleEdges sub = make_sub_sample_edges(*edges, pass_.grid.subpixel_bits);
+      const auto middle = edges->at(pixel_.x, pixel_.y);
+      const auto samples = sample_pattern(pass_.grid.samples);
+      return std::any_of(samples.begin(), samples.end(),
+                         [&](const SubSample& sample) { return sub.inside(sub.at(middle, sample)); });
+    }
     return edges &&
            decide_sample<Real>(pass_.coverage, coverage_input(pass_, candidate, *edges), pixel_.x, pixel_.y).covered;
   }

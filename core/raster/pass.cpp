@@ -1,5 +1,8 @@
 #include "raster/pass.h"
 
+#include "raster/draw_stage.h"
+#include "raster/multisample.h"
+
 namespace ps::raster {
 namespace {
 
@@ -52,7 +55,7 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
   pass.eye = Vec3<Real>(view.camera.position);
   pass.backward = Vec3<Real>(-view.camera.forward);
   pass.planes = make_clip_planes<Real>(settings, pass.viewport);
-  pass.grid = {settings.subpixel_bits, settings.fill_rule, pass.viewport.sample};
+  pass.grid = {settings.subpixel_bits, settings.fill_rule, pass.viewport.sample, sample_count(settings.multisampling)};
   pass.coverage = {settings.coverage, settings.edge_arithmetic};
   pass.depth = make_depth_code(settings, pass.viewport.distance);
   pass.lights = shading_lights<Real>(*scene.lights);
@@ -75,7 +78,8 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
   }
   if constexpr (std::is_same_v<Real, float>)
     if (pass.divides() && channels == Channel::none && pass.coverage.is_common() &&
-        pass.depth.format == DepthFormat::plain) {
+        pass.depth.format == DepthFormat::plain && draw_steps(settings, 1).front().stage == DrawStage::whole &&
+        pass.grid.samples == 1) {
       if (book_lights(pass.lights, settings)) pass.shade_batch = shade_function(settings.simd);
       pass.scan_triangle = scan_function(settings.simd);
     }

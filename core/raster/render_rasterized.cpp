@@ -49,13 +49,17 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
   const std::vector<TileRect> tiles = make_tiles(view.width, view.height, tile_size);
   const TileRect region = asked_region(request, view.width, view.height);
   std::vector<Counters> counters(tiles.size());
+  const std::vector<DrawStep> steps = draw_steps(settings, pass.lights.size());
   parallel_for(static_cast<int>(tiles.size()), parallel, progress, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     if (is_empty(common_part(tiles[i], region))) return;
     CountingRecorder recorder;
     Target<Real> target(frame, tiles[i], settings, request.channels);
-    for (std::size_t part = 0; part < bins.parts; ++part)
-      draw_primitives(pass, geometry, std::span<const PrimitiveRef>(bins.list(part, i)), target, recorder);
+    for (const DrawStep& step : steps)
+      for (std::size_t part = 0; part < bins.parts; ++part)
+        draw_primitives(pass, geometry, std::span<const PrimitiveRef>(bins.list(part, i)), step, target, recorder);
+    if (defers_shading(settings)) shade_winners(pass, geometry, target, recorder);
+    target.resolve();
     draw_canvas_items(pass, target, recorder);
     recorder.count(Counter::nan_pixels, target.count_nan_pixels());
     counters[i] = recorder.counters;

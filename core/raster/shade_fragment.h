@@ -102,13 +102,13 @@ Vec3<Real> unit(const Vec3<Real>& v) {
 template <class Real, class Recorder>
 Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
                               const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                              const Vec3<Real>& normal, Recorder& recorder) {
+                              const Vec3<Real>& normal, Recorder& recorder, std::optional<int> only_light) {
   const AttributeLayout& layout = setup.surface->layout;
   switch (pass.settings.shading) {
   case Shading::phong: {
     const bool has_position = layout.position != AttributeLayout::absent;
     const Vec3<Real> position = has_position ? interpolate3(pass, setup, fragment, layout.position) : Vec3<Real>(0);
-    return light_at(pass, *setup.surface, position, normal, recorder);
+    return light_at(pass, *setup.surface, position, normal, recorder, only_light);
   }
   case Shading::gouraud: {
     if constexpr (Recorder::records) {
@@ -132,11 +132,11 @@ Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>
   return {};
 }
 
-/// The colour of a fragment (CGFS ch. 13 and 14).
+/// The colour of a fragment (CGFS ch. 13 and 14), under all lights or, with Phong shading, only one of them.
 template <class Real, class Recorder>
 ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
                                     const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                                    Recorder& recorder) {
+                                    Recorder& recorder, std::optional<int> only_light = {}) {
   const Surface<Real>& surface = *setup.surface;
   const AttributeLayout& layout = surface.layout;
   ShadedFragment<Real> shaded;
@@ -160,7 +160,7 @@ ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry
   }
   shaded.colour = colour;
   if (!layout.lit) return shaded;
-  const Lighting<Real> lighting = light_fragment(pass, geometry, setup, fragment, normal, recorder);
+  const Lighting<Real> lighting = light_fragment(pass, geometry, setup, fragment, normal, recorder, only_light);
   shaded.colour = colour * lighting.light + lighting.extra;
   recorder.event([&] {
     ShadeEvent event;

@@ -2,11 +2,22 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "raster/bins.h"
 #include "raster/depth_test.h"
+#include "raster/draw_stage.h"
+#include "raster/multisample.h"
 #include "raster/shade_fragment.h"
 #include "render/frame.h"
 
 namespace ps::raster {
+
+/// What deferred shading keeps of a pixel: the fragment that it shows.
+template <class Real>
+struct Winner {
+  PrimitiveRef triangle;
+  Fragment<Real> fragment;
+  bool any = false;
+};
 
 /// One tile of the picture while it is drawn: the frame's own pixels, and a depth buffer of its own.
 template <class Real>
@@ -16,9 +27,15 @@ class Target {
   /// picture, which then must not have channels.
   Target(Frame& frame, const TileRect& rect, const Settings& settings, Channel channels, Vec2i origin = {0, 0})
       : frame_(frame), rect_(rect), channels_(channels), origin_(origin) {
+    const std::size_t pixels = static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
+    samples_ = settings.draw == Draw::filled ? sample_count(settings.multisampling) : 1;
     if (settings.visibility == Visibility::depth_buffer)
-      depth_.assign(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()) + vector_room,
+      depth_.assign(pixels * static_cast<std::size_t>(samples_) + vector_room,
                     empty_depth<Real>(make_depth_code(settings, 1)));
+    if (defers_shading(settings)) winners_.resize(pixels);
+    if (has_passes(settings) && (settings.early_depth || settings.light_passes == LightPasses::many))
+      shaded_.assign(pixels, 0);
+    if (samples_ > 1) fill_samples();
     nan_written_ = has_nan(colour(rect.x0, rect.y0));  // a background of NaN
   }
 
@@ -28,6 +45,34 @@ class Target {
     return depth_[static_cast<std::size_t>(row - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
                   static_cast<std::size_t>(column - rect_.x0)];
   }
+  int samples() const { return samples_; }
+  /// The same for sub-sample `sample` of a pixel, with multisampling.
+  Real& sample_depth(int column, int row, int sample) { return depth_[sample_index(column, row, sample)]; }
+  Vec3<Real>& sample_colour(int column, int row, int sample) {
+    return sample_colours_[sample_index(column, row, sample)];
+  }
+  /// The fragment that deferred shading found for a pixel.
+  Winner<Real>& winner(int column, int row) { return winners_[pixel_index(column, row)]; }
+  /// How often a pixel was shaded after visibility was known: at equal depths only the first fragment is.
+  std::uint16_t& times_shaded(int column, int row) { return shaded_[pixel_index(column, row)]; }
+
+  /// With multisampling, makes each pixel the mean of its sub-samples. Sums of pairs, so that equal ones stay as they
+  /// are.
+  void resolve() {
+    if (samples_ == 1) return;
+    for (int row = rect_.y0; row < rect_.y1; ++row)
+      for (int column = rect_.x0; column < rect_.x1; ++column) {
+        std::array<Vec3<Real>, 8> sum;
+        for (int s = 0; s < samples_; ++s) sum[static_cast<std::size_t>(s)] = sample_colour(column, row, s);
+        for (int count = samples_; count > 1; count /= 2)
+          for (int s = 0; s < count / 2; ++s) {
+            const auto k = static_cast<std::size_t>(s);
+            sum[k] = sum[2 * k] + sum[2 * k + 1];
+          }
+        set_colour(column, row, sum[0] / static_cast<Real>(samples_));
+      }
+  }
+
   /// Writes many pixels, named by their index in the picture. Only where the frame holds all of it, in float.
   void set_colours(const ShadeBatch& batch) {
     Vec3f* pixels = frame_.colour.pixels().data();
@@ -66,6 +111,20 @@ class Target {
   }
 
  private:
+  std::size_t pixel_index(int column, int row) const {
+    return static_cast<std::size_t>(row - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
+           static_cast<std::size_t>(column - rect_.x0);
+  }
+  std::size_t sample_index(int column, int row, int sample) const {
+    return pixel_index(column, row) * static_cast<std::size_t>(samples_) + static_cast<std::size_t>(sample);
+  }
+  void fill_samples() {
+    sample_colours_.resize(static_cast<std::size_t>(rect_.width()) * static_cast<std::size_t>(rect_.height()) *
+                           static_cast<std::size_t>(samples_));
+    for (int row = rect_.y0; row < rect_.y1; ++row)
+      for (int column = rect_.x0; column < rect_.x1; ++column)
+        for (int s = 0; s < samples_; ++s) sample_colour(column, row, s) = colour(column, row);
+  }
   static bool has_nan(const Vec3<Real>& c) { return c.x != c.x || c.y != c.y || c.z != c.z; }
 
   Frame& frame_;
@@ -75,6 +134,10 @@ class Target {
   bool nan_written_ = false;
   static constexpr std::size_t vector_room = 16;  ///< the fast path reads and writes back whole vectors
   std::vector<Real> depth_;
+  int samples_ = 1;
+  std::vector<Vec3<Real>> sample_colours_;  ///< with multisampling: samples of a pixel follow each other, as in depth_
+  std::vector<Winner<Real>> winners_;
+  std::vector<std::uint16_t> shaded_;
 };
 
 /// A frame of the background's colour with the wanted channels, each holding what "nothing is seen" means in it.

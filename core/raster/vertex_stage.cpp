@@ -35,6 +35,16 @@ bool needs_world_positions(const Pass<Real>& pass, const Surface<Real>& surface)
          corner_light;
 }
 
+/// Where a vertex lies before the camera. Camera-relative: rounded to Real last, when the camera's position is gone.
+/// Otherwise world positions are rounded first, as programs do that keep them in Real: far from the origin neighbouring
+/// numbers lie far apart, and vertices jump between them.
+template <class Real>
+Vec3<Real> camera_position(const Pass<Real>& pass, const Vec3d& world) {
+  if (pass.settings.camera_relative) return Vec3<Real>(pass.camera_space.point(world));
+  const Vec3<Real> from_eye = Vec3<Real>(world) - Vec3<Real>(pass.camera_space.position);
+  return Vec3<Real>(pass.camera_space.from_world * Vec3d(from_eye));
+}
+
 }  // namespace
 
 template <class Real>
@@ -83,7 +93,7 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
         buffer.normals[v] = Vec3<Real>(length > 0 ? normal / length : normal);
       } else {
         const Vec3d world = object.world(object.mesh->positions[v]);
-        buffer.camera[v] = Vec3<Real>(pass.camera_space.point(world));
+        buffer.camera[v] = camera_position(pass, world);
         if (!buffer.world.empty()) buffer.world[v] = Vec3<Real>(world);
       }
     }

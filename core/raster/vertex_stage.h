@@ -7,8 +7,8 @@
 namespace ps::raster {
 
 /// Model space to camera space for every vertex of every object that may be seen (CGFS ch. 10), and to world space for
-/// those whose shading asks for it. Positions are taken relative to the camera before they are rounded to Real, so
-/// pictures far from the origin do not shake. Objects culled by their bounding sphere get empty buffers.
+/// those whose shading asks for it. With `camera-relative` positions lose the camera's before they are rounded to Real,
+/// so pictures far from the origin do not shake. Objects culled by their bounding sphere get empty buffers.
 template <class Real>
 std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled,
                                                  const ParallelOptions& parallel, Progress& progress);

@@ -112,11 +112,11 @@ inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const V
 /// The highlight does not depend on N.L > 0, as in the book. Vectors need not have length 1.
 /// `blocked(light_index, to_light, t_max) -> std::optional<PixelId>` names what stands between the point and a casting
 /// light; the light lies at position + t_max * to_light (infinity for a directional one). It is asked once for each
-/// casting light. Reports a LightEvent for each light.
+/// casting light. Reports a LightEvent for each light; the first one's index is `first_light`.
 template <class Real, class Recorder, class Blocked>
 Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Real>& material,
                           std::span<const ShadingLight<Real>> lights, const IlluminationOptions& options,
-                          Blocked&& blocked, Recorder& recorder) {
+                          Blocked&& blocked, Recorder& recorder, int first_light = 0) {
   Lighting<Real> sum;
   const auto add = [](Vec3<Real>& target, const Vec3<Real>& colour, Real amount) {
     target.x += colour.x * amount;
@@ -125,7 +125,7 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
   };
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const ShadingLight<Real>& light = lights[i];
-    const int index = static_cast<int>(i);
+    const int index = first_light + static_cast<int>(i);
     recorder.count(Counter::light_samples);
     if (light.kind == LightKind::ambient) {
       if (material.ambient_colour)

@@ -45,6 +45,8 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/crates", {"renderer=rasterizer"}},
       {"cgfs/depth", {"renderer=rasterizer"}},
       {"cgfs/depth", {"renderer=rasterizer", "subpixel-bits=12"}},
+      {"lab/depth-complexity", {}},
+      {"lab/far-origin", {}},
       {"lab/z-fighting", {}},
       {"lab/z-fighting", {"depth-format=unit-float"}},
       {"cgfs/lines", {"renderer=rasterizer"}},
