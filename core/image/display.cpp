@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "image/display_levels.h"
 #include "image/gamma_curve.h"
 
 namespace ps {
@@ -56,6 +57,10 @@ void display_run(std::span<const Pixel> linear, std::span<Rgb8> levels, const Di
   PS_ASSERT(linear.size() == levels.size(), "one level for each colour");
   if (transform.gamma == 1 && transform.depth == ColourDepth::bits24) {
     const double exposure = transform.exposure;
+    if constexpr (std::is_same_v<Pixel, Vec3f> && sizeof(Vec3f) == 3 * sizeof(float) && sizeof(Rgb8) == 3) {
+      if (!linear.empty()) display_levels(&linear[0].x, 3 * linear.size(), exposure, &levels[0].r);
+      return;
+    }
     for (std::size_t i = 0; i < linear.size(); ++i)
       levels[i] = {level8(linear[i].r, exposure), level8(linear[i].g, exposure), level8(linear[i].b, exposure)};
     return;

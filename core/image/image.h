@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/block_store.h"
 #include "base/check.h"
 
 namespace ps {
@@ -14,6 +15,9 @@ inline constexpr std::int64_t max_image_pixels = std::int64_t{1} << 28;
 /// Throws InputError unless width and height are at least 1 and width * height is within max_image_pixels.
 void require_image_size(std::int64_t width, std::int64_t height, const std::string& what);
 
+/// Asks for an image whose pixels hold anything: the caller writes every one of them before any is read.
+struct Unfilled {};
+
 /// A picture of any element type, row-major with pixel (0, 0) at the top left. A value: copying copies the pixels.
 template <class T>
 class Image {
@@ -22,6 +26,10 @@ class Image {
   Image(int width, int height, const T& fill = T{})
       : width_(width), height_(height),
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {
+    PS_ASSERT(width >= 0 && height >= 0, "image sizes are not negative");
+  }
+  Image(int width, int height, Unfilled)
+      : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
     PS_ASSERT(width >= 0 && height >= 0, "image sizes are not negative");
   }
 
@@ -51,7 +59,7 @@ class Image {
   }
   int width_ = 0;
   int height_ = 0;
-  std::vector<T> pixels_;
+  std::vector<T, BlockAllocator<T>> pixels_;
 };
 
 /// An 8-bit display pixel.

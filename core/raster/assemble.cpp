@@ -31,26 +31,24 @@ template <class Real>
 class Assembler {
  public:
   Assembler(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,
-            std::optional<Vec2i> inspected)
-      : pass_(pass), vertices_(vertices), run_(run), inspected_(inspected), object_(pass.objects[run.object]) {}
+            std::optional<Vec2i> inspected, Batch<Real>& batch)
+      : pass_(pass), vertices_(vertices), run_(run), inspected_(inspected), object_(pass.objects[run.object]),
+        batch_(batch) {}
 
-  Batch<Real> take() {
-    if (pass_.settings.draw == Draw::filled && !pass_.settings.backface_culling)
-      batch_.triangles.reserve(run_.last - run_.first);
+  void add_run() {
     for (std::size_t t = run_.first; t < run_.last; ++t) {
       index_ = t;
       sequence_ = run_.sequence + static_cast<std::uint32_t>(t - run_.first);
       add_triangle();
     }
-    batch_.counters = recorder_.counters;
-    return std::move(batch_);
+    batch_.counters += recorder_.counters;
   }
 
  private:
   void add_triangle() {
     recorder_.count(Counter::triangles_in);
     source_ = {object_.mesh.get(), &object_.mesh->triangles[index_], &vertices_, {}};
-    for (std::size_t k = 0; k < 3; ++k) corner_[k] = vertices_.camera[source_.triangle->position[k]];
+    for (std::size_t k = 0; k < 3; ++k) corner_[k] = Vec3<Real>(vertices_.camera[source_.triangle->position[k]]);
     const Vec3<Real> normal = cross(corner_[1] - corner_[0], corner_[2] - corner_[0]);
     if (!(dot(normal, normal) > 0)) {
       recorder_.count(Counter::triangles_degenerate);
@@ -190,7 +188,7 @@ class Assembler {
       if (box_is_empty(piece.box)) continue;
       if (!attributes_known) {
         attributes_known = true;
-        if (needs_face_normal()) source_.face_normal = face_normal();
+        if (needs_face_normal()) source_.face_normal = face_normal<Real>(object_, *source_.triangle);
         attributes = corner_attributes(pass_, surface(), source_, recorder_);
         if (surface().layout.flat_light) flat = flat_light();
       }
@@ -289,23 +287,8 @@ class Assembler {
     batch_.rejected.push_back({sequence_, event});
   }
 
-  /// Whether anything reads the triangle's own normal: a channel, or shading where corners have none of their own.
   bool needs_face_normal() const {
-    const AttributeLayout& layout = surface().layout;
-    if (has(pass_.channels, Channel::facing)) return true;
-    if (!layout.lit && !layout.shading_normal) return false;
-    if (layout.shading_normal && layout.normal == AttributeLayout::absent) return true;
-    const auto& normal = source_.triangle->normal;
-    const bool own = normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0 && !vertices_.normals.empty();
-    return pass_.settings.normals == Normals::triangle || !own;
-  }
-  Vec3<Real> face_normal() const {
-    const auto world = [&](std::size_t k) {
-      return object_.world(object_.mesh->positions[source_.triangle->position[k]]);
-    };
-    const Vec3d a = world(0);
-    const Vec3d normal = cross(world(1) - a, world(2) - a);
-    return Vec3<Real>(normal / std::sqrt(dot(normal, normal)));
+    return has(pass_.channels, Channel::facing) || reads_face_normal(pass_, surface(), source_);
   }
   PixelBox visible_box(const PixelBox& box) const {
     return {std::max(box.x0, 0), std::max(box.y0, 0), std::min(box.x1, pass_.viewport.columns),
@@ -323,7 +306,7 @@ class Assembler {
   const TriangleRun& run_;
   std::optional<Vec2i> inspected_;
   const DrawObject& object_;
-  Batch<Real> batch_;
+  Batch<Real>& batch_;
   CountingRecorder recorder_;
 
   // The triangle at hand.
@@ -354,11 +337,24 @@ std::vector<TriangleRun> make_runs(const Pass<Real>& pass, const std::vector<boo
 template <class Real>
 Batch<Real> assemble(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,
                      std::optional<Vec2i> inspected) {
-  return Assembler<Real>(pass, vertices, run, inspected).take();
+  Batch<Real> batch;
+  if (pass.settings.draw == Draw::filled && !pass.settings.backface_culling)
+    batch.triangles.reserve(run.last - run.first);
+  Assembler<Real>(pass, vertices, run, inspected, batch).add_run();
+  return batch;
+}
+
+template <class Real>
+void assemble_triangle(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, std::size_t object,
+                       std::size_t triangle, Batch<Real>& batch) {
+  const TriangleRun run{object, triangle, triangle + 1, 0};
+  Assembler<Real>(pass, vertices, run, {}, batch).add_run();
 }
 
 #define PS_INSTANTIATE(Real)                                                                                           \
   template std::vector<TriangleRun> make_runs(const Pass<Real>&, const std::vector<bool>&);                            \
+  template void assemble_triangle(const Pass<Real>&, const VertexBuffer<Real>&, std::size_t, std::size_t,              \
+                                  Batch<Real>&);                                                                       \
   template Batch<Real> assemble(const Pass<Real>&, const VertexBuffer<Real>&, const TriangleRun&, std::optional<Vec2i>);
 PS_INSTANTIATE(float)
 PS_INSTANTIATE(double)

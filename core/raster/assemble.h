@@ -24,4 +24,9 @@ template <class Real>
 Batch<Real> assemble(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,
                      std::optional<Vec2i> inspected);
 
+/// The same for a single triangle of an object, added to `batch` with its counts, without its number in drawing order.
+template <class Real>
+void assemble_triangle(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, std::size_t object,
+                       std::size_t triangle, Batch<Real>& batch);
+
 }  // namespace ps::raster

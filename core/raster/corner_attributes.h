@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 
 #include "inspect/recorder.h"
 #include "raster/pass.h"
@@ -25,10 +26,30 @@ struct CornerSource {
   Vec3<Real> normal(std::size_t k, Normals normals) const {
     const auto index = triangle->normal[k];
     if (normals == Normals::triangle || index < 0 || vertices->normals.empty()) return face_normal;
-    return vertices->normals[static_cast<std::size_t>(index)];
+    return Vec3<Real>(vertices->normals[static_cast<std::size_t>(index)]);
   }
-  Vec3<Real> position(std::size_t k) const { return vertices->world[triangle->position[k]]; }
+  Vec3<Real> position(std::size_t k) const { return Vec3<Real>(vertices->world[triangle->position[k]]); }
 };
+
+/// Whether anything that shades a triangle of the surface reads the triangle's own normal: where corners have none.
+template <class Real>
+inline bool reads_face_normal(const Pass<Real>& pass, const Surface<Real>& surface, const CornerSource<Real>& source) {
+  const AttributeLayout& layout = surface.layout;
+  if (!layout.lit && !layout.shading_normal) return false;
+  if (layout.shading_normal && layout.normal == AttributeLayout::absent) return true;
+  const auto& normal = source.triangle->normal;
+  const bool own = normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0 && !source.vertices->normals.empty();
+  return pass.settings.normals == Normals::triangle || !own;
+}
+
+/// The triangle's own normal: world space, length 1.
+template <class Real>
+inline Vec3<Real> face_normal(const DrawObject& object, const MeshTriangle& triangle) {
+  const auto world = [&](std::size_t k) { return object.world(object.mesh->positions[triangle.position[k]]); };
+  const Vec3d a = world(0);
+  const Vec3d normal = cross(world(1) - a, world(2) - a);
+  return Vec3<Real>(normal / std::sqrt(dot(normal, normal)));
+}
 
 /// Fills in what the layout asks for; Gouraud shading lights the corners here.
 template <class Real>

@@ -255,7 +255,7 @@ class TriangleDrawer {
     for (int row = box.y0; row < box.y1;) {
       row = pass_.scan_triangle(scan, row, batch_, counts);
       if (batch_.count == 0) continue;
-      pass_.shade_batch(shading, batch_);
+      pass_.shade_batch(shading, batch_, 0, batch_.count);
       target_.set_colours(batch_);
       shaded += static_cast<std::uint64_t>(batch_.count);
       batch_.count = 0;

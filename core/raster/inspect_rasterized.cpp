@@ -74,7 +74,7 @@ class PixelWalk {
     const auto object = static_cast<std::size_t>(pass_.surfaces[edge.surface].object);
     const MeshTriangle& mesh = pass_.objects[object].mesh->triangles[static_cast<std::size_t>(edge.triangle)];
     std::array<Vec3<Real>, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = geometry_.vertices[object].camera[mesh.position[k]];
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = Vec3<Real>(geometry_.vertices[object].camera[mesh.position[k]]);
     return near_pixel(pass_, corners, pixel_);
   }
   /// Tells of a triangle near the pixel whose edges, or corners, all pass by it.

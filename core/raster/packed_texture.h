@@ -12,7 +12,7 @@ namespace ps::raster {
 /// A mip chain in one piece of memory, as the fast path reads it.
 struct PackedTexture {
   static constexpr std::size_t most_levels = 32;
-  std::vector<float> texels;                       ///< red, green, blue of each texel, level after level
+  std::vector<float> texels;                       ///< red, green, blue of each texel, level after level; one more
   std::array<std::int32_t, most_levels> first{};   ///< index of each level's first number
   std::array<std::int32_t, most_levels> width{};   ///< of each level, in texels
   std::array<std::int32_t, most_levels> height{};  ///< of each level

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/block_store.h"
 #include "image/mip_chain.h"
 #include "raster/attributes.h"
 #include "raster/clip.h"
@@ -28,12 +29,22 @@ struct Surface {
   ShadingMaterial<Real> material;
 };
 
-/// An object's vertices after the vertex stage.
+/// A vertex's place on the canvas (FixedPoint), and in `outside` one bit for each plane of Pass::planes that it lies
+/// behind; no_place where it has no place in fixed point at all.
+struct VertexPlace {
+  static constexpr std::uint32_t no_place = 1u << 31;
+  std::int32_t column = 0, row = 0;
+  std::uint32_t outside = 0;
+  std::uint32_t unused = 0;
+};
+
+/// An object's vertices after the vertex stage. The fourth scalar only makes them easy to read for the fast path.
 template <class Real>
 struct VertexBuffer {
-  std::vector<Vec3<Real>> camera;   ///< camera space
-  std::vector<Vec3<Real>> world;    ///< empty unless shading needs it
-  std::vector<Vec3<Real>> normals;  ///< world space, length 1; empty unless shading needs them
+  BlockVector<Vec4<Real>> camera;   ///< camera space; from the fast path with 1 / z
+  BlockVector<Vec4<Real>> world;    ///< empty unless shading needs it
+  BlockVector<Vec4<Real>> normals;  ///< world space, length 1; empty unless shading needs them
+  BlockVector<VertexPlace> places;  ///< only from the fast path
 };
 
 /// Everything that stays the same while one picture is made.

@@ -4,6 +4,7 @@
 #include "inspect/recorder.h"
 #include "raster/canvas_items.h"
 #include "raster/draw_primitives.h"
+#include "raster/fast/fast_frame.h"
 #include "render/region.h"
 #include "render/render.h"
 
@@ -36,11 +37,16 @@ class Stages {
 template <class Real>
 Frame draw(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
            Prepared& prepared, Progress& progress) {
-  Frame frame = make_frame(scene, view, settings, request.channels);
+  Frame frame = make_frame(scene, view, settings, request.channels, Background::left_to_tiles);
   Stages stages(frame);
   const ParallelOptions parallel{settings.threads, request.priority};
   const Pass<Real> pass = make_pass<Real>(scene, view, settings, request.channels, prepared);
   stages.done("prepare");
+  if constexpr (std::is_same_v<Real, float>)
+    if (!request.region && can_draw_fast(pass)) {
+      draw_fast(pass, request, frame, progress);
+      return frame;
+    }
   const ScreenGeometry<Real> geometry = make_geometry(pass, {}, parallel, progress);
   stages.done("vertices and clipping");
   const auto bins = bin_primitives(pass, geometry, tile_size, parallel, progress);
@@ -54,6 +60,7 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
     const auto i = static_cast<std::size_t>(index);
     if (is_empty(common_part(tiles[i], region))) return;
     CountingRecorder recorder;
+    fill_background(scene, tiles[i], frame);
     Target<Real> target(frame, tiles[i], settings, request.channels);
     for (const DrawStep& step : steps)
       for (std::size_t part = 0; part < bins.parts; ++part)

@@ -47,21 +47,87 @@ HWY_INLINE V3 choose(M mask, const V3& yes, const V3& no) {
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// One scalar of the layout at every lane: interpolate() of raster/fragment.h.
-HWY_INLINE V interpolate(const BatchShading& shading, const ShadeBatch& batch, int lane, int slot) {
-  const D d;
-  const float* a = shading.attributes + slot;
-  const auto weight = [&](std::size_t i) HWY_ATTR { return hn::Load(d, batch.weights[i].data() + lane); };
-  const V sum = hn::Add(hn::Add(hn::Mul(weight(0), splat(a[0])), hn::Mul(weight(1), splat(a[shading.stride]))),
-                        hn::Mul(weight(2), splat(a[2 * shading.stride])));
-  return hn::Mul(sum, hn::Load(d, batch.z.data() + lane));
-}
+/// Fragments of one triangle, whose numbers begin at `row`: interpolate() of raster/fragment.h.
+class OneTriangle {
+ public:
+  HWY_INLINE OneTriangle(const BatchShading& shading, const ShadeBatch& batch, int lane, const float* row)
+      : shading_(shading), row_(row), z_(hn::LoadU(D(), batch.z.data() + lane)) {
+    for (std::size_t i = 0; i < 3; ++i) weights_[i] = hn::LoadU(D(), batch.weights[i].data() + lane);
+  }
+  HWY_INLINE V scalar(int slot) const {
+    const float* a = row_ + slot;
+    const V sum = hn::Add(hn::Add(hn::Mul(weights_[0], splat(a[0])), hn::Mul(weights_[1], splat(a[shading_.stride]))),
+                          hn::Mul(weights_[2], splat(a[2 * shading_.stride])));
+    return hn::Mul(sum, z_);
+  }
+  HWY_INLINE V3 vector(int slot) const { return {scalar(slot), scalar(slot + 1), scalar(slot + 2)}; }
+  HWY_INLINE V3 pair(int slot) const { return {scalar(slot), scalar(slot + 1), hn::Zero(D())}; }
+  HWY_INLINE V3 constant(int at) const { return {splat(row_[at]), splat(row_[at + 1]), splat(row_[at + 2])}; }
 
-HWY_INLINE V3 interpolate3(const BatchShading& shading, const ShadeBatch& batch, int lane, int slot,
-                           const Vec3f& otherwise) {
-  if (slot < 0) return splat3(otherwise);
-  return {interpolate(shading, batch, lane, slot), interpolate(shading, batch, lane, slot + 1),
-          interpolate(shading, batch, lane, slot + 2)};
+ private:
+  const BatchShading& shading_;
+  const float* row_;
+  std::array<V, 3> weights_;
+  V z_;
+};
+
+/// Fragments of different triangles: four scalars of one fragment at a time, the same operations.
+class ManyTriangles {
+ public:
+  HWY_INLINE ManyTriangles(const BatchShading& shading, const ShadeBatch& batch, int lane, int count)
+      : shading_(shading), batch_(batch), lane_(static_cast<std::size_t>(lane)),
+        count_(static_cast<std::size_t>(count)) {}
+  HWY_INLINE V3 vector(int slot) const {
+    const Four four;
+    return transposed([&](const float* row, std::size_t i) HWY_ATTR {
+      const float* a = row + slot;
+      const auto part = [&](std::size_t k) HWY_ATTR {
+        return hn::Mul(hn::Set(four, batch_.weights[k][i]),
+                       hn::Load(four, a + k * static_cast<std::size_t>(shading_.stride)));
+      };
+      return hn::Mul(hn::Add(hn::Add(part(0), part(1)), part(2)), hn::Set(four, batch_.z[i]));
+    });
+  }
+  HWY_INLINE V3 pair(int slot) const { return vector(slot); }
+  HWY_INLINE V3 constant(int at) const {
+    return transposed([&](const float* row, std::size_t) HWY_ATTR { return hn::Load(Four(), row + at); });
+  }
+
+ private:
+  using Four = hn::FixedTag<float, 4>;
+
+  /// The first three scalars of make(row, i) for each fragment i.
+  template <class Make>
+  HWY_INLINE V3 transposed(Make&& make) const {
+    HWY_ALIGN float buffer[4 * hn::MaxLanes(D())] = {};
+    for (std::size_t i = 0; i < count_; ++i) {
+      const float* row = shading_.attributes + static_cast<std::ptrdiff_t>(batch_.rows[lane_ + i]) * shading_.row_size;
+      hn::Store(make(row, lane_ + i), Four(), buffer + 4 * i);
+    }
+    V3 result;
+    V unused;
+    hn::LoadInterleaved4(D(), buffer, result.x, result.y, result.z, unused);
+    return result;
+  }
+
+  const BatchShading& shading_;
+  const ShadeBatch& batch_;
+  std::size_t lane_, count_;
+};
+
+template <class Source>
+HWY_INLINE texture::Colour read_texture(const BatchShading& shading, const Source& source, ShadeBatch& batch, int lane,
+                                        int count) {
+  const V3 uv = source.pair(shading.texture.uv);
+  texture::Steps steps;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const BatchTexture::Step& step = shading.texture.steps[i];
+    V3 change{splat(step.u), splat(step.v), splat(step.inverse_z)};
+    if (shading.steps_at >= 0) change = source.constant(shading.steps_at + 4 * static_cast<int>(i));
+    steps[i] = {change.x, change.y, change.z};
+  }
+  return texture::sample(shading.texture, steps, uv.x, uv.y, hn::LoadU(D(), batch.z.data() + lane),
+                         static_cast<std::size_t>(count), batch.texels);
 }
 
 HWY_INLINE void add_light(V3& sum, M mask, const Vec3f& colour, V amount) {
@@ -101,15 +167,18 @@ HWY_INLINE void add_casting_light(const BatchShading& shading, const ShadingLigh
   add_light(sum, bright, light.colour, hn::Mul(intensity, raised));
 }
 
-HWY_INLINE V3 light_of_equation(const BatchShading& shading, const ShadeBatch& batch, int lane) {
-  const D d;
-  const V zero = hn::Zero(d);
-  V3 normal = interpolate3(shading, batch, lane, shading.normal, shading.face_normal);
+template <class Source>
+HWY_INLINE V3 light_of_equation(const BatchShading& shading, const Source& source) {
+  const V zero = hn::Zero(D());
+  V3 normal = splat3(shading.face_normal);
+  if (shading.face_normal_at >= 0) normal = source.constant(shading.face_normal_at);
+  if (shading.normal >= 0) normal = source.vector(shading.normal);
+  V3 position{zero, zero, zero};
+  if (shading.position >= 0) position = source.vector(shading.position);
   if (shading.renormalise) {
     const V size = length(normal);
     normal = choose(hn::Gt(size, zero), divide(normal, size), normal);
   }
-  const V3 position = interpolate3(shading, batch, lane, shading.position, Vec3f(0));
   const V normal_length = length(normal);
   V3 sum{zero, zero, zero};
   for (const ShadingLight<float>& light : shading.lights) {
@@ -121,51 +190,67 @@ HWY_INLINE V3 light_of_equation(const BatchShading& shading, const ShadeBatch& b
   return sum;
 }
 
-/// The surface's own colour: the material's, times the texture's.
-HWY_INLINE V3 surface_colour(const BatchShading& shading, ShadeBatch& batch, int lane) {
-  const V3 colour = splat3(shading.colour);
-  if (!shading.texture.texture) return colour;
-  const V u = interpolate(shading, batch, lane, shading.texture.uv);
-  const V v = interpolate(shading, batch, lane, shading.texture.uv + 1);
-  const auto count = std::min(hn::Lanes(D()), static_cast<std::size_t>(batch.count - lane));
-  const texture::Colour texel =
-      texture::sample(shading.texture, u, v, hn::Load(D(), batch.z.data() + lane), count, batch.texels);
-  return {hn::Mul(colour.x, texel.red), hn::Mul(colour.y, texel.green), hn::Mul(colour.z, texel.blue)};
+HWY_INLINE void store(const V3& colour, ShadeBatch& batch, int lane) {
+  const D d;
+  hn::StoreU(colour.x, d, batch.red.data() + lane);
+  hn::StoreU(colour.y, d, batch.green.data() + lane);
+  hn::StoreU(colour.z, d, batch.blue.data() + lane);
 }
 
-HWY_INLINE void store(D d, const V3& colour, ShadeBatch& batch, int lane) {
-  hn::Store(colour.x, d, batch.red.data() + lane);
-  hn::Store(colour.y, d, batch.green.data() + lane);
-  hn::Store(colour.z, d, batch.blue.data() + lane);
+template <class Source>
+HWY_INLINE void shade_vector(const BatchShading& shading, const Source& source, ShadeBatch& batch, int lane,
+                             int count) {
+  const V zero = hn::Zero(D());
+  // The surface's own colour: the material's, times the texture's.
+  V3 colour = splat3(shading.colour);
+  if (shading.texture.texture) {
+    const texture::Colour texel = read_texture(shading, source, batch, lane, count);
+    colour = {hn::Mul(colour.x, texel.red), hn::Mul(colour.y, texel.green), hn::Mul(colour.z, texel.blue)};
+  }
+  V3 sum{zero, zero, zero};
+  switch (shading.source) {
+  case BatchLight::none:
+    return store(colour, batch, lane);
+  case BatchLight::constant:
+    sum = splat3(shading.constant);
+    break;
+  case BatchLight::corners:
+    if (shading.light >= 0) sum = source.vector(shading.light);
+    break;
+  case BatchLight::equation:
+    sum = light_of_equation(shading, source);
+    break;
+  }
+  store({hn::Add(hn::Mul(colour.x, sum.x), zero), hn::Add(hn::Mul(colour.y, sum.y), zero),
+         hn::Add(hn::Mul(colour.z, sum.z), zero)},
+        batch, lane);
+}
+
+/// Whether all of `count` fragments are of one triangle.
+HWY_INLINE bool of_one_triangle(const ShadeBatch& batch, int lane, int count) {
+  const hn::Rebind<std::int32_t, D> di;
+  const auto rows = hn::LoadU(di, batch.rows.data() + lane);
+  const auto same = hn::Eq(rows, hn::Set(di, batch.rows[static_cast<std::size_t>(lane)]));
+  return hn::AllTrue(di, hn::Or(same, hn::Not(hn::FirstN(di, static_cast<std::size_t>(count)))));
 }
 
 }  // namespace
 
-void shade_fragments(const BatchShading& shading, ShadeBatch& batch) {
-  const D d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const V zero = hn::Zero(d);
-  for (int lane = 0; lane < batch.count; lane += lanes) {
-    const V3 colour = surface_colour(shading, batch, lane);
-    V3 sum{zero, zero, zero};
-    switch (shading.source) {
-    case BatchLight::none:
-      store(d, colour, batch, lane);
-      continue;
-    case BatchLight::constant:
-      sum = splat3(shading.constant);
-      break;
-    case BatchLight::corners:
-      sum = interpolate3(shading, batch, lane, shading.light, Vec3f(0));
-      break;
-    case BatchLight::equation:
-      sum = light_of_equation(shading, batch, lane);
-      break;
+void shade_fragments(const BatchShading& shading, ShadeBatch& batch, int first, int last);
+
+void shade_fragments(const BatchShading& shading, ShadeBatch& batch, int first, int last) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  for (int lane = first; lane < last; lane += lanes) {
+    const int count = std::min(lanes, last - lane);
+    if (shading.row_size == 0) {
+      shade_vector(shading, OneTriangle(shading, batch, lane, shading.attributes), batch, lane, count);
+    } else if (of_one_triangle(batch, lane, count)) {
+      const float* row = shading.attributes +
+                         static_cast<std::ptrdiff_t>(batch.rows[static_cast<std::size_t>(lane)]) * shading.row_size;
+      shade_vector(shading, OneTriangle(shading, batch, lane, row), batch, lane, count);
+    } else {
+      shade_vector(shading, ManyTriangles(shading, batch, lane, count), batch, lane, count);
     }
-    store(d,
-          {hn::Add(hn::Mul(colour.x, sum.x), zero), hn::Add(hn::Mul(colour.y, sum.y), zero),
-           hn::Add(hn::Mul(colour.z, sum.z), zero)},
-          batch, lane);
   }
 }
 

@@ -9,9 +9,9 @@
 
 namespace ps::raster {
 
-/// The fast path of shading: perspective-correct pictures in float, for many of one triangle's visible fragments at
-/// once. It repeats shade_fragment.h and shade/illumination.h operation by operation, so every colour is the same to
-/// the last bit; a test holds them together.
+/// The fast path of shading: perspective-correct pictures in float, for many visible fragments of one surface at once.
+/// It repeats shade_fragment.h and shade/illumination.h operation by operation, so every colour is the same to the last
+/// bit; a test holds them together.
 struct ShadeBatch {
   static constexpr int capacity = 512;
   static constexpr std::size_t room = capacity + 16;  ///< whole vectors are written
@@ -21,7 +21,9 @@ struct ShadeBatch {
   alignas(64) std::array<std::int32_t, room> pixels;  ///< index into the picture, row by row
   alignas(64) std::array<Lanes, 3> weights;           ///< on the screen
   alignas(64) Lanes z;
-  alignas(64) Lanes red, green, blue;  ///< the result
+  alignas(
+      64) std::array<std::int32_t, room> rows;  ///< where fragments are of different triangles: BatchShading::row_size
+  alignas(64) Lanes red, green, blue;           ///< the result
 };
 
 /// Where the light on a fragment comes from.
@@ -31,8 +33,13 @@ enum class BatchLight { none, equation, corners, constant };
 struct BatchShading {
   const float* attributes = nullptr;  ///< of corner 0, carried as value / z; corners follow each other
   int stride = 0;                     ///< scalars of a corner
-  int normal = -1, position = -1;     ///< first scalar of each; -1 = face_normal, and the origin
-  int light = -1;                     ///< first scalar of the corners' light (Gouraud)
+  /// Scalars of a triangle, where the fragments are of different ones: fragment i's begin at attributes + rows[i] *
+  /// row_size. Then every slot begins at a multiple of 4 scalars, and so does every row. 0 = all of one triangle.
+  int row_size = 0;
+  int face_normal_at = -1;  ///< in a row, if it differs; -1 = face_normal
+  int steps_at = -1;        ///< in a row: BatchTexture::steps, each followed by a number without meaning; -1 = those
+  int normal = -1, position = -1;  ///< first scalar of each; -1 = face_normal, and the origin
+  int light = -1;                  ///< first scalar of the corners' light (Gouraud)
   BatchLight source = BatchLight::equation;
   Vec3f constant{0, 0, 0};  ///< the light of the whole triangle (flat)
   Vec3f face_normal{0, 0, 1};
@@ -46,7 +53,8 @@ struct BatchShading {
   BatchTexture texture;
 };
 
-using ShadeFragments = void (*)(const BatchShading& shading, ShadeBatch& batch);
+/// Shades fragments first to last - 1 of the batch. May overwrite the colours that follow.
+using ShadeFragments = void (*)(const BatchShading& shading, ShadeBatch& batch, int first, int last);
 
 /// The function for this setting on this processor; nullptr means the clear path. A target that the processor lacks
 /// gives the best one below it.

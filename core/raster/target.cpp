@@ -1,17 +1,30 @@
 #include "raster/target.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "render/eye_directions.h"
 
 namespace ps::raster {
 
-Frame make_frame(const Scene& scene, const View& view, const Settings& settings, Channel channels) {
+void fill_background(const Scene& scene, const TileRect& rect, Frame& frame) {
+  const auto first = static_cast<std::size_t>(rect.x0);
+  const auto count = static_cast<std::size_t>(rect.width());
+  for (int row = rect.y0; row < rect.y1; ++row) {
+    std::ranges::fill(frame.colour.row(row).subspan(first, count), Vec3f(scene.background));
+    if (!frame.colour_double.empty())
+      std::ranges::fill(frame.colour_double.row(row).subspan(first, count), scene.background);
+  }
+}
+
+Frame make_frame(const Scene& scene, const View& view, const Settings& settings, Channel channels,
+                 Background background) {
   const int width = view.width;
   const int height = view.height;
   Frame frame;
-  frame.colour = Image<Vec3f>(width, height, Vec3f(scene.background));
-  if (settings.precision == Precision::float64) frame.colour_double = Image<Vec3d>(width, height, scene.background);
+  frame.colour = Image<Vec3f>(width, height, Unfilled{});
+  if (settings.precision == Precision::float64) frame.colour_double = Image<Vec3d>(width, height, Unfilled{});
+  if (background == Background::filled) fill_background(scene, {0, 0, width, height}, frame);
   if (has(channels, Channel::depth)) frame.depth = Image<float>(width, height, std::numeric_limits<float>::infinity());
   if (has(channels, Channel::normal)) frame.normal = Image<Vec3f>(width, height, Vec3f(0));
   if (has(channels, Channel::barycentric)) frame.barycentric = Image<Vec3f>(width, height, Vec3f(0));

@@ -140,7 +140,14 @@ class Target {
   std::vector<std::uint16_t> shaded_;
 };
 
+/// Who gives the pixels of a new frame the background's colour.
+enum class Background { filled, left_to_tiles };
+
+/// Gives the rectangle the background's colour.
+void fill_background(const Scene& scene, const TileRect& rect, Frame& frame);
+
 /// A frame of the background's colour with the wanted channels, each holding what "nothing is seen" means in it.
-Frame make_frame(const Scene& scene, const View& view, const Settings& settings, Channel channels);
+Frame make_frame(const Scene& scene, const View& view, const Settings& settings, Channel channels,
+                 Background background = Background::filled);
 
 }  // namespace ps::raster

@@ -7,6 +7,8 @@
 #define PIXELSCOPE_TEXTURE_BATCH_INL_H_
 #endif
 
+#include <array>
+
 #include "hwy/highway.h"
 #include "raster/packed_texture.h"
 
@@ -62,40 +64,50 @@ struct Level {
   VI first, width, height;
 };
 
+HWY_INLINE Level level_of(const PackedTexture& texture, std::size_t level) {
+  const DI d;
+  return {hn::Set(d, texture.first[level]), hn::Set(d, texture.width[level]), hn::Set(d, texture.height[level])};
+}
 HWY_INLINE Level level_of(const PackedTexture& texture, VI level) {
   const DI d;
+  const std::int32_t one = hn::GetLane(level);
+  if (hn::AllTrue(d, hn::Eq(level, hn::Set(d, one)))) return level_of(texture, static_cast<std::size_t>(one));
   return {hn::GatherIndex(d, texture.first.data(), level), hn::GatherIndex(d, texture.width.data(), level),
           hn::GatherIndex(d, texture.height.data(), level)};
 }
-HWY_INLINE Level level_zero(const PackedTexture& texture) {
-  const DI d;
-  return {hn::Set(d, texture.first[0]), hn::Set(d, texture.width[0]), hn::Set(d, texture.height[0])};
-}
 
-/// read_texel()
-HWY_INLINE Colour read(const PackedTexture& texture, VI texel) {
-  const D d;
-  const float* base = texture.texels.data();
-  return {hn::GatherIndex(d, base, texel), hn::GatherIndex(d, base + 1, texel), hn::GatherIndex(d, base + 2, texel)};
-}
 HWY_INLINE VI texel_index(const Level& level, VI x, VI y) {
   const VI flat = hn::Add(hn::Mul(y, level.width), x);
   return hn::Add(level.first, hn::Add(hn::Add(flat, flat), flat));
 }
 
-HWY_INLINE V mix(V a, V b, V f) { return hn::Add(hn::Mul(a, hn::Sub(number(1), f)), hn::Mul(b, f)); }
-HWY_INLINE Colour mix(const Colour& a, const Colour& b, V f) {
-  return {mix(a.red, b.red, f), mix(a.green, b.green, f), mix(a.blue, b.blue, f)};
+// Texels are read one fragment after another, all their channels at once: a gather of single channels takes longer.
+using Four = hn::FixedTag<float, 4>;
+using Texel = hn::Vec<Four>;
+
+/// The colours that make(i) gives for the first `count` fragments, channel by channel.
+template <class Make>
+HWY_INLINE Colour by_channels(std::size_t count, Make&& make) {
+  HWY_ALIGN float buffer[4 * hn::MaxLanes(D())] = {};
+  for (std::size_t i = 0; i < count; ++i) hn::Store(make(i), Four(), buffer + 4 * i);
+  Colour colour;
+  V unused;
+  hn::LoadInterleaved4(D(), buffer, colour.red, colour.green, colour.blue, unused);
+  return colour;
 }
 
 /// sample_nearest()
-HWY_INLINE Colour sample_nearest(const PackedTexture& texture, const Level& level, V u, V v, TextureWrap wrap) {
+HWY_INLINE Colour sample_nearest(const PackedTexture& texture, V u, V v, TextureWrap wrap, std::size_t count) {
   const DI di;
+  const Level level = level_of(texture, std::size_t{0});
   const auto texel = [&](V t, VI size) HWY_ATTR {
     const VI x = hn::ConvertTo(di, hn::Mul(wrap_coordinate(t, wrap), hn::ConvertTo(D(), size)));
     return hn::Min(x, hn::Sub(size, hn::Set(di, 1)));
   };
-  return read(texture, texel_index(level, texel(u, level.width), texel(v, level.height)));
+  HWY_ALIGN std::int32_t index[hn::MaxLanes(DI())];
+  hn::Store(texel_index(level, texel(u, level.width), texel(v, level.height)), di, index);
+  return by_channels(count,
+                     [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), texture.texels.data() + index[i]); });
 }
 
 /// texel_pair(); `t` is a wrapped coordinate.
@@ -120,16 +132,40 @@ HWY_INLINE Pair texel_pair(V t, VI size, TextureWrap wrap) {
   return {inside(x), inside(next), hn::Sub(p, whole)};
 }
 
-/// sample_bilinear(), for coordinates already wrapped.
-HWY_INLINE Colour sample_bilinear(const PackedTexture& texture, const Level& level, V t_u, V t_v, TextureWrap wrap) {
-  const Pair x = texel_pair(t_u, level.width, wrap);
-  const Pair y = texel_pair(t_v, level.height, wrap);
-  const Colour top = mix(read(texture, texel_index(level, x.first, y.first)),
-                         read(texture, texel_index(level, x.second, y.first)), x.f);
-  const Colour bottom = mix(read(texture, texel_index(level, x.first, y.second)),
-                            read(texture, texel_index(level, x.second, y.second)), x.f);
-  return mix(top, bottom, y.f);
-}
+/// A weight and what it leaves to one, for each fragment.
+struct Weights {
+  HWY_ALIGN float f[hn::MaxLanes(D())];
+  HWY_ALIGN float rest[hn::MaxLanes(D())];
+  HWY_INLINE void set(V value) {
+    hn::Store(value, D(), f);
+    hn::Store(hn::Sub(number(1), value), D(), rest);
+  }
+  HWY_INLINE Texel mix(Texel a, Texel b, std::size_t i) const {
+    return hn::Add(hn::Mul(a, hn::Set(Four(), rest[i])), hn::Mul(b, hn::Set(Four(), f[i])));
+  }
+};
+
+/// sample_bilinear(), for coordinates already wrapped: which texels each fragment reads, and their weights.
+struct Bilinear {
+  HWY_ALIGN std::int32_t index[4][hn::MaxLanes(DI())];
+  Weights x, y;
+
+  HWY_INLINE void set(const Level& level, V t_u, V t_v, TextureWrap wrap) {
+    const DI di;
+    const Pair u = texel_pair(t_u, level.width, wrap);
+    const Pair v = texel_pair(t_v, level.height, wrap);
+    hn::Store(texel_index(level, u.first, v.first), di, index[0]);
+    hn::Store(texel_index(level, u.second, v.first), di, index[1]);
+    hn::Store(texel_index(level, u.first, v.second), di, index[2]);
+    hn::Store(texel_index(level, u.second, v.second), di, index[3]);
+    x.set(u.f);
+    y.set(v.f);
+  }
+  HWY_INLINE Texel read(const float* texels, std::size_t i) const {
+    const auto texel = [&](std::size_t k) HWY_ATTR { return hn::LoadU(Four(), texels + index[k][i]); };
+    return y.mix(x.mix(texel(0), texel(1), i), x.mix(texel(2), texel(3), i), i);
+  }
+};
 
 /// level_log2()
 HWY_INLINE V level_log2(V value) {
@@ -146,18 +182,23 @@ HWY_INLINE V level_log2(V value) {
   return hn::Add(hn::ConvertTo(d, exponent), hn::Mul(hn::Mul(q, sum), number(2.8853900817779268147f)));
 }
 
+/// BatchTexture::steps at every lane.
+struct Step {
+  V u, v, inverse_z;
+};
+using Steps = std::array<Step, 2>;
+
 /// mip_level() of uv_derivatives().
-HWY_INLINE V mip_level(const BatchTexture& texture, V u, V v, V z) {
+HWY_INLINE V mip_level(const BatchTexture& texture, const Steps& steps, V u, V v, V z) {
   const V width = number(static_cast<float>(texture.texture->width[0]));
   const V height = number(static_cast<float>(texture.texture->height[0]));
-  const auto squared_length = [&](const BatchTexture::Step& step) HWY_ATTR {
-    const V depth = number(step.inverse_z);
-    const V du = hn::Mul(hn::Mul(hn::Sub(number(step.u), hn::Mul(u, depth)), z), width);
-    const V dv = hn::Mul(hn::Mul(hn::Sub(number(step.v), hn::Mul(v, depth)), z), height);
+  const auto squared_length = [&](const Step& step) HWY_ATTR {
+    const V du = hn::Mul(hn::Mul(hn::Sub(step.u, hn::Mul(u, step.inverse_z)), z), width);
+    const V dv = hn::Mul(hn::Mul(hn::Sub(step.v, hn::Mul(v, step.inverse_z)), z), height);
     return hn::Add(hn::Mul(du, du), hn::Mul(dv, dv));
   };
-  const V x = squared_length(texture.steps[0]);
-  const V y = squared_length(texture.steps[1]);
+  const V x = squared_length(steps[0]);
+  const V y = squared_length(steps[1]);
   const V longer = hn::IfThenElse(hn::Gt(x, y), x, y);
   return hn::Add(hn::Mul(number(0.5f), level_log2(longer)), number(texture.mip_bias));
 }
@@ -169,36 +210,44 @@ HWY_INLINE V clamp_level(V level, const PackedTexture& texture) {
   return hn::IfThenElse(hn::Gt(level, hn::Zero(D())), most, hn::Zero(D()));
 }
 
-/// sample_texture(): the colour, and the texels read by the first `count` lanes added to `texels`.
-HWY_INLINE Colour sample(const BatchTexture& how, V u, V v, V z, std::size_t count, std::uint64_t& texels) {
+/// sample_texture(): the colours of the first `count` lanes, and the texels that these read added to `texels`.
+HWY_INLINE Colour sample(const BatchTexture& how, const Steps& steps, V u, V v, V z, std::size_t count,
+                         std::uint64_t& texels) {
   const D d;
   const DI di;
   const PackedTexture& texture = *how.texture;
   if (how.filter == TextureFilter::nearest) {
     texels += count;
-    return sample_nearest(texture, level_zero(texture), u, v, how.wrap);
+    return sample_nearest(texture, u, v, how.wrap, count);
   }
   texels += 4 * count;
+  const float* all = texture.texels.data();
   const V t_u = wrap_coordinate(u, how.wrap);
   const V t_v = wrap_coordinate(v, how.wrap);
-  if (how.filter == TextureFilter::bilinear) return sample_bilinear(texture, level_zero(texture), t_u, t_v, how.wrap);
-  const V level = clamp_level(mip_level(how, u, v, z), texture);
+  Bilinear near;
+  if (how.filter == TextureFilter::bilinear) {
+    near.set(level_of(texture, std::size_t{0}), t_u, t_v, how.wrap);
+    return by_channels(count, [&](std::size_t i) HWY_ATTR { return near.read(all, i); });
+  }
+  const V level = clamp_level(mip_level(how, steps, u, v, z), texture);
   if (how.filter == TextureFilter::mipmap) {
-    const VI nearest = hn::ConvertTo(di, hn::Add(level, number(0.5f)));
-    return sample_bilinear(texture, level_of(texture, nearest), t_u, t_v, how.wrap);
+    near.set(level_of(texture, hn::ConvertTo(di, hn::Add(level, number(0.5f)))), t_u, t_v, how.wrap);
+    return by_channels(count, [&](std::size_t i) HWY_ATTR { return near.read(all, i); });
   }
   const VI fine = hn::ConvertTo(di, level);
-  const V f = hn::Sub(level, hn::ConvertTo(d, fine));
-  const Colour near = sample_bilinear(texture, level_of(texture, fine), t_u, t_v, how.wrap);
-  const M mixed = hn::And(hn::Gt(f, hn::Zero(d)), hn::FirstN(d, count));
-  if (hn::AllFalse(d, mixed)) return near;
+  near.set(level_of(texture, fine), t_u, t_v, how.wrap);
+  Weights between;
+  between.set(hn::Sub(level, hn::ConvertTo(d, fine)));
+  const M mixed = hn::And(hn::Gt(hn::Load(d, between.f), hn::Zero(d)), hn::FirstN(d, count));
+  if (hn::AllFalse(d, mixed)) return by_channels(count, [&](std::size_t i) HWY_ATTR { return near.read(all, i); });
   texels += 4 * hn::CountTrue(d, mixed);
-  // Lanes at the coarsest level have f = 0 and read it again.
   const VI coarse = hn::Min(hn::Add(fine, hn::Set(di, 1)), hn::Set(di, texture.levels - 1));
-  const Colour both = mix(near, sample_bilinear(texture, level_of(texture, coarse), t_u, t_v, how.wrap), f);
-  const M blend = hn::Gt(f, hn::Zero(d));
-  return {hn::IfThenElse(blend, both.red, near.red), hn::IfThenElse(blend, both.green, near.green),
-          hn::IfThenElse(blend, both.blue, near.blue)};
+  Bilinear far;
+  far.set(level_of(texture, coarse), t_u, t_v, how.wrap);
+  return by_channels(count, [&](std::size_t i) HWY_ATTR {
+    const Texel texel = near.read(all, i);
+    return between.f[i] > 0 ? between.mix(texel, far.read(all, i), i) : texel;
+  });
 }
 
 }  // namespace texture

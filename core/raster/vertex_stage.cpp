@@ -20,7 +20,6 @@ void add_jobs(std::vector<Job>& jobs, std::size_t object, std::size_t count, boo
     jobs.push_back({object, first, std::min(first + vertices_per_job, count), normals});
 }
 
-/// Whether the corners' own normals are read: for interpolation, at the corners, or for a triangle's mean normal.
 template <class Real>
 bool needs_vertex_normals(const Pass<Real>& pass, const Surface<Real>& surface) {
   if (pass.settings.normals != Normals::vertex) return false;
@@ -48,6 +47,17 @@ Vec3<Real> camera_position(const Pass<Real>& pass, const Vec3d& world) {
 }  // namespace
 
 template <class Real>
+VertexNeeds vertex_needs(const Pass<Real>& pass, std::size_t object) {
+  VertexNeeds needs;
+  for (std::size_t k = 0; k < pass.objects[object].materials.size(); ++k) {
+    const Surface<Real>& surface = pass.surfaces[pass.first_surface[object] + k];
+    needs.world = needs.world || needs_world_positions(pass, surface);
+    needs.normals = needs.normals || needs_vertex_normals(pass, surface);
+  }
+  return needs;
+}
+
+template <class Real>
 std::vector<bool> cull_objects(const Pass<Real>& pass) {
   std::vector<bool> culled;
   for (const DrawObject& object : pass.objects) {
@@ -67,17 +77,11 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
   for (std::size_t i = 0; i < pass.objects.size(); ++i) {
     if (culled[i]) continue;
     const Mesh& mesh = *pass.objects[i].mesh;
-    bool world = false;
-    bool normals = false;
-    for (std::size_t k = 0; k < pass.objects[i].materials.size(); ++k) {
-      const Surface<Real>& surface = pass.surfaces[pass.first_surface[i] + k];
-      world = world || needs_world_positions(pass, surface);
-      normals = normals || needs_vertex_normals(pass, surface);
-    }
+    const VertexNeeds needs = vertex_needs(pass, i);
     buffers[i].camera.resize(mesh.positions.size());
-    if (world) buffers[i].world.resize(mesh.positions.size());
+    if (needs.world) buffers[i].world.resize(mesh.positions.size());
     add_jobs(jobs, i, mesh.positions.size(), false);
-    if (normals) {
+    if (needs.normals) {
       buffers[i].normals.resize(mesh.normals.size());
       add_jobs(jobs, i, mesh.normals.size(), true);
     }
@@ -90,11 +94,11 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
       if (job.normals) {
         const Vec3d normal = object.normal_matrix * object.mesh->normals[v];
         const double length = std::sqrt(dot(normal, normal));
-        buffer.normals[v] = Vec3<Real>(length > 0 ? normal / length : normal);
+        buffer.normals[v] = Vec4<Real>(Vec3<Real>(length > 0 ? normal / length : normal), 0);
       } else {
         const Vec3d world = object.world(object.mesh->positions[v]);
-        buffer.camera[v] = camera_position(pass, world);
-        if (!buffer.world.empty()) buffer.world[v] = Vec3<Real>(world);
+        buffer.camera[v] = Vec4<Real>(camera_position(pass, world), 0);
+        if (!buffer.world.empty()) buffer.world[v] = Vec4<Real>(Vec3<Real>(world), 0);
       }
     }
   });
@@ -102,6 +106,7 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
 }
 
 #define PS_INSTANTIATE(Real)                                                                                           \
+  template VertexNeeds vertex_needs(const Pass<Real>&, std::size_t);                                                   \
   template std::vector<bool> cull_objects(const Pass<Real>&);                                                          \
   template std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>&, const std::vector<bool>&,               \
                                                             const ParallelOptions&, Progress&);

@@ -13,6 +13,14 @@ template <class Real>
 std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled,
                                                  const ParallelOptions& parallel, Progress& progress);
 
+/// What the shading of an object's surfaces asks of its vertices besides their place.
+struct VertexNeeds {
+  bool world = false;    ///< positions in world space
+  bool normals = false;  ///< the corners' own: for interpolation, at the corners, or for a triangle's mean normal
+};
+template <class Real>
+VertexNeeds vertex_needs(const Pass<Real>& pass, std::size_t object);
+
 /// For each object whether its bounding sphere lies wholly outside a clipping plane (CGFS ch. 11, the first stage).
 template <class Real>
 std::vector<bool> cull_objects(const Pass<Real>& pass);

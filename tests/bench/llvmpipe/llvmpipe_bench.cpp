@@ -9,6 +9,7 @@
 #include "bench/llvmpipe/gl_scene.h"
 #include "bench/meshes.h"
 #include "image/display.h"
+#include "render/display_frame.h"
 #include "render/render.h"
 
 namespace ps::bench {
@@ -24,7 +25,12 @@ struct Sides {
 
   void draw_ours() {
     Progress progress;
-    picture = display_image(render(scene, view, settings, {}, prepared, progress).colour);
+    picture = Image<Rgb8>(view.width, view.height, Unfilled{});
+    RenderRequest request;  // as the window does it: tiles are converted for display while they are in the cache
+    request.on_tile = [this](const Frame& frame, const TileRect& tile) {
+      display_tile(frame, settings, tile, picture);
+    };
+    render(scene, view, settings, request, prepared, progress);
   }
 };
 

@@ -1,0 +1,158 @@
+#include "raster/fast/assembly.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace ps::raster {
+namespace {
+
+constexpr std::size_t least_per_part = 2048;
+constexpr std::size_t most_parts = 64;
+
+/// Assembles one part; a class only to share what its steps need.
+class PartAssembler {
+ public:
+  PartAssembler(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices, AssembleBlock kernel,
+                FastPart& part)
+      : pass_(pass), vertices_(vertices), kernel_(kernel), part_(part),
+        tile_columns_((pass.viewport.columns + fast_tile - 1) >> fast_tile_bits),
+        tiles_(static_cast<std::size_t>(tile_columns_) *
+               static_cast<std::size_t>((pass.viewport.rows + fast_tile - 1) >> fast_tile_bits)) {}
+
+  void run(std::span<const TriangleRun> runs) {
+    std::size_t total = 0;
+    for (const TriangleRun& run : runs) total += run.last - run.first;
+    part_.triangles.resize(total);
+    part_.tile_start.assign(tiles_ + 1, 0);
+    for (const TriangleRun& run : runs)
+      for (std::size_t first = run.first; first < run.last; first += CornerBlock::capacity)
+        add_block(run.object, first, std::min<std::size_t>(CornerBlock::capacity, run.last - first));
+    sort_into_tiles();
+    part_.counters += part_.cut.counters;
+  }
+
+ private:
+  void add_block(std::size_t object, std::size_t first, std::size_t count) {
+    const DrawObject& drawn = pass_.objects[object];
+    const VertexBuffer<float>& vertices = vertices_[object];
+    const MeshTriangle* triangles = &drawn.mesh->triangles[first];
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners_.points[k][i] = vertices.camera[triangles[i].position[k]];
+        corners_.places[k][i] = vertices.places[triangles[i].position[k]];
+      }
+    kernel_(rules(drawn), corners_, static_cast<int>(count), block_);
+    part_.counters[Counter::triangles_in] += count - static_cast<std::size_t>(std::popcount(block_.left));
+    part_.counters[Counter::triangles_degenerate] += block_.degenerate;
+    part_.counters[Counter::triangles_backfacing] += block_.back_facing;
+    part_.counters[Counter::triangles_drawn] += block_.drawn;
+    part_.counters[Counter::coverage_tests] += block_.coverage_tests;
+    for (std::uint64_t rest = block_.kept | block_.left; rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      if ((block_.left >> i & 1) != 0) {
+        add_general(object, first + i);
+        continue;
+      }
+      FastTriangle& made = add(block_.triangles[i]);
+      made.object = static_cast<std::uint32_t>(object);
+      made.triangle = static_cast<std::uint32_t>(first + i);
+      made.surface = pass_.first_surface[object] + (drawn.materials.size() == 1 ? 0 : triangles[i].material);
+    }
+  }
+
+  /// A triangle that something cuts, or a large one: in as many pieces as it gives.
+  void add_general(std::size_t object, std::size_t triangle) {
+    const std::size_t before = part_.cut.triangles.size();
+    assemble_triangle(pass_, vertices_[object], object, triangle, part_.cut);
+    for (std::size_t i = before; i < part_.cut.triangles.size(); ++i) {
+      const ScreenTriangle<float>& piece = part_.cut.triangles[i];
+      part_.counters[Counter::coverage_tests] += static_cast<std::uint64_t>(piece.box.x1 - piece.box.x0) *
+                                                 static_cast<std::uint64_t>(piece.box.y1 - piece.box.y0);
+      FastTriangle general;
+      general.shape = FastTriangle::general;
+      general.inverse_z = piece.inverse_z;
+      general.surface = piece.surface;
+      general.object = static_cast<std::uint32_t>(object);
+      general.triangle = static_cast<std::uint32_t>(i);
+      add(general);
+    }
+  }
+
+  FastTriangle& add(const FastTriangle& triangle) {
+    if (part_.count == part_.triangles.size()) part_.triangles.resize(part_.count + part_.count / 2 + 16);
+    FastTriangle& place = part_.triangles[part_.count++];
+    place = triangle;
+    for_tiles(triangle, [&](std::size_t tile) { ++part_.tile_start[tile + 1]; });
+    return place;
+  }
+
+  template <class Visit>
+  void for_tiles(const FastTriangle& triangle, Visit&& visit) const {
+    const PixelBox box = triangle.is_general() ? part_.cut.triangles[triangle.triangle].box : triangle.box();
+    for (int row = box.y0 >> fast_tile_bits; row <= (box.y1 - 1) >> fast_tile_bits; ++row)
+      for (int column = box.x0 >> fast_tile_bits; column <= (box.x1 - 1) >> fast_tile_bits; ++column)
+        visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(tile_columns_) +
+              static_cast<std::size_t>(column));
+  }
+
+  void sort_into_tiles() {
+    for (std::size_t t = 0; t < tiles_; ++t) part_.tile_start[t + 1] += part_.tile_start[t];
+    part_.entries.resize(part_.tile_start[tiles_]);
+    std::vector<std::uint32_t> next(part_.tile_start.begin(), part_.tile_start.end() - 1);
+    for (std::size_t i = 0; i < part_.count; ++i)
+      for_tiles(part_.triangles[i],
+                [&](std::size_t tile) { part_.entries[next[tile]++] = static_cast<std::uint32_t>(i); });
+  }
+
+  AssemblyRules rules(const DrawObject& object) const {
+    const auto unit = static_cast<double>(fixed_unit(pass_.grid.subpixel_bits));
+    AssemblyRules rules;
+    rules.handedness = static_cast<float>(pass_.camera_space.handedness);
+    rules.cull_backs = pass_.settings.backface_culling || object.front_only;
+    rules.subpixel_bits = pass_.grid.subpixel_bits;
+    rules.sample_x = static_cast<std::int32_t>(pass_.grid.sample.x * unit);
+    rules.sample_y = static_cast<std::int32_t>(pass_.grid.sample.y * unit);
+    rules.fill_rule = pass_.grid.fill_rule;
+    rules.columns = pass_.viewport.columns;
+    rules.rows = pass_.viewport.rows;
+    rules.large = std::int32_t{1} << (pass_.grid.subpixel_bits + 6);  // 32 pixels
+    return rules;
+  }
+
+  const Pass<float>& pass_;
+  const std::vector<VertexBuffer<float>>& vertices_;
+  AssembleBlock kernel_;
+  FastPart& part_;
+  int tile_columns_;
+  std::size_t tiles_;
+  CornerBlock corners_;
+  AssembledBlock block_;
+};
+
+}  // namespace
+
+std::vector<FastPart> assemble_fast(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
+                                    const std::vector<bool>& culled, const ParallelOptions& parallel,
+                                    Progress& progress) {
+  const std::vector<TriangleRun> runs = make_runs(pass, culled);
+  std::size_t total = 0;
+  for (const TriangleRun& run : runs) total += run.last - run.first;
+  const std::size_t enough = std::max(least_per_part, total / most_parts);
+  std::vector<std::span<const TriangleRun>> shares;
+  for (std::size_t first = 0; first < runs.size();) {
+    std::size_t last = first;
+    for (std::size_t triangles = 0; last < runs.size() && triangles < enough; ++last)
+      triangles += runs[last].last - runs[last].first;
+    shares.push_back(std::span(runs).subspan(first, last - first));
+    first = last;
+  }
+  std::vector<FastPart> parts(shares.size());
+  const AssembleBlock kernel = assemble_kernel(pass.settings.simd);
+  parallel_for(static_cast<int>(parts.size()), parallel, progress, [&](int index, int) {
+    const auto i = static_cast<std::size_t>(index);
+    PartAssembler(pass, vertices, kernel, parts[i]).run(shares[i]);
+  });
+  return parts;
+}
+
+}  // namespace ps::raster

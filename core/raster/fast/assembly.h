@@ -1,0 +1,92 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/assemble.h"
+
+namespace ps::raster {
+
+/// A triangle ready for coverage, in one cache line. Small ones, which nothing cuts, carry their edges (TriangleEdges)
+/// as 32-bit integers; what edge 2 has follows from the others, since the three values add up to the area.
+struct FastTriangle {
+  static constexpr std::uint32_t general = 1u << 31;  ///< in `shape`: number `triangle` of FastPart::cut instead
+
+  std::array<std::int32_t, 2> value{};  ///< of edges 0 and 1 at the box's first sample
+  std::int32_t area = 0;
+  float inverse_area = 0;
+  std::array<std::int32_t, 2> step_x{}, step_y{};
+  std::array<float, 3> inverse_z{};
+  std::uint32_t surface = 0;   ///< index into Pass::surfaces
+  std::uint32_t corner = 0;    ///< of the box: column, and from bit 16 on row
+  std::uint32_t shape = 0;     ///< of the box: columns, from bit 8 on rows; from bit 16 on which edges own their ties
+  std::uint32_t object = 0;    ///< index into Pass::objects
+  std::uint32_t triangle = 0;  ///< of the object's mesh
+
+  bool is_general() const { return (shape & general) != 0; }
+  PixelBox box() const {
+    const auto x = static_cast<int>(corner & 0xffff), y = static_cast<int>(corner >> 16);
+    return {x, y, x + static_cast<int>(shape & 0xff), y + static_cast<int>(shape >> 8 & 0xff)};
+  }
+};
+static_assert(sizeof(FastTriangle) == 64);
+
+/// The corners of a few triangles, one beside the other.
+struct CornerBlock {
+  static constexpr int capacity = 64;
+  alignas(64) std::array<std::array<Vec4f, capacity>, 3> points;
+  alignas(64) std::array<std::array<VertexPlace, capacity>, 3> places;
+};
+
+/// What is the same for all triangles of an object.
+struct AssemblyRules {
+  float handedness = 1;
+  bool cull_backs = false;
+  int subpixel_bits = 8;
+  std::int32_t sample_x = 0, sample_y = 0;  ///< of the sample in its pixel, FixedPoint units
+  FillRule fill_rule = FillRule::top_left;
+  int columns = 0, rows = 0;
+  /// Triangles that reach this far, in FixedPoint units, are large. With at most 8 sub-pixel bits every difference
+  /// has 14 bits, every product 29, and an edge value up to a vector beyond the box still fits 31.
+  std::int32_t large = 1 << 14;
+};
+inline constexpr int fast_subpixel_bits = 8;  ///< at most
+
+/// What became of a block's triangles; bit i is triangle i.
+struct AssembledBlock {
+  std::uint64_t kept = 0;  ///< drawn, and not known to miss every sample: `triangles` holds them
+  std::uint64_t left = 0;  ///< to be assembled one by one: cut by something, or large
+  std::uint64_t degenerate = 0, back_facing = 0, drawn = 0, coverage_tests = 0;  ///< numbers of; without what is left
+  alignas(64) std::array<FastTriangle, CornerBlock::capacity> triangles;
+};
+
+/// Repeats raster/assemble.cpp for many triangles at once. `count` is at most the capacity.
+using AssembleBlock = void (*)(const AssemblyRules& rules, const CornerBlock& corners, int count,
+                               AssembledBlock& result);
+AssembleBlock assemble_kernel(Simd simd);
+
+/// The triangles of some runs, in order, sorted into the tiles that their boxes touch.
+struct FastPart {
+  BlockVector<FastTriangle> triangles;
+  std::size_t count = 0;
+  Batch<float> cut;                       ///< those that were assembled one by one
+  BlockVector<std::uint32_t> entries;     ///< indices into `triangles`, tile after tile
+  std::vector<std::uint32_t> tile_start;  ///< of each tile in `entries`, and the end
+  Counters counters;
+
+  std::span<const std::uint32_t> list(std::size_t tile) const {
+    return {entries.data() + tile_start[tile], tile_start[tile + 1] - tile_start[tile]};
+  }
+};
+
+/// Tiles are fast_tile x fast_tile pixels, row by row.
+inline constexpr int fast_tile_bits = 6;
+inline constexpr int fast_tile = 1 << fast_tile_bits;
+
+/// Assembles all objects in parts, in drawing order. `vertices` come from run_fast_vertices().
+std::vector<FastPart> assemble_fast(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
+                                    const std::vector<bool>& culled, const ParallelOptions& parallel,
+                                    Progress& progress);
+
+}  // namespace ps::raster

@@ -1,0 +1,89 @@
+#include "raster/fast/fast_frame.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "base/timer.h"
+#include "raster/fast/assembly.h"
+#include "raster/fast/resolve.h"
+#include "raster/fast/vertices.h"
+#include "raster/vertex_stage.h"
+
+namespace ps::raster {
+namespace {
+
+bool can_shade(const Pass<float>& pass, const Surface<float>& surface) {
+  const ShadingMaterial<float>& material = surface.material;
+  if (material.ambient_colour || material.specular_colour || (material.specular && !(*material.specular > 0)))
+    return false;
+  if (surface.layout.tangents != AttributeLayout::absent) return false;
+  if (surface.layout.uv == AttributeLayout::absent) return true;
+  if (!pass.packed_textures || material.texture < 0) return false;
+  return (*pass.packed_textures)[static_cast<std::size_t>(material.texture)].levels > 0;
+}
+
+/// What one worker keeps from tile to tile.
+struct Worker {
+  Worker(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
+         const std::vector<FastSurface>& surfaces)
+      : resolver(pass, vertices, surfaces) {}
+  TileFragments tile;
+  TileResolver resolver;
+};
+
+}  // namespace
+
+bool can_draw_fast(const Pass<float>& pass) {
+  const Settings& settings = pass.settings;
+  if (!pass.shade_batch || !pass.divides() || pass.channels != Channel::none) return false;
+  if (settings.draw != Draw::filled || settings.visibility != Visibility::depth_buffer) return false;
+  if (settings.depth_value != DepthValue::inverse_z || settings.depth_format != DepthFormat::plain) return false;
+  if (!pass.coverage.is_common() || settings.multisampling != 1) return false;
+  if (settings.early_depth || settings.deferred_shading || settings.light_passes != LightPasses::one) return false;
+  if (!settings.camera_relative) return false;
+  if (pass.grid.subpixel_bits > fast_subpixel_bits || pass.planes.size() > 16) return false;
+  if (!pass.scene->canvas_items->empty()) return false;
+  if (settings.lighting && settings.shading != Shading::phong) return false;
+  return std::ranges::all_of(pass.surfaces, [&](const auto& surface) { return can_shade(pass, surface); });
+}
+
+void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& frame, Progress& progress) {
+  const ParallelOptions parallel{pass.settings.threads, request.priority};
+  Timer timer;
+  const auto done = [&](const char* stage) {
+    frame.times.push_back({stage, timer.milliseconds()});
+    timer = Timer();
+  };
+  const std::vector<bool> culled = cull_objects(pass);
+  frame.counters[Counter::objects_culled] += static_cast<std::uint64_t>(std::ranges::count(culled, true));
+  const std::vector<VertexBuffer<float>> vertices = run_fast_vertices(pass, culled, parallel, progress);
+  done("vertices");
+  const std::vector<FastPart> parts = assemble_fast(pass, vertices, culled, parallel, progress);
+  for (const FastPart& part : parts) frame.counters += part.counters;
+  done("triangles, sorted into tiles");
+
+  const std::vector<FastSurface> surfaces = fast_surfaces(pass);
+  const bool textured = std::ranges::any_of(surfaces, &FastSurface::textured);
+  const std::vector<TileRect> tiles = make_tiles(frame.width(), frame.height(), fast_tile);
+  std::vector<Counters> counters(tiles.size());
+  std::vector<std::unique_ptr<Worker>> workers(static_cast<std::size_t>(resolve_threads(parallel)));
+  const TileKernels kernels = tile_kernels(pass.settings.simd);
+  parallel_for(static_cast<int>(tiles.size()), parallel, progress, [&](int index, int number) {
+    const auto i = static_cast<std::size_t>(index);
+    std::unique_ptr<Worker>& worker = workers[static_cast<std::size_t>(number)];
+    if (!worker) worker = std::make_unique<Worker>(pass, vertices, surfaces);
+    std::size_t entries = 0;
+    for (const FastPart& part : parts) entries += part.list(i).size();
+    TileFragments& tile = worker->tile;
+    tile.keep_replaced = textured;
+    tile.start(entries, surfaces.size());
+    for (const FastPart& part : parts)
+      if (!part.list(i).empty()) kernels.cover(pass.grid, tiles[i], part, part.list(i), tile);
+    worker->resolver.resolve(tile, tiles[i], frame, counters[i]);
+    if (request.on_tile) request.on_tile(frame, tiles[i]);
+  });
+  for (const Counters& tile : counters) frame.counters += tile;
+  done("fragments");
+}
+
+}  // namespace ps::raster

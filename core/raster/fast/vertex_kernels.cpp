@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <limits>
+
+#include "raster/fast/vertices.h"
+#include "raster/simd_choice.h"
+
+// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/fast/vertex_kernels.cpp"
+#include "hwy/foreach_target.h"  // IWYU pragma: keep
+#include "hwy/highway.h"
+
+#if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
+HWY_BEFORE_NAMESPACE();
+namespace ps::raster::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::ScalableTag<double>;
+using DF = hn::Rebind<float, D>;
+using DI = hn::Rebind<std::int32_t, D>;
+using V = hn::Vec<D>;
+using VF = hn::Vec<DF>;
+using VI = hn::Vec<DI>;
+
+struct V3 {
+  V x, y, z;
+};
+
+HWY_INLINE V splat(double value) { return hn::Set(D(), value); }
+
+/// matrix * v, as GLM multiplies.
+HWY_INLINE V3 multiply(const Mat3d& m, const V3& v) {
+  const auto row = [&](int i) HWY_ATTR {
+    return hn::Add(hn::Add(hn::Mul(splat(m[0][i]), v.x), hn::Mul(splat(m[1][i]), v.y)), hn::Mul(splat(m[2][i]), v.z));
+  };
+  return {row(0), row(1), row(2)};
+}
+
+HWY_INLINE V3 load(const Vec3d* from) {
+  V3 v;
+  hn::LoadInterleaved3(D(), &from->x, v.x, v.y, v.z);
+  return v;
+}
+
+/// Calls body(first) for whole vectors; the last one may overlap with the one before. Fewer elements than a vector are
+/// copied to a place with room, and back.
+template <class Body>
+HWY_INLINE void for_vectors(std::size_t count, Body&& body) {
+  const std::size_t lanes = hn::Lanes(D());
+  for (std::size_t i = 0; i + lanes <= count; i += lanes) body(i);
+  if (count % lanes != 0) body(count - lanes);
+}
+
+HWY_INLINE void transform_vector(const VertexTransform& t, const Vec3d* positions, Vec4f* points, VertexPlace* places,
+                                 Vec4f* world) {
+  const DF df;
+  const DI di;
+  V3 p = multiply(t.linear, load(positions));
+  p = {hn::Add(p.x, splat(t.translation.x)), hn::Add(p.y, splat(t.translation.y)),
+       hn::Add(p.z, splat(t.translation.z))};
+  if (world)
+    hn::StoreInterleaved4(hn::DemoteTo(df, p.x), hn::DemoteTo(df, p.y), hn::DemoteTo(df, p.z), hn::Zero(df), df,
+                          &world->x);
+  p = multiply(t.from_world,
+               {hn::Sub(p.x, splat(t.eye.x)), hn::Sub(p.y, splat(t.eye.y)), hn::Sub(p.z, splat(t.eye.z))});
+  const VF x = hn::DemoteTo(df, p.x), y = hn::DemoteTo(df, p.y), z = hn::DemoteTo(df, p.z);
+  const VF inverse_z = hn::Div(hn::Set(df, 1.0f), z);
+  hn::StoreInterleaved4(x, y, z, inverse_z, df, &points->x);
+
+  const VF column =
+      hn::Add(hn::Set(df, t.projection.centre.x), hn::Div(hn::Mul(x, hn::Set(df, t.projection.scale.x)), z));
+  const VF row = hn::Sub(hn::Set(df, t.projection.centre.y), hn::Div(hn::Mul(y, hn::Set(df, t.projection.scale.y)), z));
+  const VF reach = hn::Set(df, static_cast<float>(guard_band));
+  const VF most = hn::Set(df, std::numeric_limits<float>::max());
+  const auto placed =
+      hn::And(hn::And(hn::Le(hn::Abs(column), reach), hn::Le(hn::Abs(row), reach)), hn::Le(hn::Abs(inverse_z), most));
+  VI outside = hn::IfThenZeroElse(hn::RebindMask(di, placed), hn::Set(di, std::numeric_limits<std::int32_t>::min()));
+  for (std::size_t i = 0; i < t.plane_count; ++i) {
+    const ClipPlane<float>& plane = t.planes[i];
+    const VF distance =
+        hn::Add(hn::Add(hn::Add(hn::Mul(hn::Set(df, plane.normal.x), x), hn::Mul(hn::Set(df, plane.normal.y), y)),
+                        hn::Mul(hn::Set(df, plane.normal.z), z)),
+                hn::Set(df, plane.offset));
+    const auto front = hn::Ge(distance, hn::Zero(df));
+    outside = hn::Or(outside, hn::IfThenZeroElse(hn::RebindMask(di, front), hn::Set(di, std::int32_t{1} << i)));
+  }
+  // to_fixed(): a multiple of a power of two is exact in float too, and rounding goes to even.
+  const auto fixed = [&](VF position) HWY_ATTR {
+    const VF inside = hn::IfThenElseZero(placed, position);
+    return hn::ShiftLeft<1>(hn::NearestInt(hn::Mul(inside, hn::Set(df, t.subpixels))));
+  };
+  hn::StoreInterleaved4(fixed(column), fixed(row), outside, hn::Zero(di), di, &places->column);
+}
+
+HWY_INLINE void transform_normal_vector(const Mat3d& matrix, const Vec3d* normals, Vec4f* result) {
+  const DF df;
+  const V3 n = multiply(matrix, load(normals));
+  const V length = hn::Sqrt(hn::Add(hn::Add(hn::Mul(n.x, n.x), hn::Mul(n.y, n.y)), hn::Mul(n.z, n.z)));
+  const auto some = hn::Gt(length, hn::Zero(D()));
+  const auto unit = [&](V v) HWY_ATTR { return hn::DemoteTo(df, hn::IfThenElse(some, hn::Div(v, length), v)); };
+  hn::StoreInterleaved4(unit(n.x), unit(n.y), unit(n.z), hn::Zero(df), df, &result->x);
+}
+
+constexpr std::size_t most_lanes = 8;
+
+}  // namespace
+
+static_assert(sizeof(Vec3d) == 3 * sizeof(double) && sizeof(Vec4f) == 16 && sizeof(VertexPlace) == 16);
+
+void transform_positions(const VertexTransform& transform, const Vec3d* positions, std::size_t count, Vec4f* points,
+                         VertexPlace* places, Vec4f* world) {
+  if (count >= hn::Lanes(D())) {
+    for_vectors(count, [&](std::size_t i) HWY_ATTR {
+      transform_vector(transform, positions + i, points + i, places + i, world ? world + i : nullptr);
+    });
+    return;
+  }
+  std::array<Vec3d, most_lanes> from{};
+  std::array<Vec4f, most_lanes> to_points, to_world;
+  std::array<VertexPlace, most_lanes> to_places;
+  std::copy_n(positions, count, from.begin());
+  transform_vector(transform, from.data(), to_points.data(), to_places.data(), to_world.data());
+  std::copy_n(to_points.begin(), count, points);
+  std::copy_n(to_places.begin(), count, places);
+  if (world) std::copy_n(to_world.begin(), count, world);
+}
+
+void transform_normals(const Mat3d& matrix, const Vec3d* normals, std::size_t count, Vec4f* result) {
+  if (count >= hn::Lanes(D())) {
+    for_vectors(count, [&](std::size_t i) HWY_ATTR { transform_normal_vector(matrix, normals + i, result + i); });
+    return;
+  }
+  std::array<Vec3d, most_lanes> from{};
+  std::array<Vec4f, most_lanes> to;
+  std::copy_n(normals, count, from.begin());
+  transform_normal_vector(matrix, from.data(), to.data());
+  std::copy_n(to.begin(), count, result);
+}
+
+}  // namespace ps::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+namespace ps::raster {
+
+VertexKernels vertex_kernels(Simd simd) {
+#if HWY_ARCH_X86
+  const std::int64_t have = hwy::SupportedTargets();
+  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return {N_AVX3::transform_positions, N_AVX3::transform_normals};
+  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return {N_AVX2::transform_positions, N_AVX2::transform_normals};
+  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return {N_SSE4::transform_positions, N_SSE4::transform_normals};
+#else
+  static_cast<void>(simd);
+#endif
+  return {};
+}
+
+}  // namespace ps::raster
+#endif

@@ -1,0 +1,71 @@
+#include "raster/fast/vertices.h"
+
+#include <algorithm>
+
+#include "raster/vertex_stage.h"
+
+namespace ps::raster {
+namespace {
+
+constexpr std::size_t vertices_per_job = 8192;
+
+/// A run of one object's positions or normals.
+struct Job {
+  std::size_t object = 0;
+  std::size_t first = 0, last = 0;
+  bool normals = false;
+};
+
+void add_jobs(std::vector<Job>& jobs, std::size_t object, std::size_t count, bool normals) {
+  for (std::size_t first = 0; first < count; first += vertices_per_job)
+    jobs.push_back({object, first, std::min(first + vertices_per_job, count), normals});
+}
+
+VertexTransform transform_of(const Pass<float>& pass, const DrawObject& object) {
+  VertexTransform transform;
+  transform.linear = object.linear;
+  transform.translation = object.translation;
+  transform.from_world = pass.camera_space.from_world;
+  transform.eye = pass.camera_space.position;
+  transform.projection = pass.projection;
+  transform.planes = pass.planes.data();
+  transform.plane_count = pass.planes.size();
+  transform.subpixels = static_cast<float>(1 << pass.grid.subpixel_bits);
+  return transform;
+}
+
+}  // namespace
+
+std::vector<VertexBuffer<float>> run_fast_vertices(const Pass<float>& pass, const std::vector<bool>& culled,
+                                                   const ParallelOptions& parallel, Progress& progress) {
+  std::vector<VertexBuffer<float>> objects(pass.objects.size());
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (culled[i]) continue;
+    const Mesh& mesh = *pass.objects[i].mesh;
+    const VertexNeeds needs = vertex_needs(pass, i);
+    objects[i].camera.resize(mesh.positions.size());
+    objects[i].places.resize(mesh.positions.size());
+    if (needs.world) objects[i].world.resize(mesh.positions.size());
+    add_jobs(jobs, i, mesh.positions.size(), false);
+    if (needs.normals) {
+      objects[i].normals.resize(mesh.normals.size());
+      add_jobs(jobs, i, mesh.normals.size(), true);
+    }
+  }
+  const VertexKernels kernels = vertex_kernels(pass.settings.simd);
+  parallel_for(static_cast<int>(jobs.size()), parallel, progress, [&](int index, int) {
+    const Job& job = jobs[static_cast<std::size_t>(index)];
+    const DrawObject& object = pass.objects[job.object];
+    VertexBuffer<float>& made = objects[job.object];
+    const std::size_t count = job.last - job.first;
+    if (job.normals)
+      kernels.normals(object.normal_matrix, &object.mesh->normals[job.first], count, &made.normals[job.first]);
+    else
+      kernels.positions(transform_of(pass, object), &object.mesh->positions[job.first], count, &made.camera[job.first],
+                        &made.places[job.first], made.world.empty() ? nullptr : &made.world[job.first]);
+  });
+  return objects;
+}
+
+}  // namespace ps::raster
