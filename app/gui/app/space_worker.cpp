@@ -21,7 +21,8 @@ SpacePicture draw(const SpaceRequest& request, Prepared& prepared, Progress& pro
   settings.backface_culling = false;  // open models are seen from all sides
   Scene scene = request.scene;
   scene.canvas_items = {};  // they lie on the picture, not in space
-  const RenderRequest wanted{Channel::depth | Channel::ids, WorkerPriority::normal, {}};
+  RenderRequest wanted;
+  wanted.channels = Channel::depth | Channel::ids;
   if (scene_traits(scene).csg) {  // has no triangles
     settings.renderer = Renderer::ray_tracer;
     settings.reflection_depth = 0;
