@@ -39,6 +39,11 @@ constexpr std::array<CounterName, counter_count> names{{
     {"pixels-subdivided", "pixels subdivided"},
     {"searches-saved", "searches saved by reuse"},
     {"nan-pixels", "NaN pixels"},
+    {"shadow-map-taps", "shadow map taps"},
+    {"silhouette-edges", "silhouette edges"},
+    {"stencil-tests", "shadow volume samples"},
+    {"stencil-updates", "stencil updates"},
+    {"environment-reads", "cube maps read"},
 }};
 
 }  // namespace

@@ -37,6 +37,11 @@ enum class Counter {
   pixels_subdivided,  ///< got more samples because neighbours differed
   searches_saved,     ///< eye rays that met the object of the pixels around without a search
   nan_pixels,
+  shadow_map_taps,   ///< texels of shadow maps compared with a depth
+  silhouette_edges,  ///< from which the sides of shadow volumes start
+  stencil_tests,     ///< covered samples of shadow volumes
+  stencil_updates,   ///< those that changed a count
+  environment_reads,
   count_
 };
 

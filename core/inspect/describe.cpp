@@ -53,7 +53,9 @@ struct Describer {
       return fmt::format("{}: adds nothing, the surface faces away from it", name);
     if (e.blocker) return fmt::format("{}: blocked by {}", name, primitive_name(scene, *e.blocker));
     if (e.kind == LightKind::ambient) return fmt::format("{}: {} everywhere", name, number_text(e.diffuse));
-    return fmt::format("{}: diffuse {}, specular {}", name, number_text(e.diffuse), number_text(e.specular));
+    if (e.visible <= 0) return fmt::format("{}: in shadow", name);
+    const std::string share = e.visible < 1 ? fmt::format("{} of it seen, ", number_text(e.visible)) : std::string();
+    return fmt::format("{}: {}diffuse {}, specular {}", name, share, number_text(e.diffuse), number_text(e.specular));
   }
   std::string operator()(const ShadeEvent& e) const {
     return fmt::format("own colour {}: surface {} x light {}", vector_text(e.local), vector_text(e.surface),
@@ -77,6 +79,31 @@ struct Describer {
     return fmt::format("light comes through: {} x {} + {} x {} + {} x {} = {}", number_text(e.own_share),
                        vector_text(e.local), number_text(e.mirrored_share), vector_text(e.mirrored),
                        number_text(e.refracted_share), vector_text(e.refracted), vector_text(e.result));
+  }
+  std::string operator()(const ShadowMapEvent& e) const {
+    const std::string name = light_name(scene, e.light);
+    if (e.outside) return fmt::format("shadow map of {}: does not reach this far, lit", name);
+    const std::string face = e.cube ? fmt::format("face {}, ", cube_face_name(e.face)) : std::string();
+    if (e.taps.size() == 1) {
+      const ShadowTap& tap = e.taps.front();
+      return fmt::format("shadow map of {}: {}texel ({}, {}) stores {}, own depth {} - bias {}: {}", name, face, tap.x,
+                         tap.y, number_text(tap.stored), number_text(e.depth), number_text(e.bias),
+                         tap.lit ? "lit" : "in shadow");
+    }
+    return fmt::format("shadow map of {}: {}{} taps, {} of the light is seen", name, face, e.taps.size(),
+                       number_text(e.visible));
+  }
+  std::string operator()(const StencilEvent& e) const {
+    std::string text = fmt::format(
+        "stencil of {}: {} of {} shadow volume faces count, {} in all", light_name(scene, e.light),
+        std::count_if(e.crossings.begin(), e.crossings.end(), [](const VolumeCrossing& c) { return c.change != 0; }),
+        e.crossings.size(), e.count);
+    if (e.stored != e.count) text += fmt::format(", stored as {}", e.stored);
+    return text + (e.stored == 0 ? ": lit" : ": in shadow");
+  }
+  std::string operator()(const EnvironmentEvent& e) const {
+    return fmt::format("cube map made at {}: face {} along {} shows {}", vector_text(e.centre), cube_face_name(e.face),
+                       vector_text(e.direction), vector_text(e.result));
   }
   std::string operator()(const RejectEvent& e) const {
     std::string text = fmt::format("{}: {}", primitive_name(scene, e.id), reject_reason_text(e.reason));

@@ -78,6 +78,7 @@ Fields fields(const LightEvent& e) {
   f.push_back({"diffuse", e.diffuse});
   f.push_back({"specular", e.specular});
   if (e.blocker) f.push_back({"blocker", *e.blocker});
+  if (e.visible != 1) f.push_back({"visible", e.visible});
   f.push_back({"below-horizon", e.below_horizon});
   return f;
 }
@@ -203,16 +204,67 @@ Fields fields(const NormalMapEvent& e) {
           {"after", list(e.after)}};
 }
 
+Fields fields(const ShadowMapEvent& e) {
+  std::vector<double> columns, rows, stored;
+  std::vector<bool> lit;
+  for (const ShadowTap& tap : e.taps) {
+    columns.push_back(tap.x);
+    rows.push_back(tap.y);
+    stored.push_back(tap.stored);
+    lit.push_back(tap.lit);
+  }
+  Fields f{{"light", whole(e.light)}, {"outside", e.outside}};
+  if (e.cube) f.push_back({"face", std::string(cube_face_name(e.face))});
+  if (e.outside) return f;
+  f.push_back({"position", list(e.position)});
+  f.push_back({"own-depth", e.depth});
+  f.push_back({"bias", e.bias});
+  f.push_back({"tap-column", columns});
+  f.push_back({"tap-row", rows});
+  f.push_back({"stored-depth", stored});
+  f.push_back({"lit", lit});
+  f.push_back({"visible", e.visible});
+  return f;
+}
+
+Fields fields(const StencilEvent& e) {
+  std::vector<double> objects, depths, changes;
+  std::vector<bool> enters;
+  for (const VolumeCrossing& crossing : e.crossings) {
+    objects.push_back(crossing.object);
+    depths.push_back(crossing.z);
+    changes.push_back(crossing.change);
+    enters.push_back(crossing.enters);
+  }
+  return {{"light", whole(e.light)}, {"surface-z", e.surface_z}, {"volume-of", objects},
+          {"volume-z", depths},      {"enters", enters},         {"change", changes},
+          {"count", whole(e.count)}, {"stored", whole(e.stored)}};
+}
+
+Fields fields(const EnvironmentEvent& e) {
+  return {{"centre", list(e.centre)},
+          {"direction", list(e.direction)},
+          {"face", std::string(cube_face_name(e.face))},
+          {"position", list(e.position)},
+          {"result", list(e.result)}};
+}
+
 Fields fields(const PixelEvent& e) {
   return {{"linear", list(e.linear)}, {"display", std::vector<double>(e.display.begin(), e.display.end())}};
 }
 
 constexpr std::array<std::string_view, std::variant_size_v<EventData>> kinds{
-    "ray",        "node",       "sphere-test", "triangle-test", "hit",   "miss",      "texture", "light",
-    "shade",      "reflection", "reject",      "fragment",      "write", "line",      "pixel",   "solid-test",
-    "refraction", "coverage",   "sample",      "compare",       "reuse", "normal-map"};
+    "ray",        "node",       "sphere-test", "triangle-test", "hit",      "miss",    "texture",
+    "light",      "shade",      "reflection",  "reject",        "fragment", "write",   "line",
+    "pixel",      "solid-test", "refraction",  "coverage",      "sample",   "compare", "reuse",
+    "normal-map", "shadow-map", "stencil",     "environment"};
 
 }  // namespace
+
+std::string_view cube_face_name(int face) {
+  static constexpr std::array<std::string_view, 6> names{"+x", "-x", "+y", "-y", "+z", "-z"};
+  return names.at(static_cast<std::size_t>(face));
+}
 
 std::string_view event_kind(const EventData& data) { return kinds.at(data.index()); }
 

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "inspect/shadow_events.h"
 #include "math/vec.h"
 #include "options/settings.h"
 #include "render/frame.h"
@@ -114,7 +115,8 @@ struct LightEvent {
   double r_dot_v = 0;                ///< cosine of the highlight's angle (R.V or N.H)
   double diffuse = 0, specular = 0;  ///< intensities added, before the light's colour
   std::optional<PixelId> blocker;    ///< what stands between; then both intensities are 0
-  bool below_horizon = false;        ///< N.L <= 0: no diffuse light
+  double visible = 1;          ///< share of the light that reaches the point; 0 with a blocker, or in a shadow map
+  bool below_horizon = false;  ///< N.L <= 0: no diffuse light
 };
 
 /// Local colour of a surface point: light times colour.
@@ -249,7 +251,8 @@ struct PixelEvent {
 using EventData =
     std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent, TextureEvent, LightEvent,
                  ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent, WriteEvent, LineEvent, PixelEvent,
-                 SolidTestEvent, RefractionEvent, CoverageEvent, SampleEvent, CompareEvent, ReuseEvent, NormalMapEvent>;
+                 SolidTestEvent, RefractionEvent, CoverageEvent, SampleEvent, CompareEvent, ReuseEvent, NormalMapEvent,
+                 ShadowMapEvent, StencilEvent, EnvironmentEvent>;
 
 /// One event with its place in the tree: `parent` is the index of the event it belongs to, -1 at the top.
 struct Event {

@@ -93,15 +93,23 @@ bool nearly_equal(const Vec3d& a, const Vec3d& b) {
 /// How the colour that write `index` brought was made, by what the kernel reported since its fragment began.
 Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, int level) {
   ShadingEvents shading;
+  int mirror = -1;
   shading.id = event_as<WriteEvent>(story.events, index).id;
   for (int i = index - 1; i >= 0; --i) {
     const EventData& data = story.events[static_cast<std::size_t>(i)].data;
     if (std::holds_alternative<FragmentEvent>(data) || std::holds_alternative<WriteEvent>(data)) break;
     if (std::holds_alternative<ShadeEvent>(data) && shading.shade < 0) shading.shade = i;
+    if (std::holds_alternative<ReflectionEvent>(data) && mirror < 0) mirror = i;
     if (std::holds_alternative<LightEvent>(data)) shading.lights.insert(shading.lights.begin(), i);
   }
-  if (shading.shade < 0) return {};
-  return light_terms(story, scene, shading, 1, level);
+  if (mirror < 0) return shading.shade < 0 ? Lines{} : light_terms(story, scene, shading, 1, level);
+  const auto& event = event_as<ReflectionEvent>(story.events, mirror);
+  const double own = 1 - event.reflective;
+  Lines lines{{level, fmt::format("{} of its own colour", number_text(own)), own * event.local, mirror}};
+  if (shading.shade >= 0) append(lines, light_terms(story, scene, shading, own, level + 1));
+  lines.push_back({level, fmt::format("{} of what its cube map shows", number_text(event.reflective)),
+                   event.reflective * event.reflected, mirror});
+  return lines;
 }
 
 void add_write(const PixelStory& story, const Scene& scene, int index, Lines& lines) {

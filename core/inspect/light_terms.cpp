@@ -48,6 +48,7 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
     const std::string product = product_text(share, intensity, tint, surface);
     return LedgerLine{level, fmt::format("{}{}: {}", name, term, product), share * intensity * tint * surface, index};
   };
+  if (light.visible <= 0 && !light.below_horizon) return {{level, name + ": in shadow", black, index}};
   if (light.kind == LightKind::ambient) return {line("", light.diffuse, colours.ambient)};
   std::vector<LedgerLine> lines;
   if (light.diffuse != 0) lines.push_back(line(" diffuse", light.diffuse, colours.diffuse));

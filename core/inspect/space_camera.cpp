@@ -35,6 +35,33 @@ void add_grid(const SpaceImage& image, SpaceModel& model) {
   for (int y = step; y < image.rows(); y += step) line({0, y}, {w, y});
 }
 
+/// The other planes of the clipping volume (CGFS ch. 11), where fragments are clipped: left, right, top and bottom from
+/// the near plane outwards, and the far plane where it is in sight.
+void add_clip_volume(const SpaceInputs& inputs, SpaceModel& model) {
+  constexpr double length = 1.6;  // of the side planes, in radii of what is worth seeing
+  if (inputs.settings.renderer != Renderer::rasterizer || inputs.settings.clipping != Clipping::full) return;
+  const SpaceImage& image = inputs.image;
+  const double w = image.columns(), h = image.rows();
+  const double limit = length * inputs.bounds.radius;
+  const double near = std::min(image.near_depth(inputs.settings.near), limit);
+  const double far = image.near_depth(inputs.settings.far);
+  const double end = std::min(far, limit);
+  const auto side = [&](const Vec2d& a, const Vec2d& b, const char* name) {
+    model.items.push_back(
+        {SpaceKind::clip_plane,
+         SpaceShape::outline,
+         {image.at_depth(a, near), image.at_depth(b, near), image.at_depth(b, end), image.at_depth(a, end)}});
+    model.items.back().label = name;
+  };
+  side({0, 0}, {0, h}, "left plane");
+  side({w, 0}, {w, h}, "right plane");
+  side({0, 0}, {w, 0}, "top plane");
+  side({0, h}, {w, h}, "bottom plane");
+  if (far > limit) return;
+  model.items.push_back({SpaceKind::clip_plane, SpaceShape::outline, rectangle(image, {0, 0}, {w, h}, far)});
+  model.items.back().label = "far plane";
+}
+
 }  // namespace
 
 void add_camera(const SpaceInputs& inputs, SpaceModel& model) {
@@ -53,6 +80,7 @@ void add_camera(const SpaceInputs& inputs, SpaceModel& model) {
     model.items.push_back({SpaceKind::clip_plane, SpaceShape::outline, rectangle(image, {0, 0}, {w, h}, near)});
     model.items.back().label = near == plane ? "near plane = image plane" : "near plane";
   }
+  add_clip_volume(inputs, model);
   if (!inputs.story) return;
   const Vec2d pixel(inputs.story->pixel);
   model.items.push_back({SpaceKind::pixel_cell, SpaceShape::area, rectangle(image, pixel, pixel + Vec2d(1, 1), plane)});

@@ -14,6 +14,7 @@ SpaceModel build_space(const Scene& scene, const View& view, const Settings& set
   model.ground = ground_objects(inputs);
   add_camera(inputs, model);
   add_lights(inputs, model);
+  add_shadow_methods(inputs, model);
   if (story) {
     switch (story->renderer) {
     case Renderer::ray_tracer:

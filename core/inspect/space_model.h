@@ -14,7 +14,7 @@ enum class SpaceKind {
   image_plane,         ///< the picture's outline on the projection plane
   pixel_grid,          ///< a line between columns or rows of pixels (thinned)
   pixel_cell,          ///< the picked pixel on the projection plane
-  clip_plane,          ///< the near plane's part inside the frustum
+  clip_plane,          ///< a clipping plane's part inside the frustum
   light,               ///< where a point light stands, or where a directional one comes from
   eye_ray,             ///< from the eye to what was hit
   sight_line,          ///< the same line for fragments: nothing travels along it
@@ -29,7 +29,10 @@ enum class SpaceKind {
   barycentric_area,   ///< the part of a triangle opposite to a corner
   triangle_on_image,  ///< a fragment's triangle on the projection plane
   rejected_triangle,  ///< never became a fragment
-  node                ///< box of the accelerator that a ray was tested against
+  node,               ///< box of the accelerator that a ray was tested against
+  silhouette,         ///< an edge of the outline that an object shows to a light
+  shadow_volume,      ///< a side of a shadow volume
+  shadow_map          ///< what a light's shadow map covers
 };
 
 enum class SpaceShape {

@@ -27,6 +27,8 @@ std::vector<bool> ground_objects(const SpaceInputs& inputs);
 /// Frustum, image with grid and picked pixel, near plane.
 void add_camera(const SpaceInputs& inputs, SpaceModel& model);
 void add_lights(const SpaceInputs& inputs, SpaceModel& model);
+/// Silhouettes and shadow volumes, or the reach of the shadow maps, where the rasterizer uses them.
+void add_shadow_methods(const SpaceInputs& inputs, SpaceModel& model);
 /// Rays, hits, normals, hit triangles and nodes of a ray tracer's story.
 void add_rays(const SpaceInputs& inputs, SpaceModel& model);
 /// Triangles, their projections and shading of a rasterizer's story.

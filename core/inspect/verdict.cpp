@@ -125,6 +125,20 @@ void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vect
   if (depth_off) parts.push_back("the depth test is off");
 }
 
+/// Which lights the seen surface does not see, or sees in part.
+void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts) {
+  std::map<int, double> current, seen;  // share by light
+  for (const Event& event : story.events) {
+    if (std::holds_alternative<FragmentEvent>(event.data)) current.clear();
+    const auto* light = std::get_if<LightEvent>(&event.data);
+    if (light && light->visible < 1 && !light->below_horizon) current[light->light] = light->visible;
+    if (std::holds_alternative<WriteEvent>(event.data)) seen = current;
+  }
+  for (const auto& [light, share] : seen)
+    parts.push_back(share > 0 ? fmt::format("{} of light {} is seen", number_text(share), light + 1)
+                              : fmt::format("it lies in the shadow of light {}", light + 1));
+}
+
 std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
   const WriteEvent* write = nullptr;
   const LineEvent* line = nullptr;
@@ -146,6 +160,7 @@ std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
     parts.push_back(fmt::format("{} won", primitive_name(scene, write->id)));
   else
     parts.push_back("a shape on the canvas won");
+  if (write) add_shadow_remarks(story, parts);
   add_fragment_remarks(story, count_events<WriteEvent>(story.events) + count_events<LineEvent>(story.events), parts);
   add_rejections(story, false, parts);
   return joined(parts);

@@ -1,6 +1,16 @@
 #include "options/rows.h"
 
 namespace ps::rows {
+namespace {
+
+Reason needs_mirrors(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  if (!t.reflective) return "no material of the scene reflects";
+  if (s.draw != Draw::filled) return "needs draw = filled";
+  return {};
+}
+
+}  // namespace
 
 std::vector<Option> reflection_rows() {
   return {
@@ -56,6 +66,33 @@ std::vector<Option> reflection_rows() {
            }},
           {{"fixed", "fixed shares", "The material's transparency comes through, whatever the angle."},
            {"fresnel", "Fresnel", "The boundary mirrors a share of it that grows towards flat angles."}}),
+      choice<&Settings::environment>(
+          {.key = "environment",
+           .label = "Environment mapping",
+           .help =
+               {"How the rasterizer shows what a surface mirrors: it looks the mirrored direction up in six pictures "
+                "that it made of the surroundings.",
+                "CGFS ch. 15",
+                "A map is right only at the point it was made from: near things and flat mirrors show the wrong "
+                "place, and an object never mirrors itself."},
+           .inactive = needs_mirrors},
+          {{"none", "none", "Mirrors show their own colour."},
+           {"cube-map", "cube map for each object", "Made at the object's centre, again whenever something moves."},
+           {"room-map", "one map of the room",
+            "Made once in the middle of all that mirrors nothing; mirrors are not seen in it, and may move without a "
+            "new "
+            "one, with an error that grows."}}),
+      integer<&Settings::environment_size>(
+          {.key = "environment-size",
+           .label = "Environment map size",
+           .help = {"Pixels along an edge of a cube map.", "CGFS ch. 15",
+                    "Small ones blur what is mirrored; large ones cost memory, and six pictures each."},
+           .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
+             if (const auto reason = needs_mirrors(s, t)) return reason;
+             if (s.environment == Environment::none) return "needs environment = cube-map or room-map";
+             return {};
+           }},
+          8, 1024, "px"),
   };
 }
 

@@ -25,7 +25,7 @@ enum class Interpolation { perspective, affine };
 enum class TextureFilter { trilinear, mipmap, bilinear, nearest };
 enum class TextureWrap { repeat, clamp, mirror };
 enum class LightPasses { one, many };
-enum class Environment { none, cube_map };
+enum class Environment { none, cube_map, room_map };
 enum class Shadows { traced, none, map, stencil_depth_fail, stencil_depth_pass };
 enum class SelfHit { offset, epsilon, normal_bump };
 enum class EpsilonUnit { ray_parameter, distance };
@@ -97,6 +97,7 @@ struct Settings {
   bool normal_mapping = true;
   bool parallax_mapping = false;
   Environment environment = Environment::none;
+  int environment_size = 256;  ///< texels along an edge of a cube map
 
   Shadows shadows = Shadows::traced;
   SelfHit self_hit = SelfHit::offset;

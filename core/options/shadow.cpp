@@ -4,21 +4,38 @@ namespace ps::rows {
 namespace {
 
 Reason needs_casting_light(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
+  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
   if (!s.lighting) return "needs lighting = on";
   if (!t.casting_lights) return "the scene has no light that casts shadows";
   return {};
 }
 
 Reason needs_shadow_rays(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_rays(s, t)) return reason;
   if (const auto reason = needs_casting_light(s, t)) return reason;
-  if (s.shadows != Shadows::traced) return "needs shadows = traced";
+  if (s.shadows == Shadows::none) return "needs shadows";
+  return {};
+}
+
+Reason needs_shadow_map(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  if (const auto reason = needs_casting_light(s, t)) return reason;
+  if (s.shadows != Shadows::map) return "needs shadows = map";
+  return {};
+}
+
+Reason needs_stencil(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  if (const auto reason = needs_casting_light(s, t)) return reason;
+  if (s.shadows != Shadows::stencil_depth_fail && s.shadows != Shadows::stencil_depth_pass)
+    return "needs shadows = stencil-depth-fail or stencil-depth-pass";
+  if (s.visibility != Visibility::depth_buffer) return "needs visibility = depth-buffer";
   return {};
 }
 
 Reason needs_secondary_rays(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_rays(s, t)) return reason;
-  const bool shadows = s.lighting && t.casting_lights && s.shadows == Shadows::traced;
+  const bool shadows = s.lighting && t.casting_lights && s.shadows != Shadows::none;
   const bool mirrors = t.reflective && s.reflection_depth > 0;
   if (!shadows && !mirrors) return "needs shadows or reflections";
   return {};
@@ -40,13 +57,65 @@ Reason needs_epsilon(const Settings& s, const SceneTraits& t) {
 
 std::vector<Option> shadow_rows() {
   return {
-      choice<&Settings::shadows>({.key = "shadows",
-                                  .label = "Shadows",
-                                  .help = {"Whether a light that cannot be seen from a point lights it.", "CGFS ch. 4",
-                                           "Each shadow ray costs about as much as an eye ray."},
-                                  .inactive = needs_casting_light},
-                                 {{"traced", "traced", "One shadow ray for each light."},
-                                  {"none", "none", "All lights shine through everything."}}),
+      choice<&Settings::shadows>(
+          {.key = "shadows",
+           .label = "Shadows",
+           .help = {"Whether a light that cannot be seen from a point lights it, and how that is found out.",
+                    "CGFS ch. 4 and 15; CGPP 15.6.5",
+                    "The ray tracer sends a shadow ray to each light unless this is none. The "
+                    "rasterizer has no rays: with traced it shows no shadows."},
+           .inactive = needs_casting_light},
+          {{"traced", "traced", "One shadow ray for each light; the rasterizer has none to send."},
+           {"none", "none", "All lights shine through everything."},
+           {"map", "shadow map",
+            "Depth as seen from the light, six pictures around a point light: blocky edges, and "
+            "acne without a bias."},
+           {"stencil-depth-fail", "stencil, depth fail",
+            "Counts the faces of shadow volumes behind the surface: exact edges, and right "
+            "wherever the camera is."},
+           {"stencil-depth-pass", "stencil, depth pass",
+            "Counts those before the surface: wrong where the camera itself is in a shadow."}}),
+      integer<&Settings::shadow_map_size>(
+          {.key = "shadow-map-size",
+           .label = "Shadow map size",
+           .help = {"Texels along an edge of a shadow map; a point light has six of them.", "CGFS ch. 15",
+                    "Small maps make blocky shadows and more acne; large ones cost memory and time."},
+           .inactive = needs_shadow_map},
+          8, 2048, "texels"),
+      real<&Settings::shadow_bias>(
+          {.key = "shadow-bias",
+           .label = "Shadow map bias",
+           .help = {"How much nearer to the light than it is a point pretends to be when its depth is compared.",
+                    "CGFS ch. 15; Direct3D 11 15.10",
+                    "Too small: acne, lit surfaces shadow themselves in stripes. Too large: shadows come off their "
+                    "objects."},
+           .inactive = needs_shadow_map},
+          0, 10, OptionScale::logarithmic, "world units"),
+      real<&Settings::shadow_slope_bias>(
+          {.key = "shadow-slope-bias",
+           .label = "Slope bias",
+           .help =
+               {"A bias that grows with the slope of the surface as the light sees it: the depth that so many texels "
+                "cover there. Added to the constant one.",
+                "Direct3D 11 15.10",
+                "Half a texel is enough for one tap; with a filter of k x k taps acne comes back below k / 2."},
+           .inactive = needs_shadow_map},
+          0, 16, OptionScale::linear, "texels"),
+      integer<&Settings::shadow_filter>(
+          {.key = "shadow-filter",
+           .label = "Shadow map filter",
+           .help = {"Percentage-closer filtering: how many texels along each side are compared, and their answers "
+                    "averaged.",
+                    "CGFS ch. 15", "Softens the blocks, but needs more bias, and costs the square of the number."},
+           .inactive = needs_shadow_map},
+          1, 7, "taps"),
+      integer<&Settings::stencil_bits>(
+          {.key = "stencil-bits",
+           .label = "Stencil bits",
+           .help = {"Bits of a pixel's count of shadow volumes.", "CGFS ch. 15",
+                    "The count wraps: where 2^bits shadows lie over each other, the pixel is lit."},
+           .inactive = needs_stencil},
+          1, 16, "bits"),
       choice<&Settings::self_hit>(
           {.key = "self-hit",
            .label = "Self-hit guard",

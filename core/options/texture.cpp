@@ -58,6 +58,16 @@ std::vector<Option> texture_rows() {
                     "Negative: sharper, with sparkle. Positive: blurred. -0.5 has the least error."},
            .inactive = needs_mipmaps},
           -4, 4, OptionScale::linear, "levels"),
+      integer<&Settings::anisotropy>(
+          {.key = "anisotropy",
+           .label = "Anisotropy",
+           .help =
+               {"How many lookups may share a pixel that sees the texture at a flat angle: along its long side, each "
+                "at the level that suits the short one.",
+                "CGFS ch. 14; hardware offers up to 16",
+                "At 1 far ground is a blur; each doubling costs up to twice the texels."},
+           .inactive = needs_mipmaps},
+          1, 16, "taps"),
       choice<&Settings::texture_wrap>({.key = "texture-wrap",
                                        .label = "Wrap",
                                        .help = {"What lies beyond the texture's border.", "CGFS ch. 14", ""},

@@ -366,6 +366,7 @@ class TriangleDrawer {
     if (target_.wants(Channel::ids))
       frame.ids.at(x, y) = {setup_.surface->object, sphere ? 0 : setup_.triangle->triangle};
     if (target_.wants(Channel::facing)) frame.facing.at(x, y) = facing(x, y);
+    if (target_.wants(Channel::shadow)) frame.shadow.at(x, y) = shaded.shadow_mask;
     if (target_.wants(Channel::mip)) frame.mip.at(x, y) = static_cast<float>(shaded.mip);
   }
 

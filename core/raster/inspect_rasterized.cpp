@@ -9,6 +9,7 @@
 #include "raster/draw_primitives.h"
 #include "raster/fragment_event.h"
 #include "raster/near_pixel.h"
+#include "raster/shadow/fragment_shadows.h"
 #include "render/render.h"
 
 namespace ps {
@@ -146,7 +147,9 @@ PixelStory tell(const Scene& scene, const View& view, const Settings& settings, 
   PixelStory story;
   story.pixel = pixel;
   story.renderer = Renderer::rasterizer;
-  const Pass<Real> pass = make_pass<Real>(scene, view, settings, Channel::none, prepared);
+  Pass<Real> pass = make_pass<Real>(scene, view, settings, Channel::none, prepared);
+  add_maps(pass, scene, view, {pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, StencilNotes::crossings, prepared,
+           {settings.threads, {}}, progress);
   const ScreenGeometry<Real> geometry = make_geometry(pass, pixel, {settings.threads, {}}, progress);
   const TileRect rect{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1};
   PixelRecorder recorder(pixel);

@@ -10,9 +10,12 @@
 #include "raster/depth_format.h"
 #include "raster/draw_list.h"
 #include "raster/edge_function.h"
+#include "raster/environment/environment_map.h"
 #include "raster/projection.h"
 #include "raster/scan_triangle.h"
 #include "raster/shade_batch.h"
+#include "raster/shadow/shadow_map.h"
+#include "raster/shadow/stencil.h"
 #include "render/frame.h"
 #include "render/prepared.h"
 #include "scene/scene.h"
@@ -74,6 +77,12 @@ struct Pass {
   ShadeFragments shade_batch = nullptr;  ///< the fast path, where the settings allow it; nullptr = clear path
   ScanTriangle scan_triangle = nullptr;  ///< together with it
 
+  std::shared_ptr<const ShadowMaps> shadow_maps;  ///< set by add_maps(), at most one of the two
+  std::shared_ptr<const Stencil> stencil;
+
+  std::shared_ptr<const EnvironmentMaps> environment;  ///< by object; null without environment mapping
+
+  bool has_shadows() const { return shadow_maps || stencil; }
   bool perspective() const { return settings.projection == Projection::perspective; }
   /// Whether attributes are carried as value / z.
   bool divides() const { return perspective() && settings.interpolation == Interpolation::perspective; }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/timer.h"
@@ -5,6 +7,8 @@
 #include "raster/canvas_items.h"
 #include "raster/draw_primitives.h"
 #include "raster/fast/fast_frame.h"
+#include "raster/shadow/fragment_shadows.h"
+#include "raster/shadow/map_picture.h"
 #include "render/region.h"
 #include "render/render.h"
 
@@ -34,14 +38,32 @@ class Stages {
   Timer timer_;
 };
 
+/// The channels that show maps and stencil buffers, and what those took.
+template <class Real>
+void store_map_pictures(const Pass<Real>& pass, Frame& frame) {
+  if (pass.shadow_maps && !frame.shadow_map.empty()) lay_out_maps(*pass.shadow_maps, frame.shadow_map);
+  if (pass.environment && !frame.environment.empty()) {
+    const auto first =
+        std::find_if(pass.environment->begin(), pass.environment->end(), [](const auto& m) { return m; });
+    if (first != pass.environment->end()) lay_out_environment(**first, frame.environment);
+  }
+  if (!pass.stencil) return;
+  frame.counters += pass.stencil->counters;
+  if (frame.stencil.empty()) return;
+  for (const Image<std::int32_t>& counts : pass.stencil->counts)
+    for (std::size_t i = 0; i < counts.pixels().size(); ++i) frame.stencil.pixels()[i] += counts.pixels()[i];
+}
+
 template <class Real>
 Frame draw(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
            Prepared& prepared, Progress& progress) {
   Frame frame = make_frame(scene, view, settings, request.channels, Background::left_to_tiles);
   Stages stages(frame);
   const ParallelOptions parallel{settings.threads, request.priority};
-  const Pass<Real> pass = make_pass<Real>(scene, view, settings, request.channels, prepared);
+  Pass<Real> pass = make_pass<Real>(scene, view, settings, request.channels, prepared);
   stages.done("prepare");
+  add_maps(pass, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel, progress);
+  if (pass.has_shadows() || pass.environment) stages.done("shadow and environment maps");
   if constexpr (std::is_same_v<Real, float>)
     if (!request.region && can_draw_fast(pass)) {
       draw_fast(pass, request, frame, progress);
@@ -73,6 +95,7 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
     if (request.on_tile) request.on_tile(frame, tiles[i]);
   });
   frame.counters += geometry.counters;
+  store_map_pictures(pass, frame);
   for (const Counters& tile : counters) frame.counters += tile;
   frame.counters[Counter::lines_drawn] += count_canvas_lines(scene);
   if (request.region) clear_outside(region, frame);

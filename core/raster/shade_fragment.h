@@ -1,12 +1,15 @@
 #pragma once
 #include <optional>
 
+#include "image/anisotropic.h"
 #include "image/mip_level.h"
 #include "image/texture_sampling.h"
 #include "raster/corner_attributes.h"
+#include "raster/environment/mirror_environment.h"
 #include "raster/fragment.h"
 #include "raster/geometry.h"
 #include "raster/light_at.h"
+#include "raster/shadow/shadowed_light.h"
 #include "shade/normal_mapping.h"
 
 namespace ps::raster {
@@ -17,7 +20,8 @@ struct ShadedFragment {
   Vec3<Real> colour{0, 0, 0};
   Vec3<Real> normal{0, 0, 0};  ///< world space, length 1; only where the layout asks for a shading normal
   Vec2<Real> uv{0, 0};
-  Real mip = -1;  ///< level read; -1 without a texture
+  Real mip = -1;                  ///< level read; -1 without a texture
+  std::uint32_t shadow_mask = 0;  ///< bit i set: light i does not reach the point
 };
 
 /// How fast u and v change from pixel to pixel, in texels: derivatives of the interpolated quotients, not differences
@@ -50,17 +54,27 @@ TextureSample<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Rea
                                  const Fragment<Real>& fragment, int index, const Vec2<Real>& uv, Recorder& recorder) {
   const MipChain& chain = (*pass.textures)[static_cast<std::size_t>(index)];
   TextureLookup<Real> lookup{pass.settings.texture_filter, pass.settings.texture_wrap, 0};
-  if (lookup.filter == TextureFilter::trilinear || lookup.filter == TextureFilter::mipmap)
-    lookup.level =
-        mip_level(uv_derivatives(pass, setup, fragment, uv, *chain.base), static_cast<Real>(pass.settings.mip_bias));
-  const TextureSample<Real> sample = sample_texture(chain, uv, lookup);
+  AnisotropicFootprint<Real> footprint;
+  if (lookup.filter == TextureFilter::trilinear || lookup.filter == TextureFilter::mipmap) {
+    const TextureDerivatives<Real> derivatives = uv_derivatives(pass, setup, fragment, uv, *chain.base);
+    const Real bias = static_cast<Real>(pass.settings.mip_bias);
+    const Vec2<Real> size(static_cast<Real>(chain.base->width()), static_cast<Real>(chain.base->height()));
+    lookup.level = mip_level(derivatives, bias);
+    if (pass.settings.anisotropy > 1)
+      footprint = anisotropic_footprint(derivatives, size, pass.settings.anisotropy, bias);
+  }
+  const auto read = [&](TexelNotes notes) {
+    return footprint.taps > 1 ? sample_anisotropic(chain, uv, lookup, footprint, notes)
+                              : sample_texture(chain, uv, lookup, notes);
+  };
+  const TextureSample<Real> sample = read(nullptr);
   recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
   recorder.event([&] {
     TextureEvent event;
     event.texture = index;
     event.uv = Vec2d(uv);
-    event.level = static_cast<double>(lookup.level);
-    event.result = Vec3d(sample_texture(chain, uv, lookup, &event.texels).colour);
+    event.level = static_cast<double>(footprint.taps > 1 ? footprint.level : lookup.level);
+    event.result = Vec3d(read(&event.texels).colour);
     return event;
   });
   return sample;
@@ -132,11 +146,11 @@ Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>
   return {};
 }
 
-/// The colour of a fragment (CGFS ch. 13 and 14), under all lights or, with Phong shading, only one of them.
+/// The colour that a fragment has of its own (CGFS ch. 13 and 14).
 template <class Real, class Recorder>
-ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
-                                    const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                                    Recorder& recorder, std::optional<int> only_light = {}) {
+ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                                const TriangleSetup<Real>& setup, const Fragment<Real>& fragment, Recorder& recorder,
+                                std::optional<int> only_light) {
   const Surface<Real>& surface = *setup.surface;
   const AttributeLayout& layout = surface.layout;
   ShadedFragment<Real> shaded;
@@ -160,7 +174,10 @@ ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry
   }
   shaded.colour = colour;
   if (!layout.lit) return shaded;
-  const Lighting<Real> lighting = light_fragment(pass, geometry, setup, fragment, normal, recorder, only_light);
+  const Lighting<Real> lighting =
+      pass.has_shadows()
+          ? shadowed_light(pass, geometry, setup, fragment, normal, shaded.shadow_mask, recorder, only_light)
+          : light_fragment(pass, geometry, setup, fragment, normal, recorder, only_light);
   shaded.colour = colour * lighting.light + lighting.extra;
   recorder.event([&] {
     ShadeEvent event;
@@ -170,6 +187,18 @@ ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry
     event.local = Vec3d(shaded.colour);
     return event;
   });
+  return shaded;
+}
+
+/// The colour of a fragment with what it mirrors, under all lights or, with Phong shading, only one of them; what is
+/// mirrored then comes with the first.
+template <class Real, class Recorder>
+ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                                    const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                                    Recorder& recorder, std::optional<int> only_light = {}) {
+  ShadedFragment<Real> shaded = own_colour(pass, geometry, setup, fragment, recorder, only_light);
+  if (pass.environment)
+    shaded.colour = mirror_environment(pass, setup, fragment, shaded.normal, shaded.colour, only_light, recorder);
   return shaded;
 }
 

@@ -37,6 +37,9 @@ Frame make_frame(const Scene& scene, const View& view, const Settings& settings,
   if (has(channels, Channel::shadow)) frame.shadow = Image<std::uint32_t>(width, height, 0);
   if (has(channels, Channel::samples)) frame.samples = Image<std::uint32_t>(width, height, 1);
   if (has(channels, Channel::direction)) frame.direction = eye_directions(view, settings);
+  if (has(channels, Channel::shadow_map)) frame.shadow_map = Image<float>(width, height, -1.0f);
+  if (has(channels, Channel::stencil)) frame.stencil = Image<std::int32_t>(width, height, 0);
+  if (has(channels, Channel::environment)) frame.environment = Image<Vec3f>(width, height, Vec3f(-1));
   return frame;
 }
 

@@ -69,7 +69,7 @@ std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const 
   scene.depth = settings.reflection_depth;
   scene.lighting = settings.lighting;
   scene.highlights = settings.specular;
-  scene.shadows = settings.shadows == Shadows::traced;
+  scene.shadows = settings.shadows != Shadows::none;
   scene.any_hit = settings.shadow_any_hit;
   scene.tree = inputs.bvh && !inputs.bvh->nodes.empty();
   return scene;

@@ -38,7 +38,8 @@ Rgb8 unit_levels(double r, double g, double b) { return display_pixel({r, g, b},
 
 /// Where a number that is counted starts at 0, so should its range; a single value still gives a range.
 ValueRange widened(ValueRange range, ShownChannel channel) {
-  if (channel != ShownChannel::depth) range.low = 0;
+  const bool is_depth = channel == ShownChannel::depth || channel == ShownChannel::shadow_map;
+  if (!is_depth) range.low = std::min(range.low, 0.0);
   if (!(range.high > range.low)) range.high = range.low + 1;
   return range;
 }
@@ -57,6 +58,7 @@ ChannelPicture heat_picture(const Frame& frame, ShownChannel channel, const std:
   if (channel == ShownChannel::mip) result.legend.entries = {{nothing_seen, "no texture read"}};
   if (channel == ShownChannel::depth || channel == ShownChannel::shadow)
     result.legend.entries = {{nothing_seen, "nothing seen"}};
+  if (channel == ShownChannel::shadow_map) result.legend.entries = {{nothing_seen, "no surface, or no map"}};
   return result;
 }
 
@@ -136,6 +138,8 @@ ChannelPicture make_picture(const Frame& frame, ShownChannel channel, const Sett
   case ShownChannel::mip:
   case ShownChannel::samples:
   case ShownChannel::shadow:
+  case ShownChannel::shadow_map:
+  case ShownChannel::stencil:
     return heat_picture(frame, channel, range);
   case ShownChannel::normal:
     return vector_picture(frame, frame.normal);
@@ -163,10 +167,29 @@ ChannelPicture make_picture(const Frame& frame, ShownChannel channel, const Sett
   case ShownChannel::hit:
     return {paint(frame, [&](int x, int y) { return frame.ids.at(x, y).object < 0 ? nothing_seen : white; }),
             keys({{white, "something seen"}, {nothing_seen, "nothing seen"}})};
+  case ShownChannel::environment:
+    return {paint(frame,
+                  [&](int x, int y) {
+                    const Vec3f c = frame.environment.at(x, y);
+                    return c.x < 0 ? nothing_seen : display_pixel(Vec3d(c), display_transform(settings));
+                  }),
+            keys({{nothing_seen, "no map here"}})};
   case ShownChannel::nan:
     return nan_picture(frame, settings);
   }
   return {};
+}
+
+/// A light may see for miles past what throws shadows: colours end at a few times the usual depth.
+ValueRange shadow_map_range(ValueRange range, const Frame& frame) {
+  constexpr double most = 3;
+  std::vector<float> depths;
+  for (const float depth : frame.shadow_map.pixels())
+    if (depth >= 0 && std::isfinite(depth)) depths.push_back(depth);
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  range.high = std::min(range.high, most * *middle);
+  return range;
 }
 
 }  // namespace
@@ -183,6 +206,7 @@ std::optional<ValueRange> channel_range(const Frame& frame, ShownChannel channel
       range->high = std::max(range->high, *value);
     }
   }
+  if (range && channel == ShownChannel::shadow_map) return shadow_map_range(*range, frame);
   return range;
 }
 

@@ -27,7 +27,10 @@ enum class ShownChannel {
   shadow,
   hit,
   direction,
-  nan
+  nan,
+  shadow_map,
+  stencil,
+  environment
 };
 
 /// One row for each ShownChannel, in its order.

@@ -8,7 +8,7 @@
 namespace ps {
 namespace {
 
-const std::array<ShownChannelRow, 16> rows{{
+const std::array<ShownChannelRow, 19> rows{{
     {ShownChannel::colour, "colour", "Colour", "The picture itself.", Channel::none, ""},
     {ShownChannel::depth, "depth", "Depth", "Distance in front of the camera along its forward axis.", Channel::depth,
      "world units"},
@@ -35,6 +35,13 @@ const std::array<ShownChannelRow, 16> rows{{
      "Direction of the eye ray: x, y, z from -1 to 1 as red, green, blue.", Channel::direction, ""},
     {ShownChannel::nan, "nan", "NaN", "Magenta where a colour is not a number, orange where it is infinite.",
      Channel::none, ""},
+    {ShownChannel::shadow_map, "shadow-map", "Shadow maps",
+     "The shadow maps of the lights, side by side: how far each texel's nearest surface is from its light.",
+     Channel::shadow_map, "world units"},
+    {ShownChannel::stencil, "stencil", "Stencil", "Counts in the stencil buffers, added up over the lights: 0 is lit.",
+     Channel::stencil, "volumes"},
+    {ShownChannel::environment, "environment", "Environment map",
+     "The cube map in which the first mirror looks up what it shows, unfolded.", Channel::environment, ""},
 }};
 
 }  // namespace

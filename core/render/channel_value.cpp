@@ -28,6 +28,8 @@ bool is_heat_map(ShownChannel channel) {
   case ShownChannel::mip:
   case ShownChannel::samples:
   case ShownChannel::shadow:
+  case ShownChannel::shadow_map:
+  case ShownChannel::stencil:
     return true;
   case ShownChannel::colour:
   case ShownChannel::normal:
@@ -39,6 +41,7 @@ bool is_heat_map(ShownChannel channel) {
   case ShownChannel::hit:
   case ShownChannel::direction:
   case ShownChannel::nan:
+  case ShownChannel::environment:
     return false;
   }
   return false;
@@ -61,6 +64,11 @@ std::optional<double> heat_value(const Frame& frame, ShownChannel channel, int x
   case ShownChannel::shadow:
     if (frame.ids.at(x, y).object < 0) return {};
     return std::popcount(frame.shadow.at(x, y));
+  case ShownChannel::shadow_map:
+    if (const float depth = frame.shadow_map.at(x, y); depth >= 0 && std::isfinite(depth)) return depth;
+    return {};
+  case ShownChannel::stencil:
+    return frame.stencil.at(x, y);
   case ShownChannel::colour:
   case ShownChannel::normal:
   case ShownChannel::barycentric:
@@ -71,6 +79,7 @@ std::optional<double> heat_value(const Frame& frame, ShownChannel channel, int x
   case ShownChannel::hit:
   case ShownChannel::direction:
   case ShownChannel::nan:
+  case ShownChannel::environment:
     return {};
   }
   return {};
@@ -110,6 +119,17 @@ std::string channel_value_text(const Frame& frame, ShownChannel channel, const S
   case ShownChannel::mip: {
     const auto level = heat_value(frame, channel, x, y);
     return level ? fmt::format("level {:.4g}", *level) : "no texture";
+  }
+  case ShownChannel::shadow_map: {
+    const auto depth = heat_value(frame, channel, x, y);
+    if (depth) return fmt::format("depth {:.5g}", *depth);
+    return frame.shadow_map.at(x, y) < 0 ? "no map here" : "sees nothing";
+  }
+  case ShownChannel::stencil:
+    return fmt::format("{}", frame.stencil.at(x, y));
+  case ShownChannel::environment: {
+    const Vec3f c = frame.environment.at(x, y);
+    return c.x < 0 ? "no map here" : triple(Vec3d(c));
   }
   case ShownChannel::shadow: {
     const auto lights = heat_value(frame, channel, x, y);

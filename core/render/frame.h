@@ -20,14 +20,17 @@ enum class Channel : std::uint32_t {
   normal = 1u << 1,       ///< shading normal, world space, unit length; (0,0,0) where nothing is seen
   barycentric = 1u << 2,  ///< perspective-correct weights of the triangle's corners; (0,0,0) on spheres and background
   uv = 1u << 3,
-  ids = 1u << 4,         ///< object and triangle; -1 where nothing is seen
-  facing = 1u << 5,      ///< cosine between the geometric normal and the direction to the eye; negative = back
-  overdraw = 1u << 6,    ///< fragments that covered the pixel
-  tests = 1u << 7,       ///< primitives (rays) or coverage samples (fragments) tested for the pixel
-  mip = 1u << 8,         ///< texture level of detail used; -1 where no texture was read
-  shadow = 1u << 9,      ///< bit i set: light i is blocked at the visible point
-  samples = 1u << 10,    ///< colours that were averaged for the pixel
-  direction = 1u << 11,  ///< of the ray through the pixel's sample position, world space, unit length (CGPP 15.4.1)
+  ids = 1u << 4,           ///< object and triangle; -1 where nothing is seen
+  facing = 1u << 5,        ///< cosine between the geometric normal and the direction to the eye; negative = back
+  overdraw = 1u << 6,      ///< fragments that covered the pixel
+  tests = 1u << 7,         ///< primitives (rays) or coverage samples (fragments) tested for the pixel
+  mip = 1u << 8,           ///< texture level of detail used; -1 where no texture was read
+  shadow = 1u << 9,        ///< bit i set: light i is blocked at the visible point
+  samples = 1u << 10,      ///< colours that were averaged for the pixel
+  direction = 1u << 11,    ///< of the ray through the pixel's sample position, world space, unit length (CGPP 15.4.1)
+  shadow_map = 1u << 12,   ///< the lights' shadow maps themselves, laid out over the picture's area
+  stencil = 1u << 13,      ///< counts in the stencil buffers, added up over the lights
+  environment = 1u << 14,  ///< the cube map of the first mirror, laid out over the picture's area
 };
 constexpr Channel operator|(Channel a, Channel b) {
   return static_cast<Channel>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -68,6 +71,9 @@ struct Frame {
   Image<std::uint32_t> shadow;
   Image<std::uint32_t> samples;
   Image<Vec3f> direction;
+  Image<float> shadow_map;  ///< depth that a texel stores; +infinity = nothing, -1 = no map here
+  Image<std::int32_t> stencil;
+  Image<Vec3f> environment;  ///< linear; negative = no map here
   Counters counters;
   std::vector<StageTime> times;
 

@@ -108,11 +108,24 @@ inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const V
   return angle;
 }
 
+/// What stands between a point and a light. A blocked light gives nothing; where a shadow map's taps disagree, a share.
+template <class Real>
+struct Blocking {
+  std::optional<PixelId> by;
+  Real visible = 1;
+  Blocking(std::optional<PixelId> blocker) : by(blocker), visible(blocker ? Real(0) : Real(1)) {}
+  static Blocking partly(Real visible_share) {
+    Blocking blocking{std::nullopt};
+    blocking.visible = visible_share;
+    return blocking;
+  }
+};
+
 /// The illumination equation of CGFS ch. 3 and 4, in the book's order of operations; shared by rays and fragments.
 /// The highlight does not depend on N.L > 0, as in the book. Vectors need not have length 1.
-/// `blocked(light_index, to_light, t_max) -> std::optional<PixelId>` names what stands between the point and a casting
-/// light; the light lies at position + t_max * to_light (infinity for a directional one). It is asked once for each
-/// casting light. Reports a LightEvent for each light; the first one's index is `first_light`.
+/// `blocked(light_index, to_light, t_max) -> Blocking<Real>` tells what stands between the point and a casting light;
+/// the light lies at position + t_max * to_light (infinity for a directional one). It is asked once for each casting
+/// light. Reports a LightEvent for each light; the first one's index is `first_light`.
 template <class Real, class Recorder, class Blocked>
 Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Real>& material,
                           std::span<const ShadingLight<Real>> lights, const IlluminationOptions& options,
@@ -142,19 +155,20 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
     }
     const bool is_point = light.kind == LightKind::point;
     const Vec3<Real> to_light = is_point ? light.vector - point.position : light.vector;
-    const std::optional<PixelId> blocker =
+    const Blocking<Real> blocking =
         blocked(index, to_light, is_point ? Real(1) : std::numeric_limits<Real>::infinity());
+    const bool dark = !(blocking.visible > 0);
     const Real n_dot_l = dot(point.normal, to_light);
-    const Real intensity = arriving(light, to_light, options);
+    const Real intensity = arriving(light, to_light, options) * blocking.visible;
     const bool radiometric = options.illumination == Illumination::radiometric;
     Real diffuse = 0;
     Real specular = 0;
-    if (!blocker && n_dot_l > 0) {
+    if (!dark && n_dot_l > 0) {
       diffuse = intensity * n_dot_l / (length(point.normal) * length(to_light));
       if (radiometric) diffuse *= diffuse_factor<Real>(options);
       add(sum.light, light.colour, diffuse);
     }
-    if (!blocker && options.specular && material.specular) {
+    if (!dark && options.specular && material.specular) {
       const HighlightAngle<Real> angle = highlight_angle(point, to_light, options.highlight);
       if (angle.dot_product > 0) {
         specular = intensity * power(angle.cosine(), *material.specular);
@@ -175,7 +189,8 @@ Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Rea
       event.r_dot_v = static_cast<double>(highlight_angle(point, to_light, options.highlight).cosine());
       event.diffuse = static_cast<double>(diffuse);
       event.specular = static_cast<double>(specular);
-      event.blocker = blocker;
+      event.blocker = blocking.by;
+      event.visible = static_cast<double>(blocking.visible);
       event.below_horizon = !(n_dot_l > 0);
       return event;
     });

@@ -59,6 +59,9 @@ const std::vector<OptionContext>& option_contexts() {
       {"lab/flattened", {"renderer=rasterizer"}},
       {"cgfs/cubes", {"renderer=rasterizer", "subpixel-bits=0"}},
       {"cgfs/reflections", {"accelerator=octree", "octree-leaf=1"}},
+      {"cgfs/shadows", {"renderer=rasterizer", "shadows=map", "shadow-map-size=64"}},
+      {"lab/stacked-shadows", {}},
+      {"lab/mirror-room", {"environment-size=32"}},
       {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
       {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
   };

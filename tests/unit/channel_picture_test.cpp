@@ -31,6 +31,13 @@ ps::Frame three_pixels() {
   frame.shadow = Image<std::uint32_t>(3, 1);
   frame.samples = Image<std::uint32_t>(3, 1, 1);
   frame.direction = Image<Vec3f>(3, 1, Vec3f(0, 0, 1));
+  frame.shadow_map = Image<float>(3, 1, -1);
+  frame.stencil = Image<std::int32_t>(3, 1);
+  frame.environment = Image<Vec3f>(3, 1, Vec3f(-1));
+  frame.shadow_map.at(1, 0) = 4;
+  frame.shadow_map.at(2, 0) = std::numeric_limits<float>::infinity();
+  frame.stencil.at(2, 0) = 3;
+  frame.environment.at(1, 0) = {1, 0, 0};
   frame.depth.at(1, 0) = 2;
   frame.depth.at(2, 0) = 6;
   frame.normal.at(1, 0) = {1, 0, 0};
@@ -75,6 +82,9 @@ TEST(ChannelPicture, NeedsNoMoreThanItsRowSays) {
     if (!has(row.needs, ps::Channel::tests)) frame.tests = {};
     if (!has(row.needs, ps::Channel::mip)) frame.mip = {};
     if (!has(row.needs, ps::Channel::shadow)) frame.shadow = {};
+    if (!has(row.needs, ps::Channel::shadow_map)) frame.shadow_map = {};
+    if (!has(row.needs, ps::Channel::stencil)) frame.stencil = {};
+    if (!has(row.needs, ps::Channel::environment)) frame.environment = {};
     const auto result = ps::channel_picture(frame, row.channel, {});
     EXPECT_EQ(result.levels.width(), 3) << row.key;
     EXPECT_EQ(result.legend.title, row.label);
@@ -149,6 +159,11 @@ TEST(ChannelPicture, ValuesReadAsText) {
   EXPECT_EQ(text(ShownChannel::depth, 2), "z 6");
   EXPECT_EQ(text(ShownChannel::triangle, 2), "object 2, triangle 5");
   EXPECT_EQ(text(ShownChannel::shadow, 1), "lit");
+  EXPECT_EQ(text(ShownChannel::shadow_map, 0), "no map here");
+  EXPECT_EQ(text(ShownChannel::shadow_map, 1), "depth 4");
+  EXPECT_EQ(text(ShownChannel::shadow_map, 2), "sees nothing");
+  EXPECT_EQ(text(ShownChannel::stencil, 2), "3");
+  EXPECT_EQ(text(ShownChannel::environment, 0), "no map here");
   EXPECT_EQ(text(ShownChannel::shadow, 2), "blocked: light 1, 2");
   EXPECT_EQ(text(ShownChannel::tests, 0), "12");
   EXPECT_EQ(text(ShownChannel::samples, 0), "1");

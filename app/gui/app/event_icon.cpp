@@ -82,7 +82,7 @@ struct Drawer {
     pen.list.AddRectFilled(pen.middle, pen.at(0.85f, 0.85f), colour_u32(p.text_quiet));
   }
   void operator()(const LightEvent& e) const {
-    if (e.blocker)
+    if (e.blocker || e.visible <= 0)
       pen.cross(p.wrong);
     else
       pen.sun(e.below_horizon ? p.text_quiet : p.right);
@@ -96,6 +96,11 @@ struct Drawer {
   }
   void operator()(const ReuseEvent& e) const { e.met ? pen.diamond(p.right) : pen.cross(p.text_quiet); }
   void operator()(const NormalMapEvent&) const { pen.arrow(p.right); }
+  void operator()(const ShadowMapEvent& e) const {
+    pen.square(e.visible > 0 ? p.right : p.wrong, e.visible > 0 && e.visible < 1 ? Fill::hollow : Fill::filled);
+  }
+  void operator()(const StencilEvent& e) const { pen.circle(e.stored == 0 ? p.right : p.wrong, Fill::hollow); }
+  void operator()(const EnvironmentEvent& e) const { swatch(e.result); }
   void operator()(const RejectEvent&) const { pen.triangle(p.wrong, Fill::hollow); }
   void operator()(const FragmentEvent& e) const {
     pen.triangle(e.depth == FragmentEvent::Depth::failed ? p.wrong : p.right, Fill::filled);

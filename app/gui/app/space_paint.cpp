@@ -189,9 +189,11 @@ class Painter {
     double alpha = 0.5;
     if (item.kind == SpaceKind::triangle_on_image) alpha = item.emphasised ? 0.25 : 0.1;
     if (item.kind == SpaceKind::pixel_cell) alpha = 1;
+    if (item.kind == SpaceKind::shadow_volume) alpha = 0.08;
     list_.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), colour_u32(stroke.colour, alpha));
     for (std::size_t i = 0; i < corners.size(); ++i)
-      list_.AddLine(corners[i], corners[(i + 1) % corners.size()], colour_u32(stroke.colour, 0.9), px(1.2));
+      list_.AddLine(corners[i], corners[(i + 1) % corners.size()],
+                    colour_u32(stroke.colour, item.kind == SpaceKind::shadow_volume ? 0.3 : 0.9), px(1.2));
     if (item.kind == SpaceKind::pixel_cell)  // a pixel is small: a ring says where it is
       list_.AddCircle(corners[0], px(6), colour_u32(palette().text), 0, px(1.6));
   }

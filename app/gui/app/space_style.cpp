@@ -49,6 +49,10 @@ SpaceGroup group_of(SpaceKind kind) {
     return SpaceGroup::rejected;
   case SpaceKind::node:
     return SpaceGroup::nodes;
+  case SpaceKind::silhouette:
+  case SpaceKind::shadow_volume:
+  case SpaceKind::shadow_map:
+    return SpaceGroup::shadow_methods;
   }
   return SpaceGroup::camera;
 }
@@ -98,6 +102,12 @@ SpaceStroke stroke_of(const SpaceItem& item) {
     return {p.wrong, 1, true};
   case SpaceKind::node:
     return {p.text_quiet, item.emphasised ? 1.4f : 1.f, !item.emphasised};
+  case SpaceKind::silhouette:
+    return {p.wrong, 2.4f};
+  case SpaceKind::shadow_volume:
+    return {p.wrong, 1};
+  case SpaceKind::shadow_map:
+    return {orange, 1.6f, true};
   }
   return {p.text, 1};
 }

@@ -9,7 +9,19 @@
 namespace ps::gui {
 
 /// What can be shown and hidden together in the space view.
-enum class SpaceGroup { camera, grid, rays, shadows, normals, surfaces, lights, rejected, nodes, near_plane };
+enum class SpaceGroup {
+  camera,
+  grid,
+  rays,
+  shadows,
+  normals,
+  surfaces,
+  lights,
+  rejected,
+  nodes,
+  near_plane,
+  shadow_methods
+};
 
 struct SpaceGroupRow {
   SpaceGroup group;
@@ -37,8 +49,12 @@ inline constexpr std::array space_groups{
                   false, SpaceKind::rejected_triangle},
     SpaceGroupRow{SpaceGroup::nodes, "nodes", "Accelerator boxes", "Boxes that a ray was tested against.", false,
                   SpaceKind::node},
-    SpaceGroupRow{SpaceGroup::near_plane, "near-plane", "Near plane", "Nothing before it is drawn.", false,
-                  SpaceKind::clip_plane}};
+    SpaceGroupRow{SpaceGroup::near_plane, "clip-planes", "Clipping planes",
+                  "Only what lies within them is drawn: the near plane, and for fragments the sides and the far one.",
+                  false, SpaceKind::clip_plane},
+    SpaceGroupRow{SpaceGroup::shadow_methods, "shadow-methods", "Shadow volumes and maps",
+                  "Silhouettes with the sides of the volumes that start there, or what each shadow map covers.", true,
+                  SpaceKind::shadow_volume}};
 
 SpaceGroup group_of(SpaceKind kind);
 

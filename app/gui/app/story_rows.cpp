@@ -127,6 +127,7 @@ std::string light_text(const LightEvent& light, const Scene& scene) {
   if (light.kind == LightKind::ambient) return fmt::format("{}: {} everywhere", name, number_text(light.diffuse));
   if (light.below_horizon) return name + ": surface faces away";
   if (light.blocker) return fmt::format("{}: blocked by {}", name, primitive_name(scene, *light.blocker));
+  if (light.visible <= 0) return name + ": in shadow";
   std::string text = fmt::format("{}: diffuse {}", name, number_text(light.diffuse));
   if (light.specular != 0) text += fmt::format(", specular {}", number_text(light.specular));
   return text;

@@ -1,0 +1,43 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/parallel.h"
+#include "image/image.h"
+#include "options/settings.h"
+#include "render/prepared.h"
+#include "scene/scene.h"
+
+namespace ps::raster {
+
+/// What is seen around a point: six pictures that the rasterizer makes itself, in the order of cube_faces() (CGFS
+/// ch. 15).
+struct EnvironmentMap {
+  Vec3d centre{0, 0, 0};  ///< world space
+  int size = 0;           ///< pixels along an edge
+  std::vector<Image<Vec3f>> faces;
+
+  std::size_t heap_bytes() const {
+    std::size_t bytes = faces.capacity() * sizeof faces[0];
+    for (const auto& face : faces) bytes += face.pixels().size_bytes();
+    return bytes;
+  }
+};
+
+/// The map in which each object looks up what it mirrors; null for those that mirror nothing.
+using EnvironmentMaps = std::vector<std::shared_ptr<const EnvironmentMap>>;
+
+/// Is the option on, and does anything mirror?
+bool uses_environment(const Settings& settings, const Scene& scene);
+
+/// With environment = cube-map each mirroring object has a map of its own, made at its centre, of all other objects
+/// (without what those mirror themselves). With room-map all share one: that of the objects that mirror nothing, made
+/// in their middle, whatever the mirroring ones do. Kept in `prepared` until something changes that can be seen in one.
+std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
+                                                        Prepared& prepared, WorkerPriority priority,
+                                                        Progress& progress);
+
+/// The map unfolded as a cross over the picture's area; pixels outside it stay as they are.
+void lay_out_environment(const EnvironmentMap& map, Image<Vec3f>& picture);
+
+}  // namespace ps::raster

@@ -1,0 +1,56 @@
+#pragma once
+#include "raster/pass.h"
+#include "raster/shadow/shadow_lookup.h"
+#include "raster/shadow/stencil.h"
+#include "shade/illumination.h"
+
+namespace ps::raster {
+
+/// Answers for one fragment how much of each light it sees, from the light's shadow map or stencil buffer.
+template <class Real, class Recorder>
+class FragmentShadows {
+ public:
+  FragmentShadows(const Pass<Real>& pass, int column, int row, const Vec3<Real>& position, const Vec3<Real>& normal,
+                  Recorder& recorder)
+      : pass_(pass), column_(column), row_(row), position_(position), normal_(normal), recorder_(recorder) {}
+
+  /// As illuminate() asks.
+  Blocking<Real> operator()(int light, const Vec3<Real>&, Real) {
+    const Real visible = share(light);
+    if (!(visible > Real(0.5)) && light < 32) mask_ |= 1u << light;
+    return Blocking<Real>::partly(visible);
+  }
+  /// Bit i set: at most half of light i was seen. Knows the lights that were asked for.
+  std::uint32_t mask() const { return mask_; }
+
+ private:
+  Real share(int light) {
+    const auto index = static_cast<std::size_t>(light);
+    if (pass_.shadow_maps) {
+      const ShadowMap& map = (*pass_.shadow_maps)[index];
+      const Settings& s = pass_.settings;
+      const ShadowComparison<Real> how{static_cast<Real>(s.shadow_bias), static_cast<Real>(s.shadow_slope_bias),
+                                       s.shadow_filter};
+      return look_up_shadow(map, light, position_, normal_, how, recorder_);
+    }
+    const Stencil& stencil = *pass_.stencil;
+    if constexpr (Recorder::records)
+      for (const StencilEvent& told : stencil.events)
+        if (told.light == light) recorder_.event([&] { return told; });
+    return stencil.at(light, column_, row_) == 0 ? Real(1) : Real(0);
+  }
+
+  const Pass<Real>& pass_;
+  int column_, row_;
+  Vec3<Real> position_, normal_;
+  Recorder& recorder_;
+  std::uint32_t mask_ = 0;
+};
+
+/// Makes the shadow maps, stencil buffers (for the pixels of `rect`) and environment maps that the settings ask for,
+/// and takes the pass off the fast path, which knows none of them.
+template <class Real>
+void add_maps(Pass<Real>& pass, const Scene& scene, const View& view, const TileRect& rect, StencilNotes notes,
+              Prepared& prepared, const ParallelOptions& parallel, Progress& progress);
+
+}  // namespace ps::raster

@@ -1,0 +1,154 @@
+#include "raster/shadow/shadow_volume.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "raster/shadow/shadow_map.h"
+
+namespace ps::raster {
+namespace {
+
+using Corner = std::uint32_t;
+using Corners = std::array<Corner, 3>;
+
+/// World-space corners in which equal positions are one corner, so that edges are shared wherever triangles meet.
+struct Welded {
+  std::vector<Vec3d> positions;
+  std::vector<Corners> triangles;  ///< without those of zero area
+};
+
+Welded weld(const DrawObject& object) {
+  Welded welded;
+  std::map<std::tuple<double, double, double>, Corner> known;
+  std::vector<Corner> number;
+  for (const Vec3d& model : object.mesh->positions) {
+    const Vec3d p = object.world(model);
+    const auto [entry, fresh] =
+        known.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<Corner>(welded.positions.size()));
+    if (fresh) welded.positions.push_back(p);
+    number.push_back(entry->second);
+  }
+  for (const MeshTriangle& triangle : object.mesh->triangles) {
+    const Corners c{number[triangle.position[0]], number[triangle.position[1]], number[triangle.position[2]]};
+    if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) welded.triangles.push_back(c);
+  }
+  return welded;
+}
+
+/// How often each edge is run through from its lower to its higher corner, less how often the other way. All 0 for a
+/// closed surface.
+using EdgeBalance = std::map<std::pair<Corner, Corner>, int>;
+
+void add_edges(const Corners& triangle, EdgeBalance& balance) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Corner a = triangle[k], b = triangle[(k + 1) % 3];
+    balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+  }
+}
+
+bool is_closed(const Welded& welded) {
+  EdgeBalance balance;
+  for (const Corners& triangle : welded.triangles) add_edges(triangle, balance);
+  for (const auto& edge : balance)
+    if (edge.second != 0) return false;
+  return !balance.empty();
+}
+
+bool faces(const Welded& welded, const Corners& triangle, const Light& light) {
+  const Vec3d& a = welded.positions[triangle[0]];
+  const Vec3d normal = cross(welded.positions[triangle[1]] - a, welded.positions[triangle[2]] - a);
+  return dot(normal, light.kind == LightKind::point ? light.position - a : light.direction) > 0;
+}
+
+/// The triangles that throw the shadow, each facing the light.
+std::vector<Corners> lit_triangles(const Welded& welded, const Light& light) {
+  std::vector<Corners> lit, turned;
+  for (const Corners& triangle : welded.triangles) {
+    if (faces(welded, triangle, light))
+      lit.push_back(triangle);
+    else
+      turned.push_back({triangle[0], triangle[2], triangle[1]});
+  }
+  // A light inside a closed model meets only backs.
+  if (lit.empty() || !is_closed(welded)) lit.insert(lit.end(), turned.begin(), turned.end());
+  return lit;
+}
+
+/// Where a corner ends up at the far end: away from the light, all by the same factor, so that flat stays flat.
+class Extrusion {
+ public:
+  Extrusion(const Welded& welded, const Light& light, double reach) : light_(light) {
+    if (light.kind == LightKind::directional) {
+      shift_ = light.direction * (-reach / std::sqrt(dot(light.direction, light.direction)));
+      return;
+    }
+    double nearest = reach;
+    for (const Vec3d& p : welded.positions) {
+      const Vec3d away = p - light.position;
+      nearest = std::min(nearest, std::sqrt(dot(away, away)));
+    }
+    factor_ = reach / std::max(nearest, reach * 1e-7);
+  }
+  Vec3d operator()(const Vec3d& p) const {
+    return light_.kind == LightKind::directional ? p + shift_ : light_.position + (p - light_.position) * factor_;
+  }
+
+ private:
+  const Light& light_;
+  Vec3d shift_{0, 0, 0};
+  double factor_ = 1;
+};
+
+MeshTriangle surface_triangle(Corner a, Corner b, Corner c) {
+  MeshTriangle triangle;
+  triangle.position = {a, b, c};
+  return triangle;
+}
+
+}  // namespace
+
+ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, double reach) {
+  ShadowVolume volume;
+  volume.object = object.object;
+  auto surface = std::make_shared<Mesh>();
+  if (light.kind != LightKind::ambient) {
+    const Welded welded = weld(object);
+    const Extrusion extrude(welded, light, reach);
+    surface->positions = welded.positions;
+    for (const Vec3d& p : welded.positions) surface->positions.push_back(extrude(p));
+    const auto far = [&](Corner c) { return c + static_cast<Corner>(welded.positions.size()); };
+    EdgeBalance balance;
+    for (const Corners& t : lit_triangles(welded, light)) {
+      add_edges(t, balance);
+      surface->triangles.push_back(surface_triangle(t[0], t[1], t[2]));
+      surface->triangles.push_back(surface_triangle(far(t[0]), far(t[2]), far(t[1])));
+    }
+    for (const auto& [edge, count] : balance) {
+      const Corner a = count > 0 ? edge.first : edge.second, b = count > 0 ? edge.second : edge.first;
+      if (count != 0) volume.silhouette.push_back({welded.positions[a], welded.positions[b]});
+      for (int i = 0; i < std::abs(count); ++i) {
+        surface->triangles.push_back(surface_triangle(b, a, far(a)));
+        surface->triangles.push_back(surface_triangle(b, far(a), far(b)));
+      }
+    }
+  }
+  volume.surface = std::move(surface);
+  return volume;
+}
+
+std::vector<std::vector<ShadowVolume>> make_shadow_volumes(const Scene& scene, const std::vector<DrawObject>& objects) {
+  const double reach = volume_reach * shadow_casters(scene).radius;
+  std::vector<std::vector<ShadowVolume>> volumes;
+  for (const Light& light : *scene.lights) {
+    auto& of_light = volumes.emplace_back();
+    if (light.kind == LightKind::ambient) continue;
+    for (const DrawObject& object : objects)
+      if (throws_shadow(scene, scene.geometry->objects[static_cast<std::size_t>(object.object)]))
+        of_light.push_back(make_shadow_volume(object, light, reach));
+  }
+  return volumes;
+}
+
+}  // namespace ps::raster

@@ -1,0 +1,36 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "raster/draw_list.h"
+#include "scene/light.h"
+
+namespace ps::raster {
+
+/// An edge of the outline that an object shows to a light, in world space. The side of the shadow volume that starts
+/// there has the lit triangle's corner order reversed: it runs from `to` to `from`.
+struct SilhouetteEdge {
+  Vec3d from{0, 0, 0}, to{0, 0, 0};
+};
+
+/// The space that an object hides from a light, as a closed surface whose triangles face outwards (CGFS ch. 15): the
+/// triangles that face the light, sides that run from the silhouette's edges away from the light, and the lit triangles
+/// again at the far end, seen from behind.
+struct ShadowVolume {
+  int object = 0;  ///< index into Geometry::objects
+  std::vector<SilhouetteEdge> silhouette;
+  std::shared_ptr<const Mesh> surface;  ///< world space
+};
+
+/// How far volumes reach, in units of the scene's size; it stands for infinity.
+inline constexpr double volume_reach = 1e4;
+
+/// Closed models throw shadows with the triangles that face the light. In an open one any triangle may be the only one
+/// in the light's way, so all do, each turned to face the light; where two lie behind each other the count is 2, which
+/// is as dark as 1. `reach` is the length of the sides, world units. Empty for ambient light.
+ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, double reach);
+
+/// The volumes of all objects that throw shadows, for each light: transparent ones do not.
+std::vector<std::vector<ShadowVolume>> make_shadow_volumes(const Scene& scene, const std::vector<DrawObject>& objects);
+
+}  // namespace ps::raster

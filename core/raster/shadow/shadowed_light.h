@@ -1,0 +1,71 @@
+#pragma once
+#include <vector>
+
+#include "raster/corner_attributes.h"
+#include "raster/fragment.h"
+#include "raster/geometry.h"
+#include "raster/light_at.h"
+#include "raster/shadow/fragment_shadows.h"
+
+namespace ps::raster {
+
+/// How much of each light a fragment sees, asked once for all the points where its light is computed.
+template <class Real>
+struct KnownShares {
+  std::vector<Real> shares;  ///< by light
+  Blocking<Real> operator()(int light, const Vec3<Real>&, Real) const {
+    return Blocking<Real>::partly(shares[static_cast<std::size_t>(light)]);
+  }
+};
+
+/// Light on a fragment in a picture with shadows. Whether a light is seen is always found out at the fragment itself;
+/// where the light is computed at the corners (Gouraud) or once for the triangle (flat), what they get of a light is
+/// multiplied by the share of it that the fragment sees.
+template <class Real, class Recorder>
+Lighting<Real> shadowed_light(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                              const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                              const Vec3<Real>& normal, std::uint32_t& mask, Recorder& recorder,
+                              std::optional<int> only_light) {
+  const AttributeLayout& layout = setup.surface->layout;
+  const bool has_position = layout.position != AttributeLayout::absent;
+  const Vec3<Real> position = has_position ? interpolate3(pass, setup, fragment, layout.position) : Vec3<Real>(0);
+  FragmentShadows<Real, Recorder> shadows(pass, fragment.column, fragment.row, position, normal, recorder);
+  const auto known = [&] {
+    KnownShares<Real> known_shares;
+    for (std::size_t i = 0; i < pass.lights.size(); ++i)
+      known_shares.shares.push_back(
+          pass.lights[i].kind == LightKind::ambient ? Real(1) : shadows(static_cast<int>(i), Vec3<Real>(0), 0).visible);
+    mask = shadows.mask();
+    return known_shares;
+  };
+  switch (pass.settings.shading) {
+  case Shading::phong: {
+    const Lighting<Real> lighting = light_at(pass, *setup.surface, position, normal, recorder, only_light, shadows);
+    mask = shadows.mask();
+    return lighting;
+  }
+  case Shading::gouraud: {
+    const KnownShares<Real> shares = known();
+    const CornerSource<Real> source = corner_source(pass, geometry, *setup.triangle);
+    const Vec3<Real> weights =
+        whole_weights(setup, pass.divides() ? space_weights(pass, setup, fragment) : fragment.weights);
+    Lighting<Real> lighting;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Lighting<Real> corner =
+          light_at(pass, *setup.surface, source.position(k), source.normal(k, pass.settings.normals), recorder,
+                   std::optional<int>(), shares);
+      lighting.light += corner.light * weights[static_cast<int>(k)];
+      lighting.extra += corner.extra * weights[static_cast<int>(k)];
+    }
+    return lighting;
+  }
+  case Shading::flat: {
+    const KnownShares<Real> shares = known();
+    const FlatPoint<Real> point = flat_point(corner_source(pass, geometry, *setup.triangle), pass.settings.normals);
+    return light_at(pass, *setup.surface, point.position, point.normal, recorder, std::optional<int>(), shares);
+  }
+  }
+  return {};
+}
+
+}  // namespace ps::raster

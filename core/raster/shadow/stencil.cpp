@@ -1,0 +1,185 @@
+#include "raster/shadow/stencil.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "raster/bins.h"
+#include "raster/fragment.h"
+#include "raster/shadow/shadow_volume.h"
+
+namespace ps::raster {
+namespace {
+
+constexpr int tile_size = 64;
+
+using Geometry64 = ScreenGeometry<double>;
+
+/// A pass that only finds out what covers which pixel, and how far away.
+Settings depth_settings(const Settings& settings) {
+  Settings plain = settings;
+  plain.lighting = false;
+  plain.textures = false;
+  plain.shadows = Shadows::none;
+  plain.environment = Environment::none;
+  plain.draw = Draw::filled;
+  return plain;
+}
+
+/// Calls covered(triangle, fragment) for each covered sample in `rect`.
+template <class Covered>
+void scan(const Pass<double>& pass, const ScreenTriangle<double>& triangle, const TileRect& rect, Covered&& covered) {
+  const PixelBox box{std::max(triangle.box.x0, rect.x0), std::max(triangle.box.y0, rect.y0),
+                     std::min(triangle.box.x1, rect.x1), std::min(triangle.box.y1, rect.y1)};
+  if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
+  const auto edges = make_edges(triangle.corners, pass.grid);
+  PS_ASSERT(edges.has_value(), "triangles without area are left out by the assembly");
+  TriangleSetup<double> setup;
+  setup.triangle = &triangle;
+  setup.edges = *edges;
+  setup.inverse_area = 1.0 / static_cast<double>(edges->area);
+  for (int row = box.y0; row < box.y1; ++row) {
+    for (int column = box.x0; column < box.x1; ++column) {
+      const auto values = setup.edges.at(column, row);
+      if (setup.edges.inside(values)) covered(make_fragment(pass, setup, column, row, values));
+    }
+  }
+}
+
+/// The faces of all volumes of one light, as objects of a pass of their own.
+Pass<double> volume_pass(const Pass<double>& scene_pass, const std::vector<ShadowVolume>& volumes) {
+  Pass<double> pass = scene_pass;
+  pass.settings.backface_culling = false;
+  std::erase_if(pass.planes, [](const auto& plane) { return plane.reason == RejectReason::clipped_far; });
+  pass.objects.clear();
+  pass.surfaces.clear();
+  pass.first_surface.clear();
+  for (const ShadowVolume& volume : volumes) {
+    pass.first_surface.push_back(static_cast<std::uint32_t>(pass.surfaces.size()));
+    Surface<double> surface;
+    surface.object = static_cast<int>(pass.objects.size());
+    pass.surfaces.push_back(surface);
+    DrawObject object;
+    object.object = surface.object;
+    object.mesh = volume.surface;
+    object.bounds = bounding_sphere(*volume.surface);
+    object.materials = {0};
+    pass.objects.push_back(std::move(object));
+  }
+  return pass;
+}
+
+int wrapped(int count, int bits) { return count & ((1 << bits) - 1); }
+
+/// What a face does to the count. `behind`: it is not before the surface.
+int change_of(Shadows method, bool behind, bool enters) {
+  switch (method) {
+  case Shadows::stencil_depth_fail:
+    return behind ? (enters ? -1 : 1) : 0;
+  case Shadows::stencil_depth_pass:
+    return behind ? 0 : (enters ? 1 : -1);
+  case Shadows::traced:
+  case Shadows::none:
+  case Shadows::map:
+    return 0;
+  }
+  return 0;
+}
+
+/// The faces of one light's volumes, ready to be drawn.
+struct LightVolumes {
+  Pass<double> pass;
+  Geometry64 geometry;
+  Bins bins;
+};
+
+}  // namespace
+
+bool uses_stencil(const Settings& settings, const Scene& scene) {
+  const bool asked = settings.shadows == Shadows::stencil_depth_fail || settings.shadows == Shadows::stencil_depth_pass;
+  return asked && settings.lighting && settings.draw == Draw::filled &&
+         settings.visibility == Visibility::depth_buffer && scene_traits(scene).casting_lights;
+}
+
+Stencil make_stencil(const Scene& scene, const View& view, const Settings& settings, const TileRect& rect,
+                     StencilNotes notes, Prepared& prepared, const ParallelOptions& parallel, Progress& progress) {
+  Stencil stencil;
+  stencil.rect = rect;
+  const Pass<double> pass = make_pass<double>(scene, view, depth_settings(settings), Channel::none, prepared);
+  const Geometry64 surfaces = make_geometry(pass, {}, parallel, progress);
+  const Bins bins = bin_primitives(pass, surfaces, tile_size, parallel, progress);
+  const std::vector<std::vector<ShadowVolume>> volumes = make_shadow_volumes(scene, pass.objects);
+  std::vector<std::unique_ptr<LightVolumes>> lights;
+  for (const auto& of_light : volumes) {
+    stencil.counts.emplace_back();
+    lights.emplace_back();
+    if (of_light.empty()) continue;
+    stencil.counts.back() = Image<std::int32_t>(rect.width(), rect.height(), 0);
+    auto light = std::make_unique<LightVolumes>();
+    light->pass = volume_pass(pass, of_light);
+    light->geometry = make_geometry(light->pass, {}, parallel, progress);
+    light->bins = bin_primitives(light->pass, light->geometry, tile_size, parallel, progress);
+    lights.back() = std::move(light);
+    for (const ShadowVolume& volume : of_light) stencil.counters[Counter::silhouette_edges] += volume.silhouette.size();
+  }
+  const std::vector<TileRect> tiles = make_tiles(view.width, view.height, tile_size);
+  std::vector<Counters> counters(tiles.size());
+  std::vector<StencilEvent> events(volumes.size());
+  parallel_for(static_cast<int>(tiles.size()), parallel, progress, [&](int index, int) {
+    const auto tile = static_cast<std::size_t>(index);
+    const TileRect part{std::max(tiles[tile].x0, rect.x0), std::max(tiles[tile].y0, rect.y0),
+                        std::min(tiles[tile].x1, rect.x1), std::min(tiles[tile].y1, rect.y1)};
+    if (part.x0 >= part.x1 || part.y0 >= part.y1) return;
+    constexpr double nothing = -std::numeric_limits<double>::infinity();
+    Image<double> depth(part.width(), part.height(), nothing);
+    const auto each = [&](const Bins& list, const Pass<double>& of, const Geometry64& geometry, auto&& covered) {
+      for (std::size_t p = 0; p < list.parts; ++p)
+        for (const PrimitiveRef& ref : list.list(p, tile)) {
+          const ScreenTriangle<double>& triangle = geometry.batches[ref.batch].triangles[ref.index];
+          scan(of, triangle, part, [&](const Fragment<double>& f) { covered(triangle, f); });
+        }
+    };
+    each(bins, pass, surfaces, [&](const ScreenTriangle<double>&, const Fragment<double>& f) {
+      double& stored = depth.at(f.column - part.x0, f.row - part.y0);
+      stored = std::max(stored, f.inverse_z);
+    });
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      if (!lights[i]) continue;
+      const LightVolumes& light = *lights[i];
+      Image<std::int32_t>& counts = stencil.counts[i];
+      each(light.bins, light.pass, light.geometry,
+           [&](const ScreenTriangle<double>& triangle, const Fragment<double>& f) {
+             const double surface = depth.at(f.column - part.x0, f.row - part.y0);
+             if (surface == nothing) return;
+             ++counters[tile][Counter::stencil_tests];
+             const int change = change_of(settings.shadows, !(f.inverse_z > surface), !triangle.back_face);
+             if (change != 0) ++counters[tile][Counter::stencil_updates];
+             counts.at(f.column - rect.x0, f.row - rect.y0) += change;
+             if (notes == StencilNotes::none) return;
+             const auto& volume = volumes[i][static_cast<std::size_t>(light.pass.surfaces[triangle.surface].object)];
+             events[i].surface_z = 1 / surface;
+             events[i].crossings.push_back({volume.object, !triangle.back_face, f.z, change});
+           });
+      for (int row = part.y0; row < part.y1; ++row)
+        for (int column = part.x0; column < part.x1; ++column) {
+          std::int32_t& count = counts.at(column - rect.x0, row - rect.y0);
+          const std::int32_t sum = count;
+          count = wrapped(count, settings.stencil_bits);
+          if (notes == StencilNotes::none) continue;
+          events[i].count = sum;
+          events[i].stored = count;
+        }
+    }
+  });
+  for (const Counters& tile : counters) stencil.counters += tile;
+  if (notes == StencilNotes::crossings)
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      if (!lights[i]) continue;
+      events[i].light = static_cast<int>(i);
+      std::stable_sort(events[i].crossings.begin(), events[i].crossings.end(),
+                       [](const VolumeCrossing& a, const VolumeCrossing& b) { return a.z < b.z; });
+      stencil.events.push_back(events[i]);
+    }
+  return stencil;
+}
+
+}  // namespace ps::raster

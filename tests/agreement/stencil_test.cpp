@@ -1,0 +1,104 @@
+// Stencil shadows where they are known to fail, against shadow rays.
+#include <gtest/gtest.h>
+
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+Frame draw(const Scene& scene, const Settings& settings) {
+  RenderRequest request;
+  request.channels = Channel::ids | Channel::shadow | Channel::stencil;
+  Prepared prepared;
+  Progress progress;
+  return render(scene, {scene.camera, 150, 100}, settings, request, prepared, progress);
+}
+
+/// Of the pixels that show `object` in both, the share (%) whose light `light` is seen in one only.
+double wrong_share(const Frame& a, const Frame& b, int object, int light) {
+  int shared = 0, wrong = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      if (a.ids.at(x, y).object != object || b.ids.at(x, y).object != object) continue;
+      ++shared;
+      if ((a.shadow.at(x, y) >> light & 1) != (b.shadow.at(x, y) >> light & 1)) ++wrong;
+    }
+  return shared == 0 ? -1 : 100.0 * wrong / shared;
+}
+
+Settings with(const Scene& scene, Renderer renderer, Shadows shadows) {
+  Settings settings = settings_for(scene);
+  settings.renderer = renderer;
+  settings.shadows = shadows;
+  return settings;
+}
+
+// Inside, all is wrong but where two shadows lie over each other and one is left; outside, nothing. Depth-fail is right
+// in both places.
+TEST(Stencil, DepthPassIsWrongEverywhereWithTheCameraInAShadow) {
+  Scene scene = load_scene("lab/inside-shadow");
+  const auto share = [&](Shadows method) {
+    const Frame traced = draw(scene, with(scene, Renderer::ray_tracer, Shadows::traced));
+    return wrong_share(traced, draw(scene, with(scene, Renderer::rasterizer, method)), 0, 1);
+  };
+  EXPECT_GT(share(Shadows::stencil_depth_pass), 95);
+  EXPECT_LT(share(Shadows::stencil_depth_fail), 1);
+  scene.camera.position = {0, 0, -3.5};  // out of the roof's shadow
+  EXPECT_LT(share(Shadows::stencil_depth_pass), 1);
+  EXPECT_LT(share(Shadows::stencil_depth_fail), 1);
+}
+
+// Depth-pass loses what the near plane cuts off a volume; depth-fail does not look there.
+TEST(Stencil, ANearPlaneThatCutsAVolumeSpoilsDepthPassOnly) {
+  Scene scene = load_scene("lab/inside-shadow");
+  scene.camera.position = {0, 0, -2.4};  // right before the roof's shadow, which begins at z = -1.6 - 0.3
+  const auto share = [&](Shadows method, double near) {
+    Settings settings = with(scene, Renderer::ray_tracer, Shadows::traced);
+    settings.near = near;
+    const Frame traced = draw(scene, settings);
+    settings.renderer = Renderer::rasterizer;
+    settings.shadows = method;
+    return wrong_share(traced, draw(scene, settings), 0, 1);
+  };
+  EXPECT_LT(share(Shadows::stencil_depth_pass, 0.05), 1);
+  EXPECT_GT(share(Shadows::stencil_depth_pass, 1.5), 50);
+  EXPECT_LT(share(Shadows::stencil_depth_fail, 0.05), 1);
+  EXPECT_LT(share(Shadows::stencil_depth_fail, 1.5), 1);
+}
+
+/// Of the floor under exactly 16 boards, as `counts` tells, how many pixels are dark and how many there are.
+struct Floor {
+  int dark = 0, pixels = 0;
+};
+Floor under_sixteen(const Frame& counts, const Frame& frame) {
+  Floor floor;
+  for (int y = 0; y < frame.height(); ++y)
+    for (int x = 0; x < frame.width(); ++x) {
+      if (frame.ids.at(x, y).object != 0 || counts.stencil.at(x, y) != 16) continue;
+      ++floor.pixels;
+      if (frame.shadow.at(x, y) != 0) ++floor.dark;
+    }
+  return floor;
+}
+
+// A count of 4 bits comes round to 0.
+TEST(Stencil, SixteenShadowsOverEachOtherAreLitInFourBits) {
+  const Scene scene = load_scene("lab/stacked-shadows");
+  Settings settings = settings_for(scene);
+  settings.stencil_bits = 8;
+  const Frame eight = draw(scene, settings);
+  settings.stencil_bits = 5;
+  const Frame five = draw(scene, settings);
+  settings.stencil_bits = 4;
+  const Frame four = draw(scene, settings);
+  const Floor wide = under_sixteen(eight, eight);
+  EXPECT_GT(wide.pixels, 50);
+  EXPECT_EQ(wide.dark, wide.pixels);
+  EXPECT_EQ(under_sixteen(eight, five).dark, wide.pixels);
+  EXPECT_EQ(under_sixteen(eight, four).dark, 0);
+}
+
+}  // namespace
+}  // namespace ps

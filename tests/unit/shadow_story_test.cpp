@@ -1,0 +1,179 @@
+// What the inspector tells of shadow maps, stencil buffers and cube maps, against the picture and against itself.
+#include <gtest/gtest.h>
+
+#include "inspect/space_model.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+constexpr int width = 120, height = 80;
+
+struct Told {
+  Scene scene;
+  View view;
+  Settings settings;
+  Prepared prepared;
+  Frame frame;
+
+  explicit Told(const std::string& name, Shadows shadows, Environment environment = Environment::none)
+      : scene(load_scene(name)), view{scene.camera, width, height}, settings(settings_for(scene)) {
+    settings.renderer = Renderer::rasterizer;
+    settings.shadows = shadows;
+    settings.shadow_map_size = 128;
+    settings.environment = environment;
+    settings.environment_size = 32;
+    Progress progress;
+    RenderRequest request;
+    request.channels = Channel::shadow | Channel::stencil | Channel::ids;
+    frame = render(scene, view, settings, request, prepared, progress);
+  }
+  PixelStory story(Vec2i pixel) {
+    Progress progress;
+    return inspect(scene, view, settings, pixel, prepared, progress);
+  }
+};
+
+/// Every seventh pixel that shows something.
+std::vector<Vec2i> pixels_of(const Frame& frame) {
+  std::vector<Vec2i> pixels;
+  for (int y = 3; y < height; y += 7)
+    for (int x = 3; x < width; x += 7)
+      if (frame.ids.at(x, y).object >= 0) pixels.push_back({x, y});
+  return pixels;
+}
+
+template <class T>
+std::vector<T> events_of(const PixelStory& story) {
+  std::vector<T> events;
+  for (const Event& event : story.events)
+    if (const T* one = std::get_if<T>(&event.data)) events.push_back(*one);
+  return events;
+}
+
+void expect_picture(Told& told) {
+  int dark = 0;
+  for (const Vec2i pixel : pixels_of(told.frame)) {
+    const PixelStory story = told.story(pixel);
+    ASSERT_EQ(Vec3f(story.linear), told.frame.colour.at(pixel.x, pixel.y)) << pixel.x << ", " << pixel.y;
+    Vec3d sum(0);
+    for (const LedgerLine& line : story.ledger)
+      if (line.level == 0) sum += line.value;
+    for (int i = 0; i < 3; ++i) ASSERT_NEAR(sum[i], story.linear[i], 1e-5);
+    const bool told_dark = story.verdict.find("lies in the shadow of light") != std::string::npos;
+    if (told_dark) {
+      ++dark;
+      EXPECT_NE(told.frame.shadow.at(pixel.x, pixel.y), 0u);
+    }
+  }
+  if (told.settings.shadows != Shadows::none) EXPECT_GT(dark, 5);
+}
+
+TEST(ShadowStory, SaysWhatThePictureShows) {
+  for (const Shadows method : {Shadows::map, Shadows::stencil_depth_fail, Shadows::stencil_depth_pass})
+    for (const Shading shading : {Shading::phong, Shading::gouraud, Shading::flat}) {
+      Told told("lab/inside-shadow", method);
+      told.settings.shading = shading;
+      Progress progress;
+      RenderRequest request;
+      request.channels = Channel::shadow | Channel::stencil | Channel::ids;
+      told.frame = render(told.scene, told.view, told.settings, request, told.prepared, progress);
+      expect_picture(told);
+    }
+}
+
+TEST(ShadowStory, SaysWhatACubeMapShows) {
+  for (const Environment kind : {Environment::cube_map, Environment::room_map}) {
+    Told told("lab/mirror-room", Shadows::none, kind);
+    expect_picture(told);
+    int mirrored = 0;
+    for (const Vec2i pixel : pixels_of(told.frame)) {
+      const PixelStory story = told.story(pixel);
+      const auto maps = events_of<EnvironmentEvent>(story);
+      const auto mirrors = events_of<ReflectionEvent>(story);
+      ASSERT_EQ(maps.size(), mirrors.size());
+      if (maps.empty()) continue;
+      ++mirrored;
+      EXPECT_EQ(maps.back().result, mirrors.back().reflected);
+      EXPECT_EQ(maps.back().centre.x, 0);
+    }
+    EXPECT_GT(mirrored, 5);
+  }
+}
+
+TEST(ShadowStory, StencilCountsAreTheSumOfTheirCrossings) {
+  Told told("lab/stacked-shadows", Shadows::stencil_depth_fail);
+  int crossed = 0;
+  for (const Vec2i pixel : pixels_of(told.frame)) {
+    const PixelStory story = told.story(pixel);
+    const auto counts = events_of<StencilEvent>(story);
+    ASSERT_FALSE(counts.empty());
+    const StencilEvent& last = counts.back();
+    int sum = 0;
+    for (const VolumeCrossing& crossing : last.crossings) {
+      sum += crossing.change;
+      if (crossing.change != 0) EXPECT_GE(crossing.z, last.surface_z * (1 - 1e-9)) << "depth-fail counts behind";
+      ++crossed;
+    }
+    EXPECT_EQ(last.count, sum);
+    EXPECT_EQ(last.stored, sum & 15);
+    EXPECT_EQ(told.frame.stencil.at(pixel.x, pixel.y), last.stored);
+  }
+  EXPECT_GT(crossed, 100);
+}
+
+TEST(ShadowStory, MapsTellTheirTapsAndTheComparison) {
+  Told told("lab/shadow-acne", Shadows::map);
+  told.settings.shadow_filter = 3;
+  int compared = 0;
+  for (const Vec2i pixel : pixels_of(told.frame)) {
+    const PixelStory story = told.story(pixel);
+    for (const ShadowMapEvent& event : events_of<ShadowMapEvent>(story)) {
+      if (event.outside) continue;
+      ASSERT_EQ(event.taps.size(), 9u);
+      int lit = 0;
+      for (const ShadowTap& tap : event.taps) {
+        EXPECT_EQ(tap.lit, !(float(tap.stored) < float(event.depth) - float(event.bias)));
+        lit += tap.lit ? 1 : 0;
+      }
+      EXPECT_NEAR(event.visible, lit / 9.0, 1e-6);
+      EXPECT_EQ(event.taps[4].x, static_cast<int>(event.position.x));
+      EXPECT_EQ(event.taps[4].y, static_cast<int>(event.position.y));
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 20);
+}
+
+TEST(ShadowStory, SpaceShowsSilhouettesAndMaps) {
+  Told told("lab/inside-shadow", Shadows::stencil_depth_fail);
+  SpaceModel model = build_space(told.scene, told.view, told.settings, nullptr);
+  EXPECT_GT(count_of(model, SpaceKind::silhouette), 4 + 4) << "floor, roof and two balls";
+  EXPECT_EQ(count_of(model, SpaceKind::silhouette), count_of(model, SpaceKind::shadow_volume));
+  EXPECT_EQ(count_of(model, SpaceKind::clip_plane), 5);
+  told.settings.shadows = Shadows::map;
+  model = build_space(told.scene, told.view, told.settings, nullptr);
+  EXPECT_EQ(count_of(model, SpaceKind::shadow_map), 6) << "both ends of one beam, and its edges";
+  EXPECT_EQ(count_of(model, SpaceKind::silhouette), 0);
+}
+
+// Pictures with shadows depend neither on threads nor on SIMD.
+TEST(ShadowStory, PicturesAreTheSameForAnyNumberOfThreads) {
+  for (const Shadows method : {Shadows::map, Shadows::stencil_depth_fail}) {
+    Told one("cgfs/shadows", method);
+    for (const int threads : {1, 3, 7}) {
+      Settings settings = one.settings;
+      settings.threads = threads;
+      settings.simd = threads == 3 ? Simd::off : Simd::automatic;
+      Prepared prepared;
+      Progress progress;
+      const Frame frame = render(one.scene, one.view, settings, {}, prepared, progress);
+      EXPECT_EQ(frame.colour, one.frame.colour);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ps
