@@ -366,7 +366,10 @@ class TriangleDrawer {
     if (target_.wants(Channel::ids))
       frame.ids.at(x, y) = {setup_.surface->object, sphere ? 0 : setup_.triangle->triangle};
     if (target_.wants(Channel::facing)) frame.facing.at(x, y) = facing(x, y);
-    if (target_.wants(Channel::shadow)) frame.shadow.at(x, y) = shaded.shadow_mask;
+    if (target_.wants(Channel::shadow)) {
+      const bool further_light = step_.stage == DrawStage::one_light && step_.light > 0;
+      frame.shadow.at(x, y) = shaded.shadow_mask | (further_light ? frame.shadow.at(x, y) : 0u);
+    }
     if (target_.wants(Channel::mip)) frame.mip.at(x, y) = static_cast<float>(shaded.mip);
   }
 

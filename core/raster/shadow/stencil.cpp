@@ -22,6 +22,9 @@ Settings depth_settings(const Settings& settings) {
   plain.shadows = Shadows::none;
   plain.environment = Environment::none;
   plain.draw = Draw::filled;
+  plain.multisampling = 1;
+  plain.coverage = Coverage::edge_function;
+  plain.edge_arithmetic = EdgeArithmetic::fixed;
   return plain;
 }
 
