@@ -24,13 +24,13 @@ AttributeLayout make_layout(const Settings& settings, const LightNeeds& lights, 
   const bool normal_channel = has(channels, Channel::normal);
   layout.lit = settings.lighting;
   layout.flat_light = settings.lighting && settings.shading == Shading::flat;
-  const bool mapped = settings.lighting && settings.shadows == Shadows::map && lights.normal;
+  const bool looks_up = settings.lighting && settings.shadows == Shadows::map && lights.normal;
   const bool mirrors = settings.environment != Environment::none && material.reflective > 0;
-  layout.shading_normal = (per_pixel && lights.normal) || normal_channel || mapped || mirrors;
+  layout.shading_normal = (per_pixel && lights.normal) || normal_channel || looks_up || mirrors;
   // Flat shading uses one normal for the whole triangle, also where it is only shown.
   if (layout.shading_normal && vertex_normals && settings.shading != Shading::flat) take(layout.normal, 3);
   const bool highlights = settings.specular && material.specular && lights.normal;
-  if (mapped || mirrors || (per_pixel && (lights.point || highlights))) take(layout.position, 3);
+  if (looks_up || mirrors || (per_pixel && (lights.point || highlights))) take(layout.position, 3);
   const bool textured = settings.textures && material.texture >= 0;
   const bool mapped = settings.normal_mapping && material.normal_map >= 0 && layout.shading_normal &&
                       settings.shading == Shading::phong && !mesh.uvs.empty();

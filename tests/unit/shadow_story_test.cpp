@@ -68,7 +68,9 @@ void expect_picture(Told& told) {
       EXPECT_NE(told.frame.shadow.at(pixel.x, pixel.y), 0u);
     }
   }
-  if (told.settings.shadows != Shadows::none) EXPECT_GT(dark, 5);
+  if (told.settings.shadows != Shadows::none) {
+    EXPECT_GT(dark, 5);
+  }
 }
 
 TEST(ShadowStory, SaysWhatThePictureShows) {
@@ -114,7 +116,9 @@ TEST(ShadowStory, StencilCountsAreTheSumOfTheirCrossings) {
     int sum = 0;
     for (const VolumeCrossing& crossing : last.crossings) {
       sum += crossing.change;
-      if (crossing.change != 0) EXPECT_GE(crossing.z, last.surface_z * (1 - 1e-9)) << "depth-fail counts behind";
+      if (crossing.change != 0) {
+        EXPECT_GE(crossing.z, last.surface_z * (1 - 1e-9)) << "depth-fail counts behind";
+      }
       ++crossed;
     }
     EXPECT_EQ(last.count, sum);
