@@ -28,6 +28,7 @@ void clear_outside(const TileRect& region, Frame& frame) {
   clear(region, frame.overdraw, 0u);
   clear(region, frame.tests, 0u);
   clear(region, frame.mip, -1.0f);
+  clear(region, frame.stencil, std::int32_t{0});
   clear(region, frame.shadow, 0u);
   clear(region, frame.samples, 0u);
   clear(region, frame.direction, Vec3f(0));
