@@ -36,7 +36,7 @@ TEST(OneDimension, SceneCoversWhatTheFormulaSays) {
     for (int row = 0; row < 10; ++row) {
       std::set<int> expected, drawn;
       for (std::size_t v = 0; v + 3 < mesh.positions.size(); v += 4) {
-        if (static_cast<int>(std::floor(5 - mesh.positions[v].y)) != row) continue;
+        if (static_cast<int>(std::floor(4 - mesh.positions[v].y)) != row) continue;
         expected.merge(centres(mesh.positions[v].x + 12, mesh.positions[v + 2].x + 12, bits));
       }
       for (int column = 0; column < 24; ++column)
