@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/spelling.h"
 #include "scene/scene_draft.h"
 
@@ -38,6 +40,21 @@ Transform read_transform(const SceneSource& source, const SceneFields& instance)
   if (const auto* term = fields.find("scale")) transform.scale = values.scale(*term);
   if (const auto* term = fields.find("rotation")) transform.rotation = values.rotation(*term);
   if (const auto* term = fields.find("translation")) transform.translation = values.vec3(*term);
+  return transform;
+}
+
+/// The transform in the groups around the block. Factors multiply, so even numbers that are allowed one by one may end
+/// beyond all bounds.
+Transform placed(const SceneSource& source, const SceneEntry& entry, const SceneFields& fields,
+                 const SceneDraft& draft) {
+  constexpr double largest = 1e18;
+  const Transform transform = draft.group.outside(read_transform(source, fields));
+  const Mat3d& r = transform.rotation;
+  for (const Vec3d& v : {r[0], r[1], r[2], transform.translation})
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(v[axis]) <= largest))
+        source.values.fail_at(entry.line, entry.column, "transforms whose product is too large",
+                              fmt::format("numbers up to {:g}", largest));
   return transform;
 }
 
@@ -83,7 +100,7 @@ void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraf
   Instance instance;
   instance.mesh = mesh->second;
   charge_triangles(source, entry, draft.geometry.meshes[instance.mesh]->triangles.size(), draft);
-  instance.transform = read_transform(source, fields);
+  instance.transform = placed(source, entry, fields, draft);
   if (const auto* term = fields.find("sides")) instance.sides = read_sides(source.values, *term);
   if (fields.find("material") != nullptr) {
     instance.material = material_for(source, fields, {}, draft);
@@ -92,6 +109,38 @@ void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraf
     instance.material = material_for(source, fields, base_material(source, fields, shape, draft), draft);
   }
   add_object(source, fields, {{}, instance}, draft);
+}
+
+Transform GroupPlace::outside(const Transform& inner) const {
+  Transform outer = inner;
+  outer.translation = linear * inner.translation + translation;
+  if (linear == Mat3d(1.0)) return outer;
+  const Mat3d& r = inner.rotation;
+  outer.rotation = linear * Mat3d(r[0] * inner.scale.x, r[1] * inner.scale.y, r[2] * inner.scale.z);
+  outer.scale = {1, 1, 1};
+  return outer;
+}
+
+void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
+  constexpr int deepest = 16;
+  if (entry.value.kind != SceneTerm::Kind::block) source.values.fail(entry.value, "'{' after 'group'");
+  if (draft.group_depth >= deepest)
+    source.values.fail_at(entry.line, entry.column, "a group", fmt::format("at most {} nested groups", deepest));
+  const auto is_member = [](const SceneEntry& child) { return child.key == "instance" || child.key == "group"; };
+  SceneEntry own = entry;
+  std::erase_if(own.value.entries, is_member);
+  const SceneFields fields(source.values, own, {"position", "transform"});
+  const GroupPlace around = draft.group;
+  const Transform place = placed(source, entry, fields, draft);
+  const Mat3d& r = place.rotation;
+  draft.group = {Mat3d(r[0] * place.scale.x, r[1] * place.scale.y, r[2] * place.scale.z), place.translation};
+  ++draft.group_depth;
+  for (const SceneEntry& child : entry.value.entries) {
+    if (!is_member(child)) continue;
+    (child.key == "group" ? read_group : read_instance)(source, child, draft);
+  }
+  --draft.group_depth;
+  draft.group = around;
 }
 
 }  // namespace ps

@@ -9,6 +9,15 @@
 
 namespace ps {
 
+/// Where a group puts what it holds: any affine map.
+struct GroupPlace {
+  Mat3d linear{1.0};
+  Vec3d translation{0, 0, 0};
+  /// An instance's own transform, seen from outside the group. A map of the group that is more than a translation goes
+  /// into `rotation` whole, with the instance's scale: together they may shear.
+  Transform outside(const Transform& inner) const;
+};
+
 /// A scene while its file is being read.
 struct SceneDraft {
   Scene scene;  ///< its parts are filled by finish_draft
@@ -20,8 +29,10 @@ struct SceneDraft {
   std::map<std::string, std::uint32_t> mesh_index;      ///< by the model's name
   std::map<std::string, std::uint32_t> material_index;  ///< named materials only
   std::map<std::string, int> texture_index;
-  std::map<std::string, int> object_lines;       ///< given names and the line in which each stands
-  std::map<std::string, int> single_keys;        ///< top-level keys that may stand once, and their lines
+  std::map<std::string, int> object_lines;  ///< given names and the line in which each stands
+  std::map<std::string, int> single_keys;   ///< top-level keys that may stand once, and their lines
+  GroupPlace group;                         ///< of the groups around the block being read
+  int group_depth = 0;
   std::vector<std::filesystem::path> including;  ///< the chain of files being read, outermost first
   std::size_t triangles = 0;                     ///< of models and of instances
   std::size_t texels = 0;                        ///< of all textures
@@ -38,6 +49,9 @@ void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft&
 void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+/// A group of instances and groups with a transform of its own: a hierarchical model (CGFS ch. 10; LAB 7). It leaves
+/// only instances behind, each with the product of the transforms around it.
+void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_material(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);

@@ -20,13 +20,14 @@ struct BlockReader {
   ReadBlock read;
   bool once;
 };
-constexpr std::array<BlockReader, 18> blocks{{{"sphere", read_sphere, false},
+constexpr std::array<BlockReader, 19> blocks{{{"sphere", read_sphere, false},
                                               {"light", read_light, false},
                                               {"camera", read_camera, true},
                                               {"material", read_material, false},
                                               {"texture", read_texture, false},
                                               {"model", read_model, false},
                                               {"instance", read_instance, false},
+                                              {"group", read_group, false},
                                               {"line", read_line, false},
                                               {"triangle", read_any_triangle, false},
                                               {"plane", read_solid, false},
