@@ -6,12 +6,12 @@ repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # The packages, kept once. build: to compile everything but the tests.
 build_packages=(
-  cmake fonts-inter fonts-jetbrains-mono g++ libcli11-dev libepoxy-dev libfmt-dev libfreetype-dev libglm-dev libhwy-dev
+  cmake fonts-inter fonts-jetbrains-mono g++ libcli11-dev libembree-dev libepoxy-dev libfmt-dev libfreetype-dev libglm-dev libhwy-dev
   libimgui-dev libsdl2-dev libstb-dev libtinyobjloader-dev ninja-build nlohmann-json3-dev pkgconf
 )
 window_packages=(libegl1 libgl1 libgl1-mesa-dri)  # OpenGL for the window, in software if need be
 display_packages=(xvfb)                           # a display where there is none
-test_packages=(clang-format libembree-dev libgtest-dev librapidcheck-dev xdotool)
+test_packages=(clang-format libgtest-dev librapidcheck-dev xdotool)
 tidy_packages=(clang clang-tidy libc++-dev libc++abi-dev)
 
 fail() {

@@ -26,5 +26,5 @@ if(PIXELSCOPE_TESTS)
   find_package(rapidcheck CONFIG REQUIRED)
 endif()
 
-# What pixelscope-bench measures against, where it is installed.
+# An accelerator to choose, and what pixelscope-bench measures against, where it is installed.
 find_library(PIXELSCOPE_EMBREE embree3)

@@ -8,6 +8,12 @@
 
 namespace ps {
 
+/// Which slab_test() a ray asks for.
+enum class SlabForm {
+  robust,
+  naive  ///< as it is usually written; see naive_slab_test()
+};
+
 /// A ray made ready for many tests against boxes. Boxes are grown by `pad` on every side without touching them: the ray
 /// starts `pad` nearer to the planes that it leaves through and `pad` farther from those that it enters through.
 template <class Real>
@@ -16,9 +22,11 @@ struct SlabRay {
   Vec3<Real> entering{0};          ///< origin as seen from the planes where the ray enters
   Vec3<Real> leaving{0};           ///< likewise where it leaves
   std::array<bool, 3> negative{};  ///< the direction points down this axis
+  SlabForm form = SlabForm::robust;
 
   SlabRay() = default;
-  SlabRay(const Vec3<Real>& origin, const Vec3<Real>& direction, Real pad) {
+  SlabRay(const Vec3<Real>& origin, const Vec3<Real>& direction, Real pad, SlabForm slab_form = SlabForm::robust)
+      : form(slab_form) {
     for (int axis = 0; axis < 3; ++axis) {
       inverse[axis] = Real(1) / direction[axis];
       const bool down = std::signbit(direction[axis]);
@@ -36,11 +44,28 @@ struct SlabRange {
   bool hit() const { return near <= far; }
 };
 
+/// The slab test as it is usually written: planes are sorted by their t, nothing is grown. NaN (0 * infinity: the ray
+/// runs in a plane of the box) becomes the range, and the box is missed; so are boxes that a ray touches at an edge or
+/// a corner.
+template <class Real>
+inline SlabRange<Real> naive_slab_test(const SlabRay<Real>& ray, const Box<Real>& box, Real limit) {
+  SlabRange<Real> range{0, limit};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real low = (box.low[axis] - ray.entering[axis]) * ray.inverse[axis];
+    const Real high = (box.high[axis] - ray.leaving[axis]) * ray.inverse[axis];
+    range.near = std::max(std::min(low, high), range.near);
+    range.far = std::min(std::max(low, high), range.far);
+  }
+  return range;
+}
+
 /// The slab test (Kay and Kajiya) in Ize's robust form (JCGT 2013): the far end grows by the rounding error of the near
 /// and the far end, so that no ray is lost between two boxes that touch. Planes are taken in the order in which the ray
 /// meets them, and comparisons are false for NaN (0 * infinity), which then leaves the range as it is.
 template <class Real>
 inline SlabRange<Real> slab_test(const SlabRay<Real>& ray, const Box<Real>& box, Real limit) {
+  if (ray.form == SlabForm::naive) [[unlikely]]
+    return naive_slab_test(ray, box, limit);
   constexpr Real half_ulp = std::numeric_limits<Real>::epsilon() / 2;
   constexpr Real grow = 1 + 2 * (3 * half_ulp / (1 - 3 * half_ulp));
   SlabRange<Real> range{0, limit};

@@ -39,19 +39,34 @@ void order_children(WideNode& node, std::size_t count) {
   }
 }
 
+/// Nodes of a subtree, which refer to each other and to `blocks` as if nothing came before them.
+struct WidePart {
+  std::vector<WideNode> nodes;
+  std::vector<BlockRange> blocks;
+};
+
+/// A child that somebody else is to fill: place `slot` of node `node`.
+struct OpenChild {
+  std::uint32_t node = 0;
+  std::size_t slot = 0;
+  BvhNode<float> tree;
+};
+
+/// Turns the tree below a node into a WidePart; children deeper than `levels` are left open.
 class Widener {
  public:
-  Widener(const Bvh<float>& bvh, std::vector<BlockRange>& blocks) : bvh_(bvh), blocks_(blocks) {}
+  Widener(const Bvh<float>& bvh, int levels) : bvh_(bvh), levels_(levels) {}
 
-  LargeArray<WideNode> run() {
-    nodes_.push_back(empty_node());
-    if (bvh_.nodes.empty()) return std::move(nodes_);
-    if (bvh_.nodes[0].count > 0)
-      fill(0, std::array{bvh_.nodes[0]});
+  void run(const BvhNode<float>& root) {
+    part.nodes.push_back(empty_node());
+    if (opens(root))
+      fill(0, parts(root), 0);
     else
-      fill(0, std::array{bvh_.nodes[bvh_.nodes[0].first], bvh_.nodes[bvh_.nodes[0].first + 1]});
-    return std::move(nodes_);
+      fill(0, std::array{root}, 0);
   }
+
+  WidePart part;
+  std::vector<OpenChild> open;
 
  private:
   static constexpr std::uint32_t leaf_size = wide_leaf_blocks * wide_block_width;
@@ -65,60 +80,104 @@ class Widener {
     return {BvhNode<float>{node.box, node.first, half}, BvhNode<float>{node.box, node.first + half, node.count - half}};
   }
 
-  void fill(std::uint32_t index, std::span<const BvhNode<float>> start) {
-    std::array<BvhNode<float>, wide_width> open;
-    std::copy(start.begin(), start.end(), open.begin());
+  void fill(std::uint32_t index, std::span<const BvhNode<float>> start, int level) {
+    std::array<BvhNode<float>, wide_width> children;
+    std::copy(start.begin(), start.end(), children.begin());
     std::size_t count = start.size();
     while (count < wide_width) {
       std::size_t largest = count;
       float area = -1;
       for (std::size_t i = 0; i < count; ++i) {
-        if (!opens(open[i]) || !(open[i].box.half_area() > area)) continue;
-        area = open[i].box.half_area();
+        if (!opens(children[i]) || !(children[i].box.half_area() > area)) continue;
+        area = children[i].box.half_area();
         largest = i;
       }
       if (largest == count) break;  // leaves only
-      const std::array<BvhNode<float>, 2> children = parts(open[largest]);
-      open[largest] = children[0];
-      open[count++] = children[1];
+      const std::array<BvhNode<float>, 2> halves = parts(children[largest]);
+      children[largest] = halves[0];
+      children[count++] = halves[1];
     }
-    for (std::size_t i = 0; i < count; ++i) put_box(index, i, open[i].box);
-    order_children(nodes_[index], count);
+    for (std::size_t i = 0; i < count; ++i) put_box(index, i, children[i].box);
+    order_children(part.nodes[index], count);
     for (std::size_t i = 0; i < count; ++i) {
-      if (!opens(open[i])) {
-        nodes_[index].child[i] = add_leaf(open[i]);
-        continue;
+      if (!opens(children[i])) {
+        part.nodes[index].child[i] = add_leaf(children[i]);
+      } else if (level + 1 == levels_) {
+        open.push_back({index, i, children[i]});
+      } else {
+        const auto place = static_cast<std::uint32_t>(part.nodes.size());
+        part.nodes[index].child[i] = place;
+        part.nodes.push_back(empty_node());
+        fill(place, parts(children[i]), level + 1);
       }
-      const auto place = static_cast<std::uint32_t>(nodes_.size());
-      nodes_[index].child[i] = place;
-      nodes_.push_back(empty_node());
-      fill(place, parts(open[i]));
     }
   }
 
   void put_box(std::uint32_t index, std::size_t slot, const Box<float>& box) {
     for (int axis = 0; axis < 3; ++axis) {
-      nodes_[index].planes[2 * axis][slot] = box.low[axis];
-      nodes_[index].planes[2 * axis + 1][slot] = box.high[axis];
+      part.nodes[index].planes[2 * axis][slot] = box.low[axis];
+      part.nodes[index].planes[2 * axis + 1][slot] = box.high[axis];
     }
   }
 
   WideChild add_leaf(const BvhNode<float>& leaf) {
-    const auto place = static_cast<std::uint32_t>(blocks_.size());
+    const auto place = static_cast<std::uint32_t>(part.blocks.size());
     for (std::uint32_t first = 0; first < leaf.count; first += wide_block_width)
-      blocks_.push_back({leaf.first + first, std::min<std::uint32_t>(wide_block_width, leaf.count - first)});
-    return wide_leaf(place, static_cast<std::uint32_t>(blocks_.size()) - place);
+      part.blocks.push_back({leaf.first + first, std::min<std::uint32_t>(wide_block_width, leaf.count - first)});
+    return wide_leaf(place, static_cast<std::uint32_t>(part.blocks.size()) - place);
   }
 
   const Bvh<float>& bvh_;
-  std::vector<BlockRange>& blocks_;
-  LargeArray<WideNode> nodes_;
+  int levels_;
 };
+
+constexpr int all_levels = -1;
+/// Small trees are one worker's job.
+constexpr std::size_t one_job = 1u << 12;
 
 }  // namespace
 
-LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks) {
-  return Widener(bvh, blocks).run();
+LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks, int threads) {
+  // The upper levels first; then every subtree below them is one worker's job, and they are put behind each other.
+  Widener top(bvh, bvh.nodes.size() < one_job ? all_levels : 3);
+  if (bvh.nodes.empty())
+    top.part.nodes.push_back(empty_node());
+  else
+    top.run(bvh.nodes[0]);
+  std::vector<WidePart> parts(top.open.size());
+  const ParallelOptions options{threads, WorkerPriority::normal};
+  Progress progress;
+  const auto in_parallel = [&](auto&& body) {
+    parallel_for(static_cast<int>(parts.size()), options, progress,
+                 [&](int index, int) { body(static_cast<std::size_t>(index)); });
+  };
+  in_parallel([&](std::size_t i) {
+    Widener widener(bvh, all_levels);
+    widener.run(top.open[i].tree);
+    parts[i] = std::move(widener.part);
+  });
+  std::size_t nodes = top.part.nodes.size(), ranges = top.part.blocks.size();
+  std::vector<std::array<std::uint32_t, 2>> shifts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    shifts.push_back({static_cast<std::uint32_t>(nodes), static_cast<std::uint32_t>(ranges)});
+    top.part.nodes[top.open[i].node].child[top.open[i].slot] = static_cast<std::uint32_t>(nodes);
+    nodes += parts[i].nodes.size();
+    ranges += parts[i].blocks.size();
+  }
+  LargeArray<WideNode> result(nodes);
+  blocks.resize(ranges);
+  std::copy(top.part.nodes.begin(), top.part.nodes.end(), result.begin());
+  std::copy(top.part.blocks.begin(), top.part.blocks.end(), blocks.begin());
+  in_parallel([&](std::size_t i) {
+    const auto [node_shift, block_shift] = shifts[i];
+    for (WideNode& node : parts[i].nodes)
+      for (int slot = 0; slot < wide_width; ++slot)
+        node.child[slot] += is_leaf(node.child[slot]) ? block_shift : node_shift;
+    std::copy(parts[i].nodes.begin(), parts[i].nodes.end(), result.begin() + node_shift);
+    std::copy(parts[i].blocks.begin(), parts[i].blocks.end(), blocks.begin() + block_shift);
+    parts[i] = {};
+  });
+  return result;
 }
 
 void clear_block(TriangleBlock& block) {

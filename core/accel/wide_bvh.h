@@ -65,7 +65,7 @@ WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads = 0);
 struct BlockRange {
   std::uint32_t first = 0, count = 0;
 };
-LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks);
+LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks, int threads);
 void clear_block(TriangleBlock& block);
 void put_triangle(TriangleBlock& block, std::size_t lane, const WideTriangle& triangle);
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& body);
@@ -74,7 +74,7 @@ template <class TriangleOf>
 WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads) {
   WideBvh wide;
   std::vector<BlockRange> ranges;
-  wide.nodes = widen_nodes(bvh, ranges);
+  wide.nodes = widen_nodes(bvh, ranges, threads);
   wide.blocks.resize(ranges.size());
   for_each_range(ranges.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -17,6 +17,7 @@ constexpr std::array<CounterName, counter_count> names{{
     {"triangle-tests", "ray-triangle tests"},
     {"solid-tests", "ray-solid tests"},
     {"node-visits", "accelerator nodes visited"},
+    {"edge-rays", "hits at an edge decided by Embree"},
     {"shading-calls", "shading calls"},
     {"light-samples", "lights evaluated"},
     {"texel-reads", "texels read"},

@@ -15,6 +15,7 @@ enum class Counter {
   triangle_tests,
   solid_tests,  ///< planes, rectangles, boxes, cylinders and CSG objects
   node_visits,
+  edge_rays,  ///< hits by Embree that our own test places outside the triangle, by rounding
   shading_calls,
   light_samples,
   texel_reads,

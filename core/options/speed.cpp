@@ -1,4 +1,5 @@
 #include "options/rows.h"
+#include "raytrace/embree_triangles.h"
 
 namespace ps::rows {
 namespace {
@@ -17,22 +18,47 @@ Reason needs_any_hit(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+Reason needs_boxes(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_rays(s, t)) return reason;
+  if (s.accelerator == Accelerator::none || s.accelerator == Accelerator::bounding_spheres)
+    return "the accelerator has no boxes";
+  return {};
+}
+
+Option accelerator_row() {
+  Option option = choice<&Settings::accelerator>(
+      {.key = "accelerator",
+       .label = "Accelerator",
+       .help = {"What saves a ray from being tested against everything.", "CGFS ch. 5",
+                "Only speed changes: the picture is the same to the last bit. Embree alone has its own arithmetic."},
+       .inactive = needs_rays,
+       .effect = OptionEffect::speed},
+      {{"bvh", "bounding-volume hierarchy", "A tree of boxes built with the surface-area heuristic."},
+       {"none", "none", "Every ray is tested against every primitive."},
+       {"bounding-spheres", "bounding spheres", "A sphere around each object, spheres around those, and within."},
+       {"box", "one box", "Rays that miss the box around everything are done at once."},
+       {"octree", "octree", "Space cut into eight parts, again and again; a triangle stands in all it touches."},
+       {"embree", "Embree",
+        "Intel's kernels, for triangles in float (in double the tree of boxes serves). Rays within rounding of an edge "
+        "may find the neighbour, and are counted. Its nodes cannot be told."}});
+  if (!EmbreeTriangles::available()) option.choices.pop_back();
+  option.maximum = static_cast<double>(option.choices.size()) - 1;
+  return option;
+}
+
 }  // namespace
 
 std::vector<Option> speed_rows() {
   return {
-      choice<&Settings::accelerator>(
-          {.key = "accelerator",
-           .label = "Accelerator",
-           .help = {"What saves a ray from being tested against everything.", "CGFS ch. 5",
-                    "Only speed changes: the picture is the same to the last bit."},
-           .inactive = needs_rays,
-           .effect = OptionEffect::speed},
-          {{"bvh", "bounding-volume hierarchy", "A tree of boxes built with the surface-area heuristic."},
-           {"none", "none", "Every ray is tested against every primitive."},
-           {"bounding-spheres", "bounding spheres", "A sphere around each object, spheres around those, and within."},
-           {"box", "one box", "Rays that miss the box around everything are done at once."},
-           {"octree", "octree", "Space cut into eight parts, again and again; a triangle stands in all it touches."}}),
+      accelerator_row(),
+      choice<&Settings::slab_test>(
+          {.key = "slab-test",
+           .label = "Slab test",
+           .help = {"How a ray and a box are intersected.", "Kay and Kajiya 1986; Ize, JCGT 2013",
+                    "The naive form loses boxes: 0 times infinity is no number, and corners are missed by a rounding."},
+           .inactive = needs_boxes},
+          {{"robust", "robust", "Planes in the order of the ray, grown by rounding errors, and deaf to NaN."},
+           {"naive", "naive", "Smaller and larger t of each pair of planes; on the clear path."}}),
       integer<&Settings::octree_leaf>(
           {.key = "octree-leaf",
            .label = "Octree leaf limit",

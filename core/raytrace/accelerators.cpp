@@ -72,7 +72,10 @@ SimpleAccelerators<Real> simple_accelerators(const Scene& scene, const TracedGeo
   switch (settings.accelerator) {
   case Accelerator::bvh:
   case Accelerator::none:
+    break;
   case Accelerator::embree:
+    if constexpr (std::is_same_v<Real, float>)
+      if (!uses_bvh<Real>(settings)) result.embree = embree_geometry(scene, geometry, prepared);
     break;
   case Accelerator::bounding_spheres:
     result.spheres = prepared.get<BoundingSpheres>(key("bounding spheres"), [&] { return make_spheres(geometry); });

@@ -2,9 +2,16 @@
 #include "accel/bounding_spheres.h"
 #include "accel/octree.h"
 #include "accel/single_box.h"
-#include "raytrace/geometry.h"
+#include "raytrace/embree_triangles.h"
 
 namespace ps {
+
+/// Whether the tree of boxes serves: by choice, or in place of Embree, which has no double and may not be there.
+template <class Real>
+bool uses_bvh(const Settings& settings) {
+  const bool embree = std::is_same_v<Real, float> && EmbreeTriangles::available();
+  return settings.accelerator == Accelerator::bvh || (settings.accelerator == Accelerator::embree && !embree);
+}
 
 /// The accelerator that `settings` name, unless it is the tree of boxes (traced_bvh) or none; at most one is there.
 template <class Real>
@@ -12,7 +19,8 @@ struct SimpleAccelerators {
   std::shared_ptr<const BoundingSpheres> spheres;
   std::shared_ptr<const SingleBox<Real>> box;
   std::shared_ptr<const Octree<Real>> octree;
-  bool any() const { return spheres || box || octree; }
+  std::shared_ptr<const EmbreeGeometry> embree;  ///< in float only
+  bool any() const { return spheres || box || octree || embree; }
 };
 
 template <class Real>

@@ -119,6 +119,9 @@ template <class Real>
 std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeometry<Real>& geometry,
                                             Prepared& prepared);
 
+/// A tree over some of the primitives; its order holds their numbers.
+Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives);
+
 /// What the SIMD queries search: the triangles in a tree eight wide; everything else in a tree of its own.
 struct WideGeometry {
   WideBvh triangles;

@@ -69,6 +69,12 @@ class Intersector {
       }
     }
     prepare(query);
+    if constexpr (std::is_same_v<Real, float>) {
+      if (inputs_.simple.embree) {
+        search_embree(query, visit, any, best);
+        return best;
+      }
+    }
     if (inputs_.simple.any()) {
       search_simple(ray, visit, best);
       return best;
@@ -91,6 +97,8 @@ class Intersector {
   }
   Real padding(const Ray<Real>& ray) const { return inputs_.box_padding * reach(ray); }
   SlabRay<Real> padded_slabs(const Ray<Real>& ray) const {
+    if (inputs_.settings.slab_test == SlabTest::naive)
+      return SlabRay<Real>(ray.origin, ray.direction, 0, SlabForm::naive);
     return SlabRay<Real>(ray.origin, ray.direction, padding(ray));
   }
 
@@ -101,6 +109,32 @@ class Intersector {
     if (simple.spheres) for_each_candidate(*simple.spheres, candidate, best.t, visit, recorder_);
     if (simple.box) for_each_candidate(*simple.box, candidate, best.t, visit, recorder_);
     if (simple.octree) for_each_candidate(*simple.octree, candidate, best.t, visit, recorder_);
+  }
+
+  /// What is not a triangle first, in its own tree. Where our test accepts a triangle that Embree offers, it tells t
+  /// and weights. Where ours sees the ray pass by, Embree decides, or the ray could slip through between the two; such
+  /// hits are counted.
+  template <class Visit>
+  void search_embree(const Query& query, Visit&& visit, bool any, Hit<Real>& best) const {
+    const EmbreeGeometry& embree = *inputs_.simple.embree;
+    if (!embree.others.nodes.empty()) {
+      for_each_candidate(embree.others, padded_slabs(query.ray), best.t, visit, recorder_);
+      if (any && best.found()) return;
+    }
+    if (!embree.triangles) return;
+    embree.triangles->for_each_candidate(query.ray, best.t, any, [&](const EmbreeCandidate& candidate) {
+      if (test(query, candidate.primitive, best)) return true;
+      const Primitive& primitive = geometry_.primitives[candidate.primitive];
+      const TracedTriangle<Real>& triangle = geometry_.triangles[primitive.shape];
+      const TriangleVerdict verdict = triangle_result(query, candidate.primitive, triangle).verdict;
+      if (verdict != TriangleVerdict::outside && verdict != TriangleVerdict::parallel) return false;
+      if (query.ray.passes_transparent && inputs_.materials[primitive.material].transparency > 0) return false;
+      if (primitive.front_only && sees_back(query.ray, triangle)) return false;
+      if (judge(query.ray, candidate.t, candidate.primitive, best) != TestOutcome::accepted) return false;
+      recorder_.count(Counter::edge_rays);
+      best = {candidate.primitive, candidate.t, candidate.weights, 0};
+      return true;
+    });
   }
 
   /// The arithmetic of the wide tree's boxes must not overflow: no direction that is tiny beside the scene, no NaN.

@@ -22,15 +22,15 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
                                     Prepared& prepared) {
   TraceInputs<Real> inputs;
   inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
-  if (settings.accelerator == Accelerator::bvh) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
+  if (uses_bvh<Real>(settings)) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
   inputs.simple = simple_accelerators<Real>(scene, *inputs.geometry, settings, prepared);
   for (const Material& material : *scene.materials)
     inputs.any_transparent = inputs.any_transparent || material.transparency > 0;
   if constexpr (std::is_same_v<Real, float>) {
     // The SIMD queries know neither one-sided triangles nor surfaces that throw no shadow.
-    const bool triangles = settings.cache_constants && settings.accelerator == Accelerator::bvh &&
-                           !inputs.geometry->triangles.empty() && !inputs.geometry->one_sided_triangles &&
-                           !inputs.any_transparent;
+    const bool triangles = settings.cache_constants && uses_bvh<Real>(settings) &&
+                           settings.slab_test == SlabTest::robust && !inputs.geometry->triangles.empty() &&
+                           !inputs.geometry->one_sided_triangles && !inputs.any_transparent;
     if (triangles) inputs.wide_searches = wide_searches(settings.simd, settings.triangle_test);
     if (inputs.wide_searches.nearest) inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
   }

@@ -8,7 +8,8 @@ WideTriangle wide_triangle(const TracedGeometry<float>& geometry, std::uint32_t 
   return {triangle.a, triangle.b, triangle.c, primitive};
 }
 
-/// A tree over some of the primitives.
+}  // namespace
+
 Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives) {
   std::vector<Box<float>> boxes;
   boxes.reserve(primitives.size());
@@ -18,8 +19,6 @@ Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<st
   for (std::uint32_t& entry : bvh.order) entry = primitives[entry];
   return bvh;
 }
-
-}  // namespace
 
 std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
                                                   Prepared& prepared) {

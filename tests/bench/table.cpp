@@ -5,6 +5,7 @@ namespace ps::bench {
 // One line for each file of benches; they are listed by hand so that nothing depends on the linker.
 Benches coverage_benches();
 Benches gains_benches();
+Benches headline_benches();
 Benches memory_benches();
 Benches packets_benches();
 Benches pictures_benches();
@@ -26,6 +27,7 @@ Benches all_benches() {
   append(all, pictures_benches());
   append(all, gains_benches());
   append(all, coverage_benches());
+  append(all, headline_benches());
 #ifdef PIXELSCOPE_EMBREE
   append(all, embree_benches());
 #endif

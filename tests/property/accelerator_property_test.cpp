@@ -8,8 +8,10 @@
 #include <random>
 
 #include "accel/triangle_box.h"
+#include "options/scene_settings.h"
 #include "raytrace/intersector.h"
 #include "render/render.h"
+#include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/closed_sphere.h"
 
@@ -96,7 +98,8 @@ std::vector<Ray<Real>> aimed_rays(const TracedGeometry<Real>& geometry, const Pl
     if (ray.origin == target) continue;
     ray.direction = target - ray.origin;
     ray.t_max = i % 5 == 0 ? Real(1) : std::numeric_limits<Real>::infinity();
-    if (i % 7 == 0) {  // leaves the surface of a triangle
+    if (i % 11 == 0) ray.direction = ray.direction * Real(1e-18);  // beyond what the wide tree's boxes take
+    if (i % 7 == 0) {                                              // leaves the surface of a triangle
       const auto start = static_cast<std::uint32_t>(random() % geometry.primitives.size());
       if (geometry.primitives[start].kind == PrimitiveKind::triangle) ray.start = start;
       ray.direction = ray.direction * Real(0.001);
@@ -167,6 +170,98 @@ void expect_same_hits(TriangleTest test) {
 TEST(Accelerators, FindTheHitOfTheWatertightTest) { expect_same_hits<float>(TriangleTest::watertight); }
 TEST(Accelerators, FindTheHitOfMoellerTrumbore) { expect_same_hits<float>(TriangleTest::moeller_trumbore); }
 TEST(Accelerators, FindTheHitInDouble) { expect_same_hits<double>(TriangleTest::watertight); }
+
+/// How far the ray's line passes from the triangle's nearest edge or corner, in double.
+double distance_to_border(const Ray<float>& ray, const TracedTriangle<float>& triangle) {
+  const Vec3d origin(ray.origin), direction(ray.direction);
+  const Vec3d corners[] = {Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c)};
+  const auto length = [](const Vec3d& v) { return std::sqrt(dot(v, v)); };
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vec3d from = corners[i] - origin, edge = corners[(i + 1) % 3] - corners[i];
+    const Vec3d across = cross(direction, edge);
+    least = std::min(least, length(cross(from, direction)) / length(direction));
+    if (length(across) > 0) least = std::min(least, std::abs(dot(from, across)) / length(across));
+  }
+  return least;
+}
+
+/// Embree has its own arithmetic, so at an edge it may take the neighbour; nowhere else.
+TEST(Accelerators, EmbreeFindsAnotherTriangleOnlyWithinFourUlpOfAnEdge) {
+  if (!EmbreeTriangles::available()) GTEST_SKIP() << "Embree is not compiled in";
+  int differing = 0, rays_in_all = 0;
+  std::uint64_t counted = 0;
+  for (const Place& place : places) {
+    for (unsigned seed = 81; seed < 84; ++seed) {
+      SCOPED_TRACE(std::string(place.name) + ", seed " + std::to_string(seed));
+      const Scene scene = aimed_scene(place, seed);
+      Prepared prepared;
+      Settings settings;
+      const TraceInputs<float> bvh = make_trace_inputs<float>(scene, View{}, settings, prepared);
+      settings.accelerator = Accelerator::embree;
+      const TraceInputs<float> embree = make_trace_inputs<float>(scene, View{}, settings, prepared);
+      ASSERT_TRUE(embree.simple.embree && !embree.bvh);
+      CountingRecorder expected_counts, found_counts;
+      const Intersector<float, CountingRecorder> expected_by(bvh, expected_counts), found_by(embree, found_counts);
+      const TracedGeometry<float>& geometry = *bvh.geometry;
+      for (const Ray<float>& ray : aimed_rays(geometry, place, seed)) {
+        if (!(dot(ray.direction, ray.direction) > 1e-24f)) continue;  // Embree takes no component below 1e-18
+        ++rays_in_all;
+        const Hit<float> expected = expected_by.nearest(ray), found = found_by.nearest(ray);
+        if (same_bits(expected, found)) continue;
+        ++differing;
+        double reach = static_cast<double>(geometry.reach);
+        for (int axis = 0; axis < 3; ++axis) reach = std::max(reach, static_cast<double>(std::abs(ray.origin[axis])));
+        double least = std::numeric_limits<double>::infinity();
+        for (const Hit<float>& hit : {expected, found})
+          if (hit.found() && geometry.primitives[hit.primitive].kind == PrimitiveKind::triangle)
+            least =
+                std::min(least, distance_to_border(ray, geometry.triangles[geometry.primitives[hit.primitive].shape]));
+        EXPECT_LE(least, 4 * std::numeric_limits<float>::epsilon() * reach);
+      }
+      counted += found_counts.counters[Counter::edge_rays];
+    }
+  }
+  EXPECT_GT(counted, 0u) << "rays aimed at edges must show that the arithmetic differs";
+  EXPECT_LT(differing, rays_in_all / 20);
+}
+
+/// The scene of OCT's comparison, which every accelerator must draw as testing everything does.
+TEST(Accelerators, TheHeadlineSceneIsOnePicture) {
+  const Scene scene = load_scene("octree/headline");
+  Settings settings = settings_for(scene);
+  Prepared prepared;
+  const auto picture = [&](Accelerator accelerator, Simd simd) {
+    settings.accelerator = accelerator;
+    settings.simd = simd;
+    Progress progress;
+    return render_traced(scene, View{scene.camera, 48, 36}, settings, {}, prepared, progress);
+  };
+  const Frame all = picture(Accelerator::none, Simd::off);
+  EXPECT_EQ(all.counters[Counter::triangle_tests] / all.counters[Counter::eye_rays] / 1000, 34u);
+  for (const Way& way : ways) {
+    const Frame frame = picture(way.accelerator, way.simd);
+    const auto bytes = all.colour.pixels().size_bytes();
+    EXPECT_EQ(std::memcmp(frame.colour.pixels().data(), all.colour.pixels().data(), bytes), 0)
+        << static_cast<int>(way.accelerator) << "/" << static_cast<int>(way.simd);
+  }
+}
+
+TEST(Accelerators, TheNaiveSlabTestLosesHits) {
+  for (const Accelerator accelerator : {Accelerator::bvh, Accelerator::octree}) {
+    int lost = 0;
+    for (const Place& place : places) {
+      const Scene scene = aimed_scene(place, 81);
+      Prepared prepared;
+      Settings settings;
+      settings.accelerator = accelerator;
+      settings.slab_test = SlabTest::naive;
+      const TraceInputs<float> inputs = make_trace_inputs<float>(scene, View{}, settings, prepared);
+      lost += differences(inputs, aimed_rays(*inputs.geometry, place, 81));
+    }
+    EXPECT_GT(lost, 0) << static_cast<int>(accelerator);
+  }
+}
 
 TEST(Accelerators, BoxesThatAreNotGrownLoseHits) {
   int lost = 0;

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "options/option.h"
+#include "raytrace/embree_triangles.h"
 
 namespace ps {
 namespace {
@@ -18,40 +19,42 @@ std::size_t up_to(Enum last) {
 
 /// How many enumerators each choice has, by its last one.
 const std::map<std::string_view, std::size_t>& enumerator_counts() {
-  static const std::map<std::string_view, std::size_t> counts{{"renderer", up_to(Renderer::rasterizer)},
-                                                              {"sample-position", up_to(SamplePosition::corner)},
-                                                              {"projection", up_to(Projection::orthographic)},
-                                                              {"viewport-fit", up_to(ViewportFit::stretch)},
-                                                              {"field-of-view-span", up_to(FieldOfViewSpan::centres)},
-                                                              {"clipping", up_to(Clipping::none)},
-                                                              {"visibility", up_to(Visibility::draw_order)},
-                                                              {"depth-value", up_to(DepthValue::distance)},
-                                                              {"depth-format", up_to(DepthFormat::unorm)},
-                                                              {"coverage", up_to(Coverage::micropolygon)},
-                                                              {"edge-arithmetic", up_to(EdgeArithmetic::int32)},
-                                                              {"light-passes", up_to(LightPasses::many)},
-                                                              {"fill-rule", up_to(FillRule::exclusive)},
-                                                              {"draw", up_to(Draw::points)},
-                                                              {"line-algorithm", up_to(LineAlgorithm::bresenham)},
-                                                              {"shading", up_to(Shading::flat)},
-                                                              {"normals", up_to(Normals::triangle)},
-                                                              {"normal-transform", up_to(NormalTransform::model)},
-                                                              {"highlight", up_to(Highlight::blinn_phong)},
-                                                              {"interpolation", up_to(Interpolation::affine)},
-                                                              {"texture-filter", up_to(TextureFilter::nearest)},
-                                                              {"texture-wrap", up_to(TextureWrap::mirror)},
-                                                              {"shadows", up_to(Shadows::stencil_depth_pass)},
-                                                              {"self-hit", up_to(SelfHit::normal_bump)},
-                                                              {"epsilon-unit", up_to(EpsilonUnit::distance)},
-                                                              {"accelerator", up_to(Accelerator::octree)},
-                                                              {"triangle-test", up_to(TriangleTest::cross_products)},
-                                                              {"sphere-test", up_to(SphereTest::quadratic)},
-                                                              {"illumination", up_to(Illumination::radiometric)},
-                                                              {"environment", up_to(Environment::room_map)},
-                                                              {"transparency", up_to(TransparencyShare::fresnel)},
-                                                              {"precision", up_to(Precision::float64)},
-                                                              {"simd", up_to(Simd::avx512)},
-                                                              {"colour-depth", up_to(ColourDepth::bits15)}};
+  static const std::map<std::string_view, std::size_t> counts{
+      {"renderer", up_to(Renderer::rasterizer)},
+      {"sample-position", up_to(SamplePosition::corner)},
+      {"projection", up_to(Projection::orthographic)},
+      {"viewport-fit", up_to(ViewportFit::stretch)},
+      {"field-of-view-span", up_to(FieldOfViewSpan::centres)},
+      {"clipping", up_to(Clipping::none)},
+      {"visibility", up_to(Visibility::draw_order)},
+      {"depth-value", up_to(DepthValue::distance)},
+      {"depth-format", up_to(DepthFormat::unorm)},
+      {"coverage", up_to(Coverage::micropolygon)},
+      {"edge-arithmetic", up_to(EdgeArithmetic::int32)},
+      {"light-passes", up_to(LightPasses::many)},
+      {"fill-rule", up_to(FillRule::exclusive)},
+      {"draw", up_to(Draw::points)},
+      {"line-algorithm", up_to(LineAlgorithm::bresenham)},
+      {"shading", up_to(Shading::flat)},
+      {"normals", up_to(Normals::triangle)},
+      {"normal-transform", up_to(NormalTransform::model)},
+      {"highlight", up_to(Highlight::blinn_phong)},
+      {"interpolation", up_to(Interpolation::affine)},
+      {"texture-filter", up_to(TextureFilter::nearest)},
+      {"texture-wrap", up_to(TextureWrap::mirror)},
+      {"shadows", up_to(Shadows::stencil_depth_pass)},
+       {"environment", up_to(Environment::room_map)},
+      {"self-hit", up_to(SelfHit::normal_bump)},
+      {"epsilon-unit", up_to(EpsilonUnit::distance)},
+      {"accelerator", EmbreeTriangles::available() ? up_to(Accelerator::embree) : up_to(Accelerator::octree)},
+      {"slab-test", up_to(SlabTest::naive)},
+      {"triangle-test", up_to(TriangleTest::cross_products)},
+      {"sphere-test", up_to(SphereTest::quadratic)},
+      {"illumination", up_to(Illumination::radiometric)},
+      {"transparency", up_to(TransparencyShare::fresnel)},
+      {"precision", up_to(Precision::float64)},
+      {"simd", up_to(Simd::avx512)},
+      {"colour-depth", up_to(ColourDepth::bits15)}};
   return counts;
 }
 

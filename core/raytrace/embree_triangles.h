@@ -1,0 +1,62 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "raytrace/geometry.h"
+#include "raytrace/ray.h"
+
+namespace ps {
+
+/// A triangle that Embree offers, with what its own arithmetic says: t, and the weights of corners a, b and c.
+struct EmbreeCandidate {
+  std::uint32_t primitive = no_primitive;
+  float t = 0;
+  std::array<float, 3> weights{};
+};
+
+/// The scene's triangles in Intel's ray tracing kernels, as production renderers use them. Optional: see available().
+/// Embree decides with its own arithmetic which triangles a ray meets; nodes that it visits cannot be told.
+class EmbreeTriangles {
+ public:
+  /// Is Embree compiled in?
+  static bool available();
+
+  /// Throws InputError if Embree cannot be used.
+  explicit EmbreeTriangles(const TracedGeometry<float>& geometry);
+  ~EmbreeTriangles();
+  EmbreeTriangles(const EmbreeTriangles&) = delete;
+  EmbreeTriangles& operator=(const EmbreeTriangles&) = delete;
+
+  /// Calls visit(candidate) -> bool for triangles that the ray meets at t_min <= t <= `limit`. Where it returns true,
+  /// what lies behind the candidate is no longer looked for (`any`: the search ends).
+  template <class Visit>
+  void for_each_candidate(const Ray<float>& ray, float limit, bool any, Visit&& visit) const {
+    search(ray, limit, any, {&visit, [](void* data, const EmbreeCandidate& candidate) {
+                               return (*static_cast<std::remove_reference_t<Visit>*>(data))(candidate);
+                             }});
+  }
+
+  /// What Embree says that it allocated.
+  std::size_t heap_bytes() const;
+
+ private:
+  struct Visitor {
+    void* data;
+    bool (*visit)(void* data, const EmbreeCandidate& candidate);
+  };
+  struct Content;
+  void search(const Ray<float>& ray, float limit, bool any, const Visitor& visitor) const;
+  std::unique_ptr<Content> content_;
+};
+
+/// What rays search with accelerator = embree: the triangles there, everything else in a tree of boxes.
+struct EmbreeGeometry {
+  std::shared_ptr<const EmbreeTriangles> triangles;  ///< absent if the scene has none
+  Bvh<float> others;                                 ///< its order holds numbers of primitives
+
+  std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
+};
+std::shared_ptr<const EmbreeGeometry> embree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                      Prepared& prepared);
+
+}  // namespace ps
