@@ -9,8 +9,6 @@
 namespace ps {
 namespace {
 
-constexpr std::uint32_t nobody = 0xffffffffu;
-
 WideNode empty_node() {
   WideNode node;
   for (int plane = 0; plane < 6; ++plane)
@@ -178,20 +176,6 @@ LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>&
     parts[i] = {};
   });
   return result;
-}
-
-void clear_block(TriangleBlock& block) {
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  for (auto& corner : block.corner)
-    for (auto& axis : corner) std::fill(std::begin(axis), std::end(axis), nan);
-  std::fill(std::begin(block.primitive), std::end(block.primitive), nobody);
-}
-
-void put_triangle(TriangleBlock& block, std::size_t lane, const WideTriangle& triangle) {
-  const std::array<Vec3f, 3> corners{triangle.a, triangle.b, triangle.c};
-  for (std::size_t corner = 0; corner < 3; ++corner)
-    for (int axis = 0; axis < 3; ++axis) block.corner[corner][axis][lane] = corners[corner][axis];
-  block.primitive[lane] = triangle.primitive;
 }
 
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& body) {

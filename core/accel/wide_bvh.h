@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,26 +36,51 @@ struct alignas(64) WideNode {
   std::uint32_t order[wide_width];
 };
 
-/// Corners of four triangles side by side. Places without a triangle hold NaN, which no test accepts.
-struct alignas(32) TriangleBlock {
-  float corner[3][3][wide_block_width];  ///< [corner a b c][axis][lane]
-  std::uint32_t primitive[wide_block_width];
-};
-
-/// A tree eight wide over triangles, for queries of single rays with SIMD. Node 0 is the root.
-struct WideBvh {
-  LargeArray<WideNode> nodes;
-  LargeArray<TriangleBlock> blocks;
-  /// More entries can never wait while one ray is followed; a leaf too large for one child makes a node more.
-  static constexpr int most_waiting = (bvh_max_depth + 32) * (wide_width - 1) + 1;
-
-  std::size_t heap_bytes() const { return owned_bytes(nodes, blocks); }
-};
+/// Triangles of a block where there is no tree.
+inline constexpr int list_block_width = 8;
 
 /// A triangle's corners, and its number among all primitives.
 struct WideTriangle {
   Vec3f a, b, c;
   std::uint32_t primitive = 0;
+};
+
+/// Corners of `width` triangles side by side. Places without a triangle hold NaN, which no test accepts.
+template <int width>
+struct alignas(32) TriangleBlock {
+  float corner[3][3][width];  ///< [corner a b c][axis][lane]
+  std::uint32_t primitive[width];
+
+  void clear() {
+    for (auto& axes : corner)
+      for (auto& axis : axes) std::fill(std::begin(axis), std::end(axis), std::numeric_limits<float>::quiet_NaN());
+    std::fill(std::begin(primitive), std::end(primitive), 0xffffffffu);
+  }
+  void put(std::size_t lane, const WideTriangle& triangle) {
+    for (int axis = 0; axis < 3; ++axis) {
+      corner[0][axis][lane] = triangle.a[axis];
+      corner[1][axis][lane] = triangle.b[axis];
+      corner[2][axis][lane] = triangle.c[axis];
+    }
+    primitive[lane] = triangle.primitive;
+  }
+};
+
+/// Triangles without a tree: for a search that tests them all.
+struct TriangleList {
+  LargeArray<TriangleBlock<list_block_width>> blocks;
+
+  std::size_t heap_bytes() const { return owned_bytes(blocks); }
+};
+
+/// A tree eight wide over triangles, for queries of single rays with SIMD. Node 0 is the root.
+struct WideBvh {
+  LargeArray<WideNode> nodes;
+  LargeArray<TriangleBlock<wide_block_width>> blocks;
+  /// More entries can never wait while one ray is followed; a leaf too large for one child makes a node more.
+  static constexpr int most_waiting = (bvh_max_depth + 32) * (wide_width - 1) + 1;
+
+  std::size_t heap_bytes() const { return owned_bytes(nodes, blocks); }
 };
 
 /// Turns a tree of two-wide nodes over `triangles` into one of eight-wide nodes by opening, again and again, the child
@@ -66,8 +93,6 @@ struct BlockRange {
   std::uint32_t first = 0, count = 0;
 };
 LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks, int threads);
-void clear_block(TriangleBlock& block);
-void put_triangle(TriangleBlock& block, std::size_t lane, const WideTriangle& triangle);
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& body);
 
 template <class TriangleOf>
@@ -78,9 +103,9 @@ WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads) {
   wide.blocks.resize(ranges.size());
   for_each_range(ranges.size(), threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      clear_block(wide.blocks[i]);
+      wide.blocks[i].clear();
       for (std::uint32_t k = 0; k < ranges[i].count; ++k)
-        put_triangle(wide.blocks[i], k, triangle(bvh.order[ranges[i].first + k]));
+        wide.blocks[i].put(k, triangle(bvh.order[ranges[i].first + k]));
     }
   });
   return wide;

@@ -137,8 +137,10 @@ std::shared_ptr<const EmbreeGeometry> embree_geometry(const Scene& scene, const 
   return prepared.get<EmbreeGeometry>(key, [&] {
     EmbreeGeometry result;
     std::vector<std::uint32_t> others;
-    for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i)
+    for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
+      const std::uint32_t i = bounded_primitive(geometry, k);
       if (geometry.primitives[i].kind != PrimitiveKind::triangle) others.push_back(i);
+    }
     result.others = tree_over(geometry, others);
     if (!geometry.triangles.empty()) result.triangles = std::make_shared<const EmbreeTriangles>(geometry);
     return result;

@@ -129,6 +129,16 @@ struct WideGeometry {
 
   std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
 };
+/// The same without trees.
+struct ListGeometry {
+  TriangleList triangles;
+  std::vector<std::uint32_t> others;
+
+  std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
+};
+std::shared_ptr<const ListGeometry> list_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                  Prepared& prepared);
+
 std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
                                                   Prepared& prepared);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -22,6 +23,19 @@ class Intersector {
 
   Hit<Real> nearest(const Ray<Real>& ray) const { return search(ray, false); }
   Hit<Real> any(const Ray<Real>& ray) const { return search(ray, true); }
+  /// nearest() of each ray; faster for rays of neighbouring pixels.
+  void nearest(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const {
+    for (std::size_t first = 0; first < rays.size(); first += packet_width) {
+      const std::size_t count = std::min(packet_width, rays.size() - first);
+      const auto some = rays.subspan(first, count);
+      if constexpr (std::is_same_v<Real, float>)
+        if (!recorder_.collects() && suits_together(some)) {
+          search_together(some, hits.subspan(first, count));
+          continue;
+        }
+      for (std::size_t i = 0; i < count; ++i) hits[first + i] = nearest(some[i]);
+    }
+  }
   /// Whether the ray meets this primitive; found() or not.
   Hit<Real> one(const Ray<Real>& ray, std::uint32_t primitive) const { return among(ray, std::span(&primitive, 1)); }
   /// The nearest of these primitives that the ray meets.
@@ -62,6 +76,11 @@ class Intersector {
         if (visit(primitive)) return best;
     }
     if constexpr (std::is_same_v<Real, float>) {
+      if (inputs_.list && !recorder_.collects()) {
+        query.a = dot(ray.direction, ray.direction);
+        search_list(query, visit, any, best);
+        return best;
+      }
       if (inputs_.wide && !recorder_.collects() && suits_wide(ray)) {
         query.a = dot(ray.direction, ray.direction);
         search_wide(query, visit, any, best);
@@ -155,6 +174,67 @@ class Intersector {
     WideCount count;
     (any ? searches.any : searches.nearest)(inputs_.wide->triangles, wide, best, count);
     recorder_.count(Counter::node_visits, count.nodes);
+    recorder_.count(Counter::triangle_tests, count.triangles);
+  }
+
+  bool suits_together(std::span<const Ray<Real>> rays) const {
+    if (!inputs_.wide || !inputs_.packet_search || !suits_packet(rays.data(), rays.size())) return false;
+    return std::all_of(rays.begin(), rays.end(), [&](const Ray<Real>& ray) { return suits_wide(ray); });
+  }
+
+  /// search_wide() for up to packet_width rays; the last one fills lanes that are left over.
+  void search_together(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const {
+    WidePacket packet;
+    WidePacketHits best;
+    packet.triangle_epsilon = inputs_.triangle_epsilon;
+    for (std::size_t lane = 0; lane < packet_width; ++lane) {
+      const std::size_t i = std::min(lane, rays.size() - 1);
+      const Ray<Real>& ray = rays[i];
+      if (lane == i) hits[i] = nearest_other(ray);
+      for (int axis = 0; axis < 3; ++axis) {
+        packet.origin[static_cast<std::size_t>(axis)][lane] = ray.origin[axis];
+        packet.direction[static_cast<std::size_t>(axis)][lane] = ray.direction[axis];
+      }
+      packet.t_min[lane] = ray.t_min;
+      packet.t_max[lane] = ray.t_max;
+      packet.pad = std::max(packet.pad, padding(ray));
+      best.t[lane] = hits[i].t;
+      best.primitive[lane] = static_cast<std::int32_t>(hits[i].primitive);
+      for (std::size_t k = 0; k < 3; ++k) best.weights[k][lane] = hits[i].weights[k];
+    }
+    WideCount count;
+    inputs_.packet_search(inputs_.wide->triangles, packet, best, count);
+    recorder_.count(Counter::node_visits, count.nodes);
+    recorder_.count(Counter::triangle_tests, count.triangles);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const auto primitive = static_cast<std::uint32_t>(best.primitive[i]);
+      if (primitive != hits[i].primitive)
+        hits[i] = {primitive, best.t[i], {best.weights[0][i], best.weights[1][i], best.weights[2][i]}, 0};
+    }
+  }
+
+  /// The nearest primitive that is no triangle.
+  Hit<Real> nearest_other(const Ray<Real>& ray) const {
+    Hit<Real> best;
+    best.t = ray.t_max;
+    if (inputs_.wide->others.nodes.empty() && geometry_.unbounded.empty()) return best;
+    Query query{ray};
+    query.a = dot(ray.direction, ray.direction);
+    const auto visit = [&](std::uint32_t primitive) { return test(query, primitive, best) && false; };
+    for (const std::uint32_t primitive : geometry_.unbounded) visit(primitive);
+    for_each_candidate(inputs_.wide->others, padded_slabs(ray), best.t, visit, recorder_);
+    return best;
+  }
+
+  /// Everything is tested: what is not a triangle one by one, then the triangles with SIMD.
+  template <class Visit>
+  void search_list(const Query& query, Visit&& visit, bool any, Hit<Real>& best) const {
+    for (const std::uint32_t primitive : inputs_.list->others)
+      if (visit(primitive)) return;
+    const WideQuery wide{query.ray, 0, inputs_.triangle_epsilon};
+    const WideSearches& searches = inputs_.wide_searches;
+    WideCount count;
+    (any ? searches.list_any : searches.list_nearest)(inputs_.list->triangles, wide, best, count);
     recorder_.count(Counter::triangle_tests, count.triangles);
   }
 

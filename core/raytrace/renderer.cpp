@@ -21,7 +21,10 @@ class PictureTracer {
         inputs_(make_trace_inputs<Real>(scene, view, settings, prepared)),
         tiles_(make_tiles(view.width, view.height, traced_tile_size)),
         region_(asked_region(request, view.width, view.height)) {
-    if (has(request.channels, Channel::tests)) inputs_.wide.reset();  // a picture of the tests that inspection lists
+    if (has(request.channels, Channel::tests)) {  // a picture of the tests that inspection lists
+      inputs_.wide.reset();
+      inputs_.list.reset();
+    }
     if (plan_.mode == SamplingMode::adaptive) request_.channels = request_.channels | Channel::ids;
     if constexpr (std::is_same_v<Real, float>) {
       packets_ = packet_functions(settings.simd);
@@ -74,14 +77,23 @@ class PictureTracer {
   /// The clear path for the pixels `part` of a tile.
   void trace_part(const TileRect& tile, const TileRect& part, Counters& counters) {
     CountingRecorder recorder;
-    const TileRays<Real, CountingRecorder> rays(inputs_, plan_, tile, recorder);
-    for (int y = part.y0; y < part.y1; ++y)
-      for (int x = part.x0; x < part.x1; ++x) {
-        const std::uint64_t before = primitive_tests(recorder.counters);
-        if (store_pixel(rays.pixel(x, y), inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
-        if (!frame_.tests.empty())
-          frame_.tests.at(x, y) = static_cast<std::uint32_t>(primitive_tests(recorder.counters) - before);
-      }
+    const bool one_ray = plan_.mode == SamplingMode::one || plan_.mode == SamplingMode::adaptive;
+    if (one_ray && inputs_.wide && inputs_.packet_search) {
+      const Tracer<Real, CountingRecorder> tracer(inputs_, recorder);
+      for (int y = part.y0; y < part.y1; ++y)
+        tracer.trace_pixels(part.x0, part.x1, y, [&](int x, const TracedPixel<Real>& pixel) {
+          if (store_pixel(pixel, inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
+        });
+    } else {
+      const TileRays<Real, CountingRecorder> rays(inputs_, plan_, tile, recorder);
+      for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x) {
+          const std::uint64_t before = primitive_tests(recorder.counters);
+          if (store_pixel(rays.pixel(x, y), inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
+          if (!frame_.tests.empty())
+            frame_.tests.at(x, y) = static_cast<std::uint32_t>(primitive_tests(recorder.counters) - before);
+        }
+    }
     recorder.count(Counter::pixels_written,
                    static_cast<std::uint64_t>(part.width()) * static_cast<std::uint64_t>(part.height()));
     counters = recorder.counters;

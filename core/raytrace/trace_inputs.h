@@ -4,6 +4,7 @@
 
 #include "raytrace/accelerators.h"
 #include "raytrace/geometry.h"
+#include "raytrace/wide_packet.h"
 #include "raytrace/wide_search.h"
 #include "render/viewport.h"
 #include "shade/shading_inputs.h"
@@ -19,7 +20,10 @@ struct TraceInputs {
   /// The SIMD form of `bvh` for queries that nobody inspects; absent where it does not apply. It finds the same hits,
   /// but visits nodes of its own.
   std::shared_ptr<const WideGeometry> wide;
+  /// The SIMD form of testing everything; likewise.
+  std::shared_ptr<const ListGeometry> list;
   WideSearches wide_searches;
+  PacketSearch packet_search = nullptr;  ///< for rays of neighbouring pixels in `wide`
   std::vector<ShadingMaterial<Real>> materials;
   std::vector<ShadingLight<Real>> lights;
   std::vector<std::shared_ptr<const Image<Vec3f>>> textures;

@@ -42,6 +42,21 @@ class Tracer {
     return pixel;
   }
 
+  /// Calls use(column, traced pixel) for the pixels of a part of a row, whose eye rays are followed together.
+  template <class Use>
+  void trace_pixels(int first_column, int end_column, int row, Use&& use) const {
+    std::array<Ray<Real>, packet_width> rays;
+    std::array<Hit<Real>, packet_width> hits;
+    for (int column = first_column; column < end_column;) {
+      std::size_t count = 0;
+      for (; count < packet_width && column + static_cast<int>(count) < end_column; ++count)
+        rays[count] = eye_ray(column + static_cast<int>(count), row, inputs_.viewport.sample);
+      recorder_.count(Counter::eye_rays, count);
+      intersector_.nearest(std::span<const Ray<Real>>(rays.data(), count), std::span<Hit<Real>>(hits.data(), count));
+      for (std::size_t i = 0; i < count; ++i) use(column++, trace_known(rays[i], hits[i]));
+    }
+  }
+
   /// What an eye ray meets first, without shading it.
   Hit<Real> find(const Ray<Real>& ray) const {
     recorder_.count(Counter::eye_rays);

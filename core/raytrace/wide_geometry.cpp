@@ -37,4 +37,24 @@ std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const Trac
   });
 }
 
+std::shared_ptr<const ListGeometry> list_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                  Prepared& prepared) {
+  Key key("list geometry");
+  key.add(scene.geometry.revision());
+  return prepared.get<ListGeometry>(key, [&] {
+    ListGeometry list;
+    std::size_t triangles = 0;
+    for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
+      if (geometry.primitives[i].kind != PrimitiveKind::triangle) {
+        list.others.push_back(i);
+        continue;
+      }
+      const std::size_t lane = triangles++ % list_block_width;
+      if (lane == 0) list.triangles.blocks.emplace_back().clear();
+      list.triangles.blocks.back().put(lane, wide_triangle(geometry, i));
+    }
+    return list;
+  });
+}
+
 }  // namespace ps

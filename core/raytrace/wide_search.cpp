@@ -21,9 +21,9 @@ enum class Find { nearest, any };
 template <TriangleTest test, Find find>
 void search(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count) {
   const BoxRay boxes(query);
-  const BlockRay<test> triangles(query);
+  const BlockRay<test, wide_block_width> triangles(query);
   const WideNode* const nodes = bvh.nodes.data();
-  const TriangleBlock* const all_blocks = bvh.blocks.data();
+  const TriangleBlock<wide_block_width>* const all_blocks = bvh.blocks.data();
   Waiting waiting;
   std::size_t top = 0;
   WideChild current = 0;
@@ -39,11 +39,11 @@ void search(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCo
       } while (find == Find::nearest && waiting.near[top] > best.t);
       current = waiting.child[top];
     }
-    const TriangleBlock* const blocks = all_blocks + leaf_first(current);
+    const TriangleBlock<wide_block_width>* const blocks = all_blocks + leaf_first(current);
     const std::uint32_t number = leaf_count(current);
     block_tests += number;
     bool found = false;
-    for (std::uint32_t i = 0; i < number; ++i) found |= triangles.test(blocks[i], query, best);
+    for (std::uint32_t i = 0; i < number; ++i) found |= triangles.test(blocks[i], 0, query, best);
     if (found) {
       if (find == Find::any) goto done;
       limit = hn::Set(Boxes(), best.t);
@@ -59,14 +59,30 @@ done:
   count.triangles += wide_block_width * block_tests;
 }
 
+template <TriangleTest test, Find find>
+void search_list(const TriangleList& list, const WideQuery& query, Hit<float>& best, WideCount& count) {
+  const BlockRay<test, list_block_width> triangles(query);
+  for (const TriangleBlock<list_block_width>& block : list.blocks) {
+    count.triangles += list_block_width;
+    for (int lane = 0; lane < list_block_width; lane += Block<list_block_width>::lanes)
+      if (triangles.test(block, lane, query, best) && find == Find::any) return;
+  }
+}
+
+template <TriangleTest test>
+constexpr WideSearches searches_with() {
+  return {search<test, Find::nearest>, search<test, Find::any>, search_list<test, Find::nearest>,
+          search_list<test, Find::any>};
+}
+
 }  // namespace
 
 WideSearches wide_searches(TriangleTest test) {
   switch (test) {
   case TriangleTest::watertight:
-    return {search<TriangleTest::watertight, Find::nearest>, search<TriangleTest::watertight, Find::any>};
+    return searches_with<TriangleTest::watertight>();
   case TriangleTest::moeller_trumbore:
-    return {search<TriangleTest::moeller_trumbore, Find::nearest>, search<TriangleTest::moeller_trumbore, Find::any>};
+    return searches_with<TriangleTest::moeller_trumbore>();
   case TriangleTest::barycentric:
   case TriangleTest::cross_products:
     return {};

@@ -5,7 +5,8 @@
 
 namespace ps {
 
-/// The fast path for triangles: single rays through a tree eight wide, four triangles at a time. Only boxes are tested
+/// The fast path for triangles: single rays through a tree eight wide, four triangles at a time, or past all triangles,
+/// eight at a time. Only boxes are tested
 /// differently from the clear path; a triangle's t and weights come from the same operations in the same order, and
 /// the lowest primitive wins ties, so both find the same hit to the last bit.
 
@@ -24,8 +25,12 @@ struct WideCount {
 /// Improves `best`, whose t is at most ray.t_max, by the nearest triangle, or by any.
 using WideSearch = void (*)(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count);
 
+/// The same by testing every triangle.
+using ListSearch = void (*)(const TriangleList& list, const WideQuery& query, Hit<float>& best, WideCount& count);
+
 struct WideSearches {
   WideSearch nearest = nullptr, any = nullptr;
+  ListSearch list_nearest = nullptr, list_any = nullptr;
 };
 
 /// The functions for this test on this processor, or none (simd = off, or a processor that is not covered).

@@ -122,6 +122,7 @@ int differences(const TraceInputs<Real>& inputs, const std::vector<Ray<Real>>& r
   TraceInputs<Real> everything = inputs;
   everything.bvh.reset();
   everything.wide.reset();
+  everything.list.reset();
   everything.simple = {};
   Silent silent;
   const Intersector<Real, Silent> clear(everything, silent), fast(inputs, silent);
@@ -138,13 +139,11 @@ struct Way {
   Accelerator accelerator;
   Simd simd;
 };
-const Way ways[] = {{Accelerator::bvh, Simd::off},
-                    {Accelerator::bvh, Simd::sse4},
-                    {Accelerator::bvh, Simd::avx2},
-                    {Accelerator::bvh, Simd::avx512},
-                    {Accelerator::bounding_spheres, Simd::off},
-                    {Accelerator::box, Simd::off},
-                    {Accelerator::octree, Simd::off}};
+const Way ways[] = {{Accelerator::bvh, Simd::off},     {Accelerator::bvh, Simd::sse4},
+                    {Accelerator::bvh, Simd::avx2},    {Accelerator::bvh, Simd::avx512},
+                    {Accelerator::none, Simd::sse4},   {Accelerator::none, Simd::avx2},
+                    {Accelerator::none, Simd::avx512}, {Accelerator::bounding_spheres, Simd::off},
+                    {Accelerator::box, Simd::off},     {Accelerator::octree, Simd::off}};
 
 template <class Real>
 void expect_same_hits(TriangleTest test) {
@@ -170,6 +169,45 @@ void expect_same_hits(TriangleTest test) {
 TEST(Accelerators, FindTheHitOfTheWatertightTest) { expect_same_hits<float>(TriangleTest::watertight); }
 TEST(Accelerators, FindTheHitOfMoellerTrumbore) { expect_same_hits<float>(TriangleTest::moeller_trumbore); }
 TEST(Accelerators, FindTheHitInDouble) { expect_same_hits<double>(TriangleTest::watertight); }
+
+/// Rays of neighbours go through the tree together: eight around each of the aimed ones.
+TEST(Accelerators, RaysTogetherFindWhatEachFinds) {
+  for (const TriangleTest test : {TriangleTest::watertight, TriangleTest::moeller_trumbore}) {
+    for (const Place& place : places) {
+      for (const Simd simd : {Simd::avx2, Simd::avx512}) {
+        SCOPED_TRACE(std::string(place.name) + ", seed 81, SIMD " + std::to_string(static_cast<int>(simd)));
+        const Scene scene = aimed_scene(place, 81);
+        Prepared prepared;
+        Settings settings;
+        settings.triangle_test = test;
+        settings.simd = simd;
+        const TraceInputs<float> inputs = make_trace_inputs<float>(scene, View{}, settings, prepared);
+        if (!inputs.packet_search) continue;
+        TraceInputs<float> everything = inputs;
+        everything.bvh.reset();
+        everything.wide.reset();
+        Silent silent;
+        const Intersector<float, Silent> clear(everything, silent), fast(inputs, silent);
+        int differing = 0, together = 0;
+        for (const Ray<float>& ray : aimed_rays(*inputs.geometry, place, 81)) {
+          std::array<Ray<float>, packet_width> rays;
+          std::array<Hit<float>, packet_width> hits;
+          for (std::size_t i = 0; i < packet_width; ++i) {
+            rays[i] = ray;
+            for (int axis = 0; axis < 3 && i > 0; ++axis)  // from an ulp to a percent
+              rays[i].direction[axis] *= 1 + std::ldexp(static_cast<float>(axis + 1), -24 + 2 * static_cast<int>(i));
+          }
+          together += suits_packet(rays.data(), rays.size()) ? 1 : 0;
+          const std::size_t count = 1 + static_cast<std::size_t>(together) % packet_width;
+          fast.nearest(std::span<const Ray<float>>(rays.data(), count), std::span(hits.data(), count));
+          for (std::size_t i = 0; i < count; ++i) differing += same_bits(clear.nearest(rays[i]), hits[i]) ? 0 : 1;
+        }
+        EXPECT_EQ(differing, 0);
+        EXPECT_GT(together, 1000);
+      }
+    }
+  }
+}
 
 /// How far the ray's line passes from the triangle's nearest edge or corner, in double.
 double distance_to_border(const Ray<float>& ray, const TracedTriangle<float>& triangle) {

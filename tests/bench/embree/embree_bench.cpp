@@ -85,7 +85,7 @@ Job query_job(const std::string& mesh, RayKinds kind, EmbreeMode mode, EmbreeQue
     job.ours = [sides] { sides->ours.any(sides->rays, sides->our_hits); };
     job.yardstick = [sides] { sides->embree->any(sides->rays, sides->embree_hits); };
   } else if (queries == EmbreeQueries::packets) {
-    job.ours = [sides] { sides->ours.nearest(sides->rays, sides->our_hits); };
+    job.ours = [sides] { sides->ours.nearest_together(sides->rays, sides->our_hits); };
     job.yardstick = [sides] { sides->embree->nearest_in_packets(sides->rays, sides->embree_hits); };
   } else {
     job.ours = [sides] { sides->ours.nearest(sides->rays, sides->our_hits); };

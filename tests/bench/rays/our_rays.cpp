@@ -29,6 +29,21 @@ void OurRays::nearest(std::span<const BenchRay> rays, std::span<BenchHit> hits) 
   }
 }
 
+void OurRays::nearest_together(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
+  Silent silent;
+  const Intersector<float, Silent> intersector(content_->inputs, silent);
+  std::array<Ray<float>, packet_width> some;
+  std::array<Hit<float>, packet_width> found;
+  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
+    const std::size_t count = std::min(packet_width, rays.size() - first);
+    for (std::size_t i = 0; i < count; ++i)
+      some[i] = {rays[first + i].origin, rays[first + i].direction, 0, rays[first + i].t_max, no_primitive};
+    intersector.nearest(std::span<const Ray<float>>(some.data(), count), std::span(found.data(), count));
+    for (std::size_t i = 0; i < count; ++i)
+      hits[first + i] = {found[i].found() ? found[i].primitive : no_hit, found[i].t};
+  }
+}
+
 void OurRays::any(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
   Silent silent;
   const Intersector<float, Silent> intersector(content_->inputs, silent);
@@ -53,7 +68,7 @@ double OurRays::bytes_per_triangle() const {
   const Bvh<float>& bvh = *inputs.bvh;
   const std::size_t bytes = bvh.nodes.size() * sizeof(BvhNode<float>) + bvh.order.size() * sizeof(std::uint32_t) +
                             inputs.wide->triangles.nodes.size() * sizeof(WideNode) +
-                            inputs.wide->triangles.blocks.size() * sizeof(TriangleBlock) +
+                            inputs.wide->triangles.blocks.size() * sizeof(TriangleBlock<wide_block_width>) +
                             geometry.primitives.size() * sizeof(Primitive) +
                             geometry.triangles.size() * sizeof(TracedTriangle<float>) +
                             geometry.attributes.size() * sizeof(TriangleAttributes<float>);

@@ -19,6 +19,8 @@ class OurRays {
   OurRays(OurRays&&) noexcept;
 
   void nearest(std::span<const BenchRay> rays, std::span<BenchHit> hits) const;
+  /// nearest(), neighbours together.
+  void nearest_together(std::span<const BenchRay> rays, std::span<BenchHit> hits) const;
   void any(std::span<const BenchRay> rays, std::span<BenchHit> hits) const;
 
   /// Builds the accelerator anew, as a renderer does when the geometry changed.
