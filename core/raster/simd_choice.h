@@ -1,15 +1,2 @@
 #pragma once
-#include <cstdint>
-
-#include "options/settings.h"
-
-namespace ps::raster {
-
-/// Whether code for a SIMD target may run: the processor has it (`bit` of `supported`) and the setting does not ask for
-/// less. A setting that the processor lacks gives the best one below it.
-inline bool may_use(Simd setting, Simd target, std::int64_t supported, std::int64_t bit) {
-  if (setting == Simd::off || (supported & bit) == 0) return false;
-  return setting == Simd::automatic || static_cast<int>(setting) >= static_cast<int>(target);
-}
-
-}  // namespace ps::raster
+#include "options/simd_choice.h"

@@ -7,6 +7,7 @@
 #endif
 
 #include "hwy/highway.h"
+#include "math/vec3-inl.h"
 #include "raytrace/packet.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,25 +18,10 @@ using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
-struct V3 {
-  V x, y, z;
-};
+using V3 = Vec3Lanes<D>;
 
 HWY_INLINE V splat(float value) { return hn::Set(D(), value); }
-HWY_INLINE V3 splat(const Vec3f& value) { return {splat(value.x), splat(value.y), splat(value.z)}; }
-HWY_INLINE V3 add(const V3& a, const V3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-HWY_INLINE V3 subtract(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V3 scale(const V3& a, V factor) {
-  return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
-}
-HWY_INLINE V3 negate(const V3& a) { return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)}; }
-HWY_INLINE V dot(const V3& a, const V3& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE V length(const V3& a) { return hn::Sqrt(dot(a, a)); }
-HWY_INLINE V3 choose(M mask, const V3& yes, const V3& no) {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
-}
+HWY_INLINE V3 splat(const Vec3f& value) { return same_in_lanes<D>(value); }
 HWY_INLINE M no_lane() { return hn::Lt(hn::Zero(D()), hn::Zero(D())); }
 
 enum class From { eye, surface };

@@ -1,5 +1,6 @@
 #include "raytrace/wide_packet.h"
 
+#include "options/simd_choice.h"
 #include "raytrace/triangle_watertight.h"
 
 // This file is compiled once for each SIMD target. Only the two with eight lanes are kept.
@@ -11,6 +12,8 @@
 #include "hwy/highway.h"
 
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
+#include "math/vec3-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace ps::HWY_NAMESPACE {
 namespace {
@@ -20,19 +23,9 @@ using D = hn::CappedTag<float, packet_width>;
 using I = hn::RebindToSigned<D>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
-struct P {
-  V x, y, z;
-};
+using P = Vec3Lanes<D>;
 
 HWY_INLINE V all(float value) { return hn::Set(D(), value); }
-HWY_INLINE P subtract(const P& a, const P& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V dot(const P& a, const P& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE P cross(const P& a, const P& b) {
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
 
 /// A lane's best hit.
 struct Best {
@@ -75,16 +68,15 @@ struct Triangles<TriangleTest::moeller_trumbore> {
     t_min = hn::Load(d, packet.t_min.data());
     t_max = hn::Load(d, packet.t_max.data());
   }
-  HWY_INLINE static P same(const Vec3f& v) { return {all(v.x), all(v.y), all(v.z)}; }
-
   HWY_INLINE void test(const TriangleBlock<wide_block_width>& block, std::uint32_t lane, Best& best) const {
     const D d;
     const V zero = hn::Zero(d), one = all(1);
     const Vec3f a = corner(block, 0, lane);
-    const P edge_b = same(corner(block, 1, lane) - a), edge_c = same(corner(block, 2, lane) - a);
+    const P edge_b = same_in_lanes<D>(corner(block, 1, lane) - a),
+            edge_c = same_in_lanes<D>(corner(block, 2, lane) - a);
     const P p = cross(direction, edge_c);
     const V determinant = dot(edge_b, p);
-    const P s = subtract(origin, same(a));
+    const P s = subtract(origin, same_in_lanes<D>(a));
     const P q = cross(s, edge_b);
     const V u_part = dot(s, p), v_part = dot(direction, q), t_part = dot(edge_c, q);
     // Most rays can be told to miss before the divisions. The decision falls after them.
@@ -291,12 +283,8 @@ bool suits_packet(const Ray<float>* rays, std::size_t count) {
 PacketSearch packet_search(Simd simd, TriangleTest test) {
 #if HWY_ARCH_X86
   const std::int64_t have = hwy::SupportedTargets();
-  const auto may_use = [&](Simd target, std::int64_t bit) {
-    return (have & bit) != 0 && (simd == Simd::automatic || static_cast<int>(simd) >= static_cast<int>(target));
-  };
-  if (simd == Simd::off) return nullptr;
-  if (may_use(Simd::avx512, HWY_AVX3)) return N_AVX3::packet_search(test);
-  if (may_use(Simd::avx2, HWY_AVX2)) return N_AVX2::packet_search(test);
+  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::packet_search(test);
+  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::packet_search(test);
 #else
   static_cast<void>(simd);
   static_cast<void>(test);

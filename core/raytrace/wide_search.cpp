@@ -1,5 +1,7 @@
 #include "raytrace/wide_search.h"
 
+#include "options/simd_choice.h"
+
 // This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS HWY_SSSE3
@@ -100,13 +102,9 @@ namespace ps {
 WideSearches wide_searches(Simd simd, TriangleTest test) {
 #if HWY_ARCH_X86
   const std::int64_t have = hwy::SupportedTargets();
-  const auto may_use = [&](Simd target, std::int64_t bit) {
-    return (have & bit) != 0 && (simd == Simd::automatic || static_cast<int>(simd) >= static_cast<int>(target));
-  };
-  if (simd == Simd::off) return {};
-  if (may_use(Simd::avx512, HWY_AVX3)) return N_AVX3::wide_searches(test);
-  if (may_use(Simd::avx2, HWY_AVX2)) return N_AVX2::wide_searches(test);
-  if (may_use(Simd::sse4, HWY_SSE4)) return N_SSE4::wide_searches(test);
+  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::wide_searches(test);
+  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::wide_searches(test);
+  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::wide_searches(test);
 #else
   static_cast<void>(simd);
   static_cast<void>(test);

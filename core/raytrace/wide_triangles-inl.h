@@ -8,6 +8,7 @@
 #endif
 
 #include "hwy/highway.h"
+#include "math/vec3-inl.h"
 #include "raytrace/triangle_watertight.h"
 #include "raytrace/wide_search.h"
 
@@ -22,25 +23,13 @@ struct Block {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
   static constexpr int lanes = HWY_TARGET == HWY_SSE4 && width > 4 ? 4 : width;
-  struct Point {
-    V x, y, z;
-  };
+  using Point = Vec3Lanes<D>;
 
   static HWY_INLINE V all(float value) { return hn::Set(D(), value); }
   static HWY_INLINE Point corner(const TriangleBlock<width>& block, int corner, int lane) {
     const D d;
     const auto& axes = block.corner[corner];
     return {hn::Load(d, axes[0] + lane), hn::Load(d, axes[1] + lane), hn::Load(d, axes[2] + lane)};
-  }
-  static HWY_INLINE Point subtract(const Point& a, const Point& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-  }
-  static HWY_INLINE V dot(const Point& a, const Point& b) {
-    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-  }
-  static HWY_INLINE Point cross(const Point& a, const Point& b) {
-    return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-            hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
   }
   static HWY_INLINE unsigned bits(M mask) {
     std::uint8_t bytes[8] = {};
@@ -90,13 +79,13 @@ struct BlockRay<TriangleTest::moeller_trumbore, width> {
     const D d;
     const V zero = hn::Zero(d);
     const Point a = My::corner(block, 0, from);
-    const Point edge_b = My::subtract(My::corner(block, 1, from), a);
-    const Point edge_c = My::subtract(My::corner(block, 2, from), a);
-    const Point p = My::cross(direction, edge_c);
-    const V determinant = My::dot(edge_b, p);
-    const Point s = My::subtract(origin, a);
-    const Point q = My::cross(s, edge_b);
-    const V u_part = My::dot(s, p), v_part = My::dot(direction, q), t_part = My::dot(edge_c, q);
+    const Point edge_b = subtract(My::corner(block, 1, from), a);
+    const Point edge_c = subtract(My::corner(block, 2, from), a);
+    const Point p = cross(direction, edge_c);
+    const V determinant = dot(edge_b, p);
+    const Point s = subtract(origin, a);
+    const Point q = cross(s, edge_b);
+    const V u_part = dot(s, p), v_part = dot(direction, q), t_part = dot(edge_c, q);
     // Most lanes can be told to miss before the divisions. The decision falls after them.
     const V sign = hn::And(determinant, hn::SignBit(d));
     const V size = hn::Xor(determinant, sign), slack = hn::Mul(size, My::all(1e-6f));

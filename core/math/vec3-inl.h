@@ -1,0 +1,71 @@
+// Vectors of space with one lane for each ray, fragment or triangle: the operations of math/vec.h in the same order.
+#if defined(PIXELSCOPE_MATH_VEC3_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELSCOPE_MATH_VEC3_INL_H_
+#undef PIXELSCOPE_MATH_VEC3_INL_H_
+#else
+#define PIXELSCOPE_MATH_VEC3_INL_H_
+#endif
+
+#include "hwy/highway.h"
+#include "math/vec.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ps::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// x, y and z in vectors with the tag D.
+template <class D>
+struct Vec3Lanes {
+  hn::Vec<D> x, y, z;
+};
+
+/// The same vector in all lanes.
+template <class D>
+HWY_INLINE Vec3Lanes<D> same_in_lanes(const Vec3f& value) {
+  const D d;
+  return {hn::Set(d, value.x), hn::Set(d, value.y), hn::Set(d, value.z)};
+}
+
+template <class D>
+HWY_INLINE Vec3Lanes<D> add(const Vec3Lanes<D>& a, const Vec3Lanes<D>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+template <class D>
+HWY_INLINE Vec3Lanes<D> subtract(const Vec3Lanes<D>& a, const Vec3Lanes<D>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+template <class D>
+HWY_INLINE Vec3Lanes<D> scale(const Vec3Lanes<D>& a, hn::Vec<D> factor) {
+  return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
+}
+template <class D>
+HWY_INLINE Vec3Lanes<D> divide(const Vec3Lanes<D>& a, hn::Vec<D> divisor) {
+  return {hn::Div(a.x, divisor), hn::Div(a.y, divisor), hn::Div(a.z, divisor)};
+}
+template <class D>
+HWY_INLINE Vec3Lanes<D> negate(const Vec3Lanes<D>& a) {
+  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+}
+template <class D>
+HWY_INLINE hn::Vec<D> dot(const Vec3Lanes<D>& a, const Vec3Lanes<D>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+template <class D>
+HWY_INLINE Vec3Lanes<D> cross(const Vec3Lanes<D>& a, const Vec3Lanes<D>& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+template <class D>
+HWY_INLINE hn::Vec<D> length(const Vec3Lanes<D>& a) {
+  return hn::Sqrt(dot(a, a));
+}
+/// Lane by lane.
+template <class D>
+HWY_INLINE Vec3Lanes<D> choose(hn::Mask<D> mask, const Vec3Lanes<D>& yes, const Vec3Lanes<D>& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+}  // namespace ps::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
