@@ -65,10 +65,11 @@ TEST(Sampling, AnEdgeCoversWhatItsAreaSays) {
       for (int column = 0; column < side; ++column) {
         const double exact = coverage(column - side / 2, side / 2 - row - 1);
         const double error = static_cast<double>(frame.colour.at(column, row).x) - exact;
-        if (exact > 0 && exact < 1)
+        constexpr double rounding = 1e-12;  // of the integral
+        if (exact > rounding && exact < 1 - rounding)
           ++edges;
         else
-          EXPECT_EQ(error, 0) << column << " " << row;
+          EXPECT_NEAR(error, 0, rounding) << column << " " << row;
         sum += error;
         worst = std::max(worst, std::abs(error));
       }
@@ -196,7 +197,7 @@ TEST(Sampling, SubsamplingMissesThinWires) {
     settings.subsampling = step;
     const Frame frame = traced(scene, settings, 600, 600, Channel::ids);
     int count = 0;
-    for (int y = 200; y < 300; ++y)
+    for (int y = 200; y < 256; ++y)  // nothing but wires before the wall
       for (int x = 0; x < 600; ++x) {
         const auto object = frame.ids.at(x, y).object;
         count += object >= 3 && object <= 8;
@@ -204,7 +205,7 @@ TEST(Sampling, SubsamplingMissesThinWires) {
     return count;
   };
   const int all = wire_pixels(1);
-  EXPECT_GE(all, 6 * 100);
+  EXPECT_GE(all, 6 * 56);
   EXPECT_EQ(wire_pixels(2), all);  // each is two pixels wide
   EXPECT_EQ(wire_pixels(16), 0);
   EXPECT_LT(wire_pixels(8), all / 4);
