@@ -26,6 +26,7 @@ int below(Random& random, int end) { return std::uniform_int_distribution<int>(0
 double random_value(const Option& option, Random& random) {
   if (option.key == "threads") return below(random, 4);
   if (option.key == "reflection-depth") return below(random, 5);
+  if (option.key == "samples-per-pixel") return 1 + below(random, 4);
   if (option.key == "tessellation") return 0.3 + 3 * share(random);
   if (option.key == "shadow-map-size" || option.key == "environment-size") return 8 + below(random, 24);
   if (option.key == "near") return 0.5 + share(random);
