@@ -46,7 +46,8 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
       const auto* solid = std::get_if<Solid>(&object.shape);
       if (sphere) {
         Mesh mesh = tessellate_sphere(*sphere, seen_from);
-        if (scene.materials->at(sphere->material).texture >= 0) add_world_map_uvs(mesh, sphere->centre);
+        const Material& material = scene.materials->at(sphere->material);
+        if (material.texture >= 0 || material.normal_map >= 0) add_world_map_uvs(mesh, sphere->centre);
         meshes.of_object.push_back(std::make_shared<const Mesh>(std::move(mesh)));
       } else if (solid) {
         meshes.of_object.push_back(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));

@@ -102,16 +102,24 @@ TEST(NormalMap, RaysAndFragmentsAgree) {
   const Frame rays = rendered(scene, settings, 300);
   settings.renderer = Renderer::rasterizer;
   const Frame fragments = rendered(scene, settings, 300);
-  int compared = 0, far = 0;
+  int compared = 0, far = 0, on_ball = 0, far_on_ball = 0;
   for (int y = 0; y < 300; ++y)
     for (int x = 0; x < 300; ++x) {
-      if (rays.ids.at(x, y).object != 0 || fragments.ids.at(x, y).object != 0) continue;  // the wall: same triangles
-      ++compared;
+      const int object = rays.ids.at(x, y).object;
+      if (object != fragments.ids.at(x, y).object) continue;
       const Vec3f d = rays.colour.at(x, y) - fragments.colour.at(x, y);
-      far += dot(d, d) > 1e-6f ? 1 : 0;
+      if (object == 0) {  // the wall: the same triangles
+        ++compared;
+        far += dot(d, d) > 1e-6f ? 1 : 0;
+      } else {  // the ball: round for rays, tangents from its triangles for fragments
+        ++on_ball;
+        far_on_ball += dot(d, d) > 1e-3f ? 1 : 0;
+      }
     }
   EXPECT_GT(compared, 50000);
   EXPECT_LT(far, compared / 500);
+  EXPECT_GT(on_ball, 5000);
+  EXPECT_LT(far_on_ball, on_ball / 20);
 }
 
 TEST(NormalMap, FastAndClearPathsAgree) {
