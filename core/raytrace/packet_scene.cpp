@@ -18,8 +18,8 @@ bool covers(const Settings& settings) {
 
 bool covers(const ShadingMaterial<float>& material) {
   const bool highlight = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
-  return highlight && material.texture < 0 && material.normal_map < 0 && !(material.transparency > 0) && !material.ambient_colour &&
-         !material.specular_colour;
+  return highlight && material.texture < 0 && material.normal_map < 0 && !(material.transparency > 0) &&
+         !material.ambient_colour && !material.specular_colour;
 }
 
 PacketSphere packet_sphere(const PixelId& id, const TracedSphere<float>& sphere, const ShadingMaterial<float>& material,

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 3> drawn_colours{"Ka", "Kd", "Ks"};
 struct NotDrawn {
   std::string_view word, meaning;
 };
-constexpr std::array<NotDrawn, 29> not_drawn{{{"Ke", "surfaces do not glow"},
+constexpr std::array<NotDrawn, 25> not_drawn{{{"Ke", "surfaces do not glow"},
                                               {"Tf", "light is not tinted on its way through"},
                                               {"Kt", "light is not tinted on its way through"},
                                               {"map_Ka", "ambient light takes the colour of map_Kd"},
@@ -27,10 +27,6 @@ constexpr std::array<NotDrawn, 29> not_drawn{{{"Ke", "surfaces do not glow"},
                                               {"map_Ns", "highlights take Ns alone"},
                                               {"map_d", "the surface is as opaque as d says, everywhere"},
                                               {"map_Tr", "the surface is as opaque as d says, everywhere"},
-                                              {"map_Bump", "the surface is smooth"},
-                                              {"map_bump", "the surface is smooth"},
-                                              {"bump", "the surface is smooth"},
-                                              {"norm", "the surface is smooth"},
                                               {"map_Disp", "the surface is smooth"},
                                               {"map_disp", "the surface is smooth"},
                                               {"disp", "the surface is smooth"},
@@ -52,6 +48,9 @@ constexpr std::array<NotDrawn, 29> not_drawn{{{"Ke", "surfaces do not glow"},
 /// Statements without any influence on a picture made here.
 constexpr std::array<std::string_view, 3> harmless{"sharpness", "map_aat", "map_Kd_filter"};
 
+/// One statement or another, as exporters like; all name a picture of the surface's relief.
+constexpr std::array<std::string_view, 4> reliefs{"norm", "map_Bump", "map_bump", "bump"};
+
 constexpr std::array<std::string_view, 7> reflection_types{"sphere",    "cube_top",  "cube_bottom", "cube_front",
                                                            "cube_back", "cube_left", "cube_right"};
 
@@ -62,6 +61,7 @@ bool is_one_of(std::string_view word, const auto& list) {
 std::vector<std::string_view> known_words() {
   std::vector<std::string_view> words(drawn_colours.begin(), drawn_colours.end());
   words.insert(words.end(), {"newmtl", "Ns", "Ni", "d", "Tr", "illum", "map_Kd"});
+  words.insert(words.end(), reliefs.begin(), reliefs.end());
   for (const NotDrawn& statement : not_drawn) words.push_back(statement.word);
   return words;
 }
@@ -89,7 +89,7 @@ class MtlChecker {
     const auto ignored =
         std::find_if(not_drawn.begin(), not_drawn.end(), [&](const NotDrawn& s) { return s.word == word; });
     const bool is_drawn = is_one_of(word, drawn_colours) || word == "Ns" || word == "Ni" || word == "d" ||
-                          word == "Tr" || word == "illum" || word == "map_Kd";
+                          word == "Tr" || word == "illum" || word == "map_Kd" || is_one_of(word, reliefs);
     if (!is_drawn && ignored == not_drawn.end()) {
       note(word, fmt::format("{}:{}: '{}' is not a statement of a material file; perhaps '{}'.", file_, line.number(),
                              word, nearest_word(word, known_words())));
@@ -99,6 +99,9 @@ class MtlChecker {
     if (ignored != not_drawn.end()) return leave_out(line, *ignored);
     if (word == "map_Kd") {
       facts_->diffuse_map = texture(line, word);
+    } else if (is_one_of(word, reliefs)) {
+      const MtlTexture map = texture(line, word);
+      if (word == "norm" || !facts_->relief_map) facts_->relief_map = map;  // directions say more than heights
     } else if (word == "d" || word == "Tr") {
       opacity(line, word);
     } else if (word == "illum") {
@@ -162,7 +165,10 @@ class MtlChecker {
         const bool keeps_black = numbers(line, 1, 1, 0) == Neutral::yes;
         const bool keeps_white = numbers(line, 1, 1, 1) == Neutral::yes;
         if (!keeps_black || !keeps_white) warn_option(line, word, option);
-      } else if (option == "-bm" || option == "-boost" || option == "-texres") {
+      } else if (option == "-bm") {
+        const double bump = number(line, -1e6, 1e6, "a number");
+        if (is_one_of(word, reliefs)) facts_->bump = bump;
+      } else if (option == "-boost" || option == "-texres") {
         numbers(line, 1, 1, 1);
       } else if (option == "-blendu" || option == "-blendv" || option == "-cc" || option == "-clamp") {
         const std::string value(line.next());

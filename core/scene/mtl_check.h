@@ -21,6 +21,8 @@ struct MtlFacts {
   std::optional<double> dissolve;  ///< d, or 1 - Tr without d: 1 is opaque
   std::optional<double> refraction_index;
   std::optional<MtlTexture> diffuse_map;
+  std::optional<MtlTexture> relief_map;  ///< norm, map_Bump or bump: directions, or heights in grey
+  double bump = 1;                       ///< -bm of it: how steep heights are
 };
 
 /// What check_mtl found in a material file. Of two materials of one name the first counts.

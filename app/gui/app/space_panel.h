@@ -48,7 +48,7 @@ struct SpacePanelState {
   std::shared_ptr<const SpacePicture> picture;
   Texture texture;
   Brightness paper = Brightness::light;  ///< of the theme that `texture` was made for
-  bool dragged = false;  ///< the button that is down has moved
+  bool dragged = false;                  ///< the button that is down has moved
   int rays = 0, shadow_rays = 0, boxes = 0, items = 0;
 };
 
