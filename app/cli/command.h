@@ -13,6 +13,7 @@ using Action = std::function<int()>;
 void add_render_command(CLI::App& app, Action& chosen);
 void add_inspect_command(CLI::App& app, Action& chosen);
 void add_compare_command(CLI::App& app, Action& chosen);
+void add_chart_command(CLI::App& app, Action& chosen);
 void add_lessons_command(CLI::App& app, Action& chosen);
 void add_options_command(CLI::App& app, Action& chosen);
 void add_scenes_command(CLI::App& app, Action& chosen);

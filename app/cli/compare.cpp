@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/command.h"
 #include "cli/output_file.h"
@@ -9,6 +8,7 @@
 #include "image/display.h"
 #include "image/file.h"
 #include "image/metrics.h"
+#include "study/comparison_json.h"
 
 namespace ps::cli {
 namespace {
@@ -18,19 +18,7 @@ struct CompareArguments {
   bool json = false, linear = false;
 };
 
-void print_json(const Comparison& c) {
-  nlohmann::ordered_json json{{"identical", c.identical}, {"mae", c.mae}, {"rmse", c.rmse}};
-  if (c.psnr)
-    json["psnr"] = *c.psnr;
-  else
-    json["psnr"] = nullptr;
-  json["max"] = c.max;
-  json["ssim"] = c.ssim;
-  json["flip"] = c.flip;
-  json["differing"] = c.differing;
-  json["not-finite"] = c.not_finite;
-  fmt::print("{}\n", json.dump(2));
-}
+void print_json(const Comparison& c) { fmt::print("{}\n", comparison_json(c).dump(2)); }
 
 void print_text(const Comparison& c, const CompareArguments& arguments) {
   if (c.identical) {

@@ -1,23 +1,30 @@
 #include "cli/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace ps::cli {
 namespace {
 
-Progress progress;
+Progress own_progress;
+std::atomic<Progress*> stopped_by_signals{nullptr};
 
 extern "C" void stop_gently(int signal) {
-  progress.request_stop();
+  if (Progress* progress = stopped_by_signals) progress->request_stop();
   std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
-Progress& interruptible_progress() {
+void forward_interrupts(Progress& progress) {
+  stopped_by_signals = &progress;
   std::signal(SIGINT, stop_gently);
   std::signal(SIGTERM, stop_gently);
-  return progress;
+}
+
+Progress& interruptible_progress() {
+  forward_interrupts(own_progress);
+  return own_progress;
 }
 
 }  // namespace ps::cli

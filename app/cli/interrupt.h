@@ -7,4 +7,7 @@ namespace ps::cli {
 /// and no half-written file; a second Ctrl-C kills the program.
 Progress& interruptible_progress();
 
+/// The same for a progress that belongs to somebody else and outlives the work.
+void forward_interrupts(Progress& progress);
+
 }  // namespace ps::cli

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   ps::cli::add_render_command(app, action);
   ps::cli::add_inspect_command(app, action);
   ps::cli::add_compare_command(app, action);
+  ps::cli::add_chart_command(app, action);
   ps::cli::add_lessons_command(app, action);
   ps::cli::add_options_command(app, action);
   ps::cli::add_scenes_command(app, action);

@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "base/check.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/number_arguments.h"
+#include "cli/scene_arguments.h"
+#include "options/scene_settings.h"
+#include "study/chart.h"
+#include "study/chart_files.h"
+
+namespace ps::cli {
+namespace {
+
+struct ChartArguments {
+  SceneArguments scene;
+  std::vector<std::string> folders;
+  std::vector<std::string> sweeps;
+  std::string metric = "rmse", region, reference, shard = "1/1", output;
+  int repeats = 5, samples = 16;
+  bool linear = false;
+};
+
+ChartRequest make_request(const ChartArguments& arguments) {
+  ChartRequest request;
+  request.shard = parse_shard(arguments.shard);
+  request.error.metric = parse_error_metric(arguments.metric);
+  request.error.values = arguments.linear ? ErrorValues::linear : ErrorValues::display;
+  if (!arguments.region.empty()) request.error.region = parse_region(arguments.region);
+  request.reference = {arguments.reference, arguments.samples};
+  request.repeats = arguments.repeats;
+  request.folder = arguments.output;
+  std::vector<SweepAxis> axes;
+  for (const std::string& sweep : arguments.sweeps)
+    for (SweepAxis& axis : parse_sweep(sweep)) axes.push_back(std::move(axis));
+  const Document document = load_document(arguments.scene);
+  request.scene = document.scene;
+  request.scene.name = document.scene_name;
+  request.view = view_of(document);
+  request.base = document.a.settings;
+  const SceneTraits traits = scene_traits(request.scene);
+  for (const std::string& sentence : idle_axes(axes, request.base, traits)) fmt::print(stderr, "{}\n", sentence);
+  request.points = sweep_points(axes, request.base, settings_for(document.base), traits);
+  return request;
+}
+
+void print_status(const StudyStatus& status) {
+  if (isatty(STDERR_FILENO) == 0) return;
+  const std::string left = status.seconds_left < 0 ? "" : fmt::format(", {:.0f} s left", status.seconds_left);
+  fmt::print(stderr, "\r{} of {} runs{}   ", status.done, status.total, left);
+  if (status.done == status.total) fmt::print(stderr, "\n");
+}
+
+void print_table(const Chart& chart) {
+  fmt::print("{:>11} {:>11} {:>11} {:>10} {:>11}    {}\n", "time ms", "quartile 1", "quartile 3",
+             error_metric(chart.metric).key, "memory MB", "point (* on the front)");
+  for (const ChartPoint& point : chart.points)
+    fmt::print("{:>11.4g} {:>11.4g} {:>11.4g} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median, point.time_ms.q1,
+               point.time_ms.q3, point.error, point.memory_mb, point.on_front ? '*' : ' ', point.what.label);
+  fmt::print("against {}", chart.identity.reference);
+  if (chart.reference_halves) {
+    Reference reference;
+    reference.halves = chart.reference_halves;
+    fmt::print(", which is itself uncertain by {:.3g}", reference_noise(reference, chart.metric).value_or(0));
+  }
+  fmt::print("\n");
+}
+
+int run_merge(const ChartArguments& arguments) {
+  if (arguments.folders.empty()) throw InputError("chart merge: found no folder, expected those of the shards");
+  const Chart chart =
+      merge_charts({arguments.folders.begin(), arguments.folders.end()}, parse_error_metric(arguments.metric));
+  std::filesystem::create_directories(arguments.output);
+  write_chart(arguments.output, chart);
+  print_table(chart);
+  return 0;
+}
+
+int run_chart_command(const ChartArguments& arguments) {
+  if (arguments.scene.scene == "merge") return run_merge(arguments);
+  if (!arguments.folders.empty())
+    throw InputError(fmt::format("chart: found '{}' behind the scene, expected options", arguments.folders.front()));
+  const ChartRequest request = make_request(arguments);
+  StudyControl control;
+  forward_interrupts(control.progress());
+  const Chart chart =
+      run_chart(request, control, [](const Chart&, const StudyStatus& status) { print_status(status); });
+  write_chart(arguments.output, chart);
+  print_table(chart);
+  return 0;
+}
+
+}  // namespace
+
+void add_chart_command(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("chart", "measure time against error over a sweep of options");
+  const auto arguments = std::make_shared<ChartArguments>();
+  add_scene_arguments(*command, arguments->scene);
+  command->add_option("FOLDER", arguments->folders, "with 'merge' in place of SCENE: folders of shards to join");
+  std::string sweeps;
+  for (const NamedSweep& sweep : named_sweeps()) sweeps += fmt::format(" {}", sweep.key);
+  command
+      ->add_option("--sweep", arguments->sweeps,
+                   "an option and its values (all, or a spread, without them); several make their product; or one of:" +
+                       sweeps)
+      ->type_name("KEY[=V1,V2..]")
+      ->allow_extra_args(false);
+  command->add_option("--metric", arguments->metric, "mae rmse psnr max ssim or flip");
+  command->add_flag("--linear", arguments->linear, "compare unit floats instead of display levels");
+  command->add_option("--region", arguments->region, "compare only this part")->type_name("X,Y,W,H");
+  command->add_option("--repeats", arguments->repeats, "timed runs of each point")->check(CLI::Range(1, 1000));
+  command->add_option("--reference", arguments->reference, "a picture to compare with; without it one is rendered");
+  command->add_option("--reference-samples", arguments->samples, "samples for each pixel of the rendered reference")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--shard", arguments->shard, "only part i of n of the sweep")->type_name("i/n");
+  command->add_option("--out", arguments->output, "folder for the results; a cut-off run continues there")->required();
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run_chart_command(*arguments); }; });
+}
+
+}  // namespace ps::cli

@@ -1,0 +1,221 @@
+#include "study/chart.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "base/memory_size.h"
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "render/display_frame.h"
+#include "study/chart_log.h"
+#include "study/pareto.h"
+
+namespace ps {
+namespace {
+
+/// Products of all points are kept between rounds up to this many bytes together; beyond, they are built again.
+constexpr std::size_t most_prepared_bytes = std::size_t{1} << 30;
+
+std::size_t frame_bytes(const Frame& frame) {
+  return frame.colour.pixels().size_bytes() + frame.colour_double.pixels().size_bytes() +
+         frame.depth.pixels().size_bytes() + frame.ids.pixels().size_bytes();
+}
+
+ChartIdentity identity_of(const ChartRequest& request, const std::string& reference) {
+  ChartIdentity identity;
+  identity.scene = request.scene.name;
+  identity.width = request.view.width;
+  identity.height = request.view.height;
+  identity.values = request.error.values == ErrorValues::display ? "display" : "linear";
+  identity.region = "all";
+  if (const auto& r = request.error.region)
+    identity.region = fmt::format("{},{},{},{}", r->x0, r->y0, r->width(), r->height());
+  identity.reference = reference;
+  identity.base = fmt::format("{}", fmt::join(changed_options(request.base), ";"));
+  identity.points = static_cast<int>(request.points.size());
+  return identity;
+}
+
+/// Carries one chart out.
+class Runner {
+ public:
+  Runner(const ChartRequest& request, StudyControl& control, const ChartUpdate& update, const Clock& clock)
+      : request_(request), control_(control), update_(update), clock_(clock) {}
+
+  Chart run() {
+    reference_ = make_reference(request_.scene, request_.view, request_.base, request_.reference, request_.error,
+                                request_.priority, control_.progress());
+    chart_.identity = identity_of(request_, reference_.description);
+    chart_.machine = this_machine();
+    chart_.metric = request_.error.metric;
+    chart_.reference_halves = reference_.halves;
+    for (std::size_t i = 0; i < request_.points.size(); ++i)
+      if (static_cast<int>(i) % request_.shard.count == request_.shard.index) {
+        ChartPoint point;
+        point.number = static_cast<int>(i);
+        point.what = request_.points[i];
+        chart_.points.push_back(std::move(point));
+      }
+    prepared_.resize(chart_.points.size());
+    calls_.assign(chart_.points.size(), 0);
+    if (!request_.folder.empty()) log_.emplace(request_.folder, chart_, reference_.picture.levels);
+    report();
+    for (int round = 0; round < request_.repeats; ++round)
+      for (std::size_t i = 0; i < chart_.points.size(); ++i)
+        if (static_cast<int>(chart_.points[i].samples_ms.size()) <= round) run_once(i);
+    summarise(chart_, request_.error.metric);
+    return std::move(chart_);
+  }
+
+ private:
+  Frame picture_of(std::size_t i, Prepared& prepared) {
+    RenderRequest how;
+    how.priority = request_.priority;
+    return render(request_.scene, request_.view, chart_.points[i].what.value, how, prepared, control_.progress());
+  }
+
+  void run_once(std::size_t i) {
+    control_.wait_here();
+    ChartPoint& point = chart_.points[i];
+    if (!prepared_[i]) prepared_[i] = std::make_shared<Prepared>();
+    const std::shared_ptr<Prepared> prepared = prepared_[i];
+    const bool known = point.picture.has_value();
+    const double start = clock_();
+    if (!known) first_picture(i, *prepared);
+    const double first_ms = 1e3 * (clock_() - start);
+    const auto call = [&] { picture_of(i, *prepared); };
+    if (calls_[i] == 0)
+      calls_[i] = calls_per_sample(call, request_.shortest_sample, clock_);
+    else
+      call();  // the others have filled the caches since
+    const double sample = sample_milliseconds(call, calls_[i], clock_);
+    point.samples_ms.push_back(sample);
+    if (!known) point.prepare_ms = std::max(0.0, first_ms - sample);
+    if (log_) {
+      if (!known) log_->add_picture(point);
+      log_->add_sample(point, sample);
+    }
+    forget_if_large(i);
+    summarise(chart_, request_.error.metric);
+    report();
+  }
+
+  void first_picture(std::size_t i, Prepared& prepared) {
+    ChartPoint& point = chart_.points[i];
+    const Frame frame = picture_of(i, prepared);
+    MeasuredPicture picture{display_frame(frame, point.what.value), frame.colour};
+    point.comparison = compare_pictures(reference_.picture, picture, request_.error);
+    point.memory_mb = 1e-6 * static_cast<double>(prepared.bytes() + frame_bytes(frame));
+    point.counters = frame.counters;
+    point.picture = std::move(picture.levels);
+  }
+
+  void forget_if_large(std::size_t i) {
+    std::size_t bytes = 0;
+    for (const auto& prepared : prepared_)
+      if (prepared) bytes += prepared->bytes();
+    if (bytes > most_prepared_bytes) prepared_[i].reset();
+  }
+
+  void report() {
+    if (!update_) return;
+    StudyStatus status;
+    double known_ms = 0, left_ms = 0;
+    int known = 0;
+    for (const ChartPoint& point : chart_.points)
+      if (point.measured()) {
+        known_ms += point.time_ms.median;
+        ++known;
+      }
+    for (std::size_t i = 0; i < chart_.points.size(); ++i) {
+      const ChartPoint& point = chart_.points[i];
+      const int done = std::min(static_cast<int>(point.samples_ms.size()), request_.repeats);
+      status.done += done;
+      status.total += request_.repeats;
+      const double run_ms = point.measured() ? point.time_ms.median : known > 0 ? known_ms / known : 0;
+      const int calls = 1 + std::max(calls_[i], 1);
+      left_ms += run_ms * calls * (request_.repeats - done);
+    }
+    if (known > 0) status.seconds_left = 1e-3 * left_ms;
+    update_(chart_, status);
+  }
+
+  const ChartRequest& request_;
+  StudyControl& control_;
+  const ChartUpdate& update_;
+  const Clock& clock_;
+  Reference reference_;
+  Chart chart_;
+  std::vector<std::shared_ptr<Prepared>> prepared_;
+  std::vector<int> calls_;  ///< renders within one sample of each point; 0 = not known yet
+  std::optional<ChartLog> log_;
+};
+
+}  // namespace
+
+Shard parse_shard(std::string_view text) {
+  const auto slash = text.find('/');
+  const auto whole = [&](std::string_view part) {
+    int value = -1;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return error == std::errc() && end == part.data() + part.size() ? value : -1;
+  };
+  const int index = slash == std::string_view::npos ? -1 : whole(text.substr(0, slash));
+  const int count = slash == std::string_view::npos ? -1 : whole(text.substr(slash + 1));
+  if (index < 0 || count < 1 || index > count)
+    throw InputError(fmt::format("shard: found '{}', expected i/n with i from 1 to n", text));
+  return {index % count, count};
+}
+
+Chart run_chart(const ChartRequest& request, StudyControl& control, const ChartUpdate& update, const Clock& clock) {
+  if (request.repeats < 1) throw InputError(fmt::format("repeats: found {}, expected at least 1", request.repeats));
+  return Runner(request, control, update, clock).run();
+}
+
+void summarise(Chart& chart, ErrorMetric metric) {
+  chart.metric = metric;
+  std::vector<Tradeoff> tradeoffs;
+  std::vector<ChartPoint*> measured;
+  for (ChartPoint& point : chart.points) {
+    point.on_front = false;
+    if (!point.measured()) continue;
+    point.time_ms = quartiles(point.samples_ms);
+    point.error = error_of(point.comparison, metric);
+    const double sign = error_metric(metric).higher_is_better ? -1 : 1;
+    tradeoffs.push_back({point.time_ms.median, sign * point.error});
+    measured.push_back(&point);
+  }
+  const std::vector<bool> front = pareto_front(tradeoffs);
+  for (std::size_t i = 0; i < measured.size(); ++i) measured[i]->on_front = front[i];
+}
+
+Chart merge_charts(const std::vector<std::filesystem::path>& folders, ErrorMetric metric) {
+  Chart whole;
+  for (const auto& folder : folders) {
+    Chart part = read_chart_log(folder);
+    if (&folder == &folders.front()) {
+      whole = std::move(part);
+      continue;
+    }
+    if (!(part.identity == whole.identity))
+      throw InputError(
+          fmt::format("{}: holds a part of another chart than {}", folder.string(), folders.front().string()));
+    for (ChartPoint& point : part.points) {
+      const auto same = std::find_if(whole.points.begin(), whole.points.end(),
+                                     [&](const ChartPoint& p) { return p.number == point.number; });
+      if (same == whole.points.end())
+        whole.points.push_back(std::move(point));
+      else
+        same->samples_ms.insert(same->samples_ms.end(), point.samples_ms.begin(), point.samples_ms.end());
+    }
+  }
+  std::sort(whole.points.begin(), whole.points.end(),
+            [](const ChartPoint& a, const ChartPoint& b) { return a.number < b.number; });
+  summarise(whole, metric);
+  return whole;
+}
+
+}  // namespace ps

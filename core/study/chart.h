@@ -1,0 +1,93 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/counters.h"
+#include "base/machine.h"
+#include "study/control.h"
+#include "study/reference.h"
+#include "study/sweep.h"
+#include "study/timing.h"
+
+namespace ps {
+
+/// One point of the chart of time against error.
+struct ChartPoint {
+  int number = 0;  ///< in the whole sweep, from 0; shards keep the numbers of the whole
+  SweepPoint what;
+  std::vector<double> samples_ms;  ///< wall time of one render, everything prepared; one for each repeat
+  Quartiles time_ms;
+  double prepare_ms = 0;  ///< the first render, with building trees, mips and tessellations, less the median time
+  double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes
+  Comparison comparison;
+  double error = 0;  ///< the chosen metric
+  Counters counters;
+  bool on_front = false;
+  std::optional<Image<Rgb8>> picture;  ///< for thumbnails and differences
+
+  bool measured() const { return !samples_ms.empty(); }
+};
+
+/// What decides the numbers of a chart besides the points and the machine; results with another identity do not mix.
+struct ChartIdentity {
+  std::string scene;
+  int width = 0, height = 0;
+  std::string values;     ///< "display" or "linear"
+  std::string region;     ///< "X,Y,W,H", or "all"
+  std::string reference;  ///< its description
+  std::string base;       ///< the settings under the sweep: "K=V;K=V"
+  int points = 0;         ///< of the whole sweep
+  bool operator==(const ChartIdentity&) const = default;
+};
+
+struct Chart {
+  ChartIdentity identity;
+  Machine machine;
+  ErrorMetric metric = ErrorMetric::rmse;
+  std::optional<Comparison> reference_halves;  ///< how far two halves of the reference's samples are apart
+  std::vector<ChartPoint> points;              ///< in the order of the sweep; some may not be measured yet
+};
+
+/// Part `index` of `count` of a sweep: every count-th point. The parts together are the whole.
+struct Shard {
+  int index = 0, count = 1;
+};
+/// Reads "i/n". i counts from 1 to n; taken modulo n, so that counting from 0 gives the same parts. Throws InputError.
+Shard parse_shard(std::string_view text);
+
+struct ChartRequest {
+  Scene scene;
+  View view;
+  Settings base;
+  std::vector<SweepPoint> points;  ///< of the whole sweep
+  Shard shard;
+  ErrorOptions error;
+  ReferenceOptions reference;
+  int repeats = 5;
+  double shortest_sample = 0.005;  ///< seconds; shorter renders are repeated within one sample
+  WorkerPriority priority = WorkerPriority::normal;
+  /// Where results are kept as they arrive, and found again when the same chart is asked for; empty = nowhere.
+  std::filesystem::path folder;
+};
+
+/// Called after each run, on the thread that runs the chart.
+using ChartUpdate = std::function<void(const Chart&, const StudyStatus&)>;
+
+/// Measures all points of the shard: the picture, its error and its memory first, then `repeats` timed runs of each,
+/// interleaved so that a drift of the machine hits all alike, each after an untimed run. A cancelled chart throws
+/// Cancelled; what is in the folder then is taken up by the next call. Throws InputError if the folder holds another
+/// chart.
+Chart run_chart(const ChartRequest& request, StudyControl& control, const ChartUpdate& update = {},
+                const Clock& clock = steady_seconds);
+
+/// Brings quartiles, errors in `metric` and the front up to date with the samples.
+void summarise(Chart& chart, ErrorMetric metric);
+
+/// Reads the charts kept in several folders and makes one of them. Throws InputError unless all are parts of the same
+/// chart.
+Chart merge_charts(const std::vector<std::filesystem::path>& folders, ErrorMetric metric);
+
+}  // namespace ps

@@ -1,0 +1,82 @@
+#include "study/chart_files.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "options/option.h"
+#include "study/comparison_json.h"
+
+namespace ps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A field of a CSV file: in quotes where it needs them.
+std::string field(std::string_view text) {
+  if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string renderer_key(const Settings& settings) { return option_text(*find_option("renderer"), settings); }
+
+Json point_json(const ChartPoint& point) {
+  Json json{{"label", point.what.label},       {"renderer", renderer_key(point.what.value)},
+            {"settings", point.what.settings}, {"time_ms", point.time_ms.median},
+            {"time_q1_ms", point.time_ms.q1},  {"time_q3_ms", point.time_ms.q3},
+            {"samples_ms", point.samples_ms},  {"prepare_ms", point.prepare_ms},
+            {"memory_mb", point.memory_mb},    {"on_front", point.on_front}};
+  if (std::isfinite(point.error))
+    json["error"] = point.error;
+  else
+    json["error"] = nullptr;
+  json["comparison"] = comparison_json(point.comparison);
+  for (std::size_t i = 0; i < counter_count; ++i)
+    if (point.counters.values[i] > 0)
+      json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = point.counters.values[i];
+  return json;
+}
+
+}  // namespace
+
+std::string chart_csv(const Chart& chart) {
+  std::string text = "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front\n";
+  for (const ChartPoint& point : chart.points)
+    if (point.measured())
+      text += fmt::format("{},{},{},{},{},{},{},{},{}\n", field(point.what.label), renderer_key(point.what.value),
+                          field(point.what.settings), point.time_ms.median, point.time_ms.q1, point.time_ms.q3,
+                          point.error, point.memory_mb, point.on_front ? 1 : 0);
+  return text;
+}
+
+std::string chart_json(const Chart& chart) {
+  const ChartIdentity& id = chart.identity;
+  Json json{{"program", "pixelscope " + chart.machine.version},
+            {"processor", chart.machine.processor},
+            {"simd", chart.machine.simd},
+            {"threads", chart.machine.threads},
+            {"scene", id.scene},
+            {"size", {id.width, id.height}},
+            {"base-settings", id.base},
+            {"metric", error_metric(chart.metric).key},
+            {"values", id.values},
+            {"region", id.region},
+            {"reference", id.reference}};
+  if (chart.reference_halves) json["reference-halves"] = comparison_json(*chart.reference_halves);
+  json["points"] = Json::array();
+  for (const ChartPoint& point : chart.points)
+    if (point.measured()) json["points"].push_back(point_json(point));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_chart(const std::filesystem::path& folder, const Chart& chart) {
+  write_file_atomically(folder / "points.csv", chart_csv(chart));
+  write_file_atomically(folder / "points.json", chart_json(chart));
+  write_file_atomically(folder / "chart.svg", chart_svg(chart));
+}
+
+}  // namespace ps

@@ -1,0 +1,20 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "study/chart.h"
+
+namespace ps {
+
+/// The measured points as a table with a heading: label, renderer, settings, time_ms, time_q1_ms, time_q3_ms, error,
+/// memory_mb, on_front.
+std::string chart_csv(const Chart& chart);
+/// Everything: identity, machine, the reference's noise, all metrics and samples of each point.
+std::string chart_json(const Chart& chart);
+/// A picture of the chart, 960 x 600.
+std::string chart_svg(const Chart& chart);
+
+/// Writes points.csv, points.json and chart.svg into a folder that exists.
+void write_chart(const std::filesystem::path& folder, const Chart& chart);
+
+}  // namespace ps

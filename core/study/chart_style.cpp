@@ -1,0 +1,54 @@
+#include "study/chart_style.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace ps {
+
+ChartAxes chart_axes(const Chart& chart) {
+  std::vector<double> times, errors;
+  for (const ChartPoint& point : chart.points) {
+    if (!point.measured()) continue;
+    times.insert(times.end(), {point.time_ms.q1, point.time_ms.median, point.time_ms.q3});
+    errors.push_back(point.error);
+  }
+  const ErrorMetricRow& row = error_metric(chart.metric);
+  ChartAxes axes;
+  axes.time = fit_axis(times, AxisScale::logarithmic);
+  axes.error = fit_axis(errors, row.logarithmic ? AxisScale::logarithmic : AxisScale::linear);
+  axes.error_title = std::string(row.label);
+  if (row.in_levels) axes.error_title += chart.identity.values == "linear" ? " (unit floats)" : " (levels of 255)";
+  return axes;
+}
+
+std::vector<const ChartPoint*> front_by_time(const Chart& chart) {
+  std::vector<const ChartPoint*> front;
+  for (const ChartPoint& point : chart.points)
+    if (point.on_front) front.push_back(&point);
+  std::sort(front.begin(), front.end(),
+            [](const ChartPoint* a, const ChartPoint* b) { return a->time_ms.median < b->time_ms.median; });
+  return front;
+}
+
+Rgb8 mark_colour(const Settings& settings) {
+  const bool twice = settings.precision == Precision::float64;
+  switch (settings.renderer) {
+  case Renderer::ray_tracer:
+    return twice ? Rgb8{86, 180, 233} : Rgb8{0, 114, 178};
+  case Renderer::rasterizer:
+    return twice ? Rgb8{230, 159, 0} : Rgb8{213, 94, 0};
+  }
+  return {};
+}
+
+std::string hex_colour(Rgb8 colour) { return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b); }
+
+double mark_radius(double memory_mb, double largest_mb) {
+  const double share = largest_mb > 0 ? std::clamp(memory_mb / largest_mb, 0.0, 1.0) : 0;
+  const double small = smallest_mark_radius * smallest_mark_radius, large = largest_mark_radius * largest_mark_radius;
+  return std::sqrt(small + share * (large - small));
+}
+
+}  // namespace ps

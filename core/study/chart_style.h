@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/axis.h"
+#include "study/chart.h"
+
+namespace ps {
+
+/// How a chart is drawn, in the window and in files alike.
+struct ChartAxes {
+  Axis time, error;
+  std::string error_title;  ///< "RMSE (levels of 255)"
+};
+/// Axes that hold all measured points. PSNR and SSIM grow upwards as they are: better is then up, not down.
+ChartAxes chart_axes(const Chart& chart);
+
+/// Points on the front, fastest first.
+std::vector<const ChartPoint*> front_by_time(const Chart& chart);
+
+/// Colours of Okabe and Ito, told apart by colour-blind eyes as well: one for each renderer and precision. Shape
+/// (round for rays, square for fragments) says the renderer again.
+Rgb8 mark_colour(const Settings& settings);
+std::string hex_colour(Rgb8 colour);
+
+inline constexpr double smallest_mark_radius = 4, largest_mark_radius = 9;
+/// The area of a mark grows with the memory, in pixels at scale 1.
+double mark_radius(double memory_mb, double largest_mb);
+
+}  // namespace ps

@@ -1,0 +1,12 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "image/metrics.h"
+
+namespace ps {
+
+/// A Comparison as JSON with the names that `compare` prints, and back.
+nlohmann::ordered_json comparison_json(const Comparison& comparison);
+Comparison comparison_from_json(const nlohmann::ordered_json& json);
+
+}  // namespace ps

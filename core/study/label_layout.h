@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "math/vec.h"
+
+namespace ps {
+
+/// A text to be written beside a mark. All in the same unit, y down.
+struct LabelWish {
+  Vec2d mark{0, 0};
+  Vec2d size{0, 0};  ///< of the text
+  int rank = 0;      ///< lower ranks choose first
+};
+
+struct LabelPlace {
+  bool shown = false;  ///< false: there was no free place
+  Vec2d corner{0, 0};  ///< top left of the text
+};
+
+/// Finds for each label a place near its mark where it covers no mark and no other label and stays inside the box from
+/// (0, 0) to `box`. `radius` is that of the marks.
+std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius);
+
+}  // namespace ps

@@ -1,0 +1,235 @@
+#include "study/sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "options/scene_settings.h"
+
+namespace ps {
+namespace {
+
+constexpr int most_standard_values = 8;
+constexpr std::size_t most_points = 100000;
+
+std::string canonical(const Option& option, std::string_view text) {
+  Settings settings;
+  parse_option(option, text, settings);
+  return option_text(option, settings);
+}
+
+std::string number_text(const Option& option, double value) {
+  Settings settings;
+  option.set(settings, option.kind == OptionKind::integer ? std::round(value) : value);
+  return option_text(option, settings);
+}
+
+void add_new(std::vector<std::string>& values, std::string value) {
+  if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(std::move(value));
+}
+
+/// Powers of two for whole numbers, powers of ten for others, thinned out evenly.
+std::vector<std::string> spread(const Option& option) {
+  std::vector<double> steps;
+  if (option.minimum <= 0) steps.push_back(option.minimum);
+  if (option.scale == OptionScale::linear && option.kind == OptionKind::real) {
+    steps.clear();
+    for (int i = 0; i < most_standard_values; ++i)
+      steps.push_back(option.minimum + (option.maximum - option.minimum) * i / (most_standard_values - 1));
+  } else if (option.kind == OptionKind::integer) {
+    for (double v = std::max(1.0, option.minimum); v <= option.maximum && v < 2e9; v *= 2) steps.push_back(v);
+  } else {
+    const double smallest = option.minimum > 0 ? option.minimum : option.maximum * 1e-7;
+    for (double v = smallest; v <= option.maximum * 1.0001; v *= 10) steps.push_back(std::min(v, option.maximum));
+  }
+  std::vector<std::string> values;
+  const std::size_t wanted = std::min<std::size_t>(steps.size(), most_standard_values);
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const std::size_t place = wanted == 1 ? 0 : i * (steps.size() - 1) / (wanted - 1);
+    add_new(values, number_text(option, steps[place]));
+  }
+  return values;
+}
+
+bool any_number(const std::vector<std::string>& values, const Option& option) {
+  return option.kind != OptionKind::choice && !values.empty();
+}
+
+/// A choice's value says enough; a number or on/off needs its name.
+std::string short_label(std::span<const SweepAxis> axes, const Settings& settings) {
+  std::string label;
+  for (const SweepAxis& axis : axes) {
+    if (axis.values.size() < 2) continue;
+    const std::string text = option_text(*axis.option, settings);
+    label += label.empty() ? "" : ", ";
+    label += any_number(axis.values, *axis.option) ? fmt::format("{} {}", axis.option->key, text) : text;
+  }
+  return label.empty() ? "as set" : label;
+}
+
+std::string assignments(std::span<const SweepAxis> axes, const Settings& settings) {
+  std::string text;
+  for (const SweepAxis& axis : axes)
+    text += fmt::format("{}{}={}", text.empty() ? "" : ";", axis.option->key, option_text(*axis.option, settings));
+  return text;
+}
+
+std::string all_assignments(std::span<const SweepAxis> axes, const Settings& start, const Settings& settings) {
+  std::string text = assignments(axes, settings);
+  for (const std::string& assignment : settings_difference(start, settings)) {
+    const std::string key = assignment.substr(0, assignment.find('='));
+    const bool swept = std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& a) { return a.option->key == key; });
+    if (!swept) text += fmt::format("{}{}", text.empty() ? "" : ";", assignment);
+  }
+  return text;
+}
+
+/// Every combination, the last axis fastest.
+std::vector<Settings> combinations(std::span<const SweepAxis> axes, const Settings& base) {
+  std::vector<Settings> all{base};
+  for (const SweepAxis& axis : axes) {
+    std::vector<Settings> next;
+    for (const Settings& settings : all)
+      for (const std::string& value : axis.values) {
+        next.push_back(settings);
+        parse_option(*axis.option, value, next.back());
+      }
+    if (next.size() > most_points) throw InputError(fmt::format("the sweep has more than {} points", most_points));
+    all = std::move(next);
+  }
+  return all;
+}
+
+/// Puts swept options that cannot act back to their value in `base`, until nothing changes.
+Settings without_idle(std::span<const SweepAxis> axes, Settings settings, const Settings& base,
+                      const SceneTraits& traits) {
+  for (std::size_t round = 0; round < axes.size(); ++round)
+    for (const SweepAxis& axis : axes)
+      if (inactive_reason(*axis.option, settings, traits)) axis.option->set(settings, axis.option->get(base));
+  return settings;
+}
+
+bool acts_somewhere(const SweepAxis& axis, const std::vector<Settings>& all, const SceneTraits& traits) {
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Settings& settings) { return !inactive_reason(*axis.option, settings, traits); });
+}
+
+}  // namespace
+
+std::vector<std::string> standard_values(const Option& option) {
+  std::vector<std::string> values;
+  switch (option.kind) {
+  case OptionKind::boolean:
+    return {"off", "on"};
+  case OptionKind::choice:
+    for (const Choice& choice : option.choices) values.emplace_back(choice.key);
+    return values;
+  case OptionKind::integer:
+  case OptionKind::real:
+    return spread(option);
+  }
+  return values;
+}
+
+SweepAxis parse_sweep_axis(std::string_view text) {
+  const auto equals = text.find('=');
+  const std::string_view key = text.substr(0, equals);
+  SweepAxis axis;
+  axis.option = find_option(key);
+  if (!axis.option) {
+    Settings unused;
+    parse_assignment(fmt::format("{}=", key), unused);  // throws, naming the nearest key
+  }
+  if (equals == std::string_view::npos) {
+    axis.values = standard_values(*axis.option);
+    return axis;
+  }
+  std::string_view rest = text.substr(equals + 1);
+  while (true) {
+    const auto comma = rest.find(',');
+    std::string value = canonical(*axis.option, rest.substr(0, comma));
+    if (std::find(axis.values.begin(), axis.values.end(), value) != axis.values.end())
+      throw InputError(fmt::format("sweep {}: the value {} stands there twice", key, value));
+    axis.values.push_back(std::move(value));
+    if (comma == std::string_view::npos) return axis;
+    rest = rest.substr(comma + 1);
+  }
+}
+
+std::span<const NamedSweep> named_sweeps() {
+  static const std::vector<NamedSweep> sweeps{
+      {"renderers", "Renderers", {"renderer"}},
+      {"accelerators", "Accelerators", {"accelerator"}},
+      {"shading-models", "Shading models", {"renderer=rasterizer", "shading", "highlight"}},
+      {"texture-filters", "Texture filters", {"renderer", "texture-filter"}},
+      {"reflection-depths", "Reflection depth", {"reflection-depth=0,1,2,3,4,6,8"}},
+      {"tessellation-levels", "Tessellation against exact spheres", {"renderer", "tessellation=0.05,0.2,0.5,2,8,32"}},
+      {"precision-and-tests", "Precision and tests", {"precision", "sphere-test", "self-hit"}},
+      {"snapping", "Sub-pixel bits", {"renderer=rasterizer", "subpixel-bits=0,2,4,6,8,10,12"}},
+      {"samples", "Samples per pixel", {"samples-per-pixel=1,4,16,64"}},
+      {"shadow-methods", "Shadow methods", {"renderer=rasterizer", "shadows", "shadow-map-size", "shadow-filter"}},
+      {"coverage-strategies", "Coverage strategies", {"renderer=rasterizer", "coverage"}},
+  };
+  static const std::vector<NamedSweep> usable = [] {
+    std::vector<NamedSweep> all;
+    for (const NamedSweep& sweep : sweeps) {
+      const bool known = std::all_of(sweep.axes.begin(), sweep.axes.end(), [](const std::string& axis) {
+        return find_option(std::string_view(axis).substr(0, axis.find('='))) != nullptr;
+      });
+      if (known) all.push_back(sweep);
+    }
+    return all;
+  }();
+  return usable;
+}
+
+std::vector<SweepAxis> parse_sweep(std::string_view text) {
+  std::vector<SweepAxis> axes;
+  for (const NamedSweep& sweep : named_sweeps())
+    if (sweep.key == text)
+      for (const std::string& axis : sweep.axes) axes.push_back(parse_sweep_axis(axis));
+  if (axes.empty()) axes.push_back(parse_sweep_axis(text));
+  return axes;
+}
+
+std::vector<SweepPoint> sweep_points(std::span<const SweepAxis> axes, const Settings& base, const Settings& scene_start,
+                                     const SceneTraits& traits) {
+  std::set<std::string_view> keys;
+  for (const SweepAxis& axis : axes)
+    if (!keys.insert(axis.option->key).second)
+      throw InputError(fmt::format("sweep {}: the option is swept twice", axis.option->key));
+  const std::vector<Settings> all = combinations(axes, base);
+  std::vector<SweepAxis> acting;
+  for (const SweepAxis& axis : axes)
+    if (acts_somewhere(axis, all, traits)) acting.push_back(axis);
+  std::vector<SweepPoint> points;
+  std::map<std::string, int> uses;
+  std::set<std::string> seen;
+  for (const Settings& combination : all) {
+    const Settings settings = axes.size() > 1 ? without_idle(acting, combination, base, traits) : combination;
+    SweepPoint point{short_label(axes, settings), all_assignments(axes, scene_start, settings), settings};
+    if (!seen.insert(point.settings).second) continue;
+    ++uses[point.label];
+    points.push_back(std::move(point));
+  }
+  for (SweepPoint& point : points)
+    if (uses[point.label] > 1) point.label = assignments(axes, point.value);
+  return points;
+}
+
+std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits) {
+  const std::vector<Settings> all = combinations(axes, base);
+  std::vector<std::string> sentences;
+  for (const SweepAxis& axis : axes)
+    if (!acts_somewhere(axis, all, traits))
+      sentences.push_back(fmt::format("{} changes nothing here: {}.", axis.option->key,
+                                      inactive_reason(*axis.option, all.front(), traits).value_or("")));
+  return sentences;
+}
+
+}  // namespace ps

@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "options/option.h"
+#include "scene/scene.h"
+
+namespace ps {
+
+/// One option with the values that a sweep gives it.
+struct SweepAxis {
+  const Option* option = nullptr;
+  std::vector<std::string> values;  ///< as option_text() writes them
+};
+
+/// Reads "KEY=V1,V2.." or "KEY", which stands for standard_values(). Throws InputError for an unknown key and a value
+/// that the option cannot have, and for the same value twice.
+SweepAxis parse_sweep_axis(std::string_view text);
+
+/// All values of a toggle or a choice; of a number at most eight, spread over its range as its scale says.
+std::vector<std::string> standard_values(const Option& option);
+
+/// A sweep worth making, for menus and for `--sweep NAME`.
+struct NamedSweep {
+  std::string_view key;    ///< "accelerators"
+  std::string_view label;  ///< "Accelerators"
+  std::vector<std::string> axes;
+};
+std::span<const NamedSweep> named_sweeps();
+/// The axes of a named sweep, or the one axis that `text` describes.
+std::vector<SweepAxis> parse_sweep(std::string_view text);
+
+/// One point of a sweep before it is measured.
+struct SweepPoint {
+  std::string label;     ///< what sets it apart from the others: "rasterizer, gouraud"
+  std::string settings;  ///< the swept options and what else differs from the scene's settings: "K=V;K=V"
+  Settings value;
+};
+
+/// The product of all axes over `base`. With several axes, an option that cannot act in a combination ("only the
+/// rasterizer uses it") keeps its value in `base` there, and of combinations that become equal the first is kept.
+/// `scene_start` is settings_for(scene): together with `settings` it reproduces a point. Without axes: `base` alone.
+std::vector<SweepPoint> sweep_points(std::span<const SweepAxis> axes, const Settings& base, const Settings& scene_start,
+                                     const SceneTraits& traits);
+
+/// Swept options that act nowhere in the sweep, each with its reason, in whole sentences.
+std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits);
+
+}  // namespace ps

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "support/run_cli.h"
+
+namespace {
+
+using ps::test::run_cli;
+using ps::test::ScratchFolder;
+
+std::vector<std::string> chart_of(const std::string& out, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{
+      "chart",   "cgfs/reflections", "--size",    "32x24", "--sweep", "reflection-depth=0,3",
+      "--sweep", "precision",        "--repeats", "2",     "--out",   out};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(ChartCommand, WritesTheFilesAndItsErrorsAreThoseOfCompare) {
+  const ScratchFolder scratch;
+  const std::string out = scratch.file("chart");
+  const auto result = run_cli(chart_of(out));
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(ps::read_whole_file(out + "/points.json"));
+  ASSERT_EQ(json.at("points").size(), 4u);
+  const auto compared = run_cli({"compare", out + "/reference.png", out + "/picture-2.png", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(compared.out).at("rmse"), json.at("points").at(2).at("error"));
+  const std::string csv = ps::read_whole_file(out + "/points.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+}
+
+TEST(ChartCommand, ShardsAreMerged) {
+  const ScratchFolder scratch;
+  const std::string first = scratch.file("1"), second = scratch.file("2"), out = scratch.file("all");
+  ASSERT_EQ(run_cli(chart_of(first, {"--shard", "1/2"})).status, 0);
+  ASSERT_EQ(run_cli(chart_of(second, {"--shard", "2/2"})).status, 0);
+  const auto merged = run_cli({"chart", "merge", first, second, "--out", out});
+  ASSERT_EQ(merged.status, 0) << merged.err;
+  EXPECT_EQ(nlohmann::json::parse(ps::read_whole_file(out + "/points.json")).at("points").size(), 4u);
+}
+
+TEST(ChartCommand, BadUsageEndsWithTwoAndOneLine) {
+  const ScratchFolder scratch;
+  const std::string out = scratch.file("chart");
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{{"--metric", "mse"},
+                                                                                    {"--region", "1,2,3"},
+                                                                                    {"--region", "0,0,33,1"},
+                                                                                    {"--shard", "3/2"},
+                                                                                    {"--sweep", "nothing"},
+                                                                                    {"--sweep", "precision=half"},
+                                                                                    {"--repeats", "0"},
+                                                                                    {"--reference", "none.png"},
+                                                                                    {"--reference-samples", "5"}}) {
+    const auto result = run_cli(chart_of(out, more));
+    EXPECT_EQ(result.status, 2) << more[1];
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  }
+  EXPECT_EQ(run_cli({"chart", "merge", "--out", out}).status, 2);
+  EXPECT_EQ(run_cli({"chart", "merge", scratch.file("none"), "--out", out}).status, 2);
+  EXPECT_EQ(run_cli({"chart", "cgfs/spheres"}).status, 2);
+}
+
+}  // namespace

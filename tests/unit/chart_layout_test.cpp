@@ -1,0 +1,80 @@
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "study/axis.h"
+#include "study/label_layout.h"
+
+namespace {
+
+using namespace ps;
+
+TEST(Axis, KeepsOrderAndPutsDecadesAtEqualDistances) {
+  const Axis axis = fit_axis({0.01, 100, 3}, AxisScale::logarithmic);
+  EXPECT_NEAR(axis.place(1) - axis.place(0.1), axis.place(10) - axis.place(1), 1e-12);
+  EXPECT_GT(axis.place(0.01), 0);
+  EXPECT_LT(axis.place(100), 1);
+  EXPECT_FALSE(axis.zero_place);
+}
+
+TEST(Axis, ZeroHasAPlaceBelowTheSmallestValue) {
+  const Axis axis = fit_axis({0, 1e-3, 5}, AxisScale::logarithmic);
+  EXPECT_TRUE(axis.zero_place);
+  EXPECT_LT(axis.place(0), axis.place(1e-3));
+  EXPECT_EQ(axis.ticks().front().text, "0");
+  const Axis only_zero = fit_axis({0, 0}, AxisScale::logarithmic);
+  EXPECT_GE(only_zero.place(0), 0);
+  EXPECT_TRUE(std::isfinite(fit_axis({}, AxisScale::linear).place(0.5)));
+}
+
+TEST(Axis, TicksLieOnTheAxisInOrderAndSomeHaveText) {
+  for (const auto& values : {std::vector<double>{0.5, 0.9}, {1, 1e6}, {3, 3}, {1e-9, 1e9}, {0.001, 0.02}})
+    for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
+      const Axis axis = fit_axis(values, scale);
+      const auto ticks = axis.ticks();
+      int labelled = 0;
+      for (std::size_t i = 0; i < ticks.size(); ++i) {
+        labelled += ticks[i].text.empty() ? 0 : 1;
+        if (i > 0) {
+          EXPECT_GT(axis.place(ticks[i].value), axis.place(ticks[i - 1].value));
+        }
+      }
+      EXPECT_GE(labelled, scale == AxisScale::linear ? 3 : 1);
+      EXPECT_LE(labelled, 14);
+    }
+}
+
+TEST(LabelLayout, LabelsCoverNeitherEachOtherNorMarksNorLeaveTheBox) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const Vec2d box{400, 300};
+  for (int round = 0; round < 200; ++round) {
+    std::vector<LabelWish> wishes(1 + random() % 40);
+    for (LabelWish& wish : wishes)
+      wish = {
+          {unit(random) * box.x, unit(random) * box.y}, {20 + unit(random) * 80, 12}, static_cast<int>(random() % 2)};
+    const auto places = place_labels(wishes, box, 4);
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+      if (!places[i].shown) continue;
+      const Vec2d low = places[i].corner, high = low + wishes[i].size;
+      EXPECT_TRUE(low.x >= 0 && low.y >= 0 && high.x <= box.x && high.y <= box.y);
+      for (std::size_t k = 0; k < wishes.size(); ++k) {
+        const Vec2d mark = wishes[k].mark;
+        EXPECT_FALSE(mark.x > low.x && mark.x < high.x && mark.y > low.y && mark.y < high.y);
+        if (k == i || !places[k].shown) continue;
+        const Vec2d other = places[k].corner, end = other + wishes[k].size;
+        EXPECT_FALSE(low.x < end.x && other.x < high.x && low.y < end.y && other.y < high.y);
+      }
+    }
+  }
+}
+
+TEST(LabelLayout, ALoneLabelIsShown) {
+  const auto places = place_labels({{{50, 50}, {60, 12}, 0}}, {400, 300}, 4);
+  EXPECT_TRUE(places[0].shown);
+}
+
+}  // namespace

@@ -1,0 +1,216 @@
+#include "study/chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "image/display.h"
+#include "image/file.h"
+#include "options/scene_settings.h"
+#include "render/display_frame.h"
+#include "scene/load.h"
+#include "study/chart_files.h"
+#include "support/run_cli.h"
+
+namespace {
+
+using namespace ps;
+
+ChartRequest small_request(const std::string& scene_name = "cgfs/reflections") {
+  ChartRequest request;
+  request.scene = load_scene(scene_name);
+  request.view = {request.scene.camera, 40, 30};
+  request.base = settings_for(request.scene);
+  const std::vector<SweepAxis> axes{parse_sweep_axis("reflection-depth=0,1,3"), parse_sweep_axis("precision")};
+  request.points = sweep_points(axes, request.base, request.base, scene_traits(request.scene));
+  request.repeats = 3;
+  request.shortest_sample = 0;
+  return request;
+}
+
+/// Numbers, errors, memory and counters: everything but times.
+void expect_same_but_times(const Chart& a, const Chart& b) {
+  EXPECT_TRUE(a.identity == b.identity);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const ChartPoint &p = a.points[i], &q = b.points[i];
+    EXPECT_EQ(p.number, q.number);
+    EXPECT_EQ(p.what.label, q.what.label);
+    EXPECT_EQ(p.what.settings, q.what.settings);
+    EXPECT_EQ(p.what.value, q.what.value);
+    EXPECT_EQ(p.error, q.error);
+    EXPECT_EQ(p.comparison.flip, q.comparison.flip);
+    EXPECT_EQ(p.comparison.psnr, q.comparison.psnr);
+    EXPECT_EQ(p.memory_mb, q.memory_mb);
+    EXPECT_EQ(p.counters, q.counters);
+    EXPECT_EQ(*p.picture, *q.picture);
+    EXPECT_EQ(p.samples_ms.size(), q.samples_ms.size());
+  }
+}
+
+TEST(Chart, ErrorIsWhatCompareSaysOfThePicturesInTheFolder) {
+  const test::ScratchFolder scratch;
+  for (const ErrorMetricRow& metric : error_metrics()) {
+    ChartRequest request = small_request();
+    request.folder = scratch.path() / "chart";
+    request.error.metric = metric.metric;
+    StudyControl control;
+    const Chart chart = run_chart(request, control);
+    const auto reference = load_levels(request.folder / "reference.png");
+    for (const ChartPoint& point : chart.points) {
+      const auto picture = load_levels(request.folder / ("picture-" + std::to_string(point.number) + ".png"));
+      EXPECT_EQ(picture, display_frame(render(request.scene, request.view, point.what.value), point.what.value));
+      EXPECT_EQ(point.error, error_of(compare_images(reference, picture), metric.metric)) << metric.key;
+    }
+  }
+}
+
+TEST(Chart, ShardsMergedEqualTheWhole) {
+  const test::ScratchFolder scratch;
+  StudyControl control;
+  ChartRequest request = small_request();
+  const Chart whole = run_chart(request, control);
+  ASSERT_EQ(whole.points.size(), 6u);
+  std::vector<std::filesystem::path> folders;
+  std::size_t sum = 0;
+  for (const char* shard : {"1/4", "2/4", "3/4", "4/4"}) {
+    request.shard = parse_shard(shard);
+    request.folder = folders.emplace_back(scratch.path() / std::to_string(folders.size()));
+    sum += run_chart(request, control).points.size();
+  }
+  EXPECT_EQ(sum, whole.points.size());
+  expect_same_but_times(merge_charts(folders, request.error.metric), whole);
+  ChartRequest other = small_request();
+  other.view.width = 41;
+  other.folder = scratch.path() / "other";
+  run_chart(other, control);
+  EXPECT_THROW(merge_charts({folders[0], other.folder}, ErrorMetric::rmse), InputError);
+  EXPECT_THROW(merge_charts({scratch.path() / "none"}, ErrorMetric::rmse), InputError);
+}
+
+TEST(Chart, ShardTextCountsFromOneOrFromZero) {
+  EXPECT_EQ(parse_shard("2/4").index, 2);
+  EXPECT_EQ(parse_shard("4/4").index, 0);
+  EXPECT_EQ(parse_shard("0/4").index, 0);
+  for (const char* text : {"", "1", "5/4", "-1/4", "1/0", "1/4x", "a/b", "/"})
+    EXPECT_THROW(parse_shard(text), InputError) << text;
+}
+
+TEST(Chart, CancelledChartsAreTakenUpWhereTheyStopped) {
+  const test::ScratchFolder scratch;
+  ChartRequest request = small_request();
+  StudyControl straight;
+  const Chart whole = run_chart(request, straight);
+  request.folder = scratch.path();
+  StudyControl stopped;
+  const auto stop_after_five = [&](const Chart&, const StudyStatus& status) {
+    if (status.done == 5) stopped.cancel();
+  };
+  EXPECT_THROW(run_chart(request, stopped, stop_after_five), Cancelled);
+  std::ofstream(scratch.file("runs.jsonl"), std::ios::app)
+      << "{\"sample\":0,\"time_";  // a crash in the middle of a line
+  StudyControl resumed;
+  int first_done = -1, runs = 0;
+  const Chart chart = run_chart(request, resumed, [&](const Chart&, const StudyStatus& status) {
+    if (first_done < 0)
+      first_done = status.done;
+    else
+      ++runs;
+  });
+  EXPECT_EQ(first_done, 5);
+  EXPECT_EQ(runs, 6 * 3 - 5);
+  expect_same_but_times(chart, whole);
+  expect_same_but_times(merge_charts({scratch.path()}, ErrorMetric::rmse), whole);
+}
+
+TEST(Chart, AFolderOfAnotherChartIsNotOverwritten) {
+  const test::ScratchFolder scratch;
+  ChartRequest request = small_request();
+  request.folder = scratch.path();
+  StudyControl control;
+  run_chart(request, control);
+  const std::string before = read_whole_file(scratch.file("runs.jsonl"));
+  request.view.width = 44;
+  EXPECT_THROW(run_chart(request, control), InputError);
+  EXPECT_EQ(read_whole_file(scratch.file("runs.jsonl")), before);
+}
+
+TEST(Chart, RepeatsAreInterleavedAndQuartilesAreThoseOfTheSamples) {
+  ChartRequest request = small_request();
+  request.repeats = 4;
+  double now = 0;
+  const Clock clock = [&] { return now += 0.5; };  // every reading half a second later than the last
+  StudyControl control;
+  const Chart chart = run_chart(
+      request, control,
+      [&](const Chart& c, const StudyStatus&) {
+        const auto [low, high] =
+            std::minmax_element(c.points.begin(), c.points.end(), [](const ChartPoint& a, const ChartPoint& b) {
+              return a.samples_ms.size() < b.samples_ms.size();
+            });
+        EXPECT_LE(high->samples_ms.size() - low->samples_ms.size(), 1u);
+      },
+      clock);
+  for (const ChartPoint& point : chart.points) {
+    EXPECT_EQ(point.samples_ms, std::vector<double>(4, 500));
+    EXPECT_EQ(point.time_ms.median, 500);
+  }
+}
+
+TEST(Chart, CancellingEndsAPauseAndTheChart) {
+  ChartRequest request = small_request();
+  StudyControl control;
+  control.set_paused(true);
+  int updates = 0;
+  EXPECT_TRUE(control.paused());
+  control.cancel();  // also ends the pause
+  EXPECT_FALSE(control.paused());
+  EXPECT_THROW(run_chart(request, control, [&](const Chart&, const StudyStatus&) { ++updates; }), Cancelled);
+  EXPECT_EQ(updates, 0);
+}
+
+TEST(Chart, RegionAndValuesDecideWhatIsCompared) {
+  ChartRequest request = small_request();
+  request.error.region = TileRect{5, 6, 25, 20};
+  request.error.values = ErrorValues::linear;
+  request.reference.samples = 1;
+  StudyControl control;
+  const Chart chart = run_chart(request, control);
+  Settings best = reference_settings(request.base, scene_traits(request.scene));
+  const Frame reference = render(request.scene, request.view, best);
+  for (const ChartPoint& point : chart.points) {
+    const Frame frame = render(request.scene, request.view, point.what.value);
+    double sum = 0;
+    for (int y = 6; y < 20; ++y)
+      for (int x = 5; x < 25; ++x)
+        for (int c = 0; c < 3; ++c) {
+          const double d =
+              static_cast<double>(frame.colour.at(x, y)[c]) - static_cast<double>(reference.colour.at(x, y)[c]);
+          sum += d * d;
+        }
+    EXPECT_NEAR(point.error, std::sqrt(sum / (20 * 14 * 3)), 1e-12) << point.what.label;
+  }
+  request.error.region = TileRect{30, 0, 50, 10};
+  EXPECT_THROW(run_chart(request, control), InputError);
+}
+
+TEST(Chart, FilesHoldTheTableOfTheDesign) {
+  ChartRequest request = small_request();
+  StudyControl control;
+  const Chart chart = run_chart(request, control);
+  const std::string csv = chart_csv(chart);
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
+  const std::string svg = chart_svg(chart);
+  std::size_t circles = 0;
+  for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++circles;
+  EXPECT_EQ(circles, 6u);
+  EXPECT_NE(chart_json(chart).find("\"processor\""), std::string::npos);
+}
+
+}  // namespace
