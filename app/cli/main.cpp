@@ -51,6 +51,8 @@ int main(int argc, char** argv) {
   ps::cli::add_inspect_command(app, action);
   ps::cli::add_compare_command(app, action);
   ps::cli::add_chart_command(app, action);
+  ps::cli::add_needs_command(app, action);
+  ps::cli::add_stability_command(app, action);
   ps::cli::add_lessons_command(app, action);
   ps::cli::add_options_command(app, action);
   ps::cli::add_scenes_command(app, action);

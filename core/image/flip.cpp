@@ -159,11 +159,38 @@ Plane flip_map(const Image<Vec3d>& reference, const Image<Vec3d>& test, const Fl
   return map;
 }
 
-double flip(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipOptions& options) {
-  const Plane map = flip_map(reference, test, options);
+namespace {
+
+double mean_of(const Plane& map) {
   double sum = 0;
   for (const double value : map.pixels()) sum += value;
   return sum / static_cast<double>(map.pixels().size());
+}
+
+double srgb_to_linear(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+Image<Vec3d> linear_of(const Image<Rgb8>& levels) {
+  Image<Vec3d> linear(levels.width(), levels.height());
+  std::transform(levels.pixels().begin(), levels.pixels().end(), linear.pixels().begin(), [](const Rgb8& p) {
+    return Vec3d(srgb_to_linear(p.r / 255.0), srgb_to_linear(p.g / 255.0), srgb_to_linear(p.b / 255.0));
+  });
+  return linear;
+}
+
+}  // namespace
+
+double flip(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipOptions& options) {
+  return mean_of(flip_map(reference, test, options));
+}
+
+Plane flip_map(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options) {
+  return flip_map(linear_of(reference), linear_of(test), options);
+}
+
+double flip(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options) {
+  return mean_of(flip_map(reference, test, options));
 }
 
 }  // namespace ps

@@ -20,4 +20,8 @@ Plane flip_map(const Image<Vec3d>& reference, const Image<Vec3d>& test, const Fl
 /// The mean of the map.
 double flip(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipOptions& options = {});
 
+/// The same for display levels, which are taken as sRGB.
+Plane flip_map(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options = {});
+double flip(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options = {});
+
 }  // namespace ps

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/machine.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/scene_arguments.h"
+#include "options/scene_settings.h"
+#include "study/needs.h"
+
+namespace ps::cli {
+namespace {
+
+struct NeedsArguments {
+  SceneArguments scene;
+  double tolerance = NeedsRequest{}.tolerance;
+  int repeats = NeedsRequest{}.repeats;
+  bool json = false;
+};
+
+std::string changes(const Settings& from, const Settings& to) {
+  return fmt::format("{}", fmt::join(settings_difference(from, to), ";"));
+}
+
+void print_json(const Document& document, const Needs& needs) {
+  const Machine machine = this_machine();
+  nlohmann::ordered_json json{{"program", "pixelscope " + machine.version},
+                              {"processor", machine.processor},
+                              {"simd", machine.simd},
+                              {"threads", machine.threads},
+                              {"scene", document.scene_name},
+                              {"metric", "largest mean FLIP of a tile"},
+                              {"tolerance", needs.tolerance},
+                              {"within-tolerance", needs.within_tolerance},
+                              {"settings", changes(settings_for(document.base), needs.advice)},
+                              {"error", needs.error},
+                              {"default_error", needs.default_error},
+                              {"time_ms", needs.time_ms},
+                              {"default_time_ms", needs.default_time_ms},
+                              {"work", needs.work},
+                              {"default_work", needs.default_work}};
+  json["features"] = nlohmann::ordered_json::array();
+  for (const FeatureShare& share : needs.shares) {
+    nlohmann::ordered_json feature{{"name", share.feature.name},
+                                   {"used", share.used},
+                                   {"error_without", share.error_without},
+                                   {"cost_share", share.cost_share},
+                                   {"work_share", share.work_share}};
+    if (!share.used) feature["reason"] = share.reason;
+    json["features"].push_back(std::move(feature));
+  }
+  json["trail"] = nlohmann::ordered_json::array();
+  for (const NeedsStep& step : needs.trail)
+    json["trail"].push_back(
+        {{"change", step.change}, {"error", step.error}, {"work", step.work}, {"accepted", step.accepted}});
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+void print_text(const Document& document, const Needs& needs) {
+  fmt::print("{:<30} {:>14} {:>11} {:>11}\n", "feature", "error without", "time share", "work share");
+  for (const FeatureShare& share : needs.shares) {
+    if (share.used)
+      fmt::print("{:<30} {:>14.4g} {:>10.1f}% {:>10.1f}%\n", share.feature.label, share.error_without,
+                 100 * share.cost_share, 100 * share.work_share);
+    else
+      fmt::print("{:<30} free to drop: {}\n", share.feature.label, share.reason);
+  }
+  const std::string advice = changes(settings_for(document.base), needs.advice);
+  fmt::print("advice     {}\n", advice.empty() ? "keep the settings" : advice);
+  if (!needs.within_tolerance)
+    fmt::print("           even these settings differ from double by more than the tolerance\n");
+  fmt::print("error      {:.4g} of {:.4g} allowed (largest mean FLIP of a tile); as it is {:.4g}\n", needs.error,
+             needs.tolerance, needs.default_error);
+  fmt::print("time       {:.4g} ms, as it is {:.4g} ms\n", needs.time_ms, needs.default_time_ms);
+  fmt::print("work       {} rays, tests, fragments and texels, as it is {}\n", needs.work, needs.default_work);
+}
+
+int run_needs(const NeedsArguments& arguments) {
+  const Document document = load_document(arguments.scene);
+  NeedsRequest request;
+  request.scene = document.scene;
+  request.view = view_of(document);
+  request.base = document.a.settings;
+  request.tolerance = arguments.tolerance;
+  request.repeats = arguments.repeats;
+  StudyControl control;
+  forward_interrupts(control.progress());
+  const Needs needs = find_needs(request, control);
+  if (arguments.json)
+    print_json(document, needs);
+  else
+    print_text(document, needs);
+  return 0;
+}
+
+}  // namespace
+
+void add_needs_command(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("needs", "what a scene needs: shares of features, cheapest settings");
+  const auto arguments = std::make_shared<NeedsArguments>();
+  add_scene_arguments(*command, arguments->scene);
+  command
+      ->add_option("--tolerance", arguments->tolerance, "largest allowed mean FLIP of any tile of about 16 x 16 pixels")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--repeats", arguments->repeats, "timed runs of each variant")->check(CLI::Range(1, 1000));
+  command->add_flag("--json", arguments->json, "as JSON");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run_needs(*arguments); }; });
+}
+
+}  // namespace ps::cli

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "base/machine.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "study/stability/experiment.h"
+
+namespace ps::cli {
+namespace {
+
+struct StabilityArguments {
+  std::vector<std::string> names;
+  std::string output;
+  std::uint32_t seed = 1;
+};
+
+void print_rows(const StabilityExperiment& experiment, const std::vector<StabilityRow>& rows) {
+  fmt::print("{} ({})\n{}\n", experiment.title, experiment.key, experiment.explanation);
+  fmt::print("naive: {}; robust: {}; safe: {}\n", experiment.naive, experiment.robust, experiment.safe);
+  fmt::print("{:>12} {:>12} {:>12}  {}\n", "knob", "naive", "robust", experiment.knob);
+  for (const StabilityRow& row : rows)
+    fmt::print("{:>12.4g} {:>12.4g} {:>12.4g}  {}: {}\n", row.knob, row.naive, row.robust, row.series, row.unit);
+  fmt::print("\n");
+}
+
+int run_stability(const StabilityArguments& arguments) {
+  std::vector<const StabilityExperiment*> chosen;
+  for (const std::string& name : arguments.names) chosen.push_back(&find_stability_experiment(name));
+  if (chosen.empty())
+    for (const StabilityExperiment& experiment : stability_experiments()) chosen.push_back(&experiment);
+  std::error_code error;
+  std::filesystem::create_directories(arguments.output, error);
+  if (!std::filesystem::is_directory(arguments.output))
+    throw InputError(fmt::format("{}: cannot be made a folder", arguments.output));
+  const Machine machine = this_machine();
+  fmt::print("pixelscope {}, {}, {}, {} threads, seed {}\n\n", machine.version, machine.processor, machine.simd,
+             machine.threads, arguments.seed);
+  for (const StabilityExperiment* experiment : chosen) {
+    const std::vector<StabilityRow> rows = experiment->measure({arguments.seed, &interruptible_progress()});
+    write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", experiment->key),
+                          stability_csv(rows));
+    print_rows(*experiment, rows);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("stability", "measure where methods fail, naive beside robust");
+  const auto arguments = std::make_shared<StabilityArguments>();
+  std::string names;
+  for (const StabilityExperiment& experiment : stability_experiments()) names += fmt::format(" {}", experiment.key);
+  command->add_option("NAME", arguments->names, "experiments, all without one:" + names);
+  command->add_option("--out", arguments->output, "folder for NAME.csv")->required();
+  command->add_option("--seed", arguments->seed, "of the random numbers");
+  command->callback([&chosen, arguments] { chosen = [arguments] { return run_stability(*arguments); }; });
+}
+
+}  // namespace ps::cli

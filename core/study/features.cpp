@@ -1,0 +1,83 @@
+#include "study/features.h"
+
+#include <array>
+
+#include "base/check.h"
+#include "options/option.h"
+
+namespace ps {
+namespace {
+
+constexpr std::array<Feature, 8> table{{
+    {"lighting", "Lighting", "lighting", "off"},
+    {"shadows", "Shadows", "shadows", "none"},
+    {"highlights", "Highlights", "specular", "off"},
+    {"reflection", "Reflected and refracted rays", "reflection-depth", "0"},
+    {"refraction", "Refraction", "refraction", "off"},
+    {"attenuation", "Attenuation", "attenuation", "off"},
+    {"textures", "Textures", "textures", "off"},
+    {"vertex-normals", "Vertex normals", "normals", "triangle"},
+}};
+
+/// Of each option the cheapest value first.
+constexpr std::array<Saving, 26> all_savings{{
+    {"renderer", "rasterizer"},   {"lighting", "off"},           {"shadows", "none"},
+    {"specular", "off"},          {"reflection-depth", "0"},     {"reflection-depth", "1"},
+    {"reflection-depth", "2"},    {"reflection-depth", "3"},     {"reflection-depth", "4"},
+    {"reflection-depth", "6"},    {"reflection-depth", "8"},     {"reflection-depth", "12"},
+    {"refraction", "off"},        {"transparency", "fixed"},     {"attenuation", "off"},
+    {"textures", "off"},          {"texture-filter", "nearest"}, {"texture-filter", "bilinear"},
+    {"texture-filter", "mipmap"}, {"normals", "triangle"},       {"shading", "flat"},
+    {"shading", "gouraud"},       {"samples-per-pixel", "1"},    {"samples-per-pixel", "4"},
+    {"samples-per-pixel", "16"},  {"precision", "float"},
+}};
+
+const Option& row(std::string_view key) {
+  const Option* option = find_option(key);
+  PS_ASSERT(option != nullptr, "a feature names an option of the table");
+  return *option;
+}
+
+/// Place of a value among the savings of its option: cheaper ones come first. Past the end if it is none.
+std::size_t rank(const Option& option, std::string_view value) {
+  for (std::size_t i = 0; i < all_savings.size(); ++i)
+    if (all_savings[i].option == option.key && all_savings[i].value == value) return i;
+  return all_savings.size();
+}
+
+/// Is it cheaper than what is set now? Only then is it a saving, and no search goes in circles.
+bool is_less(const Option& option, const Settings& now, const Settings& then) {
+  if (option.kind == OptionKind::integer || option.kind == OptionKind::real) return option.get(then) < option.get(now);
+  return rank(option, option_text(option, then)) < rank(option, option_text(option, now));
+}
+
+}  // namespace
+
+std::span<const Feature> features() { return table; }
+
+Settings without(const Feature& feature, const Settings& settings) {
+  Settings less = settings;
+  parse_option(row(feature.option), feature.off, less);
+  return less;
+}
+
+std::optional<std::string_view> unused_reason(const Feature& feature, const Settings& settings,
+                                              const SceneTraits& traits) {
+  if (const auto reason = inactive_reason(row(feature.option), settings, traits)) return reason;
+  if (without(feature, settings) == settings) return "it is off already";
+  return {};
+}
+
+std::vector<Saving> savings(const Settings& settings, const SceneTraits& traits) {
+  std::vector<Saving> usable;
+  for (const Saving& saving : all_savings) {
+    const Option* option = find_option(saving.option);
+    if (!option || inactive_reason(*option, settings, traits)) continue;
+    Settings then = settings;
+    parse_option(*option, saving.value, then);
+    if (is_less(*option, settings, then)) usable.push_back(saving);
+  }
+  return usable;
+}
+
+}  // namespace ps

@@ -1,0 +1,161 @@
+#include "study/needs.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "options/option.h"
+#include "render/display_frame.h"
+#include "study/reference.h"
+#include "study/timing.h"
+#include "study/worst_tile.h"
+
+namespace ps {
+namespace {
+
+struct Tried {
+  Settings settings;
+  double error = 0;
+  std::uint64_t work = 0;
+};
+
+class Search {
+ public:
+  Search(const NeedsRequest& request, StudyControl& control,
+         const std::function<void(const Needs&, const StudyStatus&)>& update)
+      : request_(request), control_(control), update_(update), traits_(scene_traits(request.scene)) {}
+
+  Needs run() {
+    Settings best = reference_settings(request_.base, traits_);
+    best.renderer = request_.base.renderer;
+    // Whether a line goes through one pixel or its neighbour is a tie more often than not: there is no better truth.
+    if (request_.base.draw != Draw::filled) best.precision = request_.base.precision;
+    best.reflection_depth = request_.base.reflection_depth;
+    best.shadows = request_.base.shadows;
+    best.samples_per_pixel = request_.base.samples_per_pixel;
+    best.multisampling = request_.base.multisampling;
+    reference_ = picture_of(best).levels;
+    needs_.tolerance = request_.tolerance;
+    const Tried start = try_out(request_.base);
+    needs_.default_error = start.error;
+    needs_.default_work = start.work;
+    needs_.within_tolerance = start.error <= request_.tolerance;
+    measure_features(start);
+    const Tried found = needs_.within_tolerance ? descend(start) : start;
+    needs_.advice = found.settings;
+    needs_.error = found.error;
+    needs_.work = found.work;
+    measure_times();
+    return std::move(needs_);
+  }
+
+ private:
+  struct Rendered {
+    Image<Rgb8> levels;
+    std::uint64_t work = 0;
+  };
+
+  Rendered picture_of(const Settings& settings) {
+    control_.wait_here();
+    RenderRequest how;
+    how.priority = request_.priority;
+    const Frame frame = render(request_.scene, request_.view, settings, how, prepared_, control_.progress());
+    return {display_frame(frame, settings), counted_work(frame.counters)};
+  }
+
+  Tried try_out(const Settings& settings) {
+    const Rendered rendered = picture_of(settings);
+    ++status_.done;
+    status_.total = std::max(status_.total, status_.done);
+    if (update_) update_(needs_, status_);
+    return {settings, worst_tile_flip(reference_, rendered.levels), rendered.work};
+  }
+
+  void measure_features(const Tried& start) {
+    for (const Feature& feature : features()) {
+      FeatureShare share;
+      share.feature = feature;
+      if (const auto reason = unused_reason(feature, request_.base, traits_)) {
+        share.reason = std::string(*reason);
+      } else {
+        share.used = true;
+        const Tried tried = try_out(without(feature, request_.base));
+        share.error_without = tried.error;
+        const double work = static_cast<double>(std::max<std::uint64_t>(start.work, 1));
+        share.work_share = 1 - static_cast<double>(tried.work) / work;
+      }
+      needs_.shares.push_back(std::move(share));
+    }
+  }
+
+  /// Steepest descent in counted work.
+  Tried descend(Tried now) {
+    while (true) {
+      std::optional<Tried> next;
+      std::size_t next_step = 0;
+      for (const Saving& saving : savings(now.settings, traits_)) {
+        Settings settings = now.settings;
+        parse_option(*find_option(saving.option), saving.value, settings);
+        const Tried tried = try_out(settings);
+        needs_.trail.push_back({fmt::format("{}={}", saving.option, saving.value), tried.error, tried.work, false});
+        // At equal work the first is kept: savings() lists whole features before their cheaper forms.
+        const bool allowed = tried.error <= request_.tolerance && tried.work <= now.work;
+        if (!allowed || (next && tried.work >= next->work)) continue;
+        next = tried;
+        next_step = needs_.trail.size() - 1;
+      }
+      if (!next) return now;
+      needs_.trail[next_step].accepted = true;
+      now = *next;
+    }
+  }
+
+  void measure_times() {
+    std::vector<Settings> variants{request_.base, needs_.advice};
+    std::vector<FeatureShare*> measured;
+    for (FeatureShare& share : needs_.shares)
+      if (share.used) {
+        variants.push_back(without(share.feature, request_.base));
+        measured.push_back(&share);
+      }
+    std::vector<std::vector<double>> samples(variants.size());
+    for (int round = 0; round < request_.repeats; ++round)
+      for (std::size_t i = 0; i < variants.size(); ++i) {
+        picture_of(variants[i]);
+        samples[i].push_back(sample_milliseconds([&] { picture_of(variants[i]); }, 1, steady_seconds));
+      }
+    needs_.default_time_ms = quartiles(samples[0]).median;
+    needs_.time_ms = quartiles(samples[1]).median;
+    for (std::size_t i = 0; i < measured.size(); ++i)
+      measured[i]->cost_share = 1 - quartiles(samples[i + 2]).median / needs_.default_time_ms;
+  }
+
+  const NeedsRequest& request_;
+  StudyControl& control_;
+  const std::function<void(const Needs&, const StudyStatus&)>& update_;
+  SceneTraits traits_;
+  Prepared prepared_;
+  Image<Rgb8> reference_;
+  Needs needs_;
+  StudyStatus status_;
+};
+
+}  // namespace
+
+std::uint64_t counted_work(const Counters& counters) {
+  std::uint64_t work = 0;
+  for (const Counter counter :
+       {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays,
+        Counter::sphere_tests, Counter::triangle_tests, Counter::solid_tests, Counter::fragments, Counter::texel_reads})
+    work += counters[counter];
+  return work;
+}
+
+Needs find_needs(const NeedsRequest& request, StudyControl& control,
+                 const std::function<void(const Needs&, const StudyStatus&)>& update) {
+  return Search(request, control, update).run();
+}
+
+}  // namespace ps

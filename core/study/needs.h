@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/render.h"
+#include "study/control.h"
+#include "study/features.h"
+#include "study/metric.h"
+
+namespace ps {
+
+/// Counted work: rays, intersection tests, fragments and texel reads. The same on every machine.
+std::uint64_t counted_work(const Counters& counters);
+
+struct NeedsRequest {
+  Scene scene;
+  View view;
+  Settings base;
+  double tolerance = 0.05;  ///< largest allowed worst_tile_flip
+  int repeats = 5;          ///< timed runs of each variant, interleaved
+  WorkerPriority priority = WorkerPriority::normal;
+};
+
+struct FeatureShare {
+  Feature feature;
+  bool used = false;
+  std::string reason;        ///< why it is free to drop, if it is not used
+  double error_without = 0;  ///< worst_tile_flip against the reference when it is switched off
+  double cost_share = 0;     ///< share of the time of a picture that it takes; below 0 by noise only
+  double work_share = 0;     ///< the same of the counted work
+};
+
+/// One step of the search.
+struct NeedsStep {
+  std::string change;  ///< "shadows=none"
+  double error = 0;
+  std::uint64_t work = 0;
+  bool accepted = false;
+};
+
+struct Needs {
+  double tolerance = 0;
+  Settings advice;
+  double error = 0, default_error = 0;  ///< worst_tile_flip against the reference
+  double time_ms = 0, default_time_ms = 0;
+  std::uint64_t work = 0, default_work = 0;
+  std::vector<FeatureShare> shares;
+  std::vector<NeedsStep> trail;
+  /// False if even the settings as they are differ from the reference by more than the tolerance: then nothing is
+  /// advised but to keep them.
+  bool within_tolerance = true;
+};
+
+/// What the scene needs of `base`. The reference is the same picture in double with the robust tests
+/// (outlines: as it is, since lines round ties). The search tries
+/// every saving, takes the one after which the least work is left among those within the tolerance (at equal work a
+/// feature less), and goes on from there until none is left; it never adds work. Throws Cancelled.
+Needs find_needs(const NeedsRequest& request, StudyControl& control,
+                 const std::function<void(const Needs&, const StudyStatus&)>& update = {});
+
+}  // namespace ps

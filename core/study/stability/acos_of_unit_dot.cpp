@@ -1,0 +1,27 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "math/vec.h"
+#include "study/stability/experiments.h"
+
+namespace ps::stability {
+
+/// The angle of a normalised vector with itself: in float its square is above 1 for many vectors.
+std::vector<StabilityRow> acos_of_unit_dot(const StabilityRun& run) {
+  constexpr int vectors = 1000000;
+  run.check();
+  std::mt19937 random(run.seed);
+  std::normal_distribution<float> gauss(0, 1);
+  int naive = 0, robust = 0;
+  for (int i = 0; i < vectors; ++i) {
+    Vec3f v(gauss(random), gauss(random), gauss(random));
+    v /= std::sqrt(dot(v, v));
+    const float cosine = dot(v, v);
+    naive += std::isnan(std::acos(cosine)) ? 1 : 0;
+    robust += std::isnan(std::acos(std::clamp(cosine, -1.0f, 1.0f))) ? 1 : 0;
+  }
+  return {{1, "float unit vectors", 100.0 * naive / vectors, 100.0 * robust / vectors, "% NaN"}};
+}
+
+}  // namespace ps::stability

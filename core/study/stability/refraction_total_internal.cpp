@@ -1,0 +1,30 @@
+#include <cmath>
+#include <random>
+
+#include "study/stability/experiments.h"
+
+namespace ps::stability {
+
+/// Rays that leave glass, cosine-weighted over the hemisphere: Snell's law asks for the root of a negative number
+/// beyond the critical angle. Robust: that branch is total reflection.
+std::vector<StabilityRow> refraction_total_internal(const StabilityRun& run) {
+  constexpr int rays = 1000000;
+  std::vector<StabilityRow> rows;
+  for (const double index : {1.0, 1.1, 1.33, 1.5, 2.0, 2.4}) {
+    run.check();
+    std::mt19937 random(run.seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    int naive = 0, robust = 0;
+    for (int i = 0; i < rays; ++i) {
+      const double sine_squared = unit(random);  // cosine-weighted: sin^2 is uniform
+      const double left = 1 - index * index * sine_squared;
+      naive += std::isnan(std::sqrt(left)) ? 1 : 0;
+      const double cosine = left < 0 ? std::sqrt(1 - sine_squared) : std::sqrt(left);
+      robust += std::isnan(cosine) ? 1 : 0;
+    }
+    rows.push_back({index, "leaving the glass", 100.0 * naive / rays, 100.0 * robust / rays, "% NaN"});
+  }
+  return rows;
+}
+
+}  // namespace ps::stability

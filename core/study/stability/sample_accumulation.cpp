@@ -1,0 +1,32 @@
+#include <cmath>
+#include <random>
+
+#include "study/stability/experiments.h"
+
+namespace ps::stability {
+
+/// Mean of n random samples in [0, 1) by a running float sum, against the same with Kahan's correction; the truth is
+/// summed in double.
+std::vector<StabilityRow> sample_accumulation(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const int n : {1000, 100000, 10000000, 100000000}) {
+    std::mt19937 random(run.seed);
+    float plain = 0, corrected = 0, lost = 0;
+    double truth = 0;
+    for (int i = 0; i < n; ++i) {
+      if (i % 1000000 == 0) run.check();
+      const float sample = static_cast<float>(random() >> 8) * 0x1p-24f;
+      truth += static_cast<double>(sample);
+      plain += sample;
+      const float better = sample - lost;
+      const float next = corrected + better;
+      lost = (next - corrected) - better;
+      corrected = next;
+    }
+    const auto error = [&](float sum) { return std::abs(static_cast<double>(sum) - truth) / truth; };
+    rows.push_back({static_cast<double>(n), "uniform samples", error(plain), error(corrected), "relative error"});
+  }
+  return rows;
+}
+
+}  // namespace ps::stability

@@ -1,0 +1,83 @@
+#include "study/needs.h"
+
+#include <gtest/gtest.h>
+
+#include "image/metrics.h"
+#include "options/scene_settings.h"
+#include "render/display_frame.h"
+#include "scene/load.h"
+#include "study/reference.h"
+
+namespace {
+
+using namespace ps;
+
+Needs needs_of(const std::string& name, double tolerance = 0.05) {
+  NeedsRequest request;
+  request.scene = load_scene(name);
+  request.view = {request.scene.camera, 64, 48};
+  request.base = settings_for(request.scene);
+  request.tolerance = tolerance;
+  request.repeats = 1;
+  StudyControl control;
+  return find_needs(request, control);
+}
+
+std::uint64_t work_of(const Scene& scene, const Settings& settings) {
+  const Counters counters = render(scene, {scene.camera, 64, 48}, settings).counters;
+  return counters[Counter::eye_rays] + counters[Counter::shadow_rays] + counters[Counter::reflection_rays] +
+         counters[Counter::refraction_rays] + counters[Counter::sphere_tests] + counters[Counter::triangle_tests] +
+         counters[Counter::solid_tests] + counters[Counter::fragments] + counters[Counter::texel_reads];
+}
+
+Image<Rgb8> levels_of(const Scene& scene, const Settings& settings) {
+  return display_frame(render(scene, {scene.camera, 64, 48}, settings), settings);
+}
+
+TEST(Needs, OnEveryBuiltinSceneTheAdviceMeetsItsToleranceAndDoesNoMoreWork) {
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    SCOPED_TRACE(builtin.name);
+    const Scene scene = load_scene(builtin.name);
+    const Settings base = settings_for(scene);
+    const Needs needs = needs_of(builtin.name);
+    Settings best = base;
+    best.precision = Precision::float64;
+    EXPECT_TRUE(needs.within_tolerance);
+    // The mean over the whole picture, from pictures made here, is below the worst tile.
+    EXPECT_LE(compare_images(levels_of(scene, best), levels_of(scene, needs.advice)).flip, 0.05);
+    EXPECT_LE(needs.error, 0.05);
+    EXPECT_LE(work_of(scene, needs.advice), work_of(scene, base));
+    EXPECT_EQ(needs.work, work_of(scene, needs.advice));
+    EXPECT_EQ(needs.default_work, work_of(scene, base));
+  }
+}
+
+TEST(Needs, MirrorsAndShadowsThatShowAreKept) {
+  const Needs needs = needs_of("cgfs/reflections");
+  EXPECT_EQ(needs.advice.shadows, Shadows::traced);
+  EXPECT_GT(needs.advice.reflection_depth, 0);
+  for (const FeatureShare& share : needs.shares) {
+    if (share.feature.name == "shadows" || share.feature.name == "reflection") {
+      EXPECT_TRUE(share.used);
+      EXPECT_GT(share.error_without, 0.05);
+      EXPECT_GT(share.work_share, 0.1);
+    }
+    if (share.feature.name == "textures" || share.feature.name == "refraction") {
+      EXPECT_FALSE(share.used);
+      EXPECT_FALSE(share.reason.empty());
+    }
+  }
+}
+
+TEST(Needs, AZeroToleranceChangesNoPixelAndALargeOneDropsMore) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const Needs exact = needs_of("cgfs/reflections", 0), loose = needs_of("cgfs/reflections", 0.9);
+  if (exact.within_tolerance) {
+    EXPECT_EQ(exact.error, 0);
+  } else {
+    EXPECT_EQ(exact.advice, settings_for(scene));
+  }
+  EXPECT_LT(loose.work, exact.work);
+}
+
+}  // namespace
