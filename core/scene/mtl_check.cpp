@@ -90,11 +90,7 @@ class MtlChecker {
         std::find_if(not_drawn.begin(), not_drawn.end(), [&](const NotDrawn& s) { return s.word == word; });
     const bool is_drawn = is_one_of(word, drawn_colours) || word == "Ns" || word == "Ni" || word == "d" ||
                           word == "Tr" || word == "illum" || word == "map_Kd" || is_one_of(word, reliefs);
-    if (!is_drawn && ignored == not_drawn.end()) {
-      note(word, fmt::format("{}:{}: '{}' is not a statement of a material file; perhaps '{}'.", file_, line.number(),
-                             word, nearest_word(word, known_words())));
-      return;
-    }
+    if (!is_drawn && ignored == not_drawn.end()) return unknown(line, word);
     if (facts_ == nullptr) line.fail(fmt::format("'{}' before any material", word), "'newmtl NAME' first");
     if (ignored != not_drawn.end()) return leave_out(line, *ignored);
     if (word == "map_Kd") {
@@ -116,6 +112,13 @@ class MtlChecker {
       end(line, "three numbers");
       if (word == "Kd") facts_->diffuse = true;
     }
+  }
+
+  void unknown(const ObjLine& line, const std::string& word) {
+    constexpr std::size_t most_notes = 50;  // a file of another kind has nothing but unknown words
+    if (noted_.size() >= most_notes || noted_.count(word) > 0) return;
+    note(word, fmt::format("{}:{}: '{}' is not a statement of a material file; perhaps '{}'.", file_, line.number(),
+                           word.substr(0, 60), nearest_word(word, known_words())));
   }
 
   void start(ObjLine& line) {

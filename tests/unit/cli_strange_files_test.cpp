@@ -75,7 +75,7 @@ TEST_F(StrangeFiles, BinaryRubbish) {
   for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(random());
   write_and_expect_refused("rubbish.scene", bytes, "rubbish.scene:");
   write_and_expect_refused("rubbish.obj", bytes, "rubbish.obj:");
-  write_and_expect_refused("picture.scene", "\x89PNG\r\n\x1a\n", "picture.scene:1");
+  write_and_expect_refused("picture.scene", "\x89PNG\r\n\x1a\n", "picture.scene:");
   write_and_expect_refused("wide.obj", std::string("\xFF\xFEv\0 \0", 6), "UTF-16");
   write_and_expect_refused("wide.scene", std::string("\xFF\xFEv\0 \0", 6), "UTF-16");
 }
