@@ -97,7 +97,7 @@ class App final : public Content {
   LessonShelf lessons_;
   std::string filling_;  ///< the region that fills the window; empty = none
   bool about_open_ = false;
-  float lesson_share_ = 0.5f;  ///< of the left region's height, while a lesson is open
+  float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
   Autosave autosave_;
   bool flying_now_ = false;
   double last_draw_ = 0;

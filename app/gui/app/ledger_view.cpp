@@ -27,9 +27,10 @@ bool tells_only(const PixelStory& story, const LedgerLine& line) {
 struct Columns {
   float left = 0, right = 0;  // window pixels
   bool one_line = true;       // words and numbers side by side; else the numbers stand below the words
+  float number = 0;           // width of one number with the space before it
 
   float number_right(int channel) const {
-    return right - px(swatch_size + 8) - px(number_width) * static_cast<float>(2 - channel);
+    return right - px(swatch_size + 8) - number * static_cast<float>(2 - channel);
   }
 };
 
@@ -50,7 +51,8 @@ void headings(const Columns& columns) {
 
 bool line_row(const std::string& name, const LedgerLine& line, bool selected, const Columns& columns) {
   auto& list = *ImGui::GetWindowDrawList();
-  ImFont *words = theme().font(Face::body), *digits = theme().font(Face::mono);
+  ImFont* words = theme().font(Face::body);
+  ImFont* digits = theme().font(columns.number < px(number_width) ? Face::small : Face::mono);
   const float pitch = std::max(words->FontSize, digits->FontSize) + px(3);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = columns.one_line ? pitch : 2 * pitch;
@@ -59,7 +61,7 @@ bool line_row(const std::string& name, const LedgerLine& line, bool selected, co
   tooltip(fmt::format("{}\n{}  {}  {}", line.term, full_number(line.value.x), full_number(line.value.y),
                       full_number(line.value.z)));
   const float left = at.x + px(indent_step) * static_cast<float>(line.level) + px(4);
-  const float words_end = columns.one_line ? columns.number_right(0) - px(number_width) : columns.right;
+  const float words_end = columns.one_line ? columns.number_right(0) - columns.number : columns.right;
   const ImU32 ink = colour_u32(palette().text);
   {
     const FontScope font(Face::body);
@@ -83,6 +85,7 @@ int ledger_view(const std::string& name, const PixelStory& story, int selected_e
   columns.left = ImGui::GetCursorScreenPos().x;
   columns.right = columns.left + ImGui::GetContentRegionAvail().x;
   columns.one_line = columns.right - columns.left - px(3 * number_width + swatch_size) >= px(room_for_one_line);
+  columns.number = std::min(px(number_width), (columns.right - columns.left - px(swatch_size + 8)) / 3);
   headings(columns);
   int index = 0;
   for (const auto& line : story.ledger) {

@@ -32,6 +32,7 @@ void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area
 
   const ImU32 text = colour_u32(palette().text);
   list.AddRectFilled(min, max, colour_u32(palette().panel, 0.92), px(4));
+  list.AddRect(min, max, colour_u32(palette().line_strong), px(4));
   ImVec2 at{min.x + margin, min.y + margin / 2};
   list.AddText(font, size, at, text, legend.title.c_str());
   at.y += line;

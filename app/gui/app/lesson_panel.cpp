@@ -112,7 +112,7 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
   if (button("again", "Again", Emphasis::quiet, {.tooltip = "Puts this step's settings back.", .disabled = {}}))
     go_to_step(session, lesson->name, index);
   ImGui::SameLine();
-  const bool close = button("close", "Close", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
+  const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
   if (target != index) go_to_step(session, lesson->name, target);
   if (close) close_lesson(session);
 }

@@ -71,7 +71,6 @@ void row(Session& session, OptionsPanelState& state, const Option& option) {
   OptionRowContext context;
   context.side = state.side;
   context.other = &session.settings(other);
-  context.highlight = !state.search.empty();
   const auto result = option_row(option, settings, session.traits(), context);
   if (result.edit.changed)
     session.set_settings(state.side, settings,

@@ -1,5 +1,7 @@
 #include "gui/app/pictures_panel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,8 @@
 namespace ps::gui {
 namespace {
 
-constexpr double gap = 10;  // between two pictures
+constexpr double gap = 10;         // between two pictures
+constexpr double long_wait = 500;  // milliseconds without a new pixel until that is said
 
 PictureTransform current_transform(const Document& document, Vec2i size, const Area& area) {
   if (document.view.zoom <= 0) return fitted(size, area);
@@ -124,6 +127,10 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   }
   const auto status = session.renderer(shown_side).status();
   if (status.state == RenderState::failed) draw_notice(list, area, status.message);
+  // What is seen until the first pixels come is the picture before.
+  if (status.waited > long_wait)
+    draw_notice(list, split ? Area{area.min, {split->at, area.max.y}} : area,
+                fmt::format("{} is being prepared ...", letter_of(shown_side)));
   if (status.state == RenderState::done && !split) nothing_drawn(session, shown_side, area);
 }
 
@@ -220,9 +227,9 @@ struct Halves {
 /// Side by side or one above the other, whichever shows the pictures larger.
 Halves halves(const Area& area, Vec2i picture_size) {
   const float space = px(gap);
-  const float middle_x = std::round((area.min.x + area.max.x) / 2),
-              middle_y = std::round((area.min.y + area.max.y) / 2);
-  const Halves beside{{area.min, {middle_x - space / 2, area.max.y}}, {{middle_x + space / 2, area.min.y}, area.max}};
+  // Equal to the pixel, so that both pictures have the same size and height.
+  const float half = std::floor((area.width() - space) / 2), middle_y = std::round((area.min.y + area.max.y) / 2);
+  const Halves beside{{area.min, {area.min.x + half, area.max.y}}, {{area.max.x - half, area.min.y}, area.max}};
   const Halves stacked{{area.min, {area.max.x, middle_y}}, {{area.min.x, middle_y}, area.max}};
   const double beside_zoom = fitted(picture_size, framed(beside.first).picture).zoom;
   const double stacked_zoom = fitted(picture_size, framed(stacked.first).picture).zoom;

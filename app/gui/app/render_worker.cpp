@@ -100,7 +100,11 @@ void RenderWorker::cancel() {
 
 RenderStatus RenderWorker::status() const {
   const std::lock_guard lock(mutex_);
-  return {state_, job_.fraction(), message_, begun_, done_, first_pixels_};
+  const bool running = state_ == RenderState::coarse || state_ == RenderState::full;
+  double waited = 0;
+  if (running && !arrived_)
+    waited = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - requested_).count();
+  return {state_, job_.fraction(), message_, begun_, done_, first_pixels_, waited};
 }
 
 std::shared_ptr<const RenderResult> RenderWorker::result() const {

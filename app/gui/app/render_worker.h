@@ -48,6 +48,7 @@ struct RenderStatus {
   std::uint64_t renders_begun = 0;  ///< full or coarse-then-full renders, not changes of display
   std::uint64_t renders_done = 0;
   double first_pixels = 0;  ///< milliseconds from the newest request to collecting the first pixels of its render
+  double waited = 0;        ///< milliseconds since the newest request while none of its pixels has come; else 0
 };
 
 /// Two requests need the same render: they differ at most in display options and in the channel shown.

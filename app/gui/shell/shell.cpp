@@ -32,6 +32,9 @@ constexpr double for_ever = 1e9;
 /// Dear ImGui needs a frame to see an event, one to lay out what it opened, and one to settle.
 constexpr int frames_after_event = 3;
 constexpr std::chrono::microseconds frame_time{16'666};
+/// While work goes on and nobody touches anything, frames only show what has arrived: the processor is for the work.
+constexpr std::chrono::microseconds watching_frame_time{33'333};
+constexpr std::chrono::milliseconds hands_off{500};  ///< after the last input
 
 WindowSize remembered_size(const StateFile& state, const ShellOptions& options) {
   WindowSize size{options.width, options.height};
@@ -82,12 +85,14 @@ struct Shell::Impl {
   int frames_due = frames_after_event;
   std::uint64_t frames = 0;
   Clock::time_point due = Clock::time_point::max();  // of wake_after
-  Clock::time_point last_frame;
+  Clock::time_point last_frame, last_input;
 
   void add_actions(Shell& shell);
   void offer_values();
   void load_bindings();
   void take_event(const SDL_Event& event);
+  void wait(double seconds);
+  void rest_between_frames();
   double patience() const;
   void draw_frame();
   void dispatch_keys();
@@ -181,6 +186,33 @@ void Shell::Impl::take_event(const SDL_Event& event) {
   if (other.close && content->may_close()) ended = true;
 }
 
+/// Takes what comes within `seconds`, and notes how many frames it needs.
+void Shell::Impl::wait(double seconds) {
+  bool input_came = false;
+  const bool any = window.wait_events(seconds, [&](const SDL_Event& event) {
+    input_came = true;
+    take_event(event);
+  });
+  if (!any) return;
+  if (input_came) last_input = Clock::now();
+  // What work has made so far needs one frame; its end, and all that hands do, may move things, which need some more.
+  frames_due = std::max(frames_due, input_came || !content->busy() ? frames_after_event : 1);
+}
+
+/// Without vertical sync, frames would follow one another as fast as they can.
+void Shell::Impl::rest_between_frames() {
+  const auto asked = last_input;
+  const bool watching = content->busy() && !content->animating() && Clock::now() - last_input > hands_off;
+  const auto until = last_frame + (watching ? watching_frame_time : frame_time);
+  while (true) {
+    const double rest = std::chrono::duration<double>(until - Clock::now()).count();
+    if (rest <= 0) return;
+    if (!watching) return std::this_thread::sleep_for(until - Clock::now());
+    wait(rest);
+    if (last_input != asked) return;
+  }
+}
+
 double Shell::Impl::patience() const {
   if (frames_due > 0 || input.pending() || content->animating()) return 0;
   const auto now = Clock::now();
@@ -228,13 +260,9 @@ int Shell::run(Content& content) {
   my.content = &content;
   my.load_bindings();
   while (!my.ended) {
-    double seconds = my.patience();
-    if (seconds == 0 && !my.script) {  // without vertical sync, frames would follow one another as fast as they can
-      const auto rest = my.last_frame + frame_time - Clock::now();
-      if (rest > Clock::duration::zero()) std::this_thread::sleep_for(rest);
-    }
-    if (my.window.wait_events(seconds, [&](const SDL_Event& event) { my.take_event(event); }))
-      my.frames_due = frames_after_event;
+    const double seconds = my.patience();
+    if (seconds == 0 && !my.script) my.rest_between_frames();
+    my.wait(seconds);
     if (my.due <= Clock::now()) {
       my.due = Clock::time_point::max();
       my.frames_due = std::max(my.frames_due, 1);
@@ -242,7 +270,7 @@ int Shell::run(Content& content) {
     if (my.script) {
       const bool idle = my.frames_due == 0 && !my.input.pending() && !content.busy() && !content.animating();
       const ScriptStep step = my.script->step(my.window, content, {.input_pending = my.input.pending(), .idle = idle});
-      my.window.wait_events(0, [&](const SDL_Event& event) { my.take_event(event); });  // what the step pushed
+      my.wait(0);  // what the step pushed
       if (step.frame) my.frames_due = std::max(my.frames_due, 1);
       if (step.ended) {
         my.status = step.status;
