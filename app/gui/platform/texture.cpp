@@ -25,7 +25,7 @@ void Texture::upload(const Image<Rgb8>& picture) {
   if (id_ == 0) {
     glGenTextures(1, &id_);
     glBindTexture(GL_TEXTURE_2D, id_);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -36,6 +36,13 @@ void Texture::upload(const Image<Rgb8>& picture) {
   width_ = picture.width();
   height_ = picture.height();
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, width_, height_, 0, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels().data());
+}
+
+void Texture::set_shrunk(bool shrunk) const {
+  if (id_ == 0) return;
+  glBindTexture(GL_TEXTURE_2D, id_);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, shrunk ? GL_LINEAR : GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, shrunk ? GL_LINEAR : GL_NEAREST);
 }
 
 void Texture::upload(const Image<Rgb8>& picture, const TileRect& rect) {

@@ -22,6 +22,10 @@ class Texture {
   /// Replaces one rectangle of a picture of the same size as the last upload.
   void upload(const Image<Rgb8>& picture, const TileRect& rect);
 
+  /// Whether it is shown smaller than it is, and so its pixels are mixed. One choice for all places where a frame shows
+  /// it: drivers that draw by the processor are several times as fast where it does not depend on the size.
+  void set_shrunk(bool shrunk) const;
+
   int width() const { return width_; }
   int height() const { return height_; }
   bool empty() const { return id_ == 0; }
