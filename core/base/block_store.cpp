@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t alignment = 64;
 constexpr std::size_t smallest_kept = 128 << 10;  ///< what the C library takes from the system at once
-constexpr std::size_t most_kept = 128 << 20;
-constexpr std::size_t most_blocks = 32;
+constexpr std::size_t most_kept = 192 << 20;
+constexpr std::size_t most_blocks = 512;
 
 void* fresh(std::size_t bytes) { return ::operator new (bytes, std::align_val_t{alignment}); }
 void release(void* block) noexcept { ::operator delete (block, std::align_val_t{alignment}); }
