@@ -48,7 +48,7 @@ struct Settings {
   int samples_per_pixel = 1;
   SamplePattern sample_pattern = SamplePattern::grid;
   bool adaptive_sampling = false;
-  double adaptive_threshold = 0.1;  ///< colour difference (display units, 1 = white) that asks for a subdivision
+  double adaptive_threshold = 0.1;  ///< difference of linear colours (1 = white at exposure 1) that asks for more
   int subsampling = 1;              ///< pixels between two traced ones, 1 = every pixel
 
   Projection projection = Projection::perspective;

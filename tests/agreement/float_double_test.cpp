@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 
+#include "options/scene_settings.h"
 #include "raytrace/tracer.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -155,6 +156,8 @@ bool within_rounding(const TraceInputs<double>& inputs, const Seen& seen, int x,
 TEST(FloatAndDouble, SameSurfacesAndShadowsOnEveryScene) {
   for (const BuiltinScene& entry : builtin_scenes()) {
     const Scene scene = load_scene(entry.name);
+    if (!settings_for(scene).camera_relative) continue;  // made to show how float fails far from the origin
+    if (entry.name == "cgpp/one-dimension") continue;    // its rows touch without sharing vertices: cracks are allowed
     Settings settings;
     settings.reflection_depth = 0;
     Prepared prepared;

@@ -186,7 +186,7 @@ TEST_P(PreparedPairs, PartForTheReasonThatWasBuiltIn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PreparedPairs, testing::ValuesIn(prepared_pairs()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tested) { return tested.param.name; });
 
 TEST(Parting, SaysNothingWherePicturesAgree) {
   const Scene scene = load_scene("cgfs/reflections");

@@ -5,6 +5,7 @@
 
 #include "image/display.h"
 #include "options/option.h"
+#include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
 
@@ -56,6 +57,9 @@ std::vector<std::string> scenes_in_space() {
   return names;
 }
 
+/// Scenes that show how float fails far from the origin.
+bool fails_in_float(const Scene& scene) { return !settings_for(scene).camera_relative; }
+
 class Agreement : public testing::TestWithParam<Precision> {};
 
 TEST_P(Agreement, SameObjectsAndTrianglesExceptWithinOnePixelOfOutlines) {
@@ -64,19 +68,24 @@ TEST_P(Agreement, SameObjectsAndTrianglesExceptWithinOnePixelOfOutlines) {
   for (const std::string& name : names) {
     Settings settings;
     settings.precision = GetParam();
-    const Pair pair = draw_both(load_scene(name), settings);
-    std::int64_t covered = 0, differing = 0, far_off = 0;
+    const Scene scene = load_scene(name);
+    if (settings.precision == Precision::float32 && fails_in_float(scene)) continue;
+    const Pair pair = draw_both(scene, settings);
+    const std::int64_t pixels = std::int64_t{pair.traced.width()} * pair.traced.height();
+    std::int64_t covered = 0, outlines = 0, differing = 0, far_off = 0;
     for (int y = 0; y < pair.traced.height(); ++y)
       for (int x = 0; x < pair.traced.width(); ++x) {
+        const bool outline = on_outline(pair.traced, x, y);
+        if (outline) ++outlines;
         if (pair.traced.ids.at(x, y).object >= 0) ++covered;
         if (pair.traced.ids.at(x, y) == pair.rasterized.ids.at(x, y)) continue;
         ++differing;
-        if (!on_outline(pair.traced, x, y)) ++far_off;
+        if (!outline) ++far_off;
       }
     RecordProperty(name, static_cast<int>(differing));
-    EXPECT_GT(covered, 1000) << name;
+    EXPECT_GT(covered, std::min<std::int64_t>(1000, pixels / 200)) << name;
     EXPECT_EQ(far_off, 0) << name << ": " << differing << " pixels differ in all";
-    EXPECT_LT(differing, 400) << name;
+    EXPECT_LT(differing, 50 + outlines / 5) << name << ": of " << outlines << " pixels along outlines";
   }
 }
 
@@ -86,6 +95,7 @@ TEST_P(Agreement, SameColoursAwayFromOutlines) {
     if (scene_traits(scene).textures) continue;  // rays read the finest level, fragments choose one
     Settings settings;
     settings.precision = GetParam();
+    if (settings.precision == Precision::float32 && fails_in_float(scene)) continue;
     const Pair pair = draw_both(scene, settings);
     const Image<Rgb8> traced = display_image(pair.traced.colour);
     const Image<Rgb8> rasterized = display_image(pair.rasterized.colour);

@@ -94,8 +94,9 @@ TEST(SpaceProjection, AgreesWithTheRasterizersPicture) {
     settings.near = 0.01;
     Prepared prepared;
     Progress progress;
-    const Frame frame =
-        render_rasterized(scene, view, settings, {Channel::ids | Channel::depth, {}, {}}, prepared, progress);
+    RenderRequest request;
+    request.channels = Channel::ids | Channel::depth;
+    const Frame frame = render_rasterized(scene, view, settings, request, prepared, progress);
     const SpaceProjection projection(view, settings, 0.01);
     for (const Vec2i& at : {Vec2i(0, 0), Vec2i(1, 0), Vec2i(2, 0)}) {
       const auto& sphere = std::get<Sphere>(scene.geometry->objects[static_cast<std::size_t>(at.x)].shape);

@@ -280,11 +280,14 @@ void App::layout(const Area& area) {
   if (finished) remember_layout();
 }
 
+// Below it the list of options would have no line of its own.
+constexpr double least_options_height = 280;
+
 void App::left_region(const Area& area) {
   Area options = area;
   if (lessons_.open(session_)) {
     const float height = area.height(), grip = px(6);
-    float divide = std::round(height * lesson_share_);
+    float divide = std::round(std::min(height * lesson_share_, height - px(least_options_height)));
     begin_region("lesson", {area.min, {area.max.x, area.min.y + divide}}, "LESSON");
     lesson_panel(session_, lessons_);
     ImGui::EndChild();
