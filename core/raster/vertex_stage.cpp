@@ -1,24 +1,11 @@
 #include "raster/vertex_stage.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "raster/vertex_jobs.h"
 
 namespace ps::raster {
 namespace {
-
-constexpr std::size_t vertices_per_job = 8192;
-
-/// A run of one object's positions or normals.
-struct Job {
-  std::size_t object = 0;
-  std::size_t first = 0, last = 0;
-  bool normals = false;
-};
-
-void add_jobs(std::vector<Job>& jobs, std::size_t object, std::size_t count, bool normals) {
-  for (std::size_t first = 0; first < count; first += vertices_per_job)
-    jobs.push_back({object, first, std::min(first + vertices_per_job, count), normals});
-}
 
 template <class Real>
 bool needs_vertex_normals(const Pass<Real>& pass, const Surface<Real>& surface) {
@@ -73,21 +60,21 @@ template <class Real>
 std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled,
                                                  const ParallelOptions& parallel, Progress& progress) {
   std::vector<VertexBuffer<Real>> buffers(pass.objects.size());
-  std::vector<Job> jobs;
+  std::vector<VertexJob> jobs;
   for (std::size_t i = 0; i < pass.objects.size(); ++i) {
     if (culled[i]) continue;
     const Mesh& mesh = *pass.objects[i].mesh;
     const VertexNeeds needs = vertex_needs(pass, i);
     buffers[i].camera.resize(mesh.positions.size());
     if (needs.world) buffers[i].world.resize(mesh.positions.size());
-    add_jobs(jobs, i, mesh.positions.size(), false);
+    add_vertex_jobs(jobs, i, mesh.positions.size(), false);
     if (needs.normals) {
       buffers[i].normals.resize(mesh.normals.size());
-      add_jobs(jobs, i, mesh.normals.size(), true);
+      add_vertex_jobs(jobs, i, mesh.normals.size(), true);
     }
   }
   parallel_for(static_cast<int>(jobs.size()), parallel, progress, [&](int index, int) {
-    const Job& job = jobs[static_cast<std::size_t>(index)];
+    const VertexJob& job = jobs[static_cast<std::size_t>(index)];
     const DrawObject& object = pass.objects[job.object];
     VertexBuffer<Real>& buffer = buffers[job.object];
     for (std::size_t v = job.first; v < job.last; ++v) {

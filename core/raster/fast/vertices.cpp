@@ -1,25 +1,10 @@
 #include "raster/fast/vertices.h"
 
-#include <algorithm>
-
+#include "raster/vertex_jobs.h"
 #include "raster/vertex_stage.h"
 
 namespace ps::raster {
 namespace {
-
-constexpr std::size_t vertices_per_job = 8192;
-
-/// A run of one object's positions or normals.
-struct Job {
-  std::size_t object = 0;
-  std::size_t first = 0, last = 0;
-  bool normals = false;
-};
-
-void add_jobs(std::vector<Job>& jobs, std::size_t object, std::size_t count, bool normals) {
-  for (std::size_t first = 0; first < count; first += vertices_per_job)
-    jobs.push_back({object, first, std::min(first + vertices_per_job, count), normals});
-}
 
 VertexTransform transform_of(const Pass<float>& pass, const DrawObject& object) {
   VertexTransform transform;
@@ -39,7 +24,7 @@ VertexTransform transform_of(const Pass<float>& pass, const DrawObject& object) 
 std::vector<VertexBuffer<float>> run_fast_vertices(const Pass<float>& pass, const std::vector<bool>& culled,
                                                    const ParallelOptions& parallel, Progress& progress) {
   std::vector<VertexBuffer<float>> objects(pass.objects.size());
-  std::vector<Job> jobs;
+  std::vector<VertexJob> jobs;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (culled[i]) continue;
     const Mesh& mesh = *pass.objects[i].mesh;
@@ -47,15 +32,15 @@ std::vector<VertexBuffer<float>> run_fast_vertices(const Pass<float>& pass, cons
     objects[i].camera.resize(mesh.positions.size());
     objects[i].places.resize(mesh.positions.size());
     if (needs.world) objects[i].world.resize(mesh.positions.size());
-    add_jobs(jobs, i, mesh.positions.size(), false);
+    add_vertex_jobs(jobs, i, mesh.positions.size(), false);
     if (needs.normals) {
       objects[i].normals.resize(mesh.normals.size());
-      add_jobs(jobs, i, mesh.normals.size(), true);
+      add_vertex_jobs(jobs, i, mesh.normals.size(), true);
     }
   }
   const VertexKernels kernels = vertex_kernels(pass.settings.simd);
   parallel_for(static_cast<int>(jobs.size()), parallel, progress, [&](int index, int) {
-    const Job& job = jobs[static_cast<std::size_t>(index)];
+    const VertexJob& job = jobs[static_cast<std::size_t>(index)];
     const DrawObject& object = pass.objects[job.object];
     VertexBuffer<float>& made = objects[job.object];
     const std::size_t count = job.last - job.first;
