@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "options/simd_choice.h"
 #include "raster/fast/tile.h"
-#include "raster/simd_choice.h"
 
 // This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
 #undef HWY_DISABLED_TARGETS

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "options/simd_choice.h"
 #include "raster/fast/vertices.h"
-#include "raster/simd_choice.h"
 
 // This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
 #undef HWY_DISABLED_TARGETS

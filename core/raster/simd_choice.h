@@ -1,2 +1,0 @@
-#pragma once
-#include "options/simd_choice.h"
