@@ -14,29 +14,54 @@ HWY_BEFORE_NAMESPACE();
 namespace ps::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void display_levels(const float* values, std::size_t count, double exposure, std::uint8_t* levels) {
+namespace {
+
+using D = hn::ScalableTag<float>;
+using Levels = hn::Rebind<std::uint8_t, D>;
+
+/// In double, as display_pixel does it.
+HWY_INLINE void convert_exactly(const float* values, double exposure, std::uint8_t* levels) {
   const hn::ScalableTag<double> d;
   const hn::Rebind<float, decltype(d)> single;
   const hn::Rebind<std::uint64_t, decltype(d)> bits;
   const hn::Rebind<std::uint8_t, decltype(d)> bytes;
-  const auto zero = hn::Zero(d);
-  const auto factor = hn::Set(d, exposure);
   const auto highest = hn::Set(d, 255.0);
-  const auto convert = [&](auto value) HWY_ATTR {
-    const auto level = hn::Mul(hn::Mul(hn::PromoteTo(d, value), factor), highest);
+  for (std::size_t i = 0; i < hn::Lanes(D()); i += hn::Lanes(d)) {
+    const auto value = hn::PromoteTo(d, hn::LoadU(single, values + i));
+    const auto level = hn::Mul(hn::Mul(value, hn::Set(d, exposure)), highest);
     const auto low = hn::IfThenElse(hn::Lt(level, highest), level, highest);
-    const auto clamped = hn::IfThenElse(hn::Gt(level, zero), low, zero);
+    const auto clamped = hn::IfThenElse(hn::Gt(level, hn::Zero(d)), low, hn::Zero(d));
     // Adding 2^52 leaves no bits behind the point; the rounded number is in the low bits.
-    return hn::TruncateTo(bytes, hn::BitCast(bits, hn::Add(clamped, hn::Set(d, 0x1p52))));
-  };
-  const std::size_t lanes = hn::Lanes(d);
+    hn::StoreU(hn::TruncateTo(bytes, hn::BitCast(bits, hn::Add(clamped, hn::Set(d, 0x1p52)))), bytes, levels + i);
+  }
+}
+
+/// Without an exposure float is enough but for ties: rounding the product to float keeps it on its side of every half,
+/// or moves it onto the half, of which the exact product then decides.
+HWY_INLINE void convert(const float* values, double exposure, std::uint8_t* levels) {
+  const D d;
+  if (exposure != 1) return convert_exactly(values, exposure, levels);
+  const auto highest = hn::Set(d, 255.0f);
+  const auto level = hn::Mul(hn::LoadU(d, values), highest);
+  const auto low = hn::IfThenElse(hn::Lt(level, highest), level, highest);
+  const auto clamped = hn::IfThenElse(hn::Gt(level, hn::Zero(d)), low, hn::Zero(d));
+  const auto rounded = hn::NearestInt(clamped);
+  const auto moved = hn::Abs(hn::Sub(hn::ConvertTo(d, rounded), clamped));
+  if (!hn::AllFalse(d, hn::Eq(moved, hn::Set(d, 0.5f)))) return convert_exactly(values, exposure, levels);
+  hn::StoreU(hn::DemoteTo(Levels(), rounded), Levels(), levels);
+}
+
+}  // namespace
+
+void display_levels(const float* values, std::size_t count, double exposure, std::uint8_t* levels) {
+  const std::size_t lanes = hn::Lanes(D());
   std::size_t i = 0;
-  for (; i + lanes <= count; i += lanes) hn::StoreU(convert(hn::LoadU(single, values + i)), bytes, levels + i);
+  for (; i + lanes <= count; i += lanes) convert(values + i, exposure, levels + i);
   if (i == count) return;
-  HWY_ALIGN float rest[HWY_MAX_BYTES / sizeof(float)] = {};
-  HWY_ALIGN std::uint8_t converted[HWY_MAX_BYTES];
+  HWY_ALIGN float rest[hn::MaxLanes(D())] = {};
+  HWY_ALIGN std::uint8_t converted[hn::MaxLanes(D())];
   std::copy(values + i, values + count, rest);
-  hn::StoreU(convert(hn::LoadU(single, rest)), bytes, converted);
+  convert(rest, exposure, converted);
   std::copy(converted, converted + (count - i), levels + i);
 }
 

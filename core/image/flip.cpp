@@ -22,17 +22,17 @@ constexpr Sensitivity red_green{{1, 0}, {0.0053, 1e-5}};
 constexpr Sensitivity blue_yellow{{34.1, 13.5}, {0.04, 0.025}};
 constexpr double widest_b = 0.04;
 
-Plane channel(const Image<Vec3d>& image, int index) {
-  Plane plane(image.width(), image.height());
+ScalarImage channel(const Image<Vec3d>& image, int index) {
+  ScalarImage plane(image.width(), image.height());
   for (std::size_t i = 0; i < plane.pixels().size(); ++i) plane.pixels()[i] = image.pixels()[i][index];
   return plane;
 }
 
 /// Blurs one channel; the weights of all Gaussians together add up to 1 over the square window.
-Plane blurred(const Plane& plane, const Sensitivity& sensitivity, double ppd) {
+ScalarImage blurred(const ScalarImage& plane, const Sensitivity& sensitivity, double ppd) {
   constexpr double pi = std::numbers::pi;
   const int radius = static_cast<int>(std::ceil(3 * std::sqrt(widest_b / (2 * pi * pi)) * ppd));
-  Plane sum(plane.width(), plane.height());
+  ScalarImage sum(plane.width(), plane.height());
   double total = 0;
   for (std::size_t k = 0; k < 2; ++k) {
     if (sensitivity.a[k] == 0) continue;
@@ -46,7 +46,7 @@ Plane blurred(const Plane& plane, const Sensitivity& sensitivity, double ppd) {
     }
     const double factor = sensitivity.a[k] * std::sqrt(pi / b);
     total += factor * weights * weights;
-    const Plane part = filtered(plane, kernel, kernel);
+    const ScalarImage part = filtered(plane, kernel, kernel);
     for (std::size_t i = 0; i < sum.pixels().size(); ++i) sum.pixels()[i] += factor * part.pixels()[i];
   }
   for (double& value : sum.pixels()) value /= total;
@@ -61,9 +61,9 @@ Image<Vec3d> opponents(const Image<Vec3d>& rgb) {
 
 /// What the eye keeps of the picture, as Hunt-adjusted CIELAB.
 Image<Vec3d> perceived(const Image<Vec3d>& opponent, double ppd) {
-  const Plane y = blurred(channel(opponent, 0), achromatic, ppd);
-  const Plane cx = blurred(channel(opponent, 1), red_green, ppd);
-  const Plane cz = blurred(channel(opponent, 2), blue_yellow, ppd);
+  const ScalarImage y = blurred(channel(opponent, 0), achromatic, ppd);
+  const ScalarImage cx = blurred(channel(opponent, 1), red_green, ppd);
+  const ScalarImage cz = blurred(channel(opponent, 2), blue_yellow, ppd);
   Image<Vec3d> lab(opponent.width(), opponent.height());
   for (std::size_t i = 0; i < lab.pixels().size(); ++i) {
     const Vec3d rgb = flip_colour::rgb_of_opponent({y.pixels()[i], cx.pixels()[i], cz.pixels()[i]});
@@ -115,25 +115,25 @@ FeatureKernels feature_kernels(double ppd) {
 }
 
 /// How strongly each pixel lies on a feature, whatever its direction.
-Plane strength(const Plane& grey, const Kernel& feature, const Kernel& smooth) {
-  const Plane x = filtered(grey, feature, smooth);
-  const Plane y = filtered(grey, smooth, feature);
-  Plane result(grey.width(), grey.height());
+ScalarImage strength(const ScalarImage& grey, const Kernel& feature, const Kernel& smooth) {
+  const ScalarImage x = filtered(grey, feature, smooth);
+  const ScalarImage y = filtered(grey, smooth, feature);
+  ScalarImage result(grey.width(), grey.height());
   for (std::size_t i = 0; i < result.pixels().size(); ++i)
     result.pixels()[i] = std::hypot(x.pixels()[i], y.pixels()[i]);
   return result;
 }
 
 /// The achromatic channel brought to [0, 1].
-Plane grey_of(const Image<Vec3d>& opponent) {
-  Plane grey = channel(opponent, 0);
+ScalarImage grey_of(const Image<Vec3d>& opponent) {
+  ScalarImage grey = channel(opponent, 0);
   for (double& value : grey.pixels()) value = (value + 16) / 116;
   return grey;
 }
 
 }  // namespace
 
-Plane flip_map(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipOptions& options) {
+ScalarImage flip_map(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipOptions& options) {
   PS_ASSERT(reference.width() == test.width() && reference.height() == test.height(), "pictures of one size");
   const double ppd = options.pixels_per_degree;
   const Image<Vec3d> opponent_a = opponents(reference);
@@ -141,14 +141,14 @@ Plane flip_map(const Image<Vec3d>& reference, const Image<Vec3d>& test, const Fl
   const Image<Vec3d> lab_a = perceived(opponent_a, ppd);
   const Image<Vec3d> lab_b = perceived(opponent_b, ppd);
   const FeatureKernels kernels = feature_kernels(ppd);
-  const Plane grey_a = grey_of(opponent_a);
-  const Plane grey_b = grey_of(opponent_b);
-  const Plane edges_a = strength(grey_a, kernels.edge, kernels.smooth);
-  const Plane edges_b = strength(grey_b, kernels.edge, kernels.smooth);
-  const Plane points_a = strength(grey_a, kernels.point, kernels.smooth);
-  const Plane points_b = strength(grey_b, kernels.point, kernels.smooth);
+  const ScalarImage grey_a = grey_of(opponent_a);
+  const ScalarImage grey_b = grey_of(opponent_b);
+  const ScalarImage edges_a = strength(grey_a, kernels.edge, kernels.smooth);
+  const ScalarImage edges_b = strength(grey_b, kernels.edge, kernels.smooth);
+  const ScalarImage points_a = strength(grey_a, kernels.point, kernels.smooth);
+  const ScalarImage points_b = strength(grey_b, kernels.point, kernels.smooth);
 
-  Plane map(reference.width(), reference.height());
+  ScalarImage map(reference.width(), reference.height());
   for (std::size_t i = 0; i < map.pixels().size(); ++i) {
     const double colour = colour_difference(lab_a.pixels()[i], lab_b.pixels()[i]);
     const double edge = std::abs(edges_a.pixels()[i] - edges_b.pixels()[i]);
@@ -161,7 +161,7 @@ Plane flip_map(const Image<Vec3d>& reference, const Image<Vec3d>& test, const Fl
 
 namespace {
 
-double mean_of(const Plane& map) {
+double mean_of(const ScalarImage& map) {
   double sum = 0;
   for (const double value : map.pixels()) sum += value;
   return sum / static_cast<double>(map.pixels().size());
@@ -185,7 +185,7 @@ double flip(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipO
   return mean_of(flip_map(reference, test, options));
 }
 
-Plane flip_map(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options) {
+ScalarImage flip_map(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options) {
   return flip_map(linear_of(reference), linear_of(test), options);
 }
 

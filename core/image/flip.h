@@ -15,13 +15,13 @@ struct FlipOptions {
 /// The perceived difference of each pixel, in [0, 1], when a person flips between two pictures of linear RGB in [0, 1]
 /// (Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild, "FLIP: A Difference Evaluator for Alternating
 /// Images", HPG 2020; the version for low dynamic range).
-Plane flip_map(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipOptions& options = {});
+ScalarImage flip_map(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipOptions& options = {});
 
 /// The mean of the map.
 double flip(const Image<Vec3d>& reference, const Image<Vec3d>& test, const FlipOptions& options = {});
 
 /// The same for display levels, which are taken as sRGB.
-Plane flip_map(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options = {});
+ScalarImage flip_map(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options = {});
 double flip(const Image<Rgb8>& reference, const Image<Rgb8>& test, const FlipOptions& options = {});
 
 }  // namespace ps

@@ -23,8 +23,8 @@ bool finite(const Vec3d& c) { return std::isfinite(c.r) && std::isfinite(c.g) &&
 double colour_ssim(const Image<Vec3d>& a, const Image<Vec3d>& b, double range) {
   double sum = 0;
   for (int c = 0; c < 3; ++c) {
-    Plane plane_a(a.width(), a.height());
-    Plane plane_b(a.width(), a.height());
+    ScalarImage plane_a(a.width(), a.height());
+    ScalarImage plane_b(a.width(), a.height());
     for (std::size_t i = 0; i < plane_a.pixels().size(); ++i) {
       plane_a.pixels()[i] = a.pixels()[i][c];
       plane_b.pixels()[i] = b.pixels()[i][c];

@@ -7,19 +7,19 @@
 namespace ps {
 
 /// One channel of a picture in double, for the metrics.
-using Plane = Image<double>;
+using ScalarImage = Image<double>;
 
 /// Weights for the offsets -radius..radius; there are 2 * radius + 1.
 using Kernel = std::vector<double>;
 
 /// The correlation of a plane with the outer product of two kernels, along x and along y; beyond the border lie copies
 /// of the border's pixels. One pass for each axis.
-inline Plane filtered(const Plane& plane, const Kernel& along_x, const Kernel& along_y) {
+inline ScalarImage filtered(const ScalarImage& plane, const Kernel& along_x, const Kernel& along_y) {
   const int width = plane.width();
   const int height = plane.height();
   const int rx = static_cast<int>(along_x.size() / 2);
   const int ry = static_cast<int>(along_y.size() / 2);
-  Plane across(width, height);
+  ScalarImage across(width, height);
   std::vector<double> padded(static_cast<std::size_t>(width + 2 * rx));
   for (int y = 0; y < height; ++y) {
     const auto from = plane.row(y);
@@ -30,7 +30,7 @@ inline Plane filtered(const Plane& plane, const Kernel& along_x, const Kernel& a
     for (std::size_t i = 0; i < along_x.size(); ++i)
       for (std::size_t x = 0; x < to.size(); ++x) to[x] += along_x[i] * padded[x + i];
   }
-  Plane result(width, height);
+  ScalarImage result(width, height);
   for (int y = 0; y < height; ++y) {
     const auto to = result.row(y);
     for (int i = -ry; i <= ry; ++i) {

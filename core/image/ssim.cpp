@@ -19,23 +19,23 @@ Kernel gaussian_window() {
   return kernel;
 }
 
-Plane product(const Plane& a, const Plane& b) {
-  Plane result(a.width(), a.height());
+ScalarImage product(const ScalarImage& a, const ScalarImage& b) {
+  ScalarImage result(a.width(), a.height());
   for (std::size_t i = 0; i < result.pixels().size(); ++i) result.pixels()[i] = a.pixels()[i] * b.pixels()[i];
   return result;
 }
 
 }  // namespace
 
-double ssim(const Plane& a, const Plane& b, double range) {
+double ssim(const ScalarImage& a, const ScalarImage& b, double range) {
   PS_ASSERT(a.width() == b.width() && a.height() == b.height() && !a.empty(), "planes of one size");
   const Kernel window = gaussian_window();
-  const auto blurred = [&](const Plane& plane) { return filtered(plane, window, window); };
-  const Plane mean_a = blurred(a);
-  const Plane mean_b = blurred(b);
-  const Plane square_a = blurred(product(a, a));
-  const Plane square_b = blurred(product(b, b));
-  const Plane cross = blurred(product(a, b));
+  const auto blurred = [&](const ScalarImage& plane) { return filtered(plane, window, window); };
+  const ScalarImage mean_a = blurred(a);
+  const ScalarImage mean_b = blurred(b);
+  const ScalarImage square_a = blurred(product(a, a));
+  const ScalarImage square_b = blurred(product(b, b));
+  const ScalarImage cross = blurred(product(a, b));
   const double c1 = 0.01 * range * (0.01 * range);
   const double c2 = 0.03 * range * (0.03 * range);
 
