@@ -68,14 +68,13 @@ void parallel_for(int count, const ParallelOptions& options, Progress& progress,
   };
 
   const int threads = std::min(resolve_threads(options), count);
-  if (threads == 1 && options.priority == WorkerPriority::normal) {
-    work(0);
-  } else {
-    std::vector<std::thread> pool;
-    pool.reserve(static_cast<std::size_t>(threads));
-    for (int worker = 0; worker < threads; ++worker) pool.emplace_back(work, worker);
-    for (auto& thread : pool) thread.join();
-  }
+  // The caller is one of the workers, unless they have a priority of their own, which it could not take back.
+  const bool caller_works = options.priority == WorkerPriority::normal;
+  std::vector<std::thread> pool;
+  pool.reserve(static_cast<std::size_t>(threads));
+  for (int worker = caller_works ? 1 : 0; worker < threads; ++worker) pool.emplace_back(work, worker);
+  if (caller_works) work(0);
+  for (auto& thread : pool) thread.join();
   if (failure) std::rethrow_exception(failure);
 }
 

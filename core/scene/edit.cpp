@@ -155,6 +155,9 @@ Fields material_fields(const Scene& scene, std::size_t index) {
       });
   add("reflective", scene_number(material.reflective),
       [](Material& m, const SceneValues& v, const SceneTerm& t) { m.reflective = v.in_range(t, 0, 1); });
+  if (material.height_map >= 0)
+    add("relief_depth", scene_number(material.relief_depth),
+        [](Material& m, const SceneValues& v, const SceneTerm& t) { m.relief_depth = v.in_range(t, 0, 1); });
   return fields;
 }
 

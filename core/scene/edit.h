@@ -17,6 +17,7 @@ namespace ps {
 ///   object.N.from  object.N.to  object.N.radius (cylinders) object.N.part.K.center ... (part K of a CSG object, in the
 ///   order of the file) object.N.scale  object.N.rotation  object.N.translation (instances) material.N.color
 ///   material.N.specular (-1 = matte)  material.N.reflective material.N.transparency  material.N.refraction_index
+///   material.N.relief_depth (those with a height map)
 struct SceneProperty {
   std::string path;
   std::string value;  ///< as a scene file has it: "(2, 1, 0)"; set_property reads it back exactly

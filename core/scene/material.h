@@ -19,6 +19,8 @@ struct Material {
   int texture = -1;  ///< index into Scene::textures; its texels are multiplied by `colour`; -1 = none
   int normal_map =
       -1;  ///< index into Scene::textures: red, green, blue = tangent-space x, y, z from -1 to 1; -1 = none
+  int height_map = -1;  ///< index into Scene::textures: red from 0, the bottom of a relief, to 1, its top; -1 = none
+  double relief_depth = 0.05;  ///< of that bottom below the surface, in widths of the picture
   bool operator==(const Material&) const = default;
 };
 

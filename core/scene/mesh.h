@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "scene/patch.h"
 
 namespace ps {
 
@@ -26,6 +27,7 @@ struct Mesh {
   std::vector<MeshTriangle> triangles;
   std::vector<std::uint32_t> materials;  ///< indices into Scene::materials, one for each material slot
   std::string source;                    ///< the model file that it was read from; empty if a scene file spells it out
+  std::vector<BezierPatch> patches;      ///< the curved surface that the triangles stand for, if they stand for one
   bool operator==(const Mesh&) const = default;
 };
 

@@ -58,7 +58,7 @@ bool is_one_of(std::string_view word, const auto& list) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-std::vector<std::string_view> known_words() {
+std::vector<std::string_view> mtl_words() {
   std::vector<std::string_view> words(drawn_colours.begin(), drawn_colours.end());
   words.insert(words.end(), {"newmtl", "Ns", "Ni", "d", "Tr", "illum", "map_Kd"});
   words.insert(words.end(), reliefs.begin(), reliefs.end());
@@ -118,7 +118,7 @@ class MtlChecker {
     constexpr std::size_t most_notes = 50;  // a file of another kind has nothing but unknown words
     if (noted_.size() >= most_notes || noted_.count(word) > 0) return;
     note(word, fmt::format("{}:{}: '{}' is not a statement of a material file; perhaps '{}'.", file_, line.number(),
-                           word.substr(0, 60), nearest_word(word, known_words())));
+                           word.substr(0, 60), nearest_word(word, mtl_words())));
   }
 
   void start(ObjLine& line) {

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 19> refused{"cstype", "deg",   "bmat", "s
                                                    "parm",   "trim",  "hole", "scrv", "sp",   "end",   "con",
                                                    "ctech",  "stech", "bsp",  "call", "csh"};
 
-std::vector<std::string_view> known_words() {
+std::vector<std::string_view> obj_words() {
   std::vector<std::string_view> words(used.begin(), used.end());
   words.insert(words.end(), ignored.begin(), ignored.end());
   return words;
@@ -79,7 +79,7 @@ class ObjChecker {
       line.fail(fmt::format("'{}', which is not about polygons", word), "a model of polygons (v, vt, vn, f)");
     if (word == "fo") line.fail("'fo', the old form of 'f'", "'f'");
     if (std::find(ignored.begin(), ignored.end(), word) == ignored.end())
-      line.fail(line.shown(), fmt::format("'{}'", nearest_word(word, known_words())));
+      line.fail(line.shown(), fmt::format("'{}'", nearest_word(word, obj_words())));
   }
 
   /// x y z, then perhaps w, or a colour, or both.

@@ -87,7 +87,7 @@ class MaterialLoader {
     const Vec3d ambient = colour(from.ambient);
     if (ambient != Vec3d{0, 0, 0} && ambient != Vec3d{1, 1, 1}) material.ambient_colour = ambient;
     if (facts.diffuse_map) material.texture = texture(*facts.diffuse_map, mtl);
-    if (facts.relief_map) material.normal_map = relief(*facts.relief_map, facts.bump, mtl);
+    if (facts.relief_map) add_relief(*facts.relief_map, facts.bump, mtl, material);
     material.transparency = 1 - facts.dissolve.value_or(1);
     // Exporters write Ni for every material; light bends only where illum says so.
     const bool refracts = facts.illum == 6 || facts.illum == 7;
@@ -119,17 +119,21 @@ class MaterialLoader {
 
   /// A normal map as it is; heights, which are grey, turned into one. How steep a bump map is meant, the format leaves
   /// open: here white lies as many texels above black as -bm says times `texels_of_bump`.
-  int relief(const MtlTexture& map, double bump, const fs::path& mtl) {
+  void add_relief(const MtlTexture& map, double bump, const fs::path& mtl, Material& material) {
     const int index = texture(map, mtl);
-    if (index < 0) return index;
+    material.normal_map = index;
+    if (index < 0) return;
     const Texture& source = model_.textures[static_cast<std::size_t>(index)];
-    if (!is_height_map(*source.texels) || !(bump > 0)) return index;
+    if (!is_height_map(*source.texels) || !(bump > 0)) return;
     constexpr double texels_of_bump = 8;
     const double steepness = bump * texels_of_bump;
+    const int source_width = source.texels->width();
     Texture normals{source.name + " relief", source.path, nullptr, heights_generator(steepness)};
     normals.texels = std::make_shared<const Image<Vec3f>>(normals_from_heights(*source.texels, steepness));
     model_.textures.push_back(std::move(normals));
-    return static_cast<int>(model_.textures.size()) - 1;
+    material.normal_map = static_cast<int>(model_.textures.size()) - 1;
+    material.height_map = index;
+    material.relief_depth = std::min(steepness / source_width, 1.0);
   }
 
   const fs::path& obj_;

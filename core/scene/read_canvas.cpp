@@ -15,14 +15,6 @@ Blend read_blend(const SceneSource& source, const SceneFields& fields) {
   source.values.fail(*term, "replace, additive or subtractive");
 }
 
-/// The three values of a corner list, in any brackets.
-const std::vector<SceneTerm>& corners(const SceneSource& source, const SceneTerm& term) {
-  const bool list = term.kind == SceneTerm::Kind::list || term.kind == SceneTerm::Kind::tuple ||
-                    term.kind == SceneTerm::Kind::sequence;
-  if (!list || term.items.size() != 3) source.values.fail(term, "three values, one for each corner");
-  return term.items;
-}
-
 }  // namespace
 
 void read_line(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
@@ -38,17 +30,17 @@ void read_canvas_triangle(const SceneSource& source, const SceneEntry& entry, Sc
   const SceneValues& values = source.values;
   const SceneFields fields(values, entry, {"vertices", "color", "colors", "h", "filled", "outline", "blend"});
   CanvasTriangle triangle;
-  const auto& points = corners(source, fields.require("vertices"));
+  const auto& points = source.values.corners(fields.require("vertices"));
   for (std::size_t i = 0; i < 3; ++i) triangle.points[i] = values.vec2(points[i]);
   if (const auto* term = fields.find("color")) {
     fields.forbid({"colors"}, "only one of 'color' and 'colors'");
     triangle.colours.fill(values.colour(*term));
   } else if (const auto* each = fields.find("colors")) {
-    const auto& terms = corners(source, *each);
+    const auto& terms = source.values.corners(*each);
     for (std::size_t i = 0; i < 3; ++i) triangle.colours[i] = values.colour(terms[i]);
   }
   if (const auto* term = fields.find("h")) {
-    const auto& terms = corners(source, *term);
+    const auto& terms = source.values.corners(*term);
     for (std::size_t i = 0; i < 3; ++i) triangle.h[i] = values.number(terms[i]);
   }
   if (const auto* term = fields.find("filled")) triangle.filled = values.on_off(*term);

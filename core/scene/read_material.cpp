@@ -10,9 +10,9 @@
 namespace ps {
 
 const std::vector<std::string_view>& surface_keys() {
-  static const std::vector<std::string_view> keys{"color",        "specular",         "reflective",
-                                                  "texture",      "specular_color",   "ambient_color",
-                                                  "transparency", "refraction_index", "normal_map"};
+  static const std::vector<std::string_view> keys{"color",          "specular",      "reflective",   "texture",
+                                                  "specular_color", "ambient_color", "transparency", "refraction_index",
+                                                  "normal_map",     "height_map",    "relief_depth"};
   return keys;
 }
 
@@ -54,6 +54,9 @@ Material read_surface(const SceneSource& source, const SceneFields& fields, Mate
     base.texture = find_named(source, *term, draft.texture_index, "texture");
   if (const auto* term = fields.find("normal_map"))
     base.normal_map = find_named(source, *term, draft.texture_index, "texture");
+  if (const auto* term = fields.find("height_map"))
+    base.height_map = find_named(source, *term, draft.texture_index, "texture");
+  if (const auto* term = fields.find("relief_depth")) base.relief_depth = values.in_range(*term, 0, 1);
   if (const auto* term = fields.find("specular_color")) base.specular_colour = values.colour(*term);
   if (const auto* term = fields.find("ambient_color")) base.ambient_colour = values.colour(*term);
   return base;

@@ -16,10 +16,6 @@ using Kind = SceneTerm::Kind;
 /// Vertices, normals or texture coordinates by the names that the file gives them ("0", "A").
 using Names = std::map<std::string, std::uint32_t, std::less<>>;
 
-bool is_list(const SceneTerm& term) {
-  return term.kind == Kind::list || term.kind == Kind::tuple || term.kind == Kind::sequence;
-}
-
 /// Gathers the triangles of one model and the materials that they need.
 class ModelReader {
  public:
@@ -101,6 +97,7 @@ class ModelReader {
         material.name += "'";
       if (material.texture >= 0) material.texture += first_texture;
       if (material.normal_map >= 0) material.normal_map += first_texture;
+      if (material.height_map >= 0) material.height_map += first_texture;
       draft_.materials.push_back(std::move(material));
     }
     for (std::uint32_t& slot : mesh_.materials) slot += first_material;
@@ -134,13 +131,13 @@ class ModelReader {
     if (term == nullptr) return;
     if (fields_.find("material") != nullptr || has_surface(fields_))
       values_.fail(*term, "no other surface beside 'materials'");
-    if (!is_list(*term) || term->items.empty()) values_.fail(*term, "a list of materials such as [steel, gold]");
+    if (!term->is_list() || term->items.empty()) values_.fail(*term, "a list of materials such as [steel, gold]");
     for (const SceneTerm& item : term->items) mesh_.materials.push_back(find_material(source_, item, draft_));
   }
 
   void triangle(const SceneTerm& term) {
     if (term.kind == Kind::block) return triangle_block(term);
-    if (!is_list(term) || (term.items.size() != 3 && term.items.size() != 4))
+    if (!term.is_list() || (term.items.size() != 3 && term.items.size() != 4))
       values_.fail(term, "three vertices and perhaps a colour, such as 0, 1, 2, red");
     MeshTriangle triangle;
     for (std::size_t i = 0; i < 3; ++i) triangle.position[i] = index(term.items[i], positions_, "vertex");
@@ -177,13 +174,13 @@ class ModelReader {
 
   void add(const MeshTriangle& triangle, const SceneTerm& term) {
     const Material& material = draft_.materials[mesh_.materials[triangle.material]];
-    const bool textured = material.texture >= 0 || material.normal_map >= 0;
+    const bool textured = material.texture >= 0 || material.normal_map >= 0 || material.height_map >= 0;
     if (textured && triangle.uv[0] < 0) values_.fail(term, "texture coordinates, since the model has a texture");
     mesh_.triangles.push_back(triangle);
   }
 
   const std::vector<SceneTerm>& three(const SceneTerm& term) const {
-    if (!is_list(term) || term.items.size() != 3) values_.fail(term, "three values, one for each corner");
+    if (!term.is_list() || term.items.size() != 3) values_.fail(term, "three values, one for each corner");
     return term.items;
   }
 

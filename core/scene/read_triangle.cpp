@@ -5,16 +5,6 @@
 namespace ps {
 namespace {
 
-bool is_list(const SceneTerm& term) {
-  return term.kind == SceneTerm::Kind::list || term.kind == SceneTerm::Kind::tuple ||
-         term.kind == SceneTerm::Kind::sequence;
-}
-
-const std::vector<SceneTerm>& corners(const SceneSource& source, const SceneTerm& term) {
-  if (!is_list(term) || term.items.size() != 3) source.values.fail(term, "three values, one for each corner");
-  return term.items;
-}
-
 /// Do the vertices have three coordinates?
 bool in_space(const SceneEntry& entry) {
   for (const SceneEntry& field : entry.value.entries)
@@ -29,14 +19,15 @@ void read_space_triangle(const SceneSource& source, const SceneEntry& entry, Sce
                            joined_keys({"name", "vertices", "normals", "uvs", "material", "sides"}, surface_keys()));
   Mesh mesh;
   MeshTriangle triangle;
-  for (const SceneTerm& term : corners(source, fields.require("vertices"))) mesh.positions.push_back(values.vec3(term));
+  for (const SceneTerm& term : source.values.corners(fields.require("vertices")))
+    mesh.positions.push_back(values.vec3(term));
   triangle.position = {0, 1, 2};
   if (const auto* term = fields.find("normals")) {
-    for (const SceneTerm& one : corners(source, *term)) mesh.normals.push_back(values.direction(one));
+    for (const SceneTerm& one : source.values.corners(*term)) mesh.normals.push_back(values.direction(one));
     triangle.normal = {0, 1, 2};
   }
   if (const auto* term = fields.find("uvs")) {
-    for (const SceneTerm& one : corners(source, *term)) mesh.uvs.push_back(values.vec2(one));
+    for (const SceneTerm& one : source.values.corners(*term)) mesh.uvs.push_back(values.vec2(one));
     triangle.uv = {0, 1, 2};
   }
   mesh.triangles = {triangle};

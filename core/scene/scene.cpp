@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "base/check.h"
 
@@ -13,6 +14,7 @@ void note_material(const Material& material, SceneTraits& traits) {
   traits.specular = traits.specular || material.specular.has_value();
   traits.textures = traits.textures || material.texture >= 0;
   traits.normal_maps = traits.normal_maps || material.normal_map >= 0;
+  traits.height_maps = traits.height_maps || material.height_map >= 0;
   traits.transparent = traits.transparent || material.transparency > 0;
 }
 
@@ -40,6 +42,7 @@ SceneTraits scene_traits(const Scene& scene) {
     const auto& instance = std::get<Instance>(object.shape);
     const Mesh& mesh = *scene.geometry->meshes.at(instance.mesh);
     traits.triangles = traits.triangles || !mesh.triangles.empty();
+    traits.patches = traits.patches || !mesh.patches.empty();
     traits.vertex_normals = traits.vertex_normals || !mesh.normals.empty();
     if (instance.material) {
       note_material(materials.at(*instance.material), traits);
@@ -54,7 +57,11 @@ SceneTraits scene_traits(const Scene& scene) {
   traits.attenuated = std::any_of(scene.lights->begin(), scene.lights->end(), [](const Light& light) {
     return light.kind == LightKind::point && light.attenuation != Vec3d{1, 0, 0};
   });
+  traits.several_lights = scene.lights->size() > 1;
   traits.canvas_items = !scene.canvas_items->empty();
+  traits.canvas_triangles =
+      std::any_of(scene.canvas_items->begin(), scene.canvas_items->end(),
+                  [](const CanvasItem& item) { return std::holds_alternative<CanvasTriangle>(item); });
   return traits;
 }
 

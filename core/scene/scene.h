@@ -53,6 +53,7 @@ struct SceneTraits {
   bool vertex_normals = false;
   bool textures = false;
   bool normal_maps = false;
+  bool height_maps = false;
   bool reflective = false;
   bool specular = false;
   bool casting_lights = false;  ///< a point or directional light
@@ -61,7 +62,10 @@ struct SceneTraits {
   bool transparent = false;
   bool attenuated = false;  ///< a point light that grows weaker with distance in a way of its own
   bool point_lights = false;
+  bool several_lights = false;
+  bool patches = false;  ///< curved models that can be cut into triangles anew
   bool canvas_items = false;
+  bool canvas_triangles = false;
 };
 SceneTraits scene_traits(const Scene& scene);
 

@@ -27,6 +27,8 @@ struct SceneTerm {
   int line = 0;
   int column = 0;
 
+  /// Several terms in round, square or no brackets.
+  bool is_list() const { return kind == Kind::tuple || kind == Kind::list || kind == Kind::sequence; }
   /// For messages: what the file says, shortened.
   std::string shown() const;
 };

@@ -72,6 +72,11 @@ std::string SceneValues::name(const SceneTerm& term, std::string_view expected) 
   return term.text;
 }
 
+const std::vector<SceneTerm>& SceneValues::corners(const SceneTerm& term) const {
+  if (!term.is_list() || term.items.size() != 3) fail(term, "three values, one for each corner");
+  return term.items;
+}
+
 Vec2d SceneValues::vec2(const SceneTerm& term) const {
   if (term.kind != Kind::tuple || term.items.size() != 2) fail(term, "two numbers in brackets, such as (1, 2)");
   return {number(term.items[0]), number(term.items[1])};

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "math/vec.h"
 #include "scene/scene_tree.h"
@@ -27,6 +28,8 @@ class SceneValues {
   /// A word or a quoted text, not empty.
   std::string name(const SceneTerm& term, std::string_view expected = "a name") const;
 
+  /// The three terms of a list, one for each corner of a triangle.
+  const std::vector<SceneTerm>& corners(const SceneTerm& term) const;
   Vec2d vec2(const SceneTerm& term) const;
   Vec3d vec3(const SceneTerm& term) const;
   /// Like vec3, but not (0, 0, 0).

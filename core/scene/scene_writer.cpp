@@ -1,5 +1,7 @@
 #include "scene/scene_writer.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
@@ -21,6 +23,11 @@ std::vector<std::string> unique_names(const Things& things, const std::string& o
   std::vector<std::string> names;
   for (const auto& thing : things) names.push_back(free.claim(name_of(thing).empty() ? otherwise : name_of(thing)));
   return names;
+}
+
+/// How finely a teapot is cut that has so many triangles: 64 n^2 - 8 n (scene/generate/teapot.h).
+int teapot_divisions(double triangles) {
+  return static_cast<int>(std::lround((8 + std::sqrt(64 + 256 * triangles)) / 128));
 }
 
 /// A form's own lines.
@@ -166,6 +173,10 @@ class SceneWriter {
       line("    texture = {}", scene_name(textures_.at(static_cast<std::size_t>(material.texture))));
     if (material.normal_map >= 0)
       line("    normal_map = {}", scene_name(textures_.at(static_cast<std::size_t>(material.normal_map))));
+    if (material.height_map >= 0)
+      line("    height_map = {}", scene_name(textures_.at(static_cast<std::size_t>(material.height_map))));
+    if (material.relief_depth != Material().relief_depth)
+      line("    relief_depth = {}", scene_number(material.relief_depth));
     if (material.specular_colour) line("    specular_color = {}", scene_colour(*material.specular_colour));
     if (material.ambient_colour) line("    ambient_color = {}", scene_colour(*material.ambient_colour));
     if (material.transparency != 0) line("    transparency = {}", scene_number(material.transparency));
@@ -176,6 +187,12 @@ class SceneWriter {
     const Mesh& mesh = *scene_.geometry->meshes[index];
     for (const std::uint32_t slot : mesh.materials) materials_up_to(slot + std::size_t{1});
     line("\nmodel {{\n    name = {}", scene_name(meshes_[index]));
+    if (!mesh.patches.empty()) {  // only the teapot has them
+      const auto triangles = static_cast<double>(mesh.triangles.size());
+      line("    generator = teapot\n    divisions = {}\n    material = {}\n}}", teapot_divisions(triangles),
+           scene_name(materials_[mesh.materials.front()]));
+      return;
+    }
     std::string slots;
     for (const std::uint32_t slot : mesh.materials)
       slots += fmt::format("{}{}", slots.empty() ? "" : ", ", scene_name(materials_[slot]));

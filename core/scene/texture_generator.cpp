@@ -14,7 +14,7 @@
 namespace ps {
 namespace {
 
-using Texel = Vec3f (*)(int x, int y, int size);
+using TexelFunction = Vec3f (*)(int x, int y, int size);
 
 Vec3f levels(int r, int g, int b) {
   const auto level = [](int value) { return static_cast<float>(std::clamp(value, 0, 255)) / 255.0F; };
@@ -66,6 +66,9 @@ double brick_height(int x, int y, int size) {
   return std::min(above_mortar(across, 16), above_mortar(down, 8));
 }
 
+/// Those heights in grey.
+Vec3f brick_heights(int x, int y, int size) { return Vec3f(static_cast<float>(brick_height(x, y, size))); }
+
 /// The normals of that wall, as a normal map holds them (shade/normal_mapping.h).
 Vec3f brick_normals(int x, int y, int size) {
   const double steepness = 0.012 * size;  // texels that a brick stands out
@@ -107,10 +110,14 @@ Vec3f crate(int x, int y, int size) {
 
 struct Generator {
   std::string_view name;
-  Texel texel;
+  TexelFunction texel;
 };
-constexpr std::array<Generator, 5> generators{
-    {{"checker", checker}, {"tiles", tiles}, {"bricks", bricks}, {"brick-normals", brick_normals}, {"crate", crate}}};
+constexpr std::array<Generator, 6> generators{{{"checker", checker},
+                                               {"tiles", tiles},
+                                               {"bricks", bricks},
+                                               {"brick-normals", brick_normals},
+                                               {"brick-heights", brick_heights},
+                                               {"crate", crate}}};
 
 }  // namespace
 

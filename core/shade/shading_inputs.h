@@ -31,6 +31,8 @@ struct ShadingMaterial {
   Real refraction_index = 1;
   int texture = -1;
   int normal_map = -1;
+  int height_map = -1;
+  Real relief_depth = 0;
 };
 
 template <class Real>
@@ -52,14 +54,20 @@ inline ShadingMaterial<Real> shading_material(const Material& material) {
   result.refraction_index = static_cast<Real>(material.refraction_index);
   result.texture = material.texture;
   result.normal_map = material.normal_map;
+  result.height_map = material.height_map;
+  result.relief_depth = static_cast<Real>(material.relief_depth);
   return result;
 }
 
+/// With `shown` above 0 (option light-shown) all but that light, counted from 1, are dark.
 template <class Real>
-inline std::vector<ShadingLight<Real>> shading_lights(const std::vector<Light>& lights) {
+inline std::vector<ShadingLight<Real>> shading_lights(const std::vector<Light>& lights, int shown) {
   std::vector<ShadingLight<Real>> result;
   result.reserve(lights.size());
-  for (const Light& light : lights) result.push_back(shading_light<Real>(light));
+  for (const Light& light : lights) {
+    result.push_back(shading_light<Real>(light));
+    if (shown > 0 && static_cast<int>(result.size()) != shown) result.back().intensity = 0;
+  }
   return result;
 }
 

@@ -25,6 +25,11 @@ Weights bernstein_derivative(double t) {
   return {-3 * s * s, 3 * s * s - 6 * s * t, 6 * s * t - 3 * t * t, 3 * t * t};
 }
 
+Weights bernstein_second_derivative(double t) {
+  const double s = 1 - t;
+  return {6 * s, 6 * t - 12 * s, 6 * s - 12 * t, 6 * t};
+}
+
 Weights bernstein_at(double t) {
   const double s = 1 - t;
   return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
@@ -76,6 +81,18 @@ Vec3d patch_normal(const BezierPatch& patch, PatchParameter u, PatchParameter v)
   Vec3d normal = normal_at(value(u), value(v));
   if (dot(normal, normal) < 1e-20) normal = normal_at(inside(value(u)), inside(value(v)));
   return normal / std::sqrt(dot(normal, normal));
+}
+
+PatchBend patch_bend(const BezierPatch& patch, PatchParameter u, PatchParameter v) {
+  const double s = value(u), t = value(v);
+  const Vec3d normal = patch_normal(patch, u, v);
+  const auto along_normal = [&](const Weights& a, const Weights& b) { return dot(normal, blend(patch, a, b)); };
+  PatchBend bend;
+  bend.point = patch_point(patch, u, v);
+  bend.uu = along_normal(bernstein_second_derivative(s), bernstein_at(t));
+  bend.uv = along_normal(bernstein_derivative(s), bernstein_derivative(t));
+  bend.vv = along_normal(bernstein_at(s), bernstein_second_derivative(t));
+  return bend;
 }
 
 Mesh tessellate(const std::vector<BezierPatch>& patches, int divisions) {

@@ -1,16 +1,10 @@
 #pragma once
-#include <array>
 #include <vector>
 
 #include "scene/mesh.h"
+#include "scene/patch.h"
 
 namespace ps {
-
-/// A bicubic Bezier patch: control point [4 * row + column]. u runs along the columns, v along the rows, both in
-/// [0, 1]. The front is the side to which cross(d/du, d/dv) points.
-struct BezierPatch {
-  std::array<Vec3d, 16> control;
-};
 
 /// A parameter as step / steps, so that walking an edge from its other end gives the same numbers, bit for bit.
 struct PatchParameter {
@@ -24,6 +18,14 @@ Vec3d patch_point(const BezierPatch& patch, PatchParameter u, PatchParameter v);
 
 /// The unit normal. Where an edge of the patch is a single point, the normal just beside it.
 Vec3d patch_normal(const BezierPatch& patch, PatchParameter u, PatchParameter v);
+
+/// How strongly the surface bends away from its tangent plane at (u, v): the parts of the second derivatives along the
+/// unit normal, in the patch's own units.
+struct PatchBend {
+  Vec3d point{0, 0, 0};
+  double uu = 0, uv = 0, vv = 0;
+};
+PatchBend patch_bend(const BezierPatch& patch, PatchParameter u, PatchParameter v);
 
 /// Tessellates each patch into divisions x divisions quads of two triangles each; triangles without area (beside an
 /// edge that is a single point) are left out. Equal positions share an index, so seams are closed. Normals are those of

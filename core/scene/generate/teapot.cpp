@@ -93,6 +93,7 @@ std::vector<BezierPatch> teapot_patches(TeapotBottom bottom) {
 Mesh make_teapot(const TeapotOptions& options) {
   Mesh mesh = tessellate(teapot_patches(options.bottom), options.divisions);
   mesh.name = "teapot";
+  mesh.patches = teapot_patches(options.bottom);
   return mesh;
 }
 
