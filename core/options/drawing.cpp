@@ -29,7 +29,14 @@ Reason needs_lines(const Settings& s, const SceneTraits& t) {
 
 Reason needs_spheres(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_fragments(s, t)) return reason;
-  if (!t.spheres) return "the scene has no spheres";
+  const bool patches = t.patches && s.patches == Patches::projected_error;
+  if (!t.spheres && !t.solids && !patches) return "the scene has nothing round";
+  return {};
+}
+
+Reason needs_patches(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_fragments(s, t)) return reason;
+  if (!t.patches) return "the scene has no curved model such as the teapot";
   return {};
 }
 
@@ -115,10 +122,21 @@ std::vector<Option> drawing_rows() {
       real<&Settings::tessellation>(
           {.key = "tessellation",
            .label = "Tessellation error",
-           .help = {"Spheres are made of triangles whose outline strays from the true one by at most this much.",
+           .help = {"Spheres, cylinders and curved models are made of triangles that stray from them by at most this "
+                    "much.",
                     "LAB 7; CGFS ch. 10", "Large values show corners on round outlines; small ones cost triangles."},
            .inactive = needs_spheres},
           0.05, 50, OptionScale::logarithmic, "px"),
+      choice<&Settings::patches>(
+          {.key = "patches",
+           .label = "Curved models",
+           .help = {"Into how many triangles a model of Bezier patches, the teapot, is cut.",
+                    "LAB 7; CGFS ch. 10; bound of Filip, Magedson and Markot 1986",
+                    "As made: corners on the outline near by, thousands of triangles in a few pixels far away."},
+           .inactive = needs_patches},
+          {{"as-made", "as made", "As many as the scene file says, from everywhere."},
+           {"projected-error", "by projected error",
+            "As few as stray by no more than the tessellation error, for each instance from where it is seen."}}),
   };
 }
 

@@ -2,7 +2,7 @@
 
 namespace ps {
 
-enum class Renderer { ray_tracer, rasterizer };
+enum class Renderer { ray_tracer, rasterizer, textbook };
 enum class SamplePosition { centre, corner };
 enum class SamplePattern { grid, jitter, random, halton, r2 };
 enum class Projection { perspective, orthographic };
@@ -24,6 +24,8 @@ enum class Highlight { phong, blinn_phong };
 enum class Interpolation { perspective, affine };
 enum class TextureFilter { trilinear, mipmap, bilinear, nearest };
 enum class TextureWrap { repeat, clamp, mirror };
+enum class Parallax { off, offset, limited, steep, occlusion };
+enum class Patches { as_made, projected_error };
 enum class LightPasses { one, many };
 enum class Environment { none, cube_map, room_map };
 enum class Shadows { traced, none, map, stencil_depth_fail, stencil_depth_pass };
@@ -43,6 +45,8 @@ enum class ColourDepth { bits24, bits16, bits15 };
 /// (options/option.h), which holds its key, label, range and help; the defaults stand here and nowhere else.
 struct Settings {
   Renderer renderer = Renderer::ray_tracer;
+  int listing = 0;          ///< which listing the textbook renderer runs: 0 = what suits the scene, then one by one
+  bool demo_slips = false;  ///< listings keep the slips of the author's own programs
 
   SamplePosition sample_position = SamplePosition::centre;
   int samples_per_pixel = 1;
@@ -68,6 +72,7 @@ struct Settings {
   bool early_depth = false;
   bool deferred_shading = false;
   LightPasses light_passes = LightPasses::one;
+  int light_shown = 0;  ///< 0 = all, else the number of the only light that shines, from 1
   int multisampling = 1;
 
   Coverage coverage = Coverage::edge_function;
@@ -77,6 +82,7 @@ struct Settings {
   Draw draw = Draw::filled;
   LineAlgorithm line_algorithm = LineAlgorithm::general;
   double tessellation = 0.5;  ///< largest chord error of a tessellated sphere, in pixels
+  Patches patches = Patches::as_made;
 
   Shading shading = Shading::phong;
   Normals normals = Normals::vertex;
@@ -95,7 +101,8 @@ struct Settings {
   TextureWrap texture_wrap = TextureWrap::repeat;
   int anisotropy = 1;
   bool normal_mapping = true;
-  bool parallax_mapping = false;
+  Parallax parallax = Parallax::off;
+  int parallax_steps = 32;
   Environment environment = Environment::none;
   int environment_size = 256;  ///< texels along an edge of a cube map
 

@@ -43,6 +43,13 @@ Reason needs_visible_highlights(const Settings& s, const SceneTraits& t) {
 
 Reason needs_lights(const Settings&, const SceneTraits&) { return {}; }
 
+Reason needs_several_lights(const Settings& s, const SceneTraits& t) {
+  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  if (!t.several_lights) return "the scene has fewer than two lights";
+  if (!s.lighting) return "needs lighting = on";
+  return {};
+}
+
 Reason needs_attributes(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_fragments(s, t)) return reason;
   if (s.draw != Draw::filled) return "needs draw = filled";
@@ -58,6 +65,15 @@ std::vector<Option> shading_rows() {
                                    .help = {"Off: every surface shows its own colour.", "CGFS ch. 2 against ch. 3",
                                             "Without light, shapes look flat."},
                                    .inactive = needs_lights}),
+      integer<&Settings::light_shown>(
+          {.key = "light-shown",
+           .label = "Light shown",
+           .help = {"Lets one light shine alone, by its number in the scene: what its own pass adds to the picture. 0 "
+                    "shows all.",
+                    "CGFS ch. 15; CGPP 15.7.2.3",
+                    "The pictures of all lights add up to the whole; none of them is it."},
+           .inactive = needs_several_lights},
+          0, 16),
       choice<&Settings::shading>(
           {.key = "shading",
            .label = "Shading",

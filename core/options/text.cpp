@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "base/spelling.h"
 #include "options/option.h"
+#include "textbook/listing.h"
 
 namespace ps {
 namespace {
@@ -101,6 +102,11 @@ std::vector<std::string> changed_options(const Settings& settings) {
 
 std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
                                                 const SceneTraits& traits) {
+  if (settings.renderer == Renderer::textbook && option.effect == OptionEffect::picture && option.key != "renderer" &&
+      option.key != "listing") {
+    if (listing_reads(listing_of(settings, traits), option.key)) return {};
+    return "the listing does not use it";
+  }
   return option.inactive ? option.inactive(settings, traits) : std::nullopt;
 }
 

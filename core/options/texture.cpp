@@ -24,6 +24,18 @@ Reason needs_normal_map(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+Reason needs_height_map(const Settings& s, const SceneTraits& t) {
+  if (!t.height_maps) return "the scene has no height map";
+  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  return {};
+}
+
+Reason needs_relief_steps(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_height_map(s, t)) return reason;
+  if (s.parallax != Parallax::steep && s.parallax != Parallax::occlusion) return "needs parallax = steep or occlusion";
+  return {};
+}
+
 Reason needs_mipmaps(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_textures_on(s, t)) return reason;
   if (s.renderer == Renderer::ray_tracer) return "rays have no footprint: they read the finest level";
@@ -84,6 +96,27 @@ std::vector<Option> texture_rows() {
                 "CGFS ch. 15; normal mapping after OBJ files",
                 "Outlines and shadows stay those of the flat surface; seen edge-on, the trick shows."},
            .inactive = needs_normal_map}),
+      choice<&Settings::parallax>(
+          {.key = "parallax",
+           .label = "Parallax mapping",
+           .help =
+               {"A height map says how far the surface lies below its triangles; textures are read where the line of "
+                "sight meets that relief.",
+                "Kaneko et al. 2001; Welsh 2004; McGuire and McGuire 2005; Tatarchuk 2006",
+                "Outlines, depth and shadows stay flat; at a flat angle offsets swim and steps show as slices."},
+           .inactive = needs_height_map},
+          {{"off", "off", "The picture lies on the surface."},
+           {"offset", "offset", "The depth below the point decides the shift: too far where the view is flat."},
+           {"limited", "offset, limited", "Never shifted by more than the depth: calm at flat angles, and too flat."},
+           {"steep", "steep", "Walks down in steps until one lies inside the relief: right to one step."},
+           {"occlusion", "occlusion", "The same, then the crossing of straight lines through the last two readings."}}),
+      integer<&Settings::parallax_steps>(
+          {.key = "parallax-steps",
+           .label = "Parallax steps",
+           .help = {"Steps from the top of a relief to its bottom.", "McGuire and McGuire 2005",
+                    "Few of them slice the relief and miss what is thinner than a step; each may read the map."},
+           .inactive = needs_relief_steps},
+          1, 256, "steps"),
   };
 }
 
