@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 4;
 
-class Builder {
+class SphereTreeBuilder {
  public:
-  explicit Builder(std::span<const BoundedPrimitive> primitives) : primitives_(primitives) {}
+  explicit SphereTreeBuilder(std::span<const BoundedPrimitive> primitives) : primitives_(primitives) {}
 
   BoundingSpheres build() {
     const auto count = static_cast<std::uint32_t>(primitives_.size());
@@ -123,7 +123,7 @@ class Builder {
 }  // namespace
 
 BoundingSpheres build_bounding_spheres(std::span<const BoundedPrimitive> primitives) {
-  return Builder(primitives).build();
+  return SphereTreeBuilder(primitives).build();
 }
 
 }  // namespace ps

@@ -31,9 +31,10 @@ struct Chunk {
 };
 
 template <class Real>
-class Builder {
+class BvhBuilder {
  public:
-  Builder(std::span<const Box<Real>> boxes, int threads) : boxes_(boxes), options_{threads, WorkerPriority::normal} {}
+  BvhBuilder(std::span<const Box<Real>> boxes, int threads)
+      : boxes_(boxes), options_{threads, WorkerPriority::normal} {}
 
   Bvh<Real> build() {
     if (boxes_.empty()) return {};
@@ -240,7 +241,7 @@ class Builder {
 
 template <class Real>
 Bvh<Real> build_bvh(std::span<const Box<Real>> boxes, int threads) {
-  return Builder<Real>(boxes, threads).build();
+  return BvhBuilder<Real>(boxes, threads).build();
 }
 
 template Bvh<float> build_bvh(std::span<const Box<float>>, int);

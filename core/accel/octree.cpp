@@ -6,10 +6,10 @@ namespace ps {
 namespace {
 
 template <class Real>
-class Builder {
+class OctreeBuilder {
  public:
   using Overlaps = std::function<bool(std::uint32_t, const Box<Real>&)>;
-  Builder(const OctreeOptions& options, std::uint32_t primitives, const Overlaps& overlaps)
+  OctreeBuilder(const OctreeOptions& options, std::uint32_t primitives, const Overlaps& overlaps)
       : options_(options), most_entries_(64ull * primitives + 4096), overlaps_(overlaps) {}
 
   Octree<Real> build(const Box<Real>& box, std::uint32_t primitives) {
@@ -25,7 +25,7 @@ class Builder {
  private:
   void fill(std::uint32_t index, const std::vector<std::uint32_t>& inside, int depth) {
     const Box<Real> box = octree_.nodes[index].box;
-    const Vec3<Real> middle = box.low * Real(0.5) + box.high * Real(0.5);
+    const Vec3<Real> middle = middle_of(box);
     const bool full = octree_.entries.size() + inside.size() > most_entries_;
     if (inside.size() <= options_.leaf || depth >= std::min(options_.depth, octree_max_depth) || full)
       return make_leaf(index, inside);
@@ -44,6 +44,8 @@ class Builder {
     const auto first = static_cast<std::uint32_t>(octree_.nodes.size());
     octree_.nodes[index].first = first;
     octree_.nodes[index].leaf = false;
+    for (std::size_t child = 0; child < 8; ++child)
+      if (!parts[child].empty()) octree_.nodes[index].filled |= static_cast<std::uint8_t>(1u << child);
     octree_.nodes.resize(octree_.nodes.size() + 8);
     for (std::uint32_t child = 0; child < 8; ++child) {
       octree_.nodes[first + child].box = cells[child];
@@ -69,7 +71,7 @@ class Builder {
 template <class Real>
 Octree<Real> build_octree(const Box<Real>& box, std::uint32_t primitives, const OctreeOptions& options,
                           const std::function<bool(std::uint32_t, const Box<Real>&)>& overlaps) {
-  return Builder<Real>(options, primitives, overlaps).build(box, primitives);
+  return OctreeBuilder<Real>(options, primitives, overlaps).build(box, primitives);
 }
 
 template Octree<float> build_octree(const Box<float>&, std::uint32_t, const OctreeOptions&,

@@ -59,6 +59,11 @@ inline SlabRange<Real> naive_slab_test(const SlabRay<Real>& ray, const Box<Real>
   return range;
 }
 
+/// By how much the far end of a range grows to make up for its rounding error and the near end's (Ize).
+template <class Real>
+inline constexpr Real slab_growth = 1 + 2 * (3 * (std::numeric_limits<Real>::epsilon() / 2) /
+                                             (1 - 3 * (std::numeric_limits<Real>::epsilon() / 2)));
+
 /// The slab test (Kay and Kajiya) in Ize's robust form (JCGT 2013): the far end grows by the rounding error of the near
 /// and the far end, so that no ray is lost between two boxes that touch. Planes are taken in the order in which the ray
 /// meets them, and comparisons are false for NaN (0 * infinity), which then leaves the range as it is.
@@ -66,13 +71,12 @@ template <class Real>
 inline SlabRange<Real> slab_test(const SlabRay<Real>& ray, const Box<Real>& box, Real limit) {
   if (ray.form == SlabForm::naive) [[unlikely]]
     return naive_slab_test(ray, box, limit);
-  constexpr Real half_ulp = std::numeric_limits<Real>::epsilon() / 2;
-  constexpr Real grow = 1 + 2 * (3 * half_ulp / (1 - 3 * half_ulp));
   SlabRange<Real> range{0, limit};
   for (int axis = 0; axis < 3; ++axis) {
     const bool down = ray.negative[static_cast<std::size_t>(axis)];
     const Real near = ((down ? box.high[axis] : box.low[axis]) - ray.entering[axis]) * ray.inverse[axis];
-    const Real far = (((down ? box.low[axis] : box.high[axis]) - ray.leaving[axis]) * ray.inverse[axis]) * grow;
+    const Real far =
+        (((down ? box.low[axis] : box.high[axis]) - ray.leaving[axis]) * ray.inverse[axis]) * slab_growth<Real>;
     if (near > range.near) range.near = near;
     if (far < range.far) range.far = far;
   }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "image/display.h"
 #include "inspect/finish_story.h"
 #include "raytrace/sampling/compare.h"
@@ -31,7 +33,7 @@ class PixelInspection {
     const Counters counters = recorder_.counters;
     recorder_.mute(true);
     const TileRays<Real, PixelRecorder> rays(inputs_, plan, tile_, recorder_);
-    if (inputs_.settings.shadow_cache) trace_pixels_before(rays);
+    if (inputs_.settings.shadow_cache) trace_pixels_before(rays, plan);
     recorder_.mute(false);
     recorder_.counters = counters;
     const TracedPixel<Real> traced = rays.pixel(pixel_.x, pixel_.y);
@@ -39,10 +41,38 @@ class PixelInspection {
     return traced.colour;
   }
 
-  /// What they leave in the shadow cache decides which blocker is tested first.
-  void trace_pixels_before(const TileRays<Real, PixelRecorder>& rays) const {
+  /// What they leave in the shadow cache decides which blocker is tested first. Of an adaptive picture's second pass
+  /// only those that it chose.
+  void trace_pixels_before(const TileRays<Real, PixelRecorder>& rays, const SamplingPlan& plan) const {
+    const bool chosen_only = plan_.mode == SamplingMode::adaptive && plan.mode == SamplingMode::many;
+    const Image<FirstRay> first = chosen_only ? first_rays_of_tile() : Image<FirstRay>();
     for (int y = tile_.y0; y <= pixel_.y; ++y)
-      for (int x = tile_.x0; x < (y == pixel_.y ? pixel_.x : tile_.x1); ++x) rays.pixel(x, y);
+      for (int x = tile_.x0; x < (y == pixel_.y ? pixel_.x : tile_.x1); ++x)
+        if (!chosen_only || is_chosen(first, {x, y})) rays.pixel(x, y);
+  }
+
+  /// The first rays of the tile and one pixel around it, as far as the picture goes: pixel (x, y) stands at
+  /// (x - tile_.x0 + 1, y - tile_.y0 + 1).
+  Image<FirstRay> first_rays_of_tile() const {
+    Image<FirstRay> first(tile_.width() + 2, tile_.height() + 2);
+    Silent silent;
+    const Tracer<Real, Silent> tracer(inputs_, silent);
+    for (int y = std::max(tile_.y0 - 1, 0); y < std::min(tile_.y1 + 1, size_.y); ++y)
+      for (int x = std::max(tile_.x0 - 1, 0); x < std::min(tile_.x1 + 1, size_.x); ++x) {
+        const TracedPixel<Real> traced = tracer.trace_pixel(x, y);
+        const PixelId id = traced.hit.found() ? id_of(*inputs_.geometry, traced.hit) : PixelId{};
+        first.at(x - tile_.x0 + 1, y - tile_.y0 + 1) = {id, Vec3d(Vec3f(traced.colour))};
+      }
+    return first;
+  }
+
+  bool is_chosen(const Image<FirstRay>& first, Vec2i pixel) const {
+    const auto at = [&](Vec2i p) { return first.at(p.x - tile_.x0 + 1, p.y - tile_.y0 + 1); };
+    return std::any_of(neighbour_steps.begin(), neighbour_steps.end(), [&](const Vec2i& step) {
+      const Vec2i place = pixel + step;
+      if (place.x < 0 || place.y < 0 || place.x >= size_.x || place.y >= size_.y) return false;
+      return compare_rays(at(pixel), at(place), place, plan_.threshold).subdivides;
+    });
   }
 
   /// Does the first ray differ from a neighbour's?

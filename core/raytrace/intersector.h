@@ -28,11 +28,16 @@ class Intersector {
     for (std::size_t first = 0; first < rays.size(); first += packet_width) {
       const std::size_t count = std::min(packet_width, rays.size() - first);
       const auto some = rays.subspan(first, count);
-      if constexpr (std::is_same_v<Real, float>)
+      if constexpr (std::is_same_v<Real, float>) {
         if (!recorder_.collects() && suits_together(some)) {
           search_together(some, hits.subspan(first, count));
           continue;
         }
+        if (!recorder_.collects() && inputs_.list) {
+          search_list_together(some, hits.subspan(first, count));
+          continue;
+        }
+      }
       for (std::size_t i = 0; i < count; ++i) hits[first + i] = nearest(some[i]);
     }
   }
@@ -178,7 +183,7 @@ class Intersector {
   }
 
   bool suits_together(std::span<const Ray<Real>> rays) const {
-    if (!inputs_.wide || !inputs_.packet_search || !suits_packet(rays.data(), rays.size())) return false;
+    if (!inputs_.wide || !inputs_.packet_searches.nearest || !suits_packet(rays.data(), rays.size())) return false;
     return std::all_of(rays.begin(), rays.end(), [&](const Ray<Real>& ray) { return suits_wide(ray); });
   }
 
@@ -186,24 +191,28 @@ class Intersector {
   void search_together(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const {
     WidePacket packet;
     WidePacketHits best;
+    float pad = 0;
     packet.triangle_epsilon = inputs_.triangle_epsilon;
     for (std::size_t lane = 0; lane < packet_width; ++lane) {
-      const std::size_t i = std::min(lane, rays.size() - 1);
-      const Ray<Real>& ray = rays[i];
-      if (lane == i) hits[i] = nearest_other(ray);
+      const Ray<Real>& ray = rays[std::min(lane, rays.size() - 1)];
       for (int axis = 0; axis < 3; ++axis) {
         packet.origin[static_cast<std::size_t>(axis)][lane] = ray.origin[axis];
         packet.direction[static_cast<std::size_t>(axis)][lane] = ray.direction[axis];
       }
       packet.t_min[lane] = ray.t_min;
       packet.t_max[lane] = ray.t_max;
-      packet.pad = std::max(packet.pad, padding(ray));
+      pad = std::max(pad, padding(ray));
+    }
+    packet.pad = pad;
+    nearest_others(rays, packet, hits);
+    for (std::size_t lane = 0; lane < packet_width; ++lane) {
+      const std::size_t i = std::min(lane, rays.size() - 1);
       best.t[lane] = hits[i].t;
       best.primitive[lane] = static_cast<std::int32_t>(hits[i].primitive);
       for (std::size_t k = 0; k < 3; ++k) best.weights[k][lane] = hits[i].weights[k];
     }
     WideCount count;
-    inputs_.packet_search(inputs_.wide->triangles, packet, best, count);
+    inputs_.packet_searches.nearest(inputs_.wide->triangles, packet, best, count);
     recorder_.count(Counter::node_visits, count.nodes);
     recorder_.count(Counter::triangle_tests, count.triangles);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -213,11 +222,22 @@ class Intersector {
     }
   }
 
+  /// For each ray of a packet the nearest primitive that is no triangle.
+  void nearest_others(std::span<const Ray<Real>> rays, const WidePacket& packet, std::span<Hit<Real>> hits) const {
+    const Bvh<float>& others = inputs_.wide->others;
+    unsigned perhaps = others.nodes.empty() ? 0u : inputs_.packet_searches.meets(others.nodes[0].box, packet);
+    if (!geometry_.unbounded.empty()) perhaps = ~0u;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      hits[i] = {};
+      hits[i].t = rays[i].t_max;
+      if ((perhaps >> i & 1u) != 0) hits[i] = nearest_other(rays[i]);
+    }
+  }
+
   /// The nearest primitive that is no triangle.
   Hit<Real> nearest_other(const Ray<Real>& ray) const {
     Hit<Real> best;
     best.t = ray.t_max;
-    if (inputs_.wide->others.nodes.empty() && geometry_.unbounded.empty()) return best;
     Query query{ray};
     query.a = dot(ray.direction, ray.direction);
     const auto visit = [&](std::uint32_t primitive) { return test(query, primitive, best) && false; };
@@ -235,6 +255,20 @@ class Intersector {
     const WideSearches& searches = inputs_.wide_searches;
     WideCount count;
     (any ? searches.list_any : searches.list_nearest)(inputs_.list->triangles, wide, best, count);
+    recorder_.count(Counter::triangle_tests, count.triangles);
+  }
+
+  /// search_list() for up to most_list_queries rays.
+  void search_list_together(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const {
+    static_assert(packet_width <= most_list_queries);
+    std::vector<WideQuery> queries;
+    queries.reserve(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      queries.push_back({rays[i], 0, inputs_.triangle_epsilon});
+      hits[i] = among(rays[i], inputs_.list->others);
+    }
+    WideCount count;
+    inputs_.wide_searches.list_nearest_of_many(inputs_.list->triangles, queries, hits, count);
     recorder_.count(Counter::triangle_tests, count.triangles);
   }
 

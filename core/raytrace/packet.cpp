@@ -14,6 +14,7 @@
 
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
 #include "math/power-inl.h"
+#include "raytrace/packet_reuse-inl.h"
 #include "raytrace/packet_search-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,6 +23,7 @@ namespace {
 
 struct Count {
   std::uint64_t rays = 0, shadow_rays = 0, reflection_rays = 0, sphere_tests = 0, shadings = 0, nan_pixels = 0;
+  std::uint64_t searches_saved = 0, marks = 0, marks_shaded = 0;  // of subsampling
 };
 
 /// A hit point with what shading needs from its sphere, lane by lane.
@@ -137,16 +139,19 @@ HWY_INLINE V3 fold(const PacketScene& scene, const Bounce* bounces, int last) {
   return colour;
 }
 
-/// Follows the rays of one packet through all bounces. `first` notes what the eye rays hit.
-V3 trace(const PacketScene& scene, PacketRay ray, M active, PacketHit& first, Count& count) {
+HWY_INLINE PacketHit find_nearest(const PacketScene& scene, const PacketRay& ray, M active, Count& count) {
+  count.rays += hn::CountTrue(D(), active);
+  return search(scene, ray, active, Search::nearest, count.sphere_tests);
+}
+
+/// Follows the eye rays of one packet, which hit `first`, through all bounces.
+V3 trace(const PacketScene& scene, PacketRay ray, M active, const PacketHit& first, Count& count) {
   const D d;
   Bounce bounces[65];
   int bounce = 0;
+  PacketHit hit = first;
   while (true) {
-    count.rays += hn::CountTrue(d, active);
-    const PacketHit hit = search(scene, ray, active, Search::nearest, count.sphere_tests);
     const M found = hn::And(active, hn::Ge(hit.index, hn::Zero(d)));
-    if (bounce == 0) first = hit;
     Bounce& now = bounces[bounce];
     now.hit = found;
     now.mirrored = no_lane();
@@ -167,6 +172,7 @@ V3 trace(const PacketScene& scene, PacketRay ray, M active, PacketHit& first, Co
            hit.index,     zero,      splat(std::numeric_limits<float>::infinity()),
            From::surface};
     active = mirrors;
+    hit = find_nearest(scene, ray, active, count);
     ++bounce;
   }
 }
@@ -183,14 +189,13 @@ HWY_INLINE PacketRay eye_rays(const PacketScene& scene, V canvas_x, V canvas_y) 
           splat(scene.far), From::eye};
 }
 
-/// Those of a row's pixels from column x on, one in each lane.
-HWY_INLINE PacketRay eye_rays(const PacketScene& scene, int x, int y) {
+/// Those of pixels of a row.
+HWY_INLINE PacketRay eye_rays_of_row(const PacketScene& scene, V column, int y) {
   const Viewport<float>& viewport = scene.viewport;
-  const V column = hn::Iota(D(), static_cast<float>(x));
   const V canvas_x = hn::Sub(hn::Add(column, splat(static_cast<float>(viewport.sample.x))),
                              splat(static_cast<float>(viewport.columns) / 2.0f));
   const float canvas_y =
-      canvas_position<float>(x, y, viewport.sample, viewport.columns, viewport.rows).y;  // the same for the row
+      canvas_position<float>(0, y, viewport.sample, viewport.columns, viewport.rows).y;  // the same for the row
   return eye_rays(scene, canvas_x, splat(canvas_y));
 }
 
@@ -232,6 +237,7 @@ void add_counts(const PacketScene& scene, const Count& count, std::uint64_t eye_
   counters[Counter::reflection_rays] += count.reflection_rays;
   counters[Counter::sphere_tests] += count.sphere_tests;
   counters[Counter::node_visits] += scene.tree ? count.rays + count.shadow_rays : 0;
+  counters[Counter::searches_saved] += count.searches_saved;
   counters[Counter::shading_calls] += count.shadings;
   counters[Counter::light_samples] += scene.lighting ? count.shadings * scene.lights.size() : 0;
 }
@@ -247,27 +253,80 @@ void store(const PacketScene& scene, const Lanes& lanes, int x, int y, int width
   }
 }
 
+/// The spheres that pixels of a row see.
+void search_row(const PacketScene& scene, const std::vector<int>& columns, int y, float* found, Count& count) {
+  const D d;
+  const std::size_t lanes = hn::Lanes(d);
+  count.marks += columns.size();
+  HWY_ALIGN float numbers[HWY_MAX_BYTES / 4];
+  for (std::size_t first = 0; first < columns.size(); first += lanes) {
+    const std::size_t width = std::min(lanes, columns.size() - first);
+    for (std::size_t i = 0; i < lanes; ++i) numbers[i] = static_cast<float>(columns[first + std::min(i, width - 1)]);
+    const PacketRay rays = eye_rays_of_row(scene, hn::Load(d, numbers), y);
+    const PacketHit hit = find_nearest(scene, rays, hn::FirstN(d, width), count);
+    hn::Store(hit.index, d, numbers);
+    std::copy(numbers, numbers + width, found + first);
+  }
+}
+
+/// Each ray is tested against what it probably meets, and against all where it does not. What is known by a search is
+/// found again, uncounted.
+HWY_INLINE PacketHit find_with_reuse(const PacketScene& scene, const PacketRay& rays, M active, V only, V searched,
+                                     Count& count) {
+  const D d;
+  const V zero = hn::Zero(d);
+  std::uint64_t tests = 0;
+  PacketHit hit =
+      search(scene, rays, hn::AndNot(hn::Eq(only, splat(every_sphere)), active), Search::nearest, tests, &only);
+  const M known = hn::And(active, hn::Gt(searched, zero));
+  count.sphere_tests += tests - hn::CountTrue(d, hn::And(known, hn::Ge(only, zero)));
+  count.marks_shaded += hn::CountTrue(d, known);
+  const M nothing = hn::Eq(only, splat(-1));
+  const M met = hn::AndNot(known, hn::And(active, hn::Or(nothing, hn::Ge(hit.index, zero))));
+  count.searches_saved += hn::CountTrue(d, met);
+  const M missed = hn::AndNot(hn::Or(known, met), active);
+  if (hn::AllFalse(d, missed)) return hit;
+  const PacketHit all = find_nearest(scene, rays, missed, count);
+  return {hn::IfThenElse(missed, all.t, hit.t), hn::IfThenElse(missed, all.index, hit.index)};
+}
+
 }  // namespace
 
-void trace_packets(const PacketScene& scene, const TileRect& tile, Frame& frame, Counters& counters) {
+void trace_packets(const PacketScene& scene, const TileRect& tile, const TileRect& part, Frame& frame,
+                   Counters& counters) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   Lanes stored;
   Count count;
-  for (int y = tile.y0; y < tile.y1; ++y) {
-    for (int x = tile.x0; x < tile.x1; x += lanes) {
-      const int width = std::min(lanes, tile.x1 - x);
+  const auto search_marks = [&](const std::vector<int>& columns, int y, float* found) {
+    search_row(scene, columns, y, found, count);
+  };
+  std::optional<PacketReuse> reuse;
+  PacketReuse::Row row{};
+  if (scene.step > 1) reuse.emplace(tile, scene.step, search_marks);
+  for (int y = part.y0; y < part.y1; ++y) {
+    if (reuse) reuse->fill(y, row);
+    for (int x = part.x0; x < part.x1; x += lanes) {
+      const int width = std::min(lanes, part.x1 - x);
       const M active = hn::FirstN(d, static_cast<std::size_t>(width));
-      PacketHit first{hn::Zero(d), splat(-1)};
-      const V3 result = trace(scene, eye_rays(scene, x, y), active, first, count);
+      const PacketRay rays = eye_rays_of_row(scene, hn::Iota(d, static_cast<float>(x)), y);
+      PacketHit first;
+      if (reuse) {
+        const auto from = static_cast<std::size_t>(x - tile.x0);
+        first = find_with_reuse(scene, rays, active, hn::LoadU(d, row.only + from), hn::LoadU(d, row.searched + from),
+                                count);
+      } else {
+        first = find_nearest(scene, rays, active, count);
+      }
+      const V3 result = trace(scene, rays, active, first, count);
       const M nan = hn::Or(hn::Or(hn::Ne(result.x, result.x), hn::Ne(result.y, result.y)), hn::Ne(result.z, result.z));
       count.nan_pixels += hn::CountTrue(d, hn::And(active, nan));
       store_lanes(result, first, stored);
       store(scene, stored, x, y, width, frame);
     }
   }
-  const auto pixel_count = static_cast<std::uint64_t>(tile.width()) * static_cast<std::uint64_t>(tile.height());
-  add_counts(scene, count, pixel_count, counters);
+  const auto pixel_count = static_cast<std::uint64_t>(part.width()) * static_cast<std::uint64_t>(part.height());
+  add_counts(scene, count, pixel_count + count.marks - count.marks_shaded, counters);
   counters[Counter::pixels_written] += pixel_count;
   counters[Counter::nan_pixels] += count.nan_pixels;
 }
@@ -288,8 +347,10 @@ void trace_samples(const PacketScene& scene, std::span<const PacketSample> sampl
       places.offset_x[i] = sample.offset_x;
       places.offset_y[i] = sample.offset_y;
     }
-    PacketHit hit{hn::Zero(d), splat(-1)};
-    const V3 result = trace(scene, eye_rays(scene, places), hn::FirstN(d, width), hit, count);
+    const PacketRay rays = eye_rays(scene, places);
+    const M active = hn::FirstN(d, width);
+    const PacketHit hit = find_nearest(scene, rays, active, count);
+    const V3 result = trace(scene, rays, active, hit, count);
     store_lanes(result, hit, stored);
     for (std::size_t i = 0; i < width; ++i)
       results[first + i] = {

@@ -36,12 +36,15 @@ struct PacketScene {
   int depth = 0;  ///< bounces
   bool lighting = true, highlights = true, shadows = true, any_hit = true;
   bool tree = false;  ///< the clear path would visit one tree node for each ray
+  int step = 1;       ///< of subsampling, in pixels; 1 = each pixel is searched for
 };
 
 /// The scene for the fast path, or nothing if it does not cover what is asked for.
 std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const RenderRequest& request);
 
-using TracePackets = void (*)(const PacketScene& scene, const TileRect& tile, Frame& frame, Counters& counters);
+/// The pixels `part` of a tile.
+using TracePackets = void (*)(const PacketScene& scene, const TileRect& tile, const TileRect& part, Frame& frame,
+                              Counters& counters);
 
 /// A ray through any point of a pixel: offset from its top-left corner.
 struct PacketSample {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "raytrace/packet.h"
+#include "raytrace/sampling/plan.h"
 
 namespace ps {
 namespace {
@@ -71,6 +72,8 @@ std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const 
   scene.highlights = settings.specular;
   scene.shadows = settings.shadows != Shadows::none;
   scene.any_hit = settings.shadow_any_hit;
+  const SamplingPlan plan = sampling_plan(settings);
+  if (plan.mode == SamplingMode::subsampling) scene.step = plan.step;
   scene.tree = inputs.bvh && !inputs.bvh->nodes.empty();
   return scene;
 }

@@ -61,17 +61,26 @@ HWY_INLINE V power_of_origin(const PacketRay& ray, const PacketSphere& sphere) {
 
 enum class Search { nearest, any };
 
-/// Tests the lanes of `active` against all spheres in order. With Search::any a lane stops at its first hit.
+/// What a lane is tested against in place of an index: all spheres.
+inline constexpr float every_sphere = -2;
+
+/// Tests the lanes of `active` against all spheres in order, or, with `only`, each against that sphere alone (-1 =
+/// none). With Search::any a lane stops at its first hit.
 HWY_INLINE PacketHit search(const PacketScene& scene, const PacketRay& ray, M active, Search kind,
-                            std::uint64_t& sphere_tests) {
+                            std::uint64_t& sphere_tests, const V* only = nullptr) {
   const D d;
   const V zero = hn::Zero(d);
   PacketHit best{ray.t_max, splat(-1)};
   M live = active;
   for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
     if (kind == Search::any && hn::AllFalse(d, live)) break;
-    sphere_tests += hn::CountTrue(d, live);
     const PacketSphere& sphere = scene.spheres[k];
+    if (only != nullptr) {
+      const M this_one = hn::Eq(*only, splat(static_cast<float>(k)));
+      live = hn::And(active, hn::Or(this_one, hn::Eq(*only, splat(every_sphere))));
+      if (hn::AllFalse(d, live)) continue;
+    }
+    sphere_tests += hn::CountTrue(d, live);
     const V3 from_centre{hn::Sub(ray.origin.x, splat(sphere.x)), hn::Sub(ray.origin.y, splat(sphere.y)),
                          hn::Sub(ray.origin.z, splat(sphere.z))};
     const V b = hn::Neg(dot(from_centre, ray.direction));

@@ -30,7 +30,7 @@ class PictureTracer {
       packets_ = packet_functions(settings.simd);
       RenderRequest traced = request_;  // sample counts are stored here
       traced.channels = without(request_.channels, Channel::samples);
-      if (packets_.tile && plan_.mode != SamplingMode::subsampling) scene_ = packet_scene(inputs_, traced);
+      if (packets_.tile) scene_ = packet_scene(inputs_, traced);
     }
     frame_ = empty_frame<Real>(view, request_);
   }
@@ -47,7 +47,7 @@ class PictureTracer {
       if (scene_ && plan_.mode == SamplingMode::many)
         trace_fast(pixels_of(part), counters);
       else if (scene_)
-        packets_.tile(*scene_, part, frame_, counters);
+        packets_.tile(*scene_, tile, part, frame_, counters);
       else
         trace_part(tile, part, counters);
       store_sample_counts(part);
@@ -78,10 +78,17 @@ class PictureTracer {
   void trace_part(const TileRect& tile, const TileRect& part, Counters& counters) {
     CountingRecorder recorder;
     const bool one_ray = plan_.mode == SamplingMode::one || plan_.mode == SamplingMode::adaptive;
-    if (one_ray && inputs_.wide && inputs_.packet_search) {
+    if (one_ray && ((inputs_.wide && inputs_.packet_searches.nearest) || inputs_.list)) {
       const Tracer<Real, CountingRecorder> tracer(inputs_, recorder);
       for (int y = part.y0; y < part.y1; ++y)
         tracer.trace_pixels(part.x0, part.x1, y, [&](int x, const TracedPixel<Real>& pixel) {
+          if (store_pixel(pixel, inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
+        });
+    } else if (plan_.mode == SamplingMode::subsampling && frame_.tests.empty()) {
+      const Tracer<Real, CountingRecorder> tracer(inputs_, recorder);
+      const SubsampledTile<Real, CountingRecorder> between(tracer, inputs_, tile, plan_.step, recorder);
+      for (int y = part.y0; y < part.y1; ++y)
+        between.trace_pixels(part.x0, part.x1, y, [&](int x, const TracedPixel<Real>& pixel) {
           if (store_pixel(pixel, inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
         });
     } else {

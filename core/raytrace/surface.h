@@ -53,9 +53,10 @@ inline Value blend(const std::array<Real, 3>& weights, const Value& a, const Val
 /// A point of a triangle from its barycentric weights, which puts it nearer to the plane than origin + t * direction
 /// does; the error bound is pbrt's (6.8).
 template <class Real>
-inline Surface<Real> triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedGeometry<Real>& geometry,
-                                      const TracedTriangle<Real>& triangle, const Settings& settings) {
-  Surface<Real> surface;
+inline void put_triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedGeometry<Real>& geometry,
+                                 const TracedTriangle<Real>& triangle, const Settings& settings,
+                                 Surface<Real>& surface) {
+  surface = {};
   surface.primitive = hit.primitive;
   const auto& w = hit.weights;
   surface.point = blend(w, triangle.a, triangle.b, triangle.c);
@@ -66,7 +67,7 @@ inline Surface<Real> triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit
   surface.geometric_normal = normalised(cross(triangle.b - triangle.a, triangle.c - triangle.a));
   surface.shading_normal = surface.geometric_normal;
   surface.back_face = dot(ray.direction, surface.geometric_normal) > 0;
-  if (triangle.attributes < 0) return surface;
+  if (triangle.attributes < 0) return;
   const auto& attributes = geometry.attributes[static_cast<std::size_t>(triangle.attributes)];
   if (attributes.has_normals && settings.normals == Normals::vertex) {
     const Vec3<Real> normal = blend(w, attributes.normals[0], attributes.normals[1], attributes.normals[2]);
@@ -76,7 +77,6 @@ inline Surface<Real> triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit
   }
   surface.has_uv = attributes.has_uvs;
   if (surface.has_uv) surface.uv = blend(w, attributes.uvs[0], attributes.uvs[1], attributes.uvs[2]);
-  return surface;
 }
 
 /// The outward normal of a form on its face `face`, at `p` relative to its centre; length 1.
@@ -150,22 +150,31 @@ inline PixelId id_of(const TracedGeometry<Real>& geometry, const Hit<Real>& hit)
   return id;
 }
 
+/// Fills `surface`, in its place, since it is large, with what a ray found.
 template <class Real>
-inline Surface<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, const TraceInputs<Real>& inputs) {
+inline void put_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TraceInputs<Real>& inputs,
+                        Surface<Real>& surface) {
   const TracedGeometry<Real>& geometry = *inputs.geometry;
   const Primitive& primitive = geometry.primitives[hit.primitive];
-  Surface<Real> surface;
   switch (primitive.kind) {
   case PrimitiveKind::sphere:
     surface = sphere_surface(ray, hit, geometry.spheres[primitive.shape]);
+    surface.material = primitive.material;
     break;
   case PrimitiveKind::triangle:
-    surface = triangle_surface(ray, hit, geometry, geometry.triangles[primitive.shape], inputs.settings);
+    put_triangle_surface(ray, hit, geometry, geometry.triangles[primitive.shape], inputs.settings, surface);
+    surface.material = primitive.material;
     break;
   case PrimitiveKind::solid:
-    return solid_surface(ray, hit, geometry, geometry.solids[primitive.shape]);
+    surface = solid_surface(ray, hit, geometry, geometry.solids[primitive.shape]);
+    break;
   }
-  surface.material = primitive.material;
+}
+
+template <class Real>
+inline Surface<Real> surface_of(const Ray<Real>& ray, const Hit<Real>& hit, const TraceInputs<Real>& inputs) {
+  Surface<Real> surface;
+  put_surface(ray, hit, inputs, surface);
   return surface;
 }
 

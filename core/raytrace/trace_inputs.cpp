@@ -34,11 +34,11 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
                            !inputs.geometry->one_sided_triangles && !inputs.any_transparent;
     if (triangles) inputs.wide_searches = wide_searches(settings.simd, settings.triangle_test);
     if (inputs.wide_searches.nearest && everything) inputs.list = list_geometry(scene, *inputs.geometry, prepared);
-    if (triangles) inputs.packet_search = packet_search(settings.simd, settings.triangle_test);
+    if (triangles) inputs.packet_searches = packet_searches(settings.simd, settings.triangle_test);
     if (inputs.wide_searches.nearest && !everything) inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
   }
   inputs.materials = shading_materials<Real>(*scene.materials);
-  inputs.lights = shading_lights<Real>(*scene.lights);
+  inputs.lights = shading_lights<Real>(*scene.lights, settings.light_shown);
   for (const Texture& texture : *scene.textures) inputs.textures.push_back(texture.texels);
   inputs.background = Vec3<Real>(scene.background);
   inputs.settings = settings;

@@ -23,7 +23,7 @@ struct TraceInputs {
   /// The SIMD form of testing everything; likewise.
   std::shared_ptr<const ListGeometry> list;
   WideSearches wide_searches;
-  PacketSearch packet_search = nullptr;  ///< for rays of neighbouring pixels in `wide`
+  PacketSearches packet_searches;  ///< for rays of neighbouring pixels in `wide`
   std::vector<ShadingMaterial<Real>> materials;
   std::vector<ShadingLight<Real>> lights;
   std::vector<std::shared_ptr<const Image<Vec3f>>> textures;

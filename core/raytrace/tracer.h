@@ -9,6 +9,7 @@
 #include "raytrace/self_hit.h"
 #include "shade/fresnel.h"
 #include "shade/illumination.h"
+#include "shade/parallax_mapping.h"
 
 namespace ps {
 
@@ -47,46 +48,69 @@ class Tracer {
   void trace_pixels(int first_column, int end_column, int row, Use&& use) const {
     std::array<Ray<Real>, packet_width> rays;
     std::array<Hit<Real>, packet_width> hits;
+    const Viewport<Real>& viewport = inputs_.viewport;
+    const Vec3<Real> upwards = inputs_.up * viewport.at(first_column, row).y;  // the same for the row
+    rays.fill(eye_ray(Real(0), upwards));
     for (int column = first_column; column < end_column;) {
       std::size_t count = 0;
       for (; count < packet_width && column + static_cast<int>(count) < end_column; ++count)
-        rays[count] = eye_ray(column + static_cast<int>(count), row, inputs_.viewport.sample);
+        aim(rays[count], viewport.at(column + static_cast<int>(count), row).x, upwards);
       recorder_.count(Counter::eye_rays, count);
-      intersector_.nearest(std::span<const Ray<Real>>(rays.data(), count), std::span<Hit<Real>>(hits.data(), count));
-      for (std::size_t i = 0; i < count; ++i) use(column++, trace_known(rays[i], hits[i]));
+      const auto some = std::span<const Ray<Real>>(rays).first(count);
+      intersector_.nearest(some, std::span(hits).first(count));
+      trace_known(some, hits,
+                  [&](std::size_t i, const TracedPixel<Real>& pixel) { use(column + static_cast<int>(i), pixel); });
+      column += static_cast<int>(count);
     }
   }
 
-  /// What an eye ray meets first, without shading it.
-  Hit<Real> find(const Ray<Real>& ray) const {
-    recorder_.count(Counter::eye_rays);
-    return intersector_.nearest(ray);
+  /// What each eye ray meets first, without shading it; faster for rays of neighbouring pixels.
+  void find(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const {
+    recorder_.count(Counter::eye_rays, rays.size());
+    intersector_.nearest(rays, hits);
   }
 
   /// The pixel whose eye ray is known to meet `hit`.
   TracedPixel<Real> trace_known(const Ray<Real>& ray, const Hit<Real>& hit) const {
     TracedPixel<Real> pixel;
-    pixel.ray = ray;
-    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), {}, &pixel);
+    trace_known(ray, hit, pixel);
     return pixel;
   }
 
+  /// find() for rays that are counted already.
+  void search(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const { intersector_.nearest(rays, hits); }
+
+  /// Calls use(i, traced pixel) for eye rays that are known to meet `hits`.
+  template <class Use>
+  void trace_known(std::span<const Ray<Real>> rays, std::span<const Hit<Real>> hits, Use&& use) const {
+    TracedPixel<Real> pixel;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      trace_known(rays[i], hits[i], pixel);
+      use(i, pixel);
+    }
+  }
+
   /// Subsampling (CGFS ch. 5): the searched pixels around saw what `around` tells, by these primitives. If all saw the
-  /// same object, or nothing, only they are tested; else, or if the ray misses them, it is searched for after all.
+  /// same object, or nothing, only they are tested. Where the ray misses them (met = false), it is to be searched for
+  /// after all.
+  Hit<Real> find_between(const Ray<Real>& ray, std::span<const std::uint32_t> primitives, ReuseEvent& around) const {
+    Hit<Real> hit;
+    if (around.same && !primitives.empty()) hit = intersector_.among(ray, primitives);
+    around.met = around.same && (primitives.empty() || hit.found());
+    if (around.met) recorder_.count(Counter::searches_saved);
+    return hit;
+  }
+
+  /// The same with all that follows.
   TracedPixel<Real> trace_between(const Ray<Real>& ray, std::span<const std::uint32_t> primitives,
                                   ReuseEvent around) const {
     TracedPixel<Real> pixel;
     pixel.ray = ray;
     recorder_.count(Counter::eye_rays);
     recorder_.begin([&] { return ray_event(ray, RayKind::eye, 0, Real(1)); });
-    Hit<Real> hit;
-    if (around.same) hit = intersector_.among(ray, primitives);
-    around.met = around.same && (primitives.empty() || hit.found());
+    Hit<Real> hit = find_between(ray, primitives, around);
     recorder_.event([&] { return around; });
-    if (around.met)
-      recorder_.count(Counter::searches_saved);
-    else
-      hit = intersector_.nearest(ray);
+    if (!around.met) hit = intersector_.nearest(ray);
     pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), {}, &pixel);
     recorder_.end();
     return pixel;
@@ -95,8 +119,18 @@ class Tracer {
   /// Ray through a point of pixel (column, row), `offset` from its top-left corner.
   Ray<Real> eye_ray(int column, int row, const Vec2d& offset) const {
     const Vec2<Real> v = inputs_.viewport.at(column, row, offset);
-    const Vec3<Real> across = inputs_.right * v.x + inputs_.up * v.y;
+    return eye_ray(v.x, inputs_.up * v.y);
+  }
+
+ private:
+  /// Through the viewport position x to the right of the middle and `upwards` above it.
+  Ray<Real> eye_ray(Real x, const Vec3<Real>& upwards) const {
     Ray<Real> ray{inputs_.eye, inputs_.forward, inputs_.near, inputs_.far, no_primitive};
+    aim(ray, x, upwards);
+    return ray;
+  }
+  void aim(Ray<Real>& ray, Real x, const Vec3<Real>& upwards) const {
+    const Vec3<Real> across = inputs_.right * x + upwards;
     switch (inputs_.viewport.projection) {
     case Projection::perspective:
       ray.direction = across + inputs_.forward;
@@ -105,10 +139,17 @@ class Tracer {
       ray.origin = inputs_.eye + across;
       break;
     }
-    return ray;
   }
 
- private:
+  /// As above, into a pixel that may have been used before.
+  void trace_known(const Ray<Real>& ray, const Hit<Real>& hit, TracedPixel<Real>& pixel) const {
+    pixel.ray = ray;
+    pixel.hit = {};
+    pixel.shadow_mask = 0;
+    if (!hit.found()) pixel.surface = {};
+    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), {}, &pixel);
+  }
+
   /// The colour that comes back along `ray` after `depth` bounces. `first` notes what the eye ray found.
   Vec3<Real> trace(const Ray<Real>& ray, RayKind kind, int depth, Real share, const Medium<Real>& medium,
                    TracedPixel<Real>* first) const {
@@ -124,13 +165,14 @@ class Tracer {
                        TracedPixel<Real>* first) const {
     Vec3<Real> colour = inputs_.background;
     if (hit.found()) {
-      Surface<Real> surface = surface_of(ray, hit, inputs_);
+      Surface<Real> own;
+      Surface<Real>& surface = first ? first->surface : own;
+      put_surface(ray, hit, inputs_, surface);
+      if (inputs_.settings.parallax != Parallax::off && inputs_.materials[surface.material].height_map >= 0)
+        move_uv(ray, inputs_.materials[surface.material], surface);
       if (inputs_.settings.normal_mapping && inputs_.materials[surface.material].normal_map >= 0)
         map_normal(inputs_.materials[surface.material], surface);
-      if (first) {
-        first->hit = hit;
-        first->surface = surface;
-      }
+      if (first) first->hit = hit;
       recorder_.event([&] { return hit_event(hit, surface); });
       colour = shade(ray, surface, depth, share, medium, first);
     } else {
@@ -264,6 +306,24 @@ class Tracer {
       return ShadeEvent{Vec3d(surface_colour), Vec3d(lighting.light), Vec3d(lighting.extra), Vec3d(local)};
     });
     return local;
+  }
+
+  /// Parallax mapping (shade/parallax_mapping.h): the texture coordinates become those that the relief shows.
+  void move_uv(const Ray<Real>& ray, const ShadingMaterial<Real>& material, Surface<Real>& surface) const {
+    if (!surface.has_uv) return;
+    const auto frame = tangents_of(surface, *inputs_.geometry, TangentLengths::in_proportion);
+    if (!frame) return;
+    const auto shift =
+        relief_shift(surface.shading_normal, *frame, -ray.direction, material.relief_depth, inputs_.settings.parallax);
+    if (!shift) return;
+    const Image<Vec3f>& heights = *inputs_.textures[static_cast<std::size_t>(material.height_map)];
+    const bool nearest = inputs_.settings.texture_filter == TextureFilter::nearest;
+    const TextureWrap wrap = inputs_.settings.texture_wrap;
+    const auto depth_at = [&](const Vec2<Real>& at) {
+      recorder_.count(Counter::texel_reads, nearest ? 1 : 4);
+      return Real(1) - (nearest ? sample_nearest(heights, at, wrap) : sample_bilinear(heights, at, wrap)).x;
+    };
+    surface.uv = parallax_uv(material.height_map, surface.uv, *shift, inputs_.settings, depth_at, recorder_);
   }
 
   /// Normal mapping (CGFS ch. 15).

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <type_traits>
 
@@ -56,13 +57,20 @@ enum class TriangleGuard { none, rounding_of_t };
 template <class Real>
 inline TriangleResult<Real> triangle_watertight(const Vec3<Real>& origin, const Shear<Real>& shear,
                                                 const TracedTriangle<Real>& triangle, TriangleGuard guard) {
-  const Vec3<Real> a = triangle.a - origin;
-  const Vec3<Real> b = triangle.b - origin;
-  const Vec3<Real> c = triangle.c - origin;
-  const int kx = shear.kx, ky = shear.ky, kz = shear.kz;
-  const Real ax = a[kx] - shear.x * a[kz], ay = a[ky] - shear.y * a[kz];
-  const Real bx = b[kx] - shear.x * b[kz], by = b[ky] - shear.y * b[kz];
-  const Real cx = c[kx] - shear.x * c[kz], cy = c[ky] - shear.y * c[kz];
+  // By address: operator[] would decide anew for each number which axis is meant.
+  const Real* const o = glm::value_ptr(origin);
+  const Real ox = o[shear.kx], oy = o[shear.ky], oz = o[shear.kz];
+  struct Sheared {
+    Real x, y, far;  // far: along the ray, before the scale
+  };
+  const auto sheared = [&](const Vec3<Real>& corner) {
+    const Real* const p = glm::value_ptr(corner);
+    const Real far = p[shear.kz] - oz;
+    return Sheared{(p[shear.kx] - ox) - shear.x * far, (p[shear.ky] - oy) - shear.y * far, far};
+  };
+  const auto [ax, ay, a_far] = sheared(triangle.a);
+  const auto [bx, by, b_far] = sheared(triangle.b);
+  const auto [cx, cy, c_far] = sheared(triangle.c);
   Real u = cx * by - cy * bx;
   Real v = ax * cy - ay * cx;
   Real w = bx * ay - by * ax;
@@ -83,7 +91,7 @@ inline TriangleResult<Real> triangle_watertight(const Vec3<Real>& origin, const 
     result.verdict = TriangleVerdict::parallel;
     return result;
   }
-  const Real az = shear.z * a[kz], bz = shear.z * b[kz], cz = shear.z * c[kz];
+  const Real az = shear.z * a_far, bz = shear.z * b_far, cz = shear.z * c_far;
   result.weights = {u / determinant, v / determinant, w / determinant};
   result.t = (u * az + v * bz + w * cz) / determinant;
   const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);  // false for NaN

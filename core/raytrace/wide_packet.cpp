@@ -185,14 +185,100 @@ HWY_INLINE Axis box_axis(const WidePacket& packet, std::size_t axis, V least) {
   return result;
 }
 
+/// The rays of a packet as boxes are tested.
+struct BoxAxes {
+  explicit BoxAxes(const WidePacket& packet) {
+    const D d;
+    const auto size = [&](std::size_t axis) { return hn::Abs(hn::Load(d, packet.direction[axis].data())); };
+    const V least = hn::Mul(all(1e-20f), hn::Max(hn::Max(size(0), size(1)), size(2)));
+    x = box_axis(packet, 0, least);
+    y = box_axis(packet, 1, least);
+    z = box_axis(packet, 2, least);
+  }
+  Axis x, y, z;
+};
+
+/// Where the rays are inside a box, within [0, limit]; `plane(i)` is plane i of WideNode::planes.
+struct LaneSpan {
+  V first, last;
+};
+template <class Plane>
+HWY_INLINE LaneSpan span_in_box(const BoxAxes& rays, V limit, Plane&& plane) {
+  const auto& [x, y, z] = rays;
+  const V in_x = hn::MulSub(plane(x.near_plane), x.inverse, x.near);
+  const V in_y = hn::MulSub(plane(y.near_plane), y.inverse, y.near);
+  const V in_z = hn::MulSub(plane(z.near_plane), z.inverse, z.near);
+  const V out_x = hn::MulSub(plane(x.far_plane), x.inverse, x.far);
+  const V out_y = hn::MulSub(plane(y.far_plane), y.inverse, y.far);
+  const V out_z = hn::MulSub(plane(z.far_plane), z.inverse, z.far);
+  return {hn::Max(in_z, hn::Max(in_y, hn::Max(in_x, hn::Zero(D())))),
+          hn::Min(out_z, hn::Min(out_y, hn::Min(out_x, limit)))};
+}
+
+/// All rays of a packet from one point at once, against the eight boxes of a node: intervals in place of numbers.
+class Beam {
+ public:
+  Beam(const WidePacket& packet, const BoxAxes& rays)
+      : axes_{side(packet, 0, rays.x), side(packet, 1, rays.y), side(packet, 2, rays.z)} {
+    for (const Side& axis : axes_) one_origin_ = one_origin_ && axis.one_origin;
+  }
+  /// Bit i: some ray may meet box i before `limit`. The last factor makes up for the rounding of the products.
+  HWY_INLINE unsigned meets(const WideNode& node, V limit) const {
+    if (!one_origin_) return 0xffu;
+    const D d;
+    V first = hn::Zero(d), last = limit;
+    for (const Side& axis : axes_) {
+      const V in = hn::Sub(hn::Load(d, node.planes[axis.near_plane]), axis.entering);
+      const V out = hn::Sub(hn::Load(d, node.planes[axis.far_plane]), axis.leaving);
+      first = hn::Max(first, hn::Min(hn::Mul(in, axis.least), hn::Mul(in, axis.most)));
+      last = hn::Min(last, hn::Max(hn::Mul(out, axis.least), hn::Mul(out, axis.most)));
+    }
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::Le(first, hn::Mul(last, all(1.00001f))), bytes);
+    return bytes[0];
+  }
+
+ private:
+  struct Side {
+    V entering, leaving;  ///< the origin as seen from the planes where the rays enter and leave
+    V least, most;        ///< 1 / direction
+    std::size_t near_plane, far_plane;
+    bool one_origin;
+  };
+  static Side side(const WidePacket& packet, std::size_t axis, const Axis& rays) {
+    const D d;
+    const float origin = packet.origin[axis][0];
+    const float grown = std::copysign(1.25f * packet.pad, packet.direction[axis][0]);
+    return {all(origin + grown),
+            all(origin - grown),
+            hn::MinOfLanes(d, rays.inverse),
+            hn::MaxOfLanes(d, rays.inverse),
+            rays.near_plane,
+            rays.far_plane,
+            hn::AllTrue(d, hn::Eq(hn::Load(d, packet.origin[axis].data()), all(origin)))};
+  }
+  Side axes_[3];
+  bool one_origin_ = true;
+};
+
+unsigned meets(const Box<float>& box, const WidePacket& packet) {
+  const D d;
+  const float planes[6] = {box.low.x, box.high.x, box.low.y, box.high.y, box.low.z, box.high.z};
+  const auto plane = [&](std::size_t index) HWY_ATTR { return all(planes[index]); };
+  const LaneSpan span = span_in_box(BoxAxes(packet), hn::Load(d, packet.t_max.data()), plane);
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, hn::Le(span.first, span.last), bytes);
+  return bytes[0];
+}
+
 template <TriangleTest test>
 void search(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, WideCount& count) {
   const D d;
   const I i;
-  const auto size = [&](std::size_t axis) { return hn::Abs(hn::Load(d, packet.direction[axis].data())); };
-  const V least = hn::Mul(all(1e-20f), hn::Max(hn::Max(size(0), size(1)), size(2)));
-  const Axis x = box_axis(packet, 0, least), y = box_axis(packet, 1, least), z = box_axis(packet, 2, least);
-  const auto octant_shift = 3 * ((x.near_plane & 1u) | (y.near_plane & 1u) << 1 | (z.near_plane & 1u) << 2);
+  const BoxAxes rays(packet);
+  const Beam beam(packet, rays);
+  const auto octant_shift =
+      3 * ((rays.x.near_plane & 1u) | (rays.y.near_plane & 1u) << 1 | (rays.z.near_plane & 1u) << 2);
   const Triangles<test> triangles(packet);
   Best best{
       hn::Load(d, hits.t.data()),
@@ -206,30 +292,29 @@ void search(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, 
   std::array<Waiting, WideBvh::most_waiting + wide_width> stack;
   std::size_t top = 0;
   WideChild current = 0;
+  V limit = hn::MaxOfLanes(d, best.t);
   while (true) {
     if (is_leaf(current)) {
       const TriangleBlock<wide_block_width>* const blocks = &bvh.blocks[leaf_first(current)];
       const std::uint32_t number = leaf_count(current);
       for (std::uint32_t b = 0; b < number; ++b)
-        for (std::uint32_t lane = 0; lane < wide_block_width; ++lane) triangles.test(blocks[b], lane, best);
-      count.triangles += packet_width * wide_block_width * number;
+        for (std::uint32_t lane = 0; lane < wide_block_width && blocks[b].primitive[lane] != no_primitive; ++lane) {
+          triangles.test(blocks[b], lane, best);
+          count.triangles += packet_width;
+        }
+      limit = hn::MaxOfLanes(d, best.t);
     } else {
       const WideNode& node = bvh.nodes[current];
       ++count.nodes;
+      const unsigned perhaps = beam.meets(node, limit);
       for (int place = wide_width - 1; place >= 0; --place) {  // the nearest on top
         const std::uint32_t slot = node.order[place] >> octant_shift & 7u;
-        const auto plane = [&](std::size_t index) { return all(node.planes[index][slot]); };
-        const V in_x = hn::MulSub(plane(x.near_plane), x.inverse, x.near);
-        const V in_y = hn::MulSub(plane(y.near_plane), y.inverse, y.near);
-        const V in_z = hn::MulSub(plane(z.near_plane), z.inverse, z.near);
-        const V out_x = hn::MulSub(plane(x.far_plane), x.inverse, x.far);
-        const V out_y = hn::MulSub(plane(y.far_plane), y.inverse, y.far);
-        const V out_z = hn::MulSub(plane(z.far_plane), z.inverse, z.far);
-        const V first = hn::Max(in_z, hn::Max(in_y, hn::Max(in_x, hn::Zero(d))));
-        const V last = hn::Min(out_z, hn::Min(out_y, hn::Min(out_x, best.t)));
-        const M entered = hn::Le(first, last);
+        if ((perhaps >> slot & 1u) == 0) continue;
+        const auto plane = [&](std::size_t index) HWY_ATTR { return all(node.planes[index][slot]); };
+        const LaneSpan span = span_in_box(rays, best.t, plane);
+        const M entered = hn::Le(span.first, span.last);
         if (hn::AllFalse(d, entered)) continue;
-        hn::Store(hn::IfThenElse(entered, first, hn::Inf(d)), d, stack[top].near);
+        hn::Store(hn::IfThenElse(entered, span.first, hn::Inf(d)), d, stack[top].near);
         stack[top++].child = node.child[slot];
       }
     }
@@ -249,17 +334,17 @@ void search(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, 
 
 }  // namespace
 
-PacketSearch packet_search(TriangleTest test) {
+PacketSearches packet_searches(TriangleTest test) {
   switch (test) {
   case TriangleTest::watertight:
-    return search<TriangleTest::watertight>;
+    return {search<TriangleTest::watertight>, meets};
   case TriangleTest::moeller_trumbore:
-    return search<TriangleTest::moeller_trumbore>;
+    return {search<TriangleTest::moeller_trumbore>, meets};
   case TriangleTest::barycentric:
   case TriangleTest::cross_products:
-    return nullptr;
+    return {};
   }
-  return nullptr;
+  return {};
 }
 
 }  // namespace ps::HWY_NAMESPACE
@@ -280,16 +365,16 @@ bool suits_packet(const Ray<float>* rays, std::size_t count) {
   return true;
 }
 
-PacketSearch packet_search(Simd simd, TriangleTest test) {
+PacketSearches packet_searches(Simd simd, TriangleTest test) {
 #if HWY_ARCH_X86
   const std::int64_t have = hwy::SupportedTargets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::packet_search(test);
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::packet_search(test);
+  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::packet_searches(test);
+  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::packet_searches(test);
 #else
   static_cast<void>(simd);
   static_cast<void>(test);
 #endif
-  return nullptr;
+  return {};
 }
 
 }  // namespace ps

@@ -32,8 +32,15 @@ struct alignas(32) WidePacketHits {
 bool suits_packet(const Ray<float>* rays, std::size_t count);
 
 using PacketSearch = void (*)(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, WideCount& count);
+/// Bit i: ray i may meet something in the box, which is grown as in WideQuery.
+using PacketBoxTest = unsigned (*)(const Box<float>& box, const WidePacket& packet);
 
-/// The function for this test on this processor, or nullptr.
-PacketSearch packet_search(Simd simd, TriangleTest test);
+struct PacketSearches {
+  PacketSearch nearest = nullptr;
+  PacketBoxTest meets = nullptr;
+};
+
+/// The functions for this test on this processor, or none.
+PacketSearches packet_searches(Simd simd, TriangleTest test);
 
 }  // namespace ps

@@ -1,5 +1,7 @@
 #include "raytrace/wide_search.h"
 
+#include <utility>
+
 #include "options/simd_choice.h"
 
 // This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
@@ -71,10 +73,28 @@ void search_list(const TriangleList& list, const WideQuery& query, Hit<float>& b
   }
 }
 
+template <class BlockRays, std::size_t... index>
+BlockRays block_rays(std::span<const WideQuery> queries, std::index_sequence<index...>) {
+  return {typename BlockRays::value_type(queries[std::min(index, queries.size() - 1)])...};
+}
+
+template <TriangleTest test>
+void search_list_for_many(const TriangleList& list, std::span<const WideQuery> queries, std::span<Hit<float>> best,
+                          WideCount& count) {
+  using Ray = BlockRay<test, list_block_width>;
+  const auto rays =
+      block_rays<std::array<Ray, most_list_queries>>(queries, std::make_index_sequence<most_list_queries>());
+  for (const TriangleBlock<list_block_width>& block : list.blocks)
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      for (int lane = 0; lane < list_block_width; lane += Block<list_block_width>::lanes)
+        rays[i].test(block, lane, queries[i], best[i]);
+  count.triangles += queries.size() * list_block_width * list.blocks.size();
+}
+
 template <TriangleTest test>
 constexpr WideSearches searches_with() {
   return {search<test, Find::nearest>, search<test, Find::any>, search_list<test, Find::nearest>,
-          search_list<test, Find::any>};
+          search_list<test, Find::any>, search_list_for_many<test>};
 }
 
 }  // namespace

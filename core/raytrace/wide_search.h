@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "accel/wide_bvh.h"
 #include "options/settings.h"
 #include "raytrace/ray.h"
@@ -6,9 +8,8 @@
 namespace ps {
 
 /// The fast path for triangles: single rays through a tree eight wide, four triangles at a time, or past all triangles,
-/// eight at a time. Only boxes are tested
-/// differently from the clear path; a triangle's t and weights come from the same operations in the same order, and
-/// the lowest primitive wins ties, so both find the same hit to the last bit.
+/// eight at a time. Only boxes are tested differently from the clear path; a triangle's t and weights come from the
+/// same operations in the same order, and the lowest primitive wins ties, so both find the same hit to the last bit.
 
 struct WideQuery {
   const Ray<float>& ray;
@@ -28,9 +29,15 @@ using WideSearch = void (*)(const WideBvh& bvh, const WideQuery& query, Hit<floa
 /// The same by testing every triangle.
 using ListSearch = void (*)(const TriangleList& list, const WideQuery& query, Hit<float>& best, WideCount& count);
 
+/// `best[i]` for `queries[i]`, at most most_list_queries of them: each triangle is fetched once for all.
+inline constexpr std::size_t most_list_queries = 8;
+using ManyListSearch = void (*)(const TriangleList& list, std::span<const WideQuery> queries,
+                                std::span<Hit<float>> best, WideCount& count);
+
 struct WideSearches {
   WideSearch nearest = nullptr, any = nullptr;
   ListSearch list_nearest = nullptr, list_any = nullptr;
+  ManyListSearch list_nearest_of_many = nullptr;
 };
 
 /// The functions for this test on this processor, or none (simd = off, or a processor that is not covered).

@@ -162,9 +162,27 @@ struct BlockRay<TriangleTest::watertight, width> {
     w = hn::Load(d, edges[2]);
   }
 
+  /// Do all triangles lie on one side of the ray, as seen along the axis kx? Then no test would accept any: with the
+  /// signs of its own numbers u * ax + v * bx + w * cx = 0, so u, v and w cannot have one sign unless all are 0. (Their
+  /// signs are exact, but for underflow, which leaves no area.)
+  HWY_INLINE bool passes_all(const TriangleBlock<width>& block, int from) const {
+    const D d;
+    const V zero = hn::Zero(d), origin_x = My::all(origin[shear.kx]), origin_z = My::all(origin[shear.kz]);
+    const V shear_x = My::all(shear.x);
+    const auto across = [&](int corner) HWY_ATTR {
+      const V x = hn::Sub(hn::Load(d, block.corner[corner][shear.kx] + from), origin_x);
+      const V z = hn::Sub(hn::Load(d, block.corner[corner][shear.kz] + from), origin_z);
+      return hn::Sub(x, hn::Mul(shear_x, z));
+    };
+    const V a = across(0), b = across(1), c = across(2);
+    const M right = hn::Gt(hn::Min(hn::Min(a, b), c), zero), left = hn::Lt(hn::Max(hn::Max(a, b), c), zero);
+    return hn::AllTrue(d, hn::Or(right, left));
+  }
+
   HWY_INLINE bool test(const TriangleBlock<width>& block, int from, const WideQuery& query, Hit<float>& best) const {
     const D d;
     const V zero = hn::Zero(d);
+    if (width == list_block_width && passes_all(block, from)) return false;  // most, where nothing else turns them away
     const Sheared a = sheared(block, 0, from), b = sheared(block, 1, from), c = sheared(block, 2, from);
     V u = edge(c, b), v = edge(a, c), w = edge(b, a);
     const M on_edge = hn::Or(hn::Or(hn::Eq(u, zero), hn::Eq(v, zero)), hn::Eq(w, zero));

@@ -16,13 +16,14 @@ TracedPixel<Real> trace_many(const Tracer<Real, Recorder>& tracer, const Viewpor
   TracedPixel<Real> pixel;
   Vec3<Real> sum(0);
   MiddleSample middle;
+  [[maybe_unused]] const bool silent = !recorder.collects();  // a replay of what came before
   for (int i = 0; i < plan.samples; ++i) {
     const Vec2d offset = sample_in_pixel(plan.pattern, i, plan.samples, place, viewport.sample);
     SampleEvent event{i, plan.samples, offset, 1.0 / plan.samples, {}};
     recorder.begin([&] { return event; });
-    if constexpr (Recorder::records) recorder.mute(i >= most_sample_stories);
+    if constexpr (Recorder::records) recorder.mute(silent || i >= most_sample_stories);
     const TracedPixel<Real> sample = tracer.trace_eye_ray(tracer.eye_ray(place.x, place.y, offset));
-    if constexpr (Recorder::records) recorder.mute(false);
+    if constexpr (Recorder::records) recorder.mute(silent);
     event.colour = Vec3d(sample.colour);
     recorder.end([&] { return event; });
     sum += sample.colour;

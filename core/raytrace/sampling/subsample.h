@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "raytrace/sampling/subsample_marks.h"
 #include "raytrace/tracer.h"
 
 namespace ps {
@@ -15,12 +16,17 @@ namespace ps {
 template <class Real, class Recorder>
 class SubsampledTile {
  public:
-  SubsampledTile(const Tracer<Real, Recorder>& tracer, const TraceInputs<Real>& inputs, const TileRect& tile, int step)
-      : tracer_(tracer), inputs_(inputs), columns_(marks(tile.x0, tile.x1, step)),
-        rows_(marks(tile.y0, tile.y1, step)) {
-    hits_.reserve(columns_.size() * rows_.size());
-    for (const int row : rows_)
-      for (const int column : columns_) hits_.push_back(tracer.find(ray_of(column, row)));
+  SubsampledTile(const Tracer<Real, Recorder>& tracer, const TraceInputs<Real>& inputs, const TileRect& tile, int step,
+                 Recorder& recorder)
+      : tracer_(tracer), inputs_(inputs), recorder_(recorder), columns_(subsample_marks(tile.x0, tile.x1, step)),
+        rows_(subsample_marks(tile.y0, tile.y1, step)) {
+    hits_.resize(columns_.size() * rows_.size());
+    std::vector<Ray<Real>> rays;
+    for (std::size_t y = 0; y < rows_.size(); ++y) {
+      rays.clear();
+      for (const int column : columns_) rays.push_back(ray_of(column, rows_[y]));
+      tracer_.find(rays, std::span(hits_).subspan(y * columns_.size(), columns_.size()));
+    }
   }
 
   bool is_searched(int column, int row) const {
@@ -31,33 +37,80 @@ class SubsampledTile {
   /// A pixel of the tile.
   TracedPixel<Real> pixel(int column, int row) const {
     const Ray<Real> ray = ray_of(column, row);
-    const std::size_t x1 = mark_at_or_after(columns_, column), y1 = mark_at_or_after(rows_, row);
-    if (columns_[x1] == column && rows_[y1] == row) return tracer_.trace_known(ray, hits_[index(x1, y1)]);
-    const std::size_t x0 = columns_[x1] == column ? x1 : x1 - 1, y0 = rows_[y1] == row ? y1 : y1 - 1;
-    ReuseEvent event;
-    event.seen = seen(hits_[index(x0, y0)]);
-    event.same = true;
-    std::array<std::uint32_t, 4> primitives{};
-    std::size_t count = 0;
-    for (std::size_t y = y0; y <= y1; ++y)
-      for (std::size_t x = x0; x <= x1; ++x) {
-        const Hit<Real>& hit = hits_[index(x, y)];
-        event.around[static_cast<std::size_t>(event.count++)] = {columns_[x], rows_[y]};
-        event.same = event.same && seen(hit).object == event.seen.object;
-        const auto end = primitives.begin() + static_cast<std::ptrdiff_t>(count);
-        if (hit.found() && std::find(primitives.begin(), end, hit.primitive) == end)
-          primitives[count++] = hit.primitive;
+    const Cell cell = cell_of(column, row);
+    if (cell.is_searched()) return tracer_.trace_known(ray, hits_[index(cell.x1, cell.y1)]);
+    const Around around = around_of(cell);
+    return tracer_.trace_between(ray, around.primitives(), around.event);
+  }
+
+  /// Calls use(column, traced pixel) for pixels of a row; those that must be searched for are searched for together.
+  template <class Use>
+  void trace_pixels(int first_column, int end_column, int row, Use&& use) const {
+    std::vector<Ray<Real>> rays, missed;
+    std::vector<Hit<Real>> hits, found;
+    std::vector<std::size_t> places;
+    Cell last;
+    Around around;
+    for (int column = first_column; column < end_column; ++column) {
+      const Ray<Real> ray = ray_of(column, row);
+      rays.push_back(ray);
+      const Cell cell = cell_of(column, row);
+      if (cell.is_searched()) {
+        hits.push_back(hits_[index(cell.x1, cell.y1)]);
+        continue;
       }
-    return tracer_.trace_between(ray, std::span(primitives).first(count), event);
+      if (!(cell == last)) around = around_of(cell);
+      last = cell;
+      recorder_.count(Counter::eye_rays);
+      hits.push_back(tracer_.find_between(ray, around.primitives(), around.event));
+      if (around.event.met) continue;
+      places.push_back(rays.size() - 1);
+      missed.push_back(ray);
+    }
+    found.resize(missed.size());
+    tracer_.search(missed, found);
+    for (std::size_t i = 0; i < places.size(); ++i) hits[places[i]] = found[i];
+    tracer_.trace_known(rays, hits, [&](std::size_t i, const TracedPixel<Real>& pixel) {
+      use(first_column + static_cast<int>(i), pixel);
+    });
   }
 
  private:
-  static std::vector<int> marks(int begin, int end, int step) {
-    std::vector<int> at;
-    for (int i = begin; i < end; i += step) at.push_back(i);
-    if (at.back() != end - 1) at.push_back(end - 1);
-    return at;
+  /// Places of the searched pixels around another in columns_ and rows_, on both sides of it.
+  struct Cell {
+    std::size_t x0 = 1, x1 = 0, y0 = 1, y1 = 0;
+    bool is_searched() const { return x0 == x1 && y0 == y1; }
+    bool operator==(const Cell&) const = default;
+  };
+  Cell cell_of(int column, int row) const {
+    const std::size_t x1 = mark_at_or_after(columns_, column), y1 = mark_at_or_after(rows_, row);
+    return {columns_[x1] == column ? x1 : x1 - 1, x1, rows_[y1] == row ? y1 : y1 - 1, y1};
   }
+
+  /// What they saw.
+  struct Around {
+    ReuseEvent event;
+    std::array<std::uint32_t, 4> list{};
+    std::size_t count = 0;
+    std::span<const std::uint32_t> primitives() const { return std::span(list).first(count); }
+  };
+  Around around_of(const Cell& cell) const {
+    Around around;
+    ReuseEvent& event = around.event;
+    event.seen = seen(hits_[index(cell.x0, cell.y0)]);
+    event.same = true;
+    for (std::size_t y = cell.y0; y <= cell.y1; ++y)
+      for (std::size_t x = cell.x0; x <= cell.x1; ++x) {
+        const Hit<Real>& hit = hits_[index(x, y)];
+        event.around[static_cast<std::size_t>(event.count++)] = {columns_[x], rows_[y]};
+        event.same = event.same && seen(hit).object == event.seen.object;
+        const auto end = around.list.begin() + static_cast<std::ptrdiff_t>(around.count);
+        if (hit.found() && std::find(around.list.begin(), end, hit.primitive) == end)
+          around.list[around.count++] = hit.primitive;
+      }
+    return around;
+  }
+
   static std::size_t mark_at_or_after(const std::vector<int>& marks, int value) {
     return static_cast<std::size_t>(std::lower_bound(marks.begin(), marks.end(), value) - marks.begin());
   }
@@ -67,6 +120,7 @@ class SubsampledTile {
 
   const Tracer<Real, Recorder>& tracer_;
   const TraceInputs<Real>& inputs_;
+  Recorder& recorder_;
   std::vector<int> columns_, rows_;
   std::vector<Hit<Real>> hits_;
 };

@@ -13,7 +13,7 @@ class TileRays {
  public:
   TileRays(const TraceInputs<Real>& inputs, const SamplingPlan& plan, const TileRect& tile, Recorder& recorder)
       : inputs_(inputs), plan_(plan), recorder_(recorder), tracer_(inputs, recorder) {
-    if (plan.mode == SamplingMode::subsampling) between_.emplace(tracer_, inputs, tile, plan.step);
+    if (plan.mode == SamplingMode::subsampling) between_.emplace(tracer_, inputs, tile, plan.step, recorder);
   }
 
   TracedPixel<Real> pixel(int column, int row) const {
