@@ -26,16 +26,18 @@ AttributeLayout make_layout(const Settings& settings, const LightNeeds& lights, 
   layout.flat_light = settings.lighting && settings.shading == Shading::flat;
   const bool looks_up = settings.lighting && settings.shadows == Shadows::map && lights.normal;
   const bool mirrors = settings.environment != Environment::none && material.reflective > 0;
-  layout.shading_normal = (per_pixel && lights.normal) || normal_channel || looks_up || mirrors;
+  layout.relief = settings.parallax != Parallax::off && material.height_map >= 0 && !mesh.uvs.empty();
+  layout.shading_normal = layout.relief || (per_pixel && lights.normal) || normal_channel || looks_up || mirrors;
   // Flat shading uses one normal for the whole triangle, also where it is only shown.
   if (layout.shading_normal && vertex_normals && settings.shading != Shading::flat) take(layout.normal, 3);
   const bool highlights = settings.specular && material.specular && lights.normal;
-  if (looks_up || mirrors || (per_pixel && (lights.point || highlights))) take(layout.position, 3);
+  if (looks_up || mirrors || layout.relief || (per_pixel && (lights.point || highlights))) take(layout.position, 3);
   const bool textured = settings.textures && material.texture >= 0;
-  const bool mapped = settings.normal_mapping && material.normal_map >= 0 && layout.shading_normal &&
-                      settings.shading == Shading::phong && !mesh.uvs.empty();
-  if (!mesh.uvs.empty() && (textured || mapped || has(channels, Channel::uv))) take(layout.uv, 2);
-  if (mapped) take(layout.tangents, 6);
+  layout.mapped_normal = settings.normal_mapping && material.normal_map >= 0 && layout.shading_normal &&
+                         settings.shading == Shading::phong && !mesh.uvs.empty();
+  if (!mesh.uvs.empty() && (textured || layout.mapped_normal || layout.relief || has(channels, Channel::uv)))
+    take(layout.uv, 2);
+  if (layout.mapped_normal || layout.relief) take(layout.tangents, 6);
   if (settings.lighting && settings.shading == Shading::gouraud) {
     take(layout.light, 3);
     if (material.specular_colour || material.ambient_colour) take(layout.extra, 3);

@@ -23,6 +23,8 @@ struct AttributeLayout {
 
   bool lit = false;             ///< the illumination equation is used at all
   bool flat_light = false;      ///< once for each triangle
+  bool mapped_normal = false;   ///< the normal map turns it
+  bool relief = false;          ///< parallax mapping moves the texture coordinates
   bool shading_normal = false;  ///< some consumer needs a normal at each pixel
 };
 

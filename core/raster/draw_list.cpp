@@ -6,12 +6,14 @@
 #include <glm/matrix.hpp>
 
 #include "raster/tessellate.h"
+#include "raster/tessellate_patches.h"
 #include "raster/tessellate_solid.h"
+#include "scene/generate/bezier_patch.h"
 
 namespace ps::raster {
 namespace {
 
-/// One mesh for each object; empty pointers for instances.
+/// One mesh for each object; empty pointers for instances that keep their model's.
 struct Meshes {
   std::vector<std::shared_ptr<const Mesh>> of_object;
 
@@ -26,12 +28,34 @@ using Bounds = std::vector<BoundingSphere>;
 
 Key& add(Key& key, const Vec3d& v) { return key.add(v.x).add(v.y).add(v.z); }
 
+Mat3d linear_part(const Transform& transform) {
+  return Mat3d(transform.rotation[0] * transform.scale.x, transform.rotation[1] * transform.scale.y,
+               transform.rotation[2] * transform.scale.z);
+}
+
+/// The model of an instance, cut into triangles anew where it is curved and the settings ask for it.
+std::shared_ptr<const Mesh> curved_model(const Scene& scene, const Object& object, Patches patches,
+                                         const TessellationView& view) {
+  const auto* instance = std::get_if<Instance>(&object.shape);
+  if (!instance || patches != Patches::projected_error) return nullptr;
+  const Mesh& model = *scene.geometry->meshes.at(instance->mesh);
+  if (model.patches.empty()) return nullptr;
+  std::vector<BezierPatch> world = model.patches;
+  const Mat3d linear = linear_part(instance->transform);
+  for (BezierPatch& patch : world)
+    for (Vec3d& p : patch.control) p = linear * p + instance->transform.translation;
+  Mesh mesh = tessellate(model.patches, patch_divisions(world, view));
+  mesh.materials = model.materials;
+  return std::make_shared<const Mesh>(std::move(mesh));
+}
+
 std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view, const Settings& settings,
                                             const Viewport<double>& viewport, Prepared& prepared) {
   Key key("sphere-tessellation");
   key.add(scene.geometry.revision())
       .add(scene.materials.revision())
       .add(settings.tessellation)
+      .add(settings.patches)
       .add(settings.near)
       .add(settings.projection);
   add(add(key, view.camera.position), view.camera.forward);
@@ -47,12 +71,13 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
       if (sphere) {
         Mesh mesh = tessellate_sphere(*sphere, seen_from);
         const Material& material = scene.materials->at(sphere->material);
-        if (material.texture >= 0 || material.normal_map >= 0) add_world_map_uvs(mesh, sphere->centre);
+        if (material.texture >= 0 || material.normal_map >= 0 || material.height_map >= 0)
+          add_world_map_uvs(mesh, sphere->centre);
         meshes.of_object.push_back(std::make_shared<const Mesh>(std::move(mesh)));
       } else if (solid) {
         meshes.of_object.push_back(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));
       } else {
-        meshes.of_object.push_back(nullptr);
+        meshes.of_object.push_back(curved_model(scene, object, settings.patches, seen_from));
       }
     }
     return meshes;
@@ -95,8 +120,7 @@ DrawObject place_instance(const Scene& scene, int index, const Instance& instanc
   DrawObject draw;
   draw.object = index;
   draw.mesh = scene.geometry->meshes.at(instance.mesh);
-  draw.linear = Mat3d(transform.rotation[0] * transform.scale.x, transform.rotation[1] * transform.scale.y,
-                      transform.rotation[2] * transform.scale.z);
+  draw.linear = linear_part(transform);
   draw.normal_matrix = normal_matrix(draw.linear, how);
   draw.translation = transform.translation;
   draw.front_only = instance.sides == Sides::front;
@@ -111,8 +135,11 @@ DrawObject place_instance(const Scene& scene, int index, const Instance& instanc
 std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, const Settings& settings,
                                        const Viewport<double>& viewport, Prepared& prepared) {
   const auto& objects = scene.geometry->objects;
-  const bool any_sphere = std::any_of(objects.begin(), objects.end(), [](const Object& o) {
-    return std::holds_alternative<Sphere>(o.shape) || std::holds_alternative<Solid>(o.shape);
+  const bool anew = settings.patches == Patches::projected_error;
+  const bool any_sphere = std::any_of(objects.begin(), objects.end(), [&](const Object& o) {
+    const auto* instance = std::get_if<Instance>(&o.shape);
+    return instance ? anew && !scene.geometry->meshes.at(instance->mesh)->patches.empty()
+                    : std::holds_alternative<Sphere>(o.shape) || std::holds_alternative<Solid>(o.shape);
   });
   const auto spheres = any_sphere ? tessellations(scene, view, settings, viewport, prepared) : nullptr;
   const auto bounds = mesh_bounds(scene, prepared);
@@ -140,6 +167,12 @@ std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, con
     } else if (std::holds_alternative<Instance>(objects[i].shape)) {  // CSG has no triangles: left_out() says so
       list.push_back(
           place_instance(scene, index, std::get<Instance>(objects[i].shape), *bounds, settings.normal_transform));
+      if (spheres && spheres->of_object[i]) {
+        list.back().mesh = spheres->of_object[i];
+        list.back().sphere = true;
+        const BoundingSphere model = bounding_sphere(*list.back().mesh);
+        list.back().bounds = {list.back().world(model.centre), model.radius * largest_stretch(list.back().linear)};
+      }
     }
   }
   return list;

@@ -216,11 +216,25 @@ class TriangleDrawer {
     const Vec3<Real> before = target_.sample_colour(fragment.column, fragment.row, 0);
     for (int s = 0; s < pass_.grid.samples; ++s)
       if (visible[static_cast<std::size_t>(s)]) target_.sample_colour(fragment.column, fragment.row, s) = shaded.colour;
+    recorder_.event([&] { return written_samples(visible); });
     recorder_.event([&] {
       return WriteEvent{event_id(setup_), Vec3d(before), Vec3d(shaded.colour), Vec3d(shaded.colour)};
     });
     recorder_.count(Counter::pixels_written);
     if (pass_.channels != Channel::none && visible[0]) write_channels(fragment, shaded);
+  }
+
+  /// Which of the pixel's samples get the colour, for the inspector: their numbers are the event's values.
+  CoverageEvent written_samples(const std::array<bool, 8>& visible) const {
+    CoverageEvent event;
+    event.id = event_id(setup_);
+    event.strategy = pass_.coverage.strategy;
+    event.covered = true;
+    event.tests = pass_.grid.samples;
+    for (int s = 0; s < pass_.grid.samples; ++s)
+      if (visible[static_cast<std::size_t>(s)]) event.values.push_back(s);
+    event.how = std::to_string(event.values.size()) + " of " + std::to_string(event.tests) + " samples are written";
+    return event;
   }
 
   static std::uint64_t sample_count(const PixelBox& box) {
@@ -255,7 +269,8 @@ class TriangleDrawer {
     for (int row = box.y0; row < box.y1;) {
       row = pass_.scan_triangle(scan, row, batch_, counts);
       if (batch_.count == 0) continue;
-      pass_.shade_batch(shading, batch_, 0, batch_.count);
+      if (pass_.channels != Channel::none) write_fast_channels();
+      pass_.shade_batch(shading, batch_);
       target_.set_colours(batch_);
       shaded += static_cast<std::uint64_t>(batch_.count);
       batch_.count = 0;
@@ -263,6 +278,18 @@ class TriangleDrawer {
     count_fast(counts, shaded);
     return true;
   }
+
+  /// What write_channels() writes of fast_channels, for all fragments of the batch.
+  void write_fast_channels() {
+    const PixelId id = shown_id();
+    Frame& frame = target_.frame();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(batch_.count); ++i) {
+      const auto pixel = static_cast<std::size_t>(batch_.pixels[i]);
+      if (!frame.depth.empty()) frame.depth.pixels()[pixel] = batch_.z[i];
+      if (!frame.ids.empty()) frame.ids.pixels()[pixel] = id;
+    }
+  }
+  PixelId shown_id() const { return {setup_.surface->object, setup_.surface->sphere ? 0 : setup_.triangle->triangle}; }
 
   /// The same numbers that the clear path counts fragment by fragment.
   void count_fast(const ScanCounts& counts, std::uint64_t shaded) {
@@ -282,9 +309,10 @@ class TriangleDrawer {
     recorder_.count(Counter::light_samples, shaded * pass_.lights.size());
   }
 
-  /// Whether the fast path shades this triangle: no light with a colour of its own, no normal map.
+  /// Whether the fast path shades this triangle: no light with a colour of its own, no normal map, no relief.
   bool can_batch() const {
     const ShadingMaterial<Real>& material = setup_.surface->material;
+    if (setup_.surface->layout.relief) return false;
     if (setup_.surface->layout.tangents != AttributeLayout::absent) return false;
     if (setup_.surface->layout.uv != AttributeLayout::absent && !packed_texture()) return false;
     return !material.ambient_colour && !material.specular_colour && (!material.specular || *material.specular > 0);
@@ -331,6 +359,7 @@ class TriangleDrawer {
     shading.colour = material.colour;
     shading.specular = pass_.settings.specular && material.specular;
     shading.exponent = material.specular.value_or(1);
+    shading.faint = faint_cosine(shading.exponent);
     shading.renormalise = pass_.settings.renormalise;
     shading.highlight = pass_.settings.highlight;
     shading.lights = pass_.lights;
@@ -363,8 +392,7 @@ class TriangleDrawer {
       frame.barycentric.at(x, y) =
           sphere ? Vec3f(0) : Vec3f(whole_weights(setup_, space_weights(pass_, setup_, fragment)));
     if (target_.wants(Channel::uv)) frame.uv.at(x, y) = Vec2f(shaded.uv);
-    if (target_.wants(Channel::ids))
-      frame.ids.at(x, y) = {setup_.surface->object, sphere ? 0 : setup_.triangle->triangle};
+    if (target_.wants(Channel::ids)) frame.ids.at(x, y) = shown_id();
     if (target_.wants(Channel::facing)) frame.facing.at(x, y) = facing(x, y);
     if (target_.wants(Channel::shadow)) {
       const bool further_light = step_.stage == DrawStage::one_light && step_.light > 0;

@@ -25,7 +25,7 @@ ScreenGeometry<Real> make_geometry(const Pass<Real>& pass, std::optional<Vec2i> 
 template <class Real>
 inline CornerSource<Real> corner_source(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
                                         const ScreenTriangle<Real>& triangle) {
-  const auto object = static_cast<std::size_t>(pass.surfaces[triangle.surface].object);
+  const std::size_t object = pass.surfaces[triangle.surface].drawn;
   const Mesh& mesh = *pass.objects[object].mesh;
   return {&mesh, &mesh.triangles[static_cast<std::size_t>(triangle.triangle)], &geometry.vertices[object],
           triangle.face_normal};

@@ -68,11 +68,13 @@ class PixelWalk {
     return filled() ? triangle(ref).sequence : line(ref).sequence;
   }
 
-  /// A triangle of which only edges or corners are drawn is near when its area is; a filled one when its box is.
+  /// A filled triangle is near when its box is. One of which only edges or corners are drawn is near when its area is,
+  /// or the box of the edge itself: without clipping, edges behind the camera are drawn upside down, away from it.
   bool is_near(const PrimitiveRef& ref) const {
     if (filled()) return touch(triangle(ref).box, grown(pixel_));
     const ScreenLine<Real>& edge = line(ref);
-    const auto object = static_cast<std::size_t>(pass_.surfaces[edge.surface].object);
+    if (touch(edge.box, grown(pixel_))) return true;
+    const std::size_t object = pass_.surfaces[edge.surface].drawn;
     const MeshTriangle& mesh = pass_.objects[object].mesh->triangles[static_cast<std::size_t>(edge.triangle)];
     std::array<Vec3<Real>, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = Vec3<Real>(geometry_.vertices[object].camera[mesh.position[k]]);

@@ -9,11 +9,12 @@
 
 namespace ps::raster {
 
-/// A mip chain in one piece of memory, as the fast path reads it.
+/// A mip chain in one piece of memory, as the fast path reads it. Each row of a level is longer than the level by a
+/// texel at either end, those that wrapping puts there.
 struct PackedTexture {
   static constexpr std::size_t most_levels = 32;
-  std::vector<float> texels;                       ///< red, green, blue of each texel, level after level; one more
-  std::array<std::int32_t, most_levels> first{};   ///< index of each level's first number
+  std::vector<float> texels;                       ///< red, green, blue and a zero of each texel, level after level
+  std::array<std::int32_t, most_levels> first{};   ///< index of the first number of each level's texel (0, 0)
   std::array<std::int32_t, most_levels> width{};   ///< of each level, in texels
   std::array<std::int32_t, most_levels> height{};  ///< of each level
   int levels = 0;
@@ -22,7 +23,7 @@ struct PackedTexture {
 };
 
 /// Nothing is packed (levels = 0) of a chain too large for 32-bit indices.
-PackedTexture pack_texture(const MipChain& chain);
+PackedTexture pack_texture(const MipChain& chain, TextureWrap wrap);
 
 /// How a batch of fragments reads a texture.
 struct BatchTexture {

@@ -20,13 +20,17 @@ std::shared_ptr<const Textures> mip_chains(const Scene& scene, TextureFilter fil
 }
 
 /// The same in the form that the fast path reads.
-std::shared_ptr<const std::vector<PackedTexture>> pack_textures(const Scene& scene, TextureFilter filter,
+std::shared_ptr<const std::vector<PackedTexture>> pack_textures(const Scene& scene, const Settings& settings,
                                                                 const Textures& chains, Prepared& prepared) {
+  const TextureFilter filter = settings.texture_filter;
   const bool levels = filter == TextureFilter::trilinear || filter == TextureFilter::mipmap;
-  const Key key = Key("raster-packed-textures").add(scene.textures.revision()).add(std::uint64_t{levels});
+  const Key key = Key("raster-packed-textures")
+                      .add(scene.textures.revision())
+                      .add(std::uint64_t{levels})
+                      .add(settings.texture_wrap);
   return prepared.get<std::vector<PackedTexture>>(key, [&] {
     std::vector<PackedTexture> packed;
-    for (const MipChain& chain : chains) packed.push_back(pack_texture(chain));
+    for (const MipChain& chain : chains) packed.push_back(pack_texture(chain, settings.texture_wrap));
     return packed;
   });
 }
@@ -58,7 +62,7 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
   pass.grid = {settings.subpixel_bits, settings.fill_rule, pass.viewport.sample, sample_count(settings.multisampling)};
   pass.coverage = {settings.coverage, settings.edge_arithmetic};
   pass.depth = make_depth_code(settings, pass.viewport.distance);
-  pass.lights = shading_lights<Real>(*scene.lights);
+  pass.lights = shading_lights<Real>(*scene.lights, settings.light_shown);
   pass.objects = make_draw_list(scene, view, settings, pass.viewport, prepared);
   const LightNeeds needs = light_needs(*scene.lights);
   bool textured = false;
@@ -68,6 +72,7 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
       const Material& material = scene.materials->at(index);
       Surface<Real> surface;
       surface.object = object.object;
+      surface.drawn = pass.first_surface.size() - 1;
       surface.sphere = object.sphere;
       surface.layout = make_layout(settings, needs, material, *object.mesh, channels);
       surface.material = shading_material<Real>(material);
@@ -77,7 +82,7 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
     }
   }
   if constexpr (std::is_same_v<Real, float>)
-    if (pass.divides() && channels == Channel::none && pass.coverage.is_common() &&
+    if (pass.divides() && only_fast_channels(channels) && pass.coverage.is_common() &&
         pass.depth.format == DepthFormat::plain && draw_steps(settings, 1).front().stage == DrawStage::whole &&
         pass.grid.samples == 1) {
       if (book_lights(pass.lights, settings)) pass.shade_batch = shade_function(settings.simd);
@@ -85,8 +90,7 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
     }
   if (textured) {
     pass.textures = mip_chains(scene, settings.texture_filter, prepared);
-    if (pass.shade_batch)
-      pass.packed_textures = pack_textures(scene, settings.texture_filter, *pass.textures, prepared);
+    if (pass.shade_batch) pass.packed_textures = pack_textures(scene, settings, *pass.textures, prepared);
   }
   return pass;
 }

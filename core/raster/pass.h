@@ -26,7 +26,8 @@ namespace ps::raster {
 /// All triangles of one object that share a material.
 template <class Real>
 struct Surface {
-  int object = 0;
+  int object = 0;         ///< index into Geometry::objects
+  std::size_t drawn = 0;  ///< index into Pass::objects, which leaves out what has no triangles
   bool sphere = false;
   AttributeLayout layout;
   ShadingMaterial<Real> material;
@@ -45,10 +46,14 @@ struct VertexPlace {
 template <class Real>
 struct VertexBuffer {
   BlockVector<Vec4<Real>> camera;   ///< camera space; from the fast path with 1 / z
-  BlockVector<Vec4<Real>> world;    ///< empty unless shading needs it
+  BlockVector<Vec4<Real>> world;    ///< empty unless shading needs it; from the fast path with 1 / z
   BlockVector<Vec4<Real>> normals;  ///< world space, length 1; empty unless shading needs them
   BlockVector<VertexPlace> places;  ///< only from the fast path
 };
+
+/// Channels that the fast paths store, too: what they know of a fragment before it is shaded.
+inline constexpr Channel fast_channels = Channel::depth | Channel::ids;
+constexpr bool only_fast_channels(Channel channels) { return (channels | fast_channels) == fast_channels; }
 
 /// Everything that stays the same while one picture is made.
 template <class Real>

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "math/vec.h"
@@ -21,9 +22,7 @@ struct ShadeBatch {
   alignas(64) std::array<std::int32_t, room> pixels;  ///< index into the picture, row by row
   alignas(64) std::array<Lanes, 3> weights;           ///< on the screen
   alignas(64) Lanes z;
-  alignas(
-      64) std::array<std::int32_t, room> rows;  ///< where fragments are of different triangles: BatchShading::row_size
-  alignas(64) Lanes red, green, blue;           ///< the result
+  alignas(64) Lanes red, green, blue;  ///< the result
 };
 
 /// Where the light on a fragment comes from.
@@ -33,11 +32,9 @@ enum class BatchLight { none, equation, corners, constant };
 struct BatchShading {
   const float* attributes = nullptr;  ///< of corner 0, carried as value / z; corners follow each other
   int stride = 0;                     ///< scalars of a corner
-  /// Scalars of a triangle, where the fragments are of different ones: fragment i's begin at attributes + rows[i] *
-  /// row_size. Then every slot begins at a multiple of 4 scalars, and so does every row. 0 = all of one triangle.
-  int row_size = 0;
-  int face_normal_at = -1;  ///< in a row, if it differs; -1 = face_normal
-  int steps_at = -1;        ///< in a row: BatchTexture::steps, each followed by a number without meaning; -1 = those
+  // What differs from triangle to triangle may stand behind its corners.
+  int face_normal_at = -1;         ///< -1 = face_normal
+  int steps_at = -1;               ///< BatchTexture::steps, each followed by a number without meaning; -1 = those
   int normal = -1, position = -1;  ///< first scalar of each; -1 = face_normal, and the origin
   int light = -1;                  ///< first scalar of the corners' light (Gouraud)
   BatchLight source = BatchLight::equation;
@@ -46,6 +43,7 @@ struct BatchShading {
   Vec3f eye{0, 0, 0};
   Vec3f colour{1, 1, 1};
   float exponent = 1;
+  float faint = 0;        ///< no cosine up to here is 2^-38 or more when raised; see faint_cosine()
   bool specular = false;  ///< the material shines and highlights are on
   bool renormalise = true;
   Highlight highlight = Highlight::phong;
@@ -53,8 +51,11 @@ struct BatchShading {
   BatchTexture texture;
 };
 
-/// Shades fragments first to last - 1 of the batch. May overwrite the colours that follow.
-using ShadeFragments = void (*)(const BatchShading& shading, ShadeBatch& batch, int first, int last);
+/// For BatchShading::faint.
+inline float faint_cosine(float exponent) { return 0.999f * std::exp2(-38.0f / exponent); }
+
+/// Shades all fragments of the batch, which are of one triangle. May overwrite the colours that follow.
+using ShadeFragments = void (*)(const BatchShading& shading, ShadeBatch& batch);
 
 /// The function for this setting on this processor; nullptr means the clear path. A target that the processor lacks
 /// gives the best one below it.

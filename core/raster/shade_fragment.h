@@ -11,6 +11,7 @@
 #include "raster/light_at.h"
 #include "raster/shadow/shadowed_light.h"
 #include "shade/normal_mapping.h"
+#include "shade/parallax_mapping.h"
 
 namespace ps::raster {
 
@@ -48,15 +49,25 @@ TextureDerivatives<Real> uv_derivatives(const Pass<Real>& pass, const TriangleSe
   return {along(setup.edges.step_x), along(setup.edges.step_y)};
 }
 
+/// Where textures are read: at the surface's own coordinates, or where the line of sight meets its relief. How fast
+/// they change follows the surface.
+template <class Real>
+struct TexturePlace {
+  Vec2<Real> uv{0, 0};
+  Vec2<Real> of_surface{0, 0};
+};
+
 /// A texture at the fragment (CGFS ch. 14): its colour, or what else it holds.
 template <class Real, class Recorder>
 TextureSample<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
-                                 const Fragment<Real>& fragment, int index, const Vec2<Real>& uv, Recorder& recorder) {
+                                 const Fragment<Real>& fragment, int index, const TexturePlace<Real>& place,
+                                 Recorder& recorder) {
+  const Vec2<Real>& uv = place.uv;
   const MipChain& chain = (*pass.textures)[static_cast<std::size_t>(index)];
   TextureLookup<Real> lookup{pass.settings.texture_filter, pass.settings.texture_wrap, 0};
   AnisotropicFootprint<Real> footprint;
   if (lookup.filter == TextureFilter::trilinear || lookup.filter == TextureFilter::mipmap) {
-    const TextureDerivatives<Real> derivatives = uv_derivatives(pass, setup, fragment, uv, *chain.base);
+    const TextureDerivatives<Real> derivatives = uv_derivatives(pass, setup, fragment, place.of_surface, *chain.base);
     const Real bias = static_cast<Real>(pass.settings.mip_bias);
     const Vec2<Real> size(static_cast<Real>(chain.base->width()), static_cast<Real>(chain.base->height()));
     lookup.level = mip_level(derivatives, bias);
@@ -90,19 +101,39 @@ Vec3<Real> shading_normal(const Pass<Real>& pass, const TriangleSetup<Real>& set
 /// Normal mapping (CGFS ch. 15): the normal that the map holds, turned from tangent space to the world.
 template <class Real, class Recorder>
 Vec3<Real> map_normal(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
-                      const Vec2<Real>& uv, const Vec3<Real>& normal, Recorder& recorder) {
+                      const TexturePlace<Real>& place, const Vec3<Real>& normal, Recorder& recorder) {
   const int slot = setup.surface->layout.tangents, index = setup.surface->material.normal_map;
   const TangentFrame<Real> frame{interpolate3(pass, setup, fragment, slot),
                                  interpolate3(pass, setup, fragment, slot + 3)};
   const auto space = tangent_space(normal, frame);
   if (!space) return normal;
-  const Vec3<Real> stored = stored_normal(read_texture(pass, setup, fragment, index, uv, recorder).colour);
+  const Vec3<Real> stored = stored_normal(read_texture(pass, setup, fragment, index, place, recorder).colour);
   const Vec3<Real> mapped = mapped_normal(*space, stored);
   recorder.event([&] {
-    return NormalMapEvent{index,         Vec2d(uv),    Vec3d(stored), Vec3d(space->tangent), Vec3d(space->bitangent),
+    return NormalMapEvent{index,         Vec2d(place.uv), Vec3d(stored), Vec3d(space->tangent), Vec3d(space->bitangent),
                           Vec3d(normal), Vec3d(mapped)};
   });
   return mapped;
+}
+
+/// Parallax mapping (shade/parallax_mapping.h): the texture coordinates that the relief shows.
+template <class Real, class Recorder>
+Vec2<Real> relief_uv(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                     const Vec2<Real>& uv, const Vec3<Real>& normal, Recorder& recorder) {
+  const AttributeLayout& layout = setup.surface->layout;
+  const ShadingMaterial<Real>& material = setup.surface->material;
+  const TangentFrame<Real> frame{interpolate3(pass, setup, fragment, layout.tangents),
+                                 interpolate3(pass, setup, fragment, layout.tangents + 3)};
+  const Vec3<Real> to_eye = pass.to_eye(interpolate3(pass, setup, fragment, layout.position));
+  const auto shift = relief_shift(normal, frame, to_eye, material.relief_depth, pass.settings.parallax);
+  if (!shift) return uv;
+  Silent silent;  // the heights are told together
+  const auto depth_at = [&](const Vec2<Real>& at) {
+    const auto sample = read_texture(pass, setup, fragment, material.height_map, TexturePlace<Real>{at, uv}, silent);
+    recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
+    return Real(1) - sample.colour.x;
+  };
+  return parallax_uv(material.height_map, uv, *shift, pass.settings, depth_at, recorder);
 }
 
 template <class Real>
@@ -156,19 +187,22 @@ ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Rea
   ShadedFragment<Real> shaded;
   recorder.count(Counter::attributes_interpolated, static_cast<std::uint64_t>(layout.count));
   Vec3<Real> colour = surface.material.colour;
+  Vec3<Real> normal(0);
+  if (layout.shading_normal) normal = shading_normal(pass, setup, fragment);
+  TexturePlace<Real> place;
   if (layout.uv != AttributeLayout::absent) {
-    shaded.uv = {interpolate(pass, setup, fragment, layout.uv), interpolate(pass, setup, fragment, layout.uv + 1)};
+    place.of_surface = {interpolate(pass, setup, fragment, layout.uv),
+                        interpolate(pass, setup, fragment, layout.uv + 1)};
+    place.uv = layout.relief ? relief_uv(pass, setup, fragment, place.of_surface, normal, recorder) : place.of_surface;
+    shaded.uv = place.uv;
     if (pass.settings.textures && surface.material.texture >= 0) {
-      const auto sample = read_texture(pass, setup, fragment, surface.material.texture, shaded.uv, recorder);
+      const auto sample = read_texture(pass, setup, fragment, surface.material.texture, place, recorder);
       shaded.mip = sample.level;
       colour *= sample.colour;
     }
   }
-  Vec3<Real> normal(0);
   if (layout.shading_normal) {
-    normal = shading_normal(pass, setup, fragment);
-    if (layout.tangents != AttributeLayout::absent)
-      normal = map_normal(pass, setup, fragment, shaded.uv, normal, recorder);
+    if (layout.mapped_normal) normal = map_normal(pass, setup, fragment, place, normal, recorder);
     shaded.normal = unit(normal);
     if (pass.settings.renormalise) normal = shaded.normal;
   }

@@ -14,6 +14,9 @@ void fill_background(const Scene& scene, const TileRect& rect, Frame& frame) {
     std::ranges::fill(frame.colour.row(row).subspan(first, count), Vec3f(scene.background));
     if (!frame.colour_double.empty())
       std::ranges::fill(frame.colour_double.row(row).subspan(first, count), scene.background);
+    if (!frame.depth.empty())
+      std::ranges::fill(frame.depth.row(row).subspan(first, count), std::numeric_limits<float>::infinity());
+    if (!frame.ids.empty()) std::ranges::fill(frame.ids.row(row).subspan(first, count), PixelId{});
   }
 }
 
@@ -24,12 +27,12 @@ Frame make_frame(const Scene& scene, const View& view, const Settings& settings,
   Frame frame;
   frame.colour = Image<Vec3f>(width, height, Unfilled{});
   if (settings.precision == Precision::float64) frame.colour_double = Image<Vec3d>(width, height, Unfilled{});
+  if (has(channels, Channel::depth)) frame.depth = Image<float>(width, height, Unfilled{});
+  if (has(channels, Channel::ids)) frame.ids = Image<PixelId>(width, height, Unfilled{});
   if (background == Background::filled) fill_background(scene, {0, 0, width, height}, frame);
-  if (has(channels, Channel::depth)) frame.depth = Image<float>(width, height, std::numeric_limits<float>::infinity());
   if (has(channels, Channel::normal)) frame.normal = Image<Vec3f>(width, height, Vec3f(0));
   if (has(channels, Channel::barycentric)) frame.barycentric = Image<Vec3f>(width, height, Vec3f(0));
   if (has(channels, Channel::uv)) frame.uv = Image<Vec2f>(width, height, Vec2f(0));
-  if (has(channels, Channel::ids)) frame.ids = Image<PixelId>(width, height);
   if (has(channels, Channel::facing)) frame.facing = Image<float>(width, height, 0.0f);
   if (has(channels, Channel::overdraw)) frame.overdraw = Image<std::uint32_t>(width, height, 0);
   if (has(channels, Channel::tests)) frame.tests = Image<std::uint32_t>(width, height, 0);

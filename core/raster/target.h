@@ -140,10 +140,10 @@ class Target {
   std::vector<std::uint16_t> shaded_;
 };
 
-/// Who gives the pixels of a new frame the background's colour.
+/// Who gives the pixels of a new frame the background's colour, depth and id.
 enum class Background { filled, left_to_tiles };
 
-/// Gives the rectangle the background's colour.
+/// Gives the rectangle the background's colour, and its depth and id where the frame has them.
 void fill_background(const Scene& scene, const TileRect& rect, Frame& frame);
 
 /// A frame of the background's colour with the wanted channels, each holding what "nothing is seen" means in it.

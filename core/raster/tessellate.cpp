@@ -8,9 +8,9 @@
 namespace ps::raster {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int min_segments = 6;
-constexpr int max_segments = 512;
+using std::numbers::pi;
+constexpr int min_sphere_segments = 6;
+constexpr int max_sphere_segments = 512;
 constexpr double max_ring_step = pi / 6;
 constexpr int max_front_rings = 192;
 /// A closed sphere may have this many triangles; beyond, only its visible cap is made.
@@ -66,12 +66,12 @@ std::vector<double> front_rings(const Outlook& outlook) {
 }
 
 int ring_segments(const Outlook& outlook, const std::vector<double>& rings) {
-  double segments = min_segments;
+  double segments = min_sphere_segments;
   for (const double angle : rings) {
     const double sine = std::sin(std::min(outlook.half_step(angle), pi / 2)) / std::max(std::sin(angle), 1e-12);
     segments = std::max(segments, pi / std::asin(std::min(sine, 1.0)));
   }
-  return static_cast<int>(std::ceil(std::min<double>(segments, max_segments)));
+  return static_cast<int>(std::ceil(std::min<double>(segments, max_sphere_segments)));
 }
 
 /// Two directions perpendicular to `axis` and to each other, so that side x other = axis.

@@ -10,7 +10,7 @@
 namespace ps::raster {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int plane_segments = 32;
 constexpr double ring_growth = 2;
 constexpr int min_segments = 8, max_segments = 512;

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "hwy/highway.h"
+#include "math/quarters-inl.h"
 #include "raster/packed_texture.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,14 +30,8 @@ struct Colour {
 
 HWY_INLINE V number(float value) { return hn::Set(D(), value); }
 
-/// floor_of()
-HWY_INLINE V floor_of(V value) {
-  const D d;
-  const V cut = hn::ConvertTo(d, hn::ConvertTo(DI(), value));
-  const V whole = hn::IfThenElse(hn::Gt(cut, value), hn::Sub(cut, number(1)), cut);
-  const M fits = hn::And(hn::Gt(value, number(-1073741824.0f)), hn::Lt(value, number(1073741824.0f)));
-  return hn::IfThenElse(fits, whole, hn::Floor(value));
-}
+/// floor_of(), but for the sign of a zero, which nobody here asks for.
+HWY_INLINE V floor_of(V value) { return hn::Floor(value); }
 
 /// wrap_coordinate()
 HWY_INLINE V wrap_coordinate(V u, TextureWrap wrap) {
@@ -55,8 +50,7 @@ HWY_INLINE V wrap_coordinate(V u, TextureWrap wrap) {
     break;
   }
   }
-  const V most_one = hn::IfThenElse(hn::Lt(t, number(1)), t, number(1));
-  return hn::IfThenElse(hn::Gt(t, hn::Zero(d)), most_one, hn::Zero(d));
+  return hn::Min(hn::Max(t, hn::Zero(d)), number(1));  // of NaN and a number both take the number, their second
 }
 
 /// One level of the chain for each lane.
@@ -76,66 +70,54 @@ HWY_INLINE Level level_of(const PackedTexture& texture, VI level) {
           hn::GatherIndex(d, texture.height.data(), level)};
 }
 
+/// Index of a texel's first number; `x` may be -1 or the level's width.
 HWY_INLINE VI texel_index(const Level& level, VI x, VI y) {
-  const VI flat = hn::Add(hn::Mul(y, level.width), x);
-  return hn::Add(level.first, hn::Add(hn::Add(flat, flat), flat));
+  const VI stride = hn::Add(level.width, hn::Set(DI(), 2));
+  return hn::Add(level.first, hn::ShiftLeft<2>(hn::Add(hn::Mul(y, stride), x)));
 }
 
 // Texels are read one fragment after another, all their channels at once: a gather of single channels takes longer.
 using Four = hn::FixedTag<float, 4>;
 using Texel = hn::Vec<Four>;
+constexpr std::size_t most_lanes = hn::MaxLanes(D());
 
-/// The colours that make(i) gives for the first `count` fragments, channel by channel.
+/// The first three numbers that make(i) gives for each lane i. Lanes without a fragment get something too: their
+/// coordinates are wrapped like all others, so what they read lies in the texture.
 template <class Make>
-HWY_INLINE Colour by_channels(std::size_t count, Make&& make) {
-  HWY_ALIGN float buffer[4 * hn::MaxLanes(D())] = {};
-  for (std::size_t i = 0; i < count; ++i) hn::Store(make(i), Four(), buffer + 4 * i);
-  Colour colour;
-  V unused;
-  hn::LoadInterleaved4(D(), buffer, colour.red, colour.green, colour.blue, unused);
-  return colour;
+HWY_INLINE Colour by_channels(Make&& make) {
+  const auto colour = ps::HWY_NAMESPACE::four_vectors(make);
+  return {colour.first, colour.second, colour.third};
 }
 
 /// sample_nearest()
-HWY_INLINE Colour sample_nearest(const PackedTexture& texture, V u, V v, TextureWrap wrap, std::size_t count) {
+HWY_INLINE Colour sample_nearest(const PackedTexture& texture, V u, V v, TextureWrap wrap) {
   const DI di;
   const Level level = level_of(texture, std::size_t{0});
   const auto texel = [&](V t, VI size) HWY_ATTR {
     const VI x = hn::ConvertTo(di, hn::Mul(wrap_coordinate(t, wrap), hn::ConvertTo(D(), size)));
     return hn::Min(x, hn::Sub(size, hn::Set(di, 1)));
   };
-  HWY_ALIGN std::int32_t index[hn::MaxLanes(DI())];
+  HWY_ALIGN std::int32_t index[most_lanes];
   hn::Store(texel_index(level, texel(u, level.width), texel(v, level.height)), di, index);
-  return by_channels(count,
-                     [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), texture.texels.data() + index[i]); });
+  return by_channels([&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), texture.texels.data() + index[i]); });
 }
 
-/// texel_pair(); `t` is a wrapped coordinate.
+/// texel_pair() before the neighbours are wrapped; `t` is a wrapped coordinate. `first` lies in [-1, size).
 struct Pair {
-  VI first, second;
+  VI first;
   V f;
 };
-HWY_INLINE Pair texel_pair(V t, VI size, TextureWrap wrap) {
+HWY_INLINE Pair texel_pair(V t, VI size) {
   const D d;
-  const DI di;
-  const VI zero = hn::Zero(di);
-  const VI last = hn::Sub(size, hn::Set(di, 1));
   const V p = hn::Sub(hn::Mul(t, hn::ConvertTo(d, size)), number(0.5f));
   const V whole = floor_of(p);
-  const VI x = hn::ConvertTo(di, whole);
-  const VI next = hn::Add(x, hn::Set(di, 1));
-  const bool around = wrap == TextureWrap::repeat;
-  const auto inside = [&](VI i) HWY_ATTR {
-    const VI low = hn::IfThenElse(hn::Lt(i, zero), around ? last : zero, i);
-    return hn::IfThenElse(hn::Gt(i, last), around ? zero : last, low);
-  };
-  return {inside(x), inside(next), hn::Sub(p, whole)};
+  return {hn::ConvertTo(DI(), whole), hn::Sub(p, whole)};
 }
 
 /// A weight and what it leaves to one, for each fragment.
 struct Weights {
-  HWY_ALIGN float f[hn::MaxLanes(D())];
-  HWY_ALIGN float rest[hn::MaxLanes(D())];
+  HWY_ALIGN float f[most_lanes];
+  HWY_ALIGN float rest[most_lanes];
   HWY_INLINE void set(V value) {
     hn::Store(value, D(), f);
     hn::Store(hn::Sub(number(1), value), D(), rest);
@@ -145,25 +127,43 @@ struct Weights {
   }
 };
 
-/// sample_bilinear(), for coordinates already wrapped: which texels each fragment reads, and their weights.
+/// sample_bilinear(), for coordinates already wrapped: which texels each fragment reads, and their weights. Columns
+/// need no wrapping, for rows go on by a texel at both ends.
 struct Bilinear {
-  HWY_ALIGN std::int32_t index[4][hn::MaxLanes(DI())];
+  HWY_ALIGN std::int32_t upper[most_lanes];
+  HWY_ALIGN std::int32_t lower[most_lanes];
   Weights x, y;
 
   HWY_INLINE void set(const Level& level, V t_u, V t_v, TextureWrap wrap) {
     const DI di;
-    const Pair u = texel_pair(t_u, level.width, wrap);
-    const Pair v = texel_pair(t_v, level.height, wrap);
-    hn::Store(texel_index(level, u.first, v.first), di, index[0]);
-    hn::Store(texel_index(level, u.second, v.first), di, index[1]);
-    hn::Store(texel_index(level, u.first, v.second), di, index[2]);
-    hn::Store(texel_index(level, u.second, v.second), di, index[3]);
+    const VI zero = hn::Zero(di), last = hn::Sub(level.height, hn::Set(di, 1));
+    const Pair u = texel_pair(t_u, level.width);
+    const Pair v = texel_pair(t_v, level.height);
+    const bool around = wrap == TextureWrap::repeat;
+    const VI first = hn::IfThenElse(hn::Lt(v.first, zero), around ? last : zero, v.first);
+    const VI next = hn::Add(v.first, hn::Set(di, 1));
+    const VI second = hn::IfThenElse(hn::Gt(next, last), around ? zero : last, next);
+    hn::Store(texel_index(level, u.first, first), di, upper);
+    hn::Store(texel_index(level, u.first, second), di, lower);
     x.set(u.f);
     y.set(v.f);
   }
   HWY_INLINE Texel read(const float* texels, std::size_t i) const {
-    const auto texel = [&](std::size_t k) HWY_ATTR { return hn::LoadU(Four(), texels + index[k][i]); };
-    return y.mix(x.mix(texel(0), texel(1), i), x.mix(texel(2), texel(3), i), i);
+#if HWY_MAX_BYTES >= 32
+    // Both texels of a row in one vector.
+    const hn::FixedTag<float, 8> two;
+    const auto weights = hn::Combine(two, hn::Set(Four(), x.f[i]), hn::Set(Four(), x.rest[i]));
+    const auto row = [&](std::int32_t index) HWY_ATTR {
+      const auto both = hn::Mul(hn::LoadU(two, texels + index), weights);
+      return hn::Add(hn::LowerHalf(Four(), both), hn::UpperHalf(Four(), both));
+    };
+    return y.mix(row(upper[i]), row(lower[i]), i);
+#else
+    const auto row = [&](std::int32_t index) HWY_ATTR {
+      return x.mix(hn::LoadU(Four(), texels + index), hn::LoadU(Four(), texels + index + 4), i);
+    };
+    return y.mix(row(upper[i]), row(lower[i]), i);
+#endif
   }
 };
 
@@ -206,19 +206,20 @@ HWY_INLINE V mip_level(const BatchTexture& texture, const Steps& steps, V u, V v
 /// clamp_level()
 HWY_INLINE V clamp_level(V level, const PackedTexture& texture) {
   const V coarsest = number(static_cast<float>(texture.levels - 1));
-  const V most = hn::IfThenElse(hn::Lt(level, coarsest), level, coarsest);
-  return hn::IfThenElse(hn::Gt(level, hn::Zero(D())), most, hn::Zero(D()));
+  return hn::Min(hn::Max(level, hn::Zero(D())), coarsest);
 }
 
-/// sample_texture(): the colours of the first `count` lanes, and the texels that these read added to `texels`.
-HWY_INLINE Colour sample(const BatchTexture& how, const Steps& steps, V u, V v, V z, std::size_t count,
-                         std::uint64_t& texels) {
+/// sample_texture(): the colours of the lanes in `seen`, and the texels that these read added to `texels`. The other
+/// lanes get anything.
+static HWY_NOINLINE Colour sample(const BatchTexture& how, const Steps& steps, V u, V v, V z, M seen,
+                                  std::uint64_t& texels) {
   const D d;
   const DI di;
   const PackedTexture& texture = *how.texture;
+  const std::uint64_t count = hn::CountTrue(d, seen);
   if (how.filter == TextureFilter::nearest) {
     texels += count;
-    return sample_nearest(texture, u, v, how.wrap, count);
+    return sample_nearest(texture, u, v, how.wrap);
   }
   texels += 4 * count;
   const float* all = texture.texels.data();
@@ -227,24 +228,28 @@ HWY_INLINE Colour sample(const BatchTexture& how, const Steps& steps, V u, V v, 
   Bilinear near;
   if (how.filter == TextureFilter::bilinear) {
     near.set(level_of(texture, std::size_t{0}), t_u, t_v, how.wrap);
-    return by_channels(count, [&](std::size_t i) HWY_ATTR { return near.read(all, i); });
+    return by_channels([&](std::size_t i) HWY_ATTR { return near.read(all, i); });
   }
   const V level = clamp_level(mip_level(how, steps, u, v, z), texture);
   if (how.filter == TextureFilter::mipmap) {
     near.set(level_of(texture, hn::ConvertTo(di, hn::Add(level, number(0.5f)))), t_u, t_v, how.wrap);
-    return by_channels(count, [&](std::size_t i) HWY_ATTR { return near.read(all, i); });
+    return by_channels([&](std::size_t i) HWY_ATTR { return near.read(all, i); });
   }
   const VI fine = hn::ConvertTo(di, level);
   near.set(level_of(texture, fine), t_u, t_v, how.wrap);
+  const V share = hn::Sub(level, hn::ConvertTo(d, fine));
+  const M mixed = hn::And(hn::Gt(share, hn::Zero(d)), seen);
+  if (hn::AllFalse(d, mixed)) return by_channels([&](std::size_t i) HWY_ATTR { return near.read(all, i); });
+  const std::uint64_t both = hn::CountTrue(d, mixed);
+  texels += 4 * both;
   Weights between;
-  between.set(hn::Sub(level, hn::ConvertTo(d, fine)));
-  const M mixed = hn::And(hn::Gt(hn::Load(d, between.f), hn::Zero(d)), hn::FirstN(d, count));
-  if (hn::AllFalse(d, mixed)) return by_channels(count, [&](std::size_t i) HWY_ATTR { return near.read(all, i); });
-  texels += 4 * hn::CountTrue(d, mixed);
+  between.set(share);
   const VI coarse = hn::Min(hn::Add(fine, hn::Set(di, 1)), hn::Set(di, texture.levels - 1));
   Bilinear far;
   far.set(level_of(texture, coarse), t_u, t_v, how.wrap);
-  return by_channels(count, [&](std::size_t i) HWY_ATTR {
+  if (both == count)
+    return by_channels([&](std::size_t i) HWY_ATTR { return between.mix(near.read(all, i), far.read(all, i), i); });
+  return by_channels([&](std::size_t i) HWY_ATTR {
     const Texel texel = near.read(all, i);
     return between.f[i] > 0 ? between.mix(texel, far.read(all, i), i) : texel;
   });

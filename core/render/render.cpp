@@ -13,6 +13,8 @@ Frame render(const Scene& scene, const View& view, const Settings& settings, con
     return render_traced(scene, view, settings, request, prepared, progress);
   case Renderer::rasterizer:
     return render_rasterized(scene, view, settings, request, prepared, progress);
+  case Renderer::textbook:
+    return render_textbook(scene, view, settings, request, prepared, progress);
   }
   return {};
 }
@@ -32,6 +34,8 @@ PixelStory inspect(const Scene& scene, const View& view, const Settings& setting
     return inspect_traced(scene, view, settings, pixel, prepared, progress);
   case Renderer::rasterizer:
     return inspect_rasterized(scene, view, settings, pixel, prepared, progress);
+  case Renderer::textbook:
+    return inspect_textbook(scene, view, settings, pixel, prepared, progress);
   }
   return {};
 }

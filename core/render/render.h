@@ -27,9 +27,13 @@ Frame render_traced(const Scene& scene, const View& view, const Settings& settin
                     Prepared& prepared, Progress& progress);
 Frame render_rasterized(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                         Prepared& prepared, Progress& progress);
+Frame render_textbook(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                      Prepared& prepared, Progress& progress);
 PixelStory inspect_traced(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
                           Prepared& prepared, Progress& progress);
 PixelStory inspect_rasterized(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
                               Prepared& prepared, Progress& progress);
+PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
+                            Prepared& prepared, Progress& progress);
 
 }  // namespace ps

@@ -5,21 +5,21 @@ namespace ps::raster {
 
 /// A piece of a triangle that is cut into four similar ones until a piece is about a pixel (CGPP 15.6.6.4, after
 /// Reyes). Corners are in units of 2^-levels of FixedPoint's, so that every middle of an edge is a whole number.
-struct MicroTriangle {
+struct Micropolygon {
   struct Point {
     std::int64_t x = 0, y = 0;
   };
   std::array<Point, 3> corner{};
 };
 
-inline MicroTriangle::Point middle(const MicroTriangle::Point& a, const MicroTriangle::Point& b) {
+inline Micropolygon::Point middle(const Micropolygon::Point& a, const Micropolygon::Point& b) {
   return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
 
 /// Corner 0's, 1's and 2's piece, then the one in the middle, which is upside down.
-inline std::array<MicroTriangle, 4> cut_in_four(const MicroTriangle& t) {
+inline std::array<Micropolygon, 4> cut_in_four(const Micropolygon& t) {
   const auto& p = t.corner;
-  const MicroTriangle::Point m0 = middle(p[1], p[2]), m1 = middle(p[2], p[0]), m2 = middle(p[0], p[1]);
+  const Micropolygon::Point m0 = middle(p[1], p[2]), m1 = middle(p[2], p[0]), m2 = middle(p[0], p[1]);
   return {{{{p[0], m2, m1}}, {{m2, p[1], m0}}, {{m1, m0, p[2]}}, {{m0, m1, m2}}}};
 }
 
@@ -37,7 +37,7 @@ class Micropolygons {
 
   template <class Sink>
   void walk(const PixelBox& box, Sink& sink) const {
-    MicroTriangle whole;
+    Micropolygon whole;
     for (std::size_t k = 0; k < 3; ++k)
       whole.corner[k] = {std::int64_t{input_.corners[k].x} * scale(), std::int64_t{input_.corners[k].y} * scale()};
     cut(whole, 0, box, sink);
@@ -47,12 +47,12 @@ class Micropolygons {
   std::int64_t scale() const { return std::int64_t{1} << levels_; }
 
   template <class Sink>
-  void cut(const MicroTriangle& piece, int level, const PixelBox& box, Sink& sink) const {
+  void cut(const Micropolygon& piece, int level, const PixelBox& box, Sink& sink) const {
     const PixelBox samples = intersection(sample_box_of(piece), box);
     if (is_empty(samples)) return;
     sink.region(samples);
     if (level < levels_) {
-      for (const MicroTriangle& part : cut_in_four(piece)) cut(part, level + 1, box, sink);
+      for (const Micropolygon& part : cut_in_four(piece)) cut(part, level + 1, box, sink);
       return;
     }
     for (int row = samples.y0; row < samples.y1; ++row)
@@ -63,8 +63,8 @@ class Micropolygons {
   }
 
   /// A piece is small and the sample near it, so the products stay within 64 bits.
-  bool covers(const MicroTriangle& piece, int column, int row) const {
-    const MicroTriangle::Point s = sample(column, row);
+  bool covers(const Micropolygon& piece, int column, int row) const {
+    const Micropolygon::Point s = sample(column, row);
     std::array<bool, 3> tied{}, top_left{};
     for (std::size_t i = 0; i < 3; ++i) {
       const auto &a = piece.corner[(i + 1) % 3], &b = piece.corner[(i + 2) % 3];
@@ -96,15 +96,15 @@ class Micropolygons {
     return true;
   }
   static bool is_top_left(std::int64_t dx, std::int64_t dy) { return dy < 0 || (dy == 0 && dx > 0); }
-  MicroTriangle::Point sample(int column, int row) const {
+  Micropolygon::Point sample(int column, int row) const {
     const std::int64_t unit = fixed_unit(input_.grid.subpixel_bits);
     const FixedPoint offset = sample_offset(input_.grid);
     return {(column * unit + offset.x) * scale(), (row * unit + offset.y) * scale()};
   }
   /// Pixels whose samples may lie in the piece.
-  PixelBox sample_box_of(const MicroTriangle& piece) const {
+  PixelBox sample_box_of(const Micropolygon& piece) const {
     const auto& p = piece.corner;
-    const MicroTriangle::Point first = sample(0, 0);
+    const Micropolygon::Point first = sample(0, 0);
     const std::int64_t pixel = fixed_unit(input_.grid.subpixel_bits) * scale();
     const auto from = [&](std::int64_t v) { return static_cast<int>(-floor_divide(-v, pixel)); };
     const auto to = [&](std::int64_t v) { return static_cast<int>(floor_divide(v, pixel) + 1); };

@@ -2,12 +2,28 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 
 namespace ps::raster {
 namespace {
 
 constexpr std::size_t least_per_part = 2048;
 constexpr std::size_t most_parts = 64;
+
+LargeTriangle large_triangle(const ScreenTriangle<float>& piece, const CoverageGrid& grid) {
+  LargeTriangle large;
+  large.edges = *make_edges(piece.corners, grid);
+  large.inverse_area = 1.0f / static_cast<float>(large.edges.area);
+  const auto within = [](std::int64_t v, int bits) { return std::abs(v) <= std::int64_t{1} << bits; };
+  large.fits_double = true;
+  for (const int row : {piece.box.y0, piece.box.y1})
+    for (const int column : {piece.box.x0, piece.box.x1})
+      for (const std::int64_t value : large.edges.at(column, row))
+        large.fits_double = large.fits_double && within(value, 51);
+  for (std::size_t i = 0; i < 3; ++i)
+    large.fits_double = large.fits_double && within(large.edges.step_x[i], 43) && within(large.edges.step_y[i], 43);
+  return large;
+}
 
 /// Assembles one part; a class only to share what its steps need.
 class PartAssembler {
@@ -22,11 +38,13 @@ class PartAssembler {
   void run(std::span<const TriangleRun> runs) {
     std::size_t total = 0;
     for (const TriangleRun& run : runs) total += run.last - run.first;
-    part_.triangles.resize(total);
+    part_.triangles.resize(total / 2);
+    part_.fragments.resize(2 * total + most_fragments);
+    order_.reserve(2 * total);
     part_.tile_start.assign(tiles_ + 1, 0);
     for (const TriangleRun& run : runs)
-      for (std::size_t first = run.first; first < run.last; first += CornerBlock::capacity)
-        add_block(run.object, first, std::min<std::size_t>(CornerBlock::capacity, run.last - first));
+      for (std::size_t first = run.first; first < run.last; first += TriangleBlock::capacity)
+        add_block(run.object, first, std::min<std::size_t>(TriangleBlock::capacity, run.last - first));
     sort_into_tiles();
     part_.counters += part_.cut.counters;
   }
@@ -36,27 +54,45 @@ class PartAssembler {
     const DrawObject& drawn = pass_.objects[object];
     const VertexBuffer<float>& vertices = vertices_[object];
     const MeshTriangle* triangles = &drawn.mesh->triangles[first];
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        corners_.points[k][i] = vertices.camera[triangles[i].position[k]];
-        corners_.places[k][i] = vertices.places[triangles[i].position[k]];
-      }
-    kernel_(rules(drawn), corners_, static_cast<int>(count), block_);
+    if (part_.fragments.size() < part_.fragment_count + most_fragments)
+      part_.fragments.resize(2 * part_.fragment_count + most_fragments);
+    block_.fragments = part_.fragments.data() + part_.fragment_count;
+    kernel_(rules(drawn), {triangles, static_cast<int>(count), vertices.camera.data(), vertices.places.data()}, block_);
     part_.counters[Counter::triangles_in] += count - static_cast<std::size_t>(std::popcount(block_.left));
     part_.counters[Counter::triangles_degenerate] += block_.degenerate;
     part_.counters[Counter::triangles_backfacing] += block_.back_facing;
     part_.counters[Counter::triangles_drawn] += block_.drawn;
     part_.counters[Counter::coverage_tests] += block_.coverage_tests;
-    for (std::uint64_t rest = block_.kept | block_.left; rest != 0; rest &= rest - 1) {
+    const auto surface_of = [&](std::size_t i) {
+      return pass_.first_surface[object] + (drawn.materials.size() == 1 ? 0 : triangles[i].material);
+    };
+    for (std::uint64_t rest = block_.kept | block_.left | block_.tiny; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      if ((block_.left >> i & 1) != 0) {
+      const auto triangle = static_cast<std::uint32_t>(first + i);
+      if ((block_.tiny >> i & 1) != 0) {
+        add_fragments(block_.fragment_count[i], surface_of(i), static_cast<std::uint32_t>(object), triangle);
+      } else if ((block_.left >> i & 1) != 0) {
         add_general(object, first + i);
-        continue;
+      } else {
+        FastTriangle& made = add(block_.triangles[i]);
+        made.object = static_cast<std::uint32_t>(object);
+        made.triangle = triangle;
+        made.surface = surface_of(i);
       }
-      FastTriangle& made = add(block_.triangles[i]);
-      made.object = static_cast<std::uint32_t>(object);
-      made.triangle = static_cast<std::uint32_t>(first + i);
-      made.surface = pass_.first_surface[object] + (drawn.materials.size() == 1 ? 0 : triangles[i].material);
+    }
+  }
+
+  /// The next fragments that the kernel made are those of this triangle.
+  void add_fragments(std::size_t count, std::uint32_t surface, std::uint32_t object, std::uint32_t triangle) {
+    for (std::size_t i = 0; i < count; ++i) {
+      FastFragment& fragment = part_.fragments[part_.fragment_count++];
+      fragment.surface = surface;
+      fragment.object = object;
+      fragment.triangle = triangle;
+      const auto tile = (fragment.place >> (16 + fast_tile_bits)) * static_cast<std::uint32_t>(tile_columns_) +
+                        ((fragment.place & 0xffff) >> fast_tile_bits);
+      ++part_.tile_start[tile + 1];
+      order_.push_back(tile);
     }
   }
 
@@ -68,6 +104,7 @@ class PartAssembler {
       const ScreenTriangle<float>& piece = part_.cut.triangles[i];
       part_.counters[Counter::coverage_tests] += static_cast<std::uint64_t>(piece.box.x1 - piece.box.x0) *
                                                  static_cast<std::uint64_t>(piece.box.y1 - piece.box.y0);
+      part_.large.push_back(large_triangle(piece, pass_.grid));
       FastTriangle general;
       general.shape = FastTriangle::general;
       general.inverse_z = piece.inverse_z;
@@ -82,6 +119,7 @@ class PartAssembler {
     if (part_.count == part_.triangles.size()) part_.triangles.resize(part_.count + part_.count / 2 + 16);
     FastTriangle& place = part_.triangles[part_.count++];
     place = triangle;
+    order_.push_back(whole_triangle);
     for_tiles(triangle, [&](std::size_t tile) { ++part_.tile_start[tile + 1]; });
     return place;
   }
@@ -99,9 +137,15 @@ class PartAssembler {
     for (std::size_t t = 0; t < tiles_; ++t) part_.tile_start[t + 1] += part_.tile_start[t];
     part_.entries.resize(part_.tile_start[tiles_]);
     std::vector<std::uint32_t> next(part_.tile_start.begin(), part_.tile_start.end() - 1);
-    for (std::size_t i = 0; i < part_.count; ++i)
-      for_tiles(part_.triangles[i],
-                [&](std::size_t tile) { part_.entries[next[tile]++] = static_cast<std::uint32_t>(i); });
+    std::uint32_t triangle = 0, fragment = 0;
+    for (const std::uint32_t tile : order_) {
+      if (tile != whole_triangle) {
+        part_.entries[next[tile]++] = FastPart::fragment | fragment++;
+      } else {
+        for_tiles(part_.triangles[triangle], [&](std::size_t t) { part_.entries[next[t]++] = triangle; });
+        ++triangle;
+      }
+    }
   }
 
   AssemblyRules rules(const DrawObject& object) const {
@@ -125,7 +169,10 @@ class PartAssembler {
   FastPart& part_;
   int tile_columns_;
   std::size_t tiles_;
-  CornerBlock corners_;
+  static constexpr std::size_t most_fragments = TriangleBlock::capacity * tiny_samples;
+  static constexpr std::uint32_t whole_triangle = 0xffffffff;
+  /// What has been added, in order: the tile of a fragment, or whole_triangle.
+  BlockVector<std::uint32_t> order_;
   AssembledBlock block_;
 };
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "options/simd_choice.h"
 #include "raster/fast/assembly.h"
 
@@ -10,6 +12,8 @@
 #include "hwy/highway.h"
 
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
+#include "math/quarters-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace ps::raster::HWY_NAMESPACE {
 namespace {
@@ -21,7 +25,7 @@ using V = hn::Vec<D>;
 using VI = hn::Vec<DI>;
 using M = hn::Mask<DI>;
 
-constexpr int most_checked = 4;  ///< boxes up to this many samples on each side are tested here
+constexpr std::size_t most_lanes = hn::MaxLanes(DI());
 
 struct Corner {
   V x, y, z, inverse_z;
@@ -35,12 +39,25 @@ struct Edge {
 HWY_INLINE VI number(std::int32_t value) { return hn::Set(DI(), value); }
 HWY_INLINE VI zero() { return hn::Zero(DI()); }
 
-HWY_INLINE Corner load_corner(const CornerBlock& block, std::size_t k, std::size_t i) {
-  Corner c;
-  VI unused;
-  hn::LoadInterleaved4(D(), &block.points[k][i].x, c.x, c.y, c.z, c.inverse_z);
-  hn::LoadInterleaved4(DI(), &block.places[k][i].column, c.column, c.row, c.outside, unused);
-  return c;
+/// Corner `k` of the triangles from number `first` on; lanes beyond the last get the last.
+HWY_INLINE Corner load_corner(const TriangleBlock& block, std::size_t k, std::size_t first) {
+  const hn::FixedTag<float, 4> four;
+  const hn::Rebind<std::int32_t, decltype(four)> four_numbers;
+  const DI di;
+  const auto last = static_cast<std::size_t>(block.count) - 1;
+  const auto vertex = [&](std::size_t lane) { return block.triangles[std::min(first + lane, last)].position[k]; };
+  const auto point = ps::HWY_NAMESPACE::four_vectors(
+      [&](std::size_t lane) HWY_ATTR { return hn::LoadU(four, &block.points[vertex(lane)].x); });
+  const auto place = ps::HWY_NAMESPACE::four_vectors([&](std::size_t lane) HWY_ATTR {
+    return hn::BitCast(four, hn::LoadU(four_numbers, &block.places[vertex(lane)].column));
+  });
+  return {point.first,
+          point.second,
+          point.third,
+          point.fourth,
+          hn::BitCast(di, place.first),
+          hn::BitCast(di, place.second),
+          hn::BitCast(di, place.third)};
 }
 
 HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) {
@@ -89,24 +106,6 @@ HWY_INLINE Edge make_edge(const AssemblyRules& rules, const Corner& a, const Cor
   return edge;
 }
 
-/// Whether any of size x size samples from the box's first on is covered, for boxes that are no larger.
-HWY_INLINE M any_covered(const std::array<Edge, 3>& edges, VI width, VI height, int size) {
-  M any = hn::Lt(zero(), zero());
-  std::array<VI, 3> row{hn::Add(edges[0].value, edges[0].owned), hn::Add(edges[1].value, edges[1].owned),
-                        hn::Add(edges[2].value, edges[2].owned)};
-  for (int y = 0; y < size; ++y) {
-    const M in_row = hn::Gt(height, number(y));
-    std::array<VI, 3> value = row;
-    for (int x = 0; x < size; ++x) {
-      const VI least = hn::Min(hn::Min(value[0], value[1]), value[2]);
-      any = hn::Or(any, hn::And(hn::And(hn::Gt(least, zero()), in_row), hn::Gt(width, number(x))));
-      for (std::size_t i = 0; i < 3; ++i) value[i] = hn::Add(value[i], edges[i].step_x);
-    }
-    for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], edges[i].step_y);
-  }
-  return any;
-}
-
 HWY_INLINE std::uint64_t bits_of(M mask) {
   std::array<std::uint8_t, 8> bytes{};
   hn::StoreMaskBits(DI(), mask, bytes.data());
@@ -115,10 +114,77 @@ HWY_INLINE std::uint64_t bits_of(M mask) {
   return bits;
 }
 
+/// The covered samples of tiny triangles, one vector for each place in their boxes.
+struct TinySamples {
+  HWY_ALIGN std::int32_t covered[most_lanes];  ///< bit k: sample k of the box, row by row of tiny_side
+  HWY_ALIGN float inverse_z[tiny_samples][most_lanes];
+  HWY_ALIGN float weights[tiny_samples][3][most_lanes];
+};
+
+/// Fills in the samples of the triangles in `wanted`, whose boxes have at most size x size of them.
+HWY_INLINE void cover_tiny(const std::array<Edge, 3>& edges, const std::array<Corner, 3>& corners, V inverse_area,
+                           VI width, VI height, int size, M wanted, TinySamples& samples) {
+  const D d;
+  const DI di;
+  VI covered = hn::Load(di, samples.covered);
+  std::array<VI, 3> row{edges[0].value, edges[1].value, edges[2].value};
+  const std::array<VI, 3> above{hn::Neg(edges[0].owned), hn::Neg(edges[1].owned), hn::Neg(edges[2].owned)};
+  for (int y = 0; y < size; ++y) {
+    const M in_row = hn::And(wanted, hn::Gt(height, number(y)));
+    std::array<VI, 3> value = row;
+    for (int x = 0; x < size; ++x) {
+      const M inside = hn::And(hn::And(hn::Gt(value[0], above[0]), hn::Gt(value[1], above[1])),
+                               hn::And(hn::Gt(value[2], above[2]), hn::And(in_row, hn::Gt(width, number(x)))));
+      if (!hn::AllFalse(di, inside)) {
+        const auto k = static_cast<std::size_t>(y * tiny_side + x);
+        covered = hn::Or(covered, hn::IfThenElseZero(inside, number(std::int32_t{1} << k)));
+        std::array<V, 3> weight;
+        for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Mul(hn::ConvertTo(d, value[i]), inverse_area);
+        const V inverse_z =
+            hn::Add(hn::Add(hn::Mul(weight[0], corners[0].inverse_z), hn::Mul(weight[1], corners[1].inverse_z)),
+                    hn::Mul(weight[2], corners[2].inverse_z));
+        const auto keep = [&](V v, float* to) HWY_ATTR {
+          hn::Store(hn::IfThenElse(hn::RebindMask(d, inside), v, hn::Load(d, to)), d, to);
+        };
+        keep(inverse_z, samples.inverse_z[k]);
+        for (std::size_t i = 0; i < 3; ++i) keep(weight[i], samples.weights[k][i]);
+      }
+      for (std::size_t i = 0; i < 3; ++i) value[i] = hn::Add(value[i], edges[i].step_x);
+    }
+    for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], edges[i].step_y);
+  }
+  hn::Store(covered, di, samples.covered);
+}
+
+/// Appends the samples as fragments, triangle after triangle.
+HWY_INLINE void emit_tiny(const TinySamples& samples, VI x0, VI y0, std::size_t first, AssembledBlock& result) {
+  const DI di;
+  HWY_ALIGN std::int32_t corner[most_lanes];
+  hn::Store(hn::Or(x0, hn::ShiftLeft<16>(y0)), di, corner);
+  FastFragment* to = result.fragments;
+  const auto drawn = hn::Ne(hn::Load(di, samples.covered), zero());
+  const std::uint64_t tiny = bits_of(drawn);
+  result.tiny |= tiny << first;
+  for (std::uint64_t lanes = tiny; lanes != 0; lanes &= lanes - 1) {
+    const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes);
+    const FastFragment* const begin = to;
+    for (std::uint64_t rest = static_cast<std::uint32_t>(samples.covered[i]); rest != 0; rest &= rest - 1) {
+      const std::size_t k = hwy::Num0BitsBelowLS1Bit_Nonzero64(rest);
+      to->place = static_cast<std::uint32_t>(corner[i]) + static_cast<std::uint32_t>((k & 3) | (k >> 2) << 16);
+      to->inverse_z = samples.inverse_z[k][i];
+      for (std::size_t e = 0; e < 3; ++e) to->weights[e] = samples.weights[k][e][i];
+      ++to;
+    }
+    result.fragment_count[first + i] = static_cast<std::uint8_t>(to - begin);
+  }
+  result.fragments = to;
+}
+static_assert(tiny_side == 4);
+
 HWY_INLINE VI lowest(const VI& a, const VI& b, const VI& c) { return hn::Min(hn::Min(a, b), c); }
 HWY_INLINE VI highest(const VI& a, const VI& b, const VI& c) { return hn::Max(hn::Max(a, b), c); }
 
-HWY_INLINE void assemble_vector(const AssemblyRules& rules, const CornerBlock& block, std::size_t first, M wanted,
+HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock& block, std::size_t first, M wanted,
                                 AssembledBlock& result) {
   const D d;
   const DI di;
@@ -170,19 +236,23 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const CornerBlock& b
   const VI x = hn::Add(hn::ShiftLeftSame(x0, shift), sample_x), y = hn::Add(hn::ShiftLeftSame(y0, shift), sample_y);
   const std::array<Edge, 3> edges{make_edge(rules, c[1], c[2], sign, x, y), make_edge(rules, c[2], c[0], sign, x, y),
                                   make_edge(rules, c[0], c[1], sign, x, y)};
-  M unchecked = rest;
-  for (const int size : {2, most_checked}) {
-    const VI beyond = number(size + 1);
-    const M fits = hn::And(unchecked, hn::And(hn::Lt(width, beyond), hn::Lt(height, beyond)));
+  const VI size = hn::Mul(sign, area);
+  const V inverse_area = hn::Div(hn::Set(d, 1.0f), hn::ConvertTo(d, size));
+  M tiny = hn::Lt(zero(), zero());
+  TinySamples samples;
+  hn::Store(zero(), di, samples.covered);
+  for (const int side : {tiny_side / 2, tiny_side}) {
+    const VI beyond = number(side + 1);
+    const M fits = hn::And(rest, hn::And(hn::Lt(width, beyond), hn::Lt(height, beyond)));
     if (hn::AllFalse(di, fits)) continue;
-    unchecked = hn::AndNot(fits, unchecked);
-    rest = hn::AndNot(hn::AndNot(any_covered(edges, width, height, size), fits), rest);
+    rest = hn::AndNot(fits, rest);
+    tiny = hn::Or(tiny, fits);
+    cover_tiny(edges, c, inverse_area, width, height, side, fits, samples);
   }
+  if (!hn::AllFalse(di, tiny)) emit_tiny(samples, x0, y0, first, result);
   if (hn::AllFalse(di, rest)) return;
   result.kept |= bits_of(rest) << first;
 
-  const VI size = hn::Mul(sign, area);
-  const V inverse_area = hn::Div(hn::Set(d, 1.0f), hn::ConvertTo(d, size));
   const VI ties = hn::Or(hn::Or(edges[0].owned, hn::ShiftLeft<1>(edges[1].owned)), hn::ShiftLeft<2>(edges[2].owned));
   const VI shape = hn::Or(hn::Or(width, hn::ShiftLeft<8>(height)), hn::ShiftLeft<16>(ties));
   HWY_ALIGN std::array<std::int32_t, 4 * hn::MaxLanes(DI())> numbers[4];
@@ -201,13 +271,13 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const CornerBlock& b
 
 }  // namespace
 
-void assemble_block(const AssemblyRules& rules, const CornerBlock& corners, int count, AssembledBlock& result) {
+void assemble_block(const AssemblyRules& rules, const TriangleBlock& block, AssembledBlock& result) {
   const DI di;
-  result.kept = result.left = 0;
+  result.kept = result.tiny = result.left = 0;
   result.degenerate = result.back_facing = result.drawn = result.coverage_tests = 0;
-  const auto all = static_cast<std::size_t>(count);
+  const auto all = static_cast<std::size_t>(block.count);
   for (std::size_t first = 0; first < all; first += hn::Lanes(di))
-    assemble_vector(rules, corners, first, hn::FirstN(di, all - first), result);
+    assemble_vector(rules, block, first, hn::FirstN(di, all - first), result);
 }
 
 }  // namespace ps::raster::HWY_NAMESPACE

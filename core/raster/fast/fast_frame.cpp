@@ -16,6 +16,7 @@ bool can_shade(const Pass<float>& pass, const Surface<float>& surface) {
   const ShadingMaterial<float>& material = surface.material;
   if (material.ambient_colour || material.specular_colour || (material.specular && !(*material.specular > 0)))
     return false;
+  if (surface.layout.relief) return false;
   if (surface.layout.tangents != AttributeLayout::absent) return false;
   if (surface.layout.uv == AttributeLayout::absent) return true;
   if (!pass.packed_textures || material.texture < 0) return false;
@@ -26,16 +27,16 @@ bool can_shade(const Pass<float>& pass, const Surface<float>& surface) {
 struct Worker {
   Worker(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
          const std::vector<FastSurface>& surfaces)
-      : resolver(pass, vertices, surfaces) {}
+      : rows(pass, vertices, surfaces) {}
   TileFragments tile;
-  TileResolver resolver;
+  AttributeRows rows;
 };
 
 }  // namespace
 
 bool can_draw_fast(const Pass<float>& pass) {
   const Settings& settings = pass.settings;
-  if (!pass.shade_batch || !pass.divides() || pass.channels != Channel::none) return false;
+  if (!pass.shade_batch || !pass.divides() || !only_fast_channels(pass.channels)) return false;
   if (settings.draw != Draw::filled || settings.visibility != Visibility::depth_buffer) return false;
   if (settings.depth_value != DepthValue::inverse_z || settings.depth_format != DepthFormat::plain) return false;
   if (!pass.coverage.is_common() || settings.multisampling != 1) return false;
@@ -63,11 +64,12 @@ void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& fra
   done("triangles, sorted into tiles");
 
   const std::vector<FastSurface> surfaces = fast_surfaces(pass);
-  const bool textured = std::ranges::any_of(surfaces, &FastSurface::textured);
   const std::vector<TileRect> tiles = make_tiles(frame.width(), frame.height(), fast_tile);
   std::vector<Counters> counters(tiles.size());
   std::vector<std::unique_ptr<Worker>> workers(static_cast<std::size_t>(resolve_threads(parallel)));
-  const TileKernels kernels = tile_kernels(pass.settings.simd);
+  const CoverTile cover = cover_kernel(pass.settings.simd);
+  const ResolveKernels kernels = resolve_kernels(pass.settings.simd);
+  const bool keep_replaced = needs_replaced(pass, surfaces);
   parallel_for(static_cast<int>(tiles.size()), parallel, progress, [&](int index, int number) {
     const auto i = static_cast<std::size_t>(index);
     std::unique_ptr<Worker>& worker = workers[static_cast<std::size_t>(number)];
@@ -75,11 +77,11 @@ void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& fra
     std::size_t entries = 0;
     for (const FastPart& part : parts) entries += part.list(i).size();
     TileFragments& tile = worker->tile;
-    tile.keep_replaced = textured;
+    tile.keep_replaced = keep_replaced;
     tile.start(entries, surfaces.size());
     for (const FastPart& part : parts)
-      if (!part.list(i).empty()) kernels.cover(pass.grid, tiles[i], part, part.list(i), tile);
-    worker->resolver.resolve(tile, tiles[i], frame, counters[i]);
+      if (!part.list(i).empty()) cover(tiles[i], part, part.list(i), tile);
+    resolve_tile(pass, kernels, tile, tiles[i], worker->rows, frame, counters[i]);
     if (request.on_tile) request.on_tile(frame, tiles[i]);
   });
   for (const Counters& tile : counters) frame.counters += tile;

@@ -4,34 +4,34 @@
 #include <span>
 
 #include "raster/fast/assembly.h"
-#include "raster/shade_batch.h"
 
 namespace ps::raster {
 
-/// A triangle with a fragment in the tile that was nearer, when it came, than all before.
+/// A triangle, or a fragment of a tiny one, that was nearer somewhere in the tile, when it came, than all before.
 struct TileTriangle {
-  const FastTriangle* triangle = nullptr;
+  const FastTriangle* triangle = nullptr;  ///< nullptr for a fragment
+  const FastFragment* fragment = nullptr;
   const FastPart* part = nullptr;
+
+  std::uint32_t surface() const { return triangle ? triangle->surface : fragment->surface; }
 };
 
 /// A fragment that a nearer one replaced.
 struct ReplacedFragment {
-  std::array<float, 3> weights{};
   float inverse_z = 0;
   std::uint32_t id = 0;
+  std::uint32_t at = 0;  ///< sample in the tile
 };
 
-/// What is seen in one tile so far: of each sample the nearest fragment, by which shading begins when all triangles
-/// have been drawn. Rows are fast_tile samples apart, also in the narrower tiles at the edges of the picture.
+/// What is seen in one tile so far: of each sample the nearest fragment's depth and triangle. All else about it is
+/// found out again when all triangles have been drawn, so that little memory is touched for fragments that nobody will
+/// see. Rows are fast_tile samples apart, also in the narrower tiles at the edges of the picture.
 struct TileFragments {
   static constexpr std::size_t samples = std::size_t{fast_tile} * fast_tile;
-  static constexpr std::size_t room = samples + 16;  ///< whole vectors are read
   static constexpr std::uint32_t none = 0xffffffff;
-  using Plane = std::array<float, room>;
-  alignas(64) Plane inverse_z;                     ///< the depth buffer
-  alignas(64) std::array<Plane, 3> weights;        ///< on the screen
-  alignas(64) std::array<std::uint32_t, room> id;  ///< index into `triangles`
-  BlockVector<TileTriangle> triangles;             ///< with room for every entry of the tile's lists
+  alignas(64) std::array<float, samples> inverse_z;   ///< the depth buffer
+  alignas(64) std::array<std::uint32_t, samples> id;  ///< index into `triangles`
+  BlockVector<TileTriangle> triangles;                ///< with room for every entry of the tile's lists
   std::uint32_t triangle_count = 0;
   std::uint64_t fragments = 0;
   std::vector<std::uint64_t> passed;       ///< the depth test, for each surface
@@ -42,18 +42,10 @@ struct TileFragments {
   void start(std::size_t entries, std::size_t surfaces);
 };
 
-struct TileKernels {
-  /// Coverage and depth of one part's triangles in the tile `rect`, in order. Repeats TriangleEdges, make_fragment and
-  /// the depth test of draw_primitives.cpp to the last bit.
-  void (*cover)(const CoverageGrid& grid, const TileRect& rect, const FastPart& part,
-                std::span<const std::uint32_t> entries, TileFragments& tile) = nullptr;
-  /// Appends the fragments of one row of the tile to the batch, their ids in place of rows, and gives the background's
-  /// colour to samples without one. `pixels` is the picture's first row, `width` its length.
-  void (*collect)(const TileFragments& tile, const TileRect& rect, int row, const Vec3f& background, Vec3f* pixels,
-                  int width, ShadeBatch& batch) = nullptr;
-  /// Writes the batch's colours to the picture; whether any is NaN.
-  bool (*write)(const ShadeBatch& batch, Vec3f* pixels) = nullptr;
-};
-TileKernels tile_kernels(Simd simd);
+/// Coverage and depth of one part's triangles in the tile `rect`, in order. Repeats TriangleEdges, make_fragment and
+/// the depth test of draw_primitives.cpp to the last bit.
+using CoverTile = void (*)(const TileRect& rect, const FastPart& part, std::span<const std::uint32_t> entries,
+                           TileFragments& tile);
+CoverTile cover_kernel(Simd simd);
 
 }  // namespace ps::raster

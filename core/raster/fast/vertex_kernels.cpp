@@ -61,14 +61,15 @@ HWY_INLINE void transform_vector(const VertexTransform& t, const Vec3d* position
   V3 p = multiply(t.linear, load(positions));
   p = {hn::Add(p.x, splat(t.translation.x)), hn::Add(p.y, splat(t.translation.y)),
        hn::Add(p.z, splat(t.translation.z))};
-  if (world)
-    hn::StoreInterleaved4(hn::DemoteTo(df, p.x), hn::DemoteTo(df, p.y), hn::DemoteTo(df, p.z), hn::Zero(df), df,
-                          &world->x);
+  const V3 in_world = p;
   p = multiply(t.from_world,
                {hn::Sub(p.x, splat(t.eye.x)), hn::Sub(p.y, splat(t.eye.y)), hn::Sub(p.z, splat(t.eye.z))});
   const VF x = hn::DemoteTo(df, p.x), y = hn::DemoteTo(df, p.y), z = hn::DemoteTo(df, p.z);
   const VF inverse_z = hn::Div(hn::Set(df, 1.0f), z);
   hn::StoreInterleaved4(x, y, z, inverse_z, df, &points->x);
+  if (world)
+    hn::StoreInterleaved4(hn::DemoteTo(df, in_world.x), hn::DemoteTo(df, in_world.y), hn::DemoteTo(df, in_world.z),
+                          inverse_z, df, &world->x);
 
   const VF column =
       hn::Add(hn::Set(df, t.projection.centre.x), hn::Div(hn::Mul(x, hn::Set(df, t.projection.scale.x)), z));

@@ -23,6 +23,7 @@ Settings map_settings(const Settings& settings, bool cube) {
   plain.textures = false;
   plain.shadows = Shadows::none;
   plain.tessellation = settings.tessellation;
+  plain.patches = settings.patches;
   plain.threads = settings.threads;
   plain.simd = settings.simd;
   return plain;
@@ -164,7 +165,8 @@ std::shared_ptr<const ShadowMaps> shadow_maps(const Scene& scene, const Settings
                       .add(scene.lights.revision())
                       .add(scene.materials.revision())
                       .add(std::uint64_t(settings.shadow_map_size))
-                      .add(settings.tessellation);
+                      .add(settings.tessellation)
+                      .add(settings.patches);
   return prepared.get<ShadowMaps>(key, [&] {
     const Scene dark = dense_part(scene);
     const ShadowCasters casters = shadow_casters(dark);

@@ -125,12 +125,15 @@ ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, do
       surface->triangles.push_back(surface_triangle(t[0], t[1], t[2]));
       surface->triangles.push_back(surface_triangle(far(t[0]), far(t[2]), far(t[1])));
     }
+    volume.caps = surface->triangles.size();
     for (const auto& [edge, count] : balance) {
       const Corner a = count > 0 ? edge.first : edge.second, b = count > 0 ? edge.second : edge.first;
       if (count != 0) volume.silhouette.push_back({welded.positions[a], welded.positions[b]});
       for (int i = 0; i < std::abs(count); ++i) {
         surface->triangles.push_back(surface_triangle(b, a, far(a)));
         surface->triangles.push_back(surface_triangle(b, far(a), far(b)));
+        volume.edge_of_side.insert(volume.edge_of_side.end(), 2,
+                                   static_cast<std::uint32_t>(volume.silhouette.size() - 1));
       }
     }
   }

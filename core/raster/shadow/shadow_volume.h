@@ -19,7 +19,10 @@ struct SilhouetteEdge {
 struct ShadowVolume {
   int object = 0;  ///< index into Geometry::objects
   std::vector<SilhouetteEdge> silhouette;
-  std::shared_ptr<const Mesh> surface;  ///< world space
+  /// The triangles of `surface`: lit ones and their copies at the far end in turns, then those of the sides.
+  std::size_t caps = 0;
+  std::vector<std::uint32_t> edge_of_side;  ///< for each triangle after the caps, the index into `silhouette`
+  std::shared_ptr<const Mesh> surface;      ///< world space
 };
 
 /// How far volumes reach, in units of the scene's size; it stands for infinity.

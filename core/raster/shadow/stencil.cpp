@@ -60,6 +60,7 @@ Pass<double> volume_pass(const Pass<double>& scene_pass, const std::vector<Shado
     pass.first_surface.push_back(static_cast<std::uint32_t>(pass.surfaces.size()));
     Surface<double> surface;
     surface.object = static_cast<int>(pass.objects.size());
+    surface.drawn = pass.objects.size();
     pass.surfaces.push_back(surface);
     DrawObject object;
     object.object = surface.object;
@@ -86,6 +87,28 @@ int change_of(Shadows method, bool behind, bool enters) {
     return 0;
   }
   return 0;
+}
+
+/// Whether a face of a volume does not lie before the surface. Where a lit triangle ends, the side of its volume
+/// begins: right on that edge both are as far away as the surface, but for rounding, and must count as the lit triangle
+/// does.
+bool is_behind(double inverse_z, double surface) {
+  constexpr double rounding = 1e-12;
+  return !(inverse_z > surface * (1 + rounding));
+}
+
+/// A covered sample of a volume, for the story.
+VolumeCrossing crossing_of(const ShadowVolume& volume, const ScreenTriangle<double>& triangle, double z, int change) {
+  VolumeCrossing crossing{volume.object, !triangle.back_face, z, change};
+  const auto index = static_cast<std::size_t>(triangle.triangle);
+  if (index < volume.caps) {
+    crossing.part = index % 2 == 0 ? VolumePart::lit_face : VolumePart::far_end;
+    return crossing;
+  }
+  const SilhouetteEdge& edge = volume.silhouette[volume.edge_of_side[index - volume.caps]];
+  crossing.edge_from = edge.from;
+  crossing.edge_to = edge.to;
+  return crossing;
 }
 
 /// The faces of one light's volumes, ready to be drawn.
@@ -154,13 +177,13 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
              const double surface = depth.at(f.column - part.x0, f.row - part.y0);
              if (surface == nothing) return;
              ++counters[tile][Counter::stencil_tests];
-             const int change = change_of(settings.shadows, !(f.inverse_z > surface), !triangle.back_face);
+             const int change = change_of(settings.shadows, is_behind(f.inverse_z, surface), !triangle.back_face);
              if (change != 0) ++counters[tile][Counter::stencil_updates];
              counts.at(f.column - rect.x0, f.row - rect.y0) += change;
              if (notes == StencilNotes::none) return;
              const auto& volume = volumes[i][static_cast<std::size_t>(light.pass.surfaces[triangle.surface].object)];
              events[i].surface_z = 1 / surface;
-             events[i].crossings.push_back({volume.object, !triangle.back_face, f.z, change});
+             events[i].crossings.push_back(crossing_of(volume, triangle, f.z, change));
            });
       for (int row = part.y0; row < part.y1; ++row)
         for (int column = part.x0; column < part.x1; ++column) {
@@ -178,6 +201,8 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
     for (std::size_t i = 0; i < events.size(); ++i) {
       if (!lights[i]) continue;
       events[i].light = static_cast<int>(i);
+      for (const ShadowVolume& volume : volumes[i])
+        events[i].silhouette_edges += static_cast<int>(volume.silhouette.size());
       std::stable_sort(events[i].crossings.begin(), events[i].crossings.end(),
                        [](const VolumeCrossing& a, const VolumeCrossing& b) { return a.z < b.z; });
       stencil.events.push_back(events[i]);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
 #include "options/simd_choice.h"
@@ -9,7 +8,8 @@
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/fast/tile_kernels.cpp"
+#define HWY_TARGET_INCLUDE "raster/fast/cover_kernel.cpp"
+#include "hwy/cache_control.h"
 #include "hwy/foreach_target.h"  // IWYU pragma: keep
 #include "hwy/highway.h"
 
@@ -26,8 +26,10 @@ struct Small {
   using Count = hn::Rebind<std::int32_t, D>;
   using Scalar = std::int32_t;
   using Value = hn::Vec<Count>;
-  static HWY_INLINE hn::Mask<D> above(Value value, Value threshold) {
-    return hn::RebindMask(D(), hn::Gt(value, threshold));
+  /// Which of three values lie above their thresholds.
+  static HWY_INLINE hn::Mask<D> above(const std::array<Value, 3>& value, const std::array<Value, 3>& threshold) {
+    return hn::RebindMask(D(), hn::And(hn::And(hn::Gt(value[0], threshold[0]), hn::Gt(value[1], threshold[1])),
+                                       hn::Gt(value[2], threshold[2])));
   }
   static HWY_INLINE hn::Vec<D> to_float(Value value) { return hn::ConvertTo(D(), value); }
 };
@@ -39,8 +41,10 @@ struct Large {
   using D = hn::Rebind<float, Count>;
   using Scalar = double;
   using Value = hn::Vec<Count>;
-  static HWY_INLINE hn::Mask<D> above(Value value, Value threshold) {
-    const Value flag = hn::IfThenElseZero(hn::Gt(value, threshold), hn::Set(Count(), 1.0));
+  static HWY_INLINE hn::Mask<D> above(const std::array<Value, 3>& value, const std::array<Value, 3>& threshold) {
+    const auto all = hn::And(hn::And(hn::Gt(value[0], threshold[0]), hn::Gt(value[1], threshold[1])),
+                             hn::Gt(value[2], threshold[2]));
+    const Value flag = hn::IfThenElseZero(all, hn::Set(Count(), 1.0));
     return hn::Gt(hn::DemoteTo(D(), flag), hn::Zero(D()));
   }
   static HWY_INLINE hn::Vec<D> to_float(Value value) { return hn::DemoteTo(D(), value); }
@@ -61,11 +65,12 @@ HWY_INLINE void keep_replaced(const TileFragments& tile, std::size_t at, std::ui
   for (; lanes != 0; lanes &= lanes - 1) {
     const std::size_t i = at + hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes);
     if (tile.id[i] == TileFragments::none) continue;
-    replaced.push_back({{tile.weights[0][i], tile.weights[1][i], tile.weights[2][i]}, tile.inverse_z[i], tile.id[i]});
+    replaced.push_back({tile.inverse_z[i], tile.id[i], static_cast<std::uint32_t>(i)});
   }
 }
 
-/// Draws the box; how many fragments passed the depth test.
+/// Draws the box; how many fragments passed the depth test. Vectors lie where their length divides their place in the
+/// row, and are written as a whole: what the next triangle reads there is then known before it has left the processor.
 template <class Kind>
 HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges, std::uint32_t id,
                                    TileFragments& tile) {
@@ -77,14 +82,17 @@ HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges,
   const hn::Rebind<std::uint32_t, D> du;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto set = [&](typename Kind::Scalar value) HWY_ATTR { return hn::Set(dc, value); };
-  const Value ramp = hn::Iota(dc, 0);
-  const Value spread0 = hn::Mul(ramp, set(edges.step_x[0])), spread1 = hn::Mul(ramp, set(edges.step_x[1])),
-              spread2 = hn::Mul(ramp, set(edges.step_x[2]));
-  const auto stride = static_cast<typename Kind::Scalar>(lanes);
-  const Value stride0 = set(edges.step_x[0] * stride), stride1 = set(edges.step_x[1] * stride),
-              stride2 = set(edges.step_x[2] * stride);
-  const Value threshold0 = set(edges.threshold[0]), threshold1 = set(edges.threshold[1]),
-              threshold2 = set(edges.threshold[2]);
+  const int begin = edges.x & ~(lanes - 1), end = edges.x + edges.width;
+  const Value ramp = hn::Iota(dc, static_cast<typename Kind::Scalar>(begin - edges.x));
+  std::array<Value, 3> spread, stride, threshold;
+  for (std::size_t i = 0; i < 3; ++i) {
+    spread[i] = hn::Mul(ramp, set(edges.step_x[i]));
+    threshold[i] = set(edges.threshold[i]);
+    stride[i] = spread[i];
+  }
+  // From one vector to the next; small triangles mostly need only one.
+  if (end - begin > lanes)
+    for (std::size_t i = 0; i < 3; ++i) stride[i] = set(edges.step_x[i] * static_cast<typename Kind::Scalar>(lanes));
   const V inverse_area = hn::Set(d, edges.inverse_area);
   const V inverse_z0 = hn::Set(d, edges.inverse_z[0]), inverse_z1 = hn::Set(d, edges.inverse_z[1]),
           inverse_z2 = hn::Set(d, edges.inverse_z[2]);
@@ -92,22 +100,21 @@ HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges,
   std::uint64_t passes = 0, covered = 0;
   std::array<typename Kind::Scalar, 3> start = edges.value;
   for (int y = 0; y < edges.height; ++y) {
-    Value value0 = hn::Add(set(start[0]), spread0), value1 = hn::Add(set(start[1]), spread1),
-          value2 = hn::Add(set(start[2]), spread2);
-    std::size_t at = static_cast<std::size_t>(edges.y + y) * fast_tile + static_cast<std::size_t>(edges.x);
-    for (int x = 0; x < edges.width; x += lanes, at += static_cast<std::size_t>(lanes)) {
-      const auto inside =
-          hn::And(hn::And(Kind::above(value0, threshold0), Kind::above(value1, threshold1)),
-                  hn::And(Kind::above(value2, threshold2), hn::FirstN(d, static_cast<std::size_t>(edges.width - x))));
+    std::array<Value, 3> value;
+    for (std::size_t i = 0; i < 3; ++i) value[i] = hn::Add(set(start[i]), spread[i]);
+    std::size_t at = static_cast<std::size_t>(edges.y + y) * fast_tile + static_cast<std::size_t>(begin);
+    for (int x = begin; x < end; x += lanes, at += static_cast<std::size_t>(lanes)) {
+      const auto inside = hn::And(Kind::above(value, threshold), hn::FirstN(d, static_cast<std::size_t>(end - x)));
       if (!hn::AllFalse(d, inside)) {
         covered += hn::CountTrue(d, inside);
-        const V weight0 = hn::Mul(Kind::to_float(value0), inverse_area);
-        const V weight1 = hn::Mul(Kind::to_float(value1), inverse_area);
-        const V weight2 = hn::Mul(Kind::to_float(value2), inverse_area);
+        const V weight0 = hn::Mul(Kind::to_float(value[0]), inverse_area);
+        const V weight1 = hn::Mul(Kind::to_float(value[1]), inverse_area);
+        const V weight2 = hn::Mul(Kind::to_float(value[2]), inverse_area);
         const V inverse_z =
             hn::Add(hn::Add(hn::Mul(weight0, inverse_z0), hn::Mul(weight1, inverse_z1)), hn::Mul(weight2, inverse_z2));
-        float* depth = tile.inverse_z.data() + at;
-        const auto passed = hn::And(inside, hn::Gt(inverse_z, hn::LoadU(d, depth)));
+        float* const depth = tile.inverse_z.data() + at;
+        const V before = hn::Load(d, depth);
+        const auto passed = hn::And(inside, hn::Gt(inverse_z, before));
         if (!hn::AllFalse(d, passed)) {
           passes += hn::CountTrue(d, passed);
           if (tile.keep_replaced) {
@@ -115,16 +122,12 @@ HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges,
             hn::StoreMaskBits(d, passed, bits.data());
             keep_replaced(tile, at, bits[0], tile.replaced);
           }
-          hn::BlendedStore(inverse_z, passed, d, depth);
-          hn::BlendedStore(weight0, passed, d, tile.weights[0].data() + at);
-          hn::BlendedStore(weight1, passed, d, tile.weights[1].data() + at);
-          hn::BlendedStore(weight2, passed, d, tile.weights[2].data() + at);
-          hn::BlendedStore(ids, hn::RebindMask(du, passed), du, tile.id.data() + at);
+          std::uint32_t* const id_at = tile.id.data() + at;
+          hn::Store(hn::IfThenElse(passed, inverse_z, before), d, depth);
+          hn::Store(hn::IfThenElse(hn::RebindMask(du, passed), ids, hn::Load(du, id_at)), du, id_at);
         }
       }
-      value0 = hn::Add(value0, stride0);
-      value1 = hn::Add(value1, stride1);
-      value2 = hn::Add(value2, stride2);
+      for (std::size_t i = 0; i < 3; ++i) value[i] = hn::Add(value[i], stride[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) start[i] += edges.step_y[i];
   }
@@ -153,13 +156,12 @@ std::uint64_t cover_exactly(const BoxEdges<std::int64_t>& edges, std::uint32_t i
       ++passes;
       if (tile.keep_replaced) keep_replaced(tile, at, 1, tile.replaced);
       tile.inverse_z[at] = inverse_z;
-      for (std::size_t i = 0; i < 3; ++i) tile.weights[i][at] = weights[i];
       tile.id[at] = id;
     }
   return passes;
 }
 
-PixelBox common(const PixelBox& box, const TileRect& rect) {
+HWY_INLINE PixelBox common(const PixelBox& box, const TileRect& rect) {
   return {std::max(box.x0, rect.x0), std::max(box.y0, rect.y0), std::min(box.x1, rect.x1), std::min(box.y1, rect.y1)};
 }
 
@@ -192,24 +194,18 @@ HWY_INLINE std::uint64_t cover_small(const FastTriangle& triangle, const TileRec
   return cover_box<Small>(edges, id, tile);
 }
 
-std::uint64_t cover_general(const CoverageGrid& grid, const ScreenTriangle<float>& triangle, const TileRect& rect,
-                            std::uint32_t id, TileFragments& tile) {
-  const TriangleEdges exact = *make_edges(triangle.corners, grid);
-  const PixelBox box = common(triangle.box, rect);
+std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, const std::array<float, 3>& inverse_z,
+                          const TileRect& rect, std::uint32_t id, TileFragments& tile) {
+  const PixelBox box = common(whole, rect);
   BoxEdges<std::int64_t> edges;
   place(box, rect, edges);
-  edges.inverse_area = 1.0f / static_cast<float>(exact.area);
-  edges.inverse_z = triangle.inverse_z.data();
-  edges.value = exact.at(box.x0, box.y0);
-  edges.step_x = exact.step_x;
-  edges.step_y = exact.step_y;
-  edges.threshold = exact.threshold;
-  bool fits = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto within = [](std::int64_t v, int bits) { return std::abs(v) <= std::int64_t{1} << bits; };
-    fits = fits && within(edges.value[i], 51) && within(edges.step_x[i], 43) && within(edges.step_y[i], 43);
-  }
-  if (!fits) return cover_exactly(edges, id, tile);
+  edges.inverse_area = triangle.inverse_area;
+  edges.inverse_z = inverse_z.data();
+  edges.value = triangle.edges.at(box.x0, box.y0);
+  edges.step_x = triangle.edges.step_x;
+  edges.step_y = triangle.edges.step_y;
+  edges.threshold = triangle.edges.threshold;
+  if (!triangle.fits_double) return cover_exactly(edges, id, tile);
   BoxEdges<double> wide;
   place(box, rect, wide);
   wide.inverse_area = edges.inverse_area;
@@ -225,72 +221,47 @@ std::uint64_t cover_general(const CoverageGrid& grid, const ScreenTriangle<float
 
 }  // namespace
 
-void cover(const CoverageGrid& grid, const TileRect& rect, const FastPart& part, std::span<const std::uint32_t> entries,
-           TileFragments& tile) {
-  for (const std::uint32_t entry : entries) {
+/// A fragment of a tiny triangle. Whether it is the nearest cannot be foreseen, so there is no branch on it.
+HWY_INLINE void cover_fragment(const FastFragment& fragment, const FastPart& part, TileFragments& tile) {
+  constexpr std::uint32_t in_tile = fast_tile - 1;
+  const std::size_t at = (fragment.place >> 16 & in_tile) << fast_tile_bits | (fragment.place & in_tile);
+  const float before = tile.inverse_z[at];
+  const std::uint32_t id_before = tile.id[at], id = tile.triangle_count;
+  const bool passed = fragment.inverse_z > before;
+  if (tile.keep_replaced && passed) keep_replaced(tile, at, 1, tile.replaced);
+  tile.inverse_z[at] = passed ? fragment.inverse_z : before;
+  tile.id[at] = passed ? id : id_before;
+  tile.triangles[id] = {nullptr, &fragment, &part};
+  tile.triangle_count = id + (passed ? 1 : 0);
+  tile.passed[fragment.surface] += passed ? 1 : 0;
+  ++tile.fragments;
+}
+
+void cover(const TileRect& rect, const FastPart& part, std::span<const std::uint32_t> entries, TileFragments& tile) {
+  constexpr std::size_t ahead = 16;
+  const auto fetch = [&](std::uint32_t entry) {
+    if ((entry & FastPart::fragment) != 0)
+      hwy::Prefetch(&part.fragments[entry & ~FastPart::fragment]);
+    else
+      hwy::Prefetch(&part.triangles[entry]);
+  };
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (i + ahead < entries.size()) fetch(entries[i + ahead]);
+    const std::uint32_t entry = entries[i];
+    if ((entry & FastPart::fragment) != 0) {
+      cover_fragment(part.fragments[entry & ~FastPart::fragment], part, tile);
+      continue;
+    }
     const FastTriangle& triangle = part.triangles[entry];
     const std::uint32_t id = tile.triangle_count;
-    const std::uint64_t passed = triangle.is_general()
-                                     ? cover_general(grid, part.cut.triangles[triangle.triangle], rect, id, tile)
-                                     : cover_small(triangle, rect, id, tile);
+    const std::uint64_t passed =
+        triangle.is_general() ? cover_large(part.large[triangle.triangle], part.cut.triangles[triangle.triangle].box,
+                                            triangle.inverse_z, rect, id, tile)
+                              : cover_small(triangle, rect, id, tile);
     tile.passed[triangle.surface] += passed;
-    tile.triangles[id] = {&triangle, &part};
+    tile.triangles[id] = {&triangle, nullptr, &part};
     tile.triangle_count += passed > 0;
   }
-}
-
-void collect(const TileFragments& tile, const TileRect& rect, int row, const Vec3f& background, Vec3f* pixels,
-             int width, ShadeBatch& batch) {
-  const hn::ScalableTag<float> d;
-  const hn::Rebind<std::int32_t, decltype(d)> di;
-  const std::size_t lanes = hn::Lanes(d);
-  const auto none = hn::Set(di, static_cast<std::int32_t>(TileFragments::none));
-  const std::size_t first = static_cast<std::size_t>(row - rect.y0) * fast_tile;
-  const auto wide = static_cast<std::size_t>(rect.width());
-  const std::int32_t first_pixel = row * width + rect.x0;
-  for (std::size_t x = 0; x < wide; x += lanes) {
-    const auto inside = hn::FirstN(di, wide - x);
-    const auto ids = hn::BitCast(di, hn::LoadU(hn::Rebind<std::uint32_t, decltype(d)>(), tile.id.data() + first + x));
-    const auto seen = hn::AndNot(hn::Eq(ids, none), inside);
-    const std::size_t count = hn::CountTrue(di, seen);
-    if (count < std::min(lanes, wide - x))
-      std::fill_n(pixels + first_pixel + static_cast<std::ptrdiff_t>(x), std::min(lanes, wide - x), background);
-    if (count == 0) continue;
-    const auto at = static_cast<std::size_t>(batch.count);
-    const auto seen_float = hn::RebindMask(d, seen);
-    const auto numbers = hn::Iota(di, first_pixel + static_cast<std::int32_t>(x));
-    const auto z = hn::Div(hn::Set(d, 1.0f), hn::LoadU(d, tile.inverse_z.data() + first + x));
-    const bool all = count == lanes;
-    hn::StoreU(all ? numbers : hn::Compress(numbers, seen), di, batch.pixels.data() + at);
-    hn::StoreU(all ? ids : hn::Compress(ids, seen), di, batch.rows.data() + at);
-    hn::StoreU(all ? z : hn::Compress(z, seen_float), d, batch.z.data() + at);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto weight = hn::LoadU(d, tile.weights[i].data() + first + x);
-      hn::StoreU(all ? weight : hn::Compress(weight, seen_float), d, batch.weights[i].data() + at);
-    }
-    batch.count += static_cast<int>(count);
-  }
-}
-
-bool write(const ShadeBatch& batch, Vec3f* pixels) {
-  const hn::ScalableTag<float> d;
-  const std::size_t lanes = hn::Lanes(d);
-  const auto count = static_cast<std::size_t>(batch.count);
-  bool nan = false;
-  for (std::size_t i = 0; i < count; i += lanes) {
-    const auto red = hn::LoadU(d, batch.red.data() + i), green = hn::LoadU(d, batch.green.data() + i),
-               blue = hn::LoadU(d, batch.blue.data() + i);
-    const std::size_t here = std::min(lanes, count - i);
-    const auto bad = hn::Or(hn::Or(hn::Ne(red, red), hn::Ne(green, green)), hn::Ne(blue, blue));
-    nan = nan || !hn::AllFalse(d, hn::And(bad, hn::FirstN(d, here)));
-    if (here == lanes && batch.pixels[i + lanes - 1] - batch.pixels[i] == static_cast<std::int32_t>(lanes) - 1) {
-      hn::StoreInterleaved3(red, green, blue, d, &pixels[batch.pixels[i]].x);
-    } else {
-      for (std::size_t k = i; k < i + here; ++k)
-        pixels[batch.pixels[k]] = Vec3f(batch.red[k], batch.green[k], batch.blue[k]);
-    }
-  }
-  return nan;
 }
 
 }  // namespace ps::raster::HWY_NAMESPACE
@@ -310,16 +281,16 @@ void TileFragments::start(std::size_t entries, std::size_t surfaces) {
   replaced.clear();
 }
 
-TileKernels tile_kernels(Simd simd) {
+CoverTile cover_kernel(Simd simd) {
 #if HWY_ARCH_X86
   const std::int64_t have = hwy::SupportedTargets();
-  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return {N_AVX3::cover, N_AVX3::collect, N_AVX3::write};
-  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return {N_AVX2::cover, N_AVX2::collect, N_AVX2::write};
-  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return {N_SSE4::cover, N_SSE4::collect, N_SSE4::write};
+  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::cover;
+  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::cover;
+  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::cover;
 #else
   static_cast<void>(simd);
 #endif
-  return {};
+  return nullptr;
 }
 
 }  // namespace ps::raster

@@ -1,0 +1,233 @@
+#include "raster/fast/attribute_rows.h"
+
+#include <algorithm>
+
+#include "hwy/cache_control.h"
+#include "raster/corner_attributes.h"
+#include "raster/fragment.h"
+
+namespace ps::raster {
+namespace {
+
+/// Scalars are kept in fours, as vectors read them.
+constexpr int four = 4;
+
+const PackedTexture* packed_texture(const Pass<float>& pass, const Surface<float>& surface) {
+  if (!pass.packed_textures || surface.material.texture < 0) return nullptr;
+  return &(*pass.packed_textures)[static_cast<std::size_t>(surface.material.texture)];
+}
+
+FastSurface fast_surface(const Pass<float>& pass, const Surface<float>& surface) {
+  const ShadingMaterial<float>& material = surface.material;
+  const AttributeLayout& layout = surface.layout;
+  FastSurface how;
+  int next = 0;
+  const auto take = [&](int slot) {
+    if (slot == AttributeLayout::absent) return -1;
+    next += four;
+    return next - four;
+  };
+  BatchShading& shading = how.shading;
+  shading.normal = take(layout.normal);
+  shading.position = take(layout.position);
+  const int uv = take(layout.uv);
+  how.corner_size = next;
+  shading.stride = next;
+  next *= 3;
+  if (layout.shading_normal && layout.normal == AttributeLayout::absent) shading.face_normal_at = take(0);
+  shading.eye = pass.eye;
+  shading.colour = material.colour;
+  shading.source = layout.lit ? BatchLight::equation : BatchLight::none;
+  shading.specular = pass.settings.specular && material.specular;
+  shading.exponent = material.specular.value_or(1);
+  shading.faint = faint_cosine(shading.exponent);
+  shading.renormalise = pass.settings.renormalise;
+  shading.highlight = pass.settings.highlight;
+  shading.lights = pass.lights;
+  if (uv >= 0) {
+    how.textured = true;
+    shading.texture.texture = packed_texture(pass, surface);
+    shading.texture.filter = pass.settings.texture_filter;
+    shading.texture.wrap = pass.settings.texture_wrap;
+    shading.texture.mip_bias = static_cast<float>(pass.settings.mip_bias);
+    shading.texture.uv = uv;
+    shading.steps_at = take(0);
+    take(0);
+  }
+  how.row_size = std::max(next, four);
+  return how;
+}
+
+}  // namespace
+
+std::vector<FastSurface> fast_surfaces(const Pass<float>& pass) {
+  std::vector<FastSurface> surfaces;
+  for (const Surface<float>& surface : pass.surfaces) surfaces.push_back(fast_surface(pass, surface));
+  return surfaces;
+}
+
+namespace {
+
+/// Where a triangle that nothing cut comes from.
+struct Origin {
+  std::uint32_t object = 0, triangle = 0, surface = 0;
+  bool operator==(const Origin&) const = default;
+};
+Origin origin_of(const TileTriangle& seen) {
+  if (seen.triangle) return {seen.triangle->object, seen.triangle->triangle, seen.triangle->surface};
+  return {seen.fragment->object, seen.fragment->triangle, seen.fragment->surface};
+}
+
+/// Changes of the weights along x and along y, as uv_derivatives() takes them.
+std::array<std::array<float, 3>, 2> weight_steps(const std::array<std::array<std::int64_t, 3>, 2>& steps,
+                                                 float inverse_area) {
+  std::array<std::array<float, 3>, 2> changes;
+  for (std::size_t along = 0; along < 2; ++along)
+    for (std::size_t i = 0; i < 3; ++i) changes[along][i] = static_cast<float>(steps[along][i]) * inverse_area;
+  return changes;
+}
+
+}  // namespace
+
+void AttributeRows::start(const TileFragments& tile) {
+  tile_ = &tile;
+  begin_.assign(tile.triangle_count, missing);
+  used_ = 0;
+  std::uint32_t last = TileFragments::none;
+  for (const std::uint32_t id : tile.id) {
+    if (id == last) continue;
+    last = id;
+    if (id != TileFragments::none) begin_[id] = seen;
+  }
+  constexpr std::uint32_t ahead = 8;
+  Origin before{TileFragments::none, 0, 0};
+  std::uint32_t row_before = missing;
+  for (std::uint32_t id = 0; id < tile.triangle_count; ++id) {
+    if (id + ahead < tile.triangle_count && begin_[id + ahead] == seen) fetch(tile.triangles[id + ahead]);
+    if (begin_[id] != seen) continue;
+    if (tile.triangles[id].triangle) {
+      make_row(id);
+      continue;
+    }
+    const Origin origin = origin_of(tile.triangles[id]);
+    if (origin != before) row_before = make_row(id);
+    begin_[id] = row_before;
+    before = origin;
+  }
+}
+
+/// The triangle will soon be read.
+void AttributeRows::fetch(const TileTriangle& triangle) const {
+  if (triangle.triangle && triangle.triangle->is_general()) return;
+  const Origin origin = origin_of(triangle);
+  hwy::Prefetch(&pass_.objects[origin.object].mesh->triangles[origin.triangle]);
+}
+
+std::uint32_t AttributeRows::make_row(std::uint32_t id) {
+  const TileTriangle& triangle = tile_->triangles[id];
+  const FastSurface& how = surfaces_[triangle.surface()];
+  const auto begin = static_cast<std::uint32_t>(used_);
+  used_ += static_cast<std::size_t>(how.row_size);
+  if (numbers_.size() < used_) numbers_.resize(2 * used_ + 4096);
+  float* const row = numbers_.data() + begin;
+  if (how.corner_size == 0 && how.shading.face_normal_at < 0) return begin_[id] = begin;
+  if (triangle.triangle && triangle.triangle->is_general())
+    fill_piece(triangle, how, row);
+  else
+    fill_corners(triangle, how, row);
+  if (how.shading.steps_at >= 0) fill_steps(triangle, how, row);
+  return begin_[id] = begin;
+}
+
+/// What uv_derivatives() computes for the triangle as a whole.
+void AttributeRows::fill_steps(const TileTriangle& triangle, const FastSurface& how, float* row) const {
+  std::array<std::array<float, 3>, 2> changes;
+  std::array<float, 3> inverse_z;
+  if (!triangle.triangle) {
+    const Origin origin = origin_of(triangle);
+    const VertexBuffer<float>& vertices = vertices_[origin.object];
+    const MeshTriangle& mesh_triangle = pass_.objects[origin.object].mesh->triangles[origin.triangle];
+    std::array<FixedPoint, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexPlace& place = vertices.places[mesh_triangle.position[k]];
+      corners[k] = {place.column, place.row};
+      inverse_z[k] = vertices.camera[mesh_triangle.position[k]].w;
+    }
+    const TriangleEdges edges = *make_edges(corners, pass_.grid);
+    changes = weight_steps({edges.step_x, edges.step_y}, 1.0f / static_cast<float>(edges.area));
+  } else if (triangle.triangle->is_general()) {
+    const LargeTriangle& large = triangle.part->large[triangle.triangle->triangle];
+    changes = weight_steps({large.edges.step_x, large.edges.step_y}, large.inverse_area);
+    inverse_z = triangle.triangle->inverse_z;
+  } else {
+    const FastTriangle& record = *triangle.triangle;
+    const auto three = [](const std::array<std::int32_t, 2>& step) {
+      return std::array<std::int64_t, 3>{step[0], step[1], -std::int64_t{step[0]} - step[1]};
+    };
+    changes = weight_steps({three(record.step_x), three(record.step_y)}, record.inverse_area);
+    inverse_z = record.inverse_z;
+  }
+  const auto stride = static_cast<std::size_t>(how.corner_size);
+  const float* a = row + how.shading.texture.uv;
+  float* to = row + how.shading.steps_at;
+  for (const std::array<float, 3>& change : changes) {
+    to[0] = change[0] * a[0] + change[1] * a[stride] + change[2] * a[2 * stride];
+    to[1] = change[0] * a[1] + change[1] * a[stride + 1] + change[2] * a[2 * stride + 1];
+    to[2] = weighted(change, inverse_z);
+    to += four;
+  }
+}
+
+/// A piece of a triangle that something cut carries what the clear path gave it.
+void AttributeRows::fill_piece(const TileTriangle& triangle, const FastSurface& how, float* row) const {
+  const FastTriangle& record = *triangle.triangle;
+  const BatchShading& shading = how.shading;
+  const ScreenTriangle<float>& piece = triangle.part->cut.triangles[record.triangle];
+  const AttributeLayout& layout = pass_.surfaces[record.surface].layout;
+  if (shading.face_normal_at >= 0) {
+    float* const to = row + shading.face_normal_at;
+    for (int axis = 0; axis < 3; ++axis) to[axis] = piece.face_normal[axis];
+  }
+  const float* from = triangle.part->cut.attributes.data() + piece.attributes;
+  for (std::size_t k = 0; k < 3; ++k, row += how.corner_size, from += layout.count) {
+    if (shading.normal >= 0) std::copy_n(from + layout.normal, 3, row + shading.normal);
+    if (shading.position >= 0) std::copy_n(from + layout.position, 3, row + shading.position);
+    if (how.textured) std::copy_n(from + layout.uv, 2, row + shading.texture.uv);
+  }
+}
+
+void AttributeRows::fill_corners(const TileTriangle& triangle, const FastSurface& how, float* row) const {
+  const Origin origin = origin_of(triangle);
+  const BatchShading& shading = how.shading;
+  const DrawObject& object = pass_.objects[origin.object];
+  const MeshTriangle& mesh_triangle = object.mesh->triangles[origin.triangle];
+  const VertexBuffer<float>& vertices = vertices_[origin.object];
+  CornerSource<float> source{object.mesh.get(), &mesh_triangle, &vertices, {}};
+  if (reads_face_normal(pass_, pass_.surfaces[origin.surface], source))
+    source.face_normal = face_normal<float>(object, mesh_triangle);
+  if (shading.face_normal_at >= 0) {
+    float* const to = row + shading.face_normal_at;
+    for (int axis = 0; axis < 3; ++axis) to[axis] = source.face_normal[axis];
+  }
+  const auto put = [](float* to, const Vec4f& value, float share) {
+    for (int i = 0; i < four; ++i) to[i] = value[i] * share;
+  };
+  const bool own_normals = pass_.settings.normals == Normals::vertex && !vertices.normals.empty();
+  for (std::size_t k = 0; k < 3; ++k, row += how.corner_size) {
+    const float share = vertices.camera[mesh_triangle.position[k]].w;
+    const auto n = mesh_triangle.normal[k];
+    if (shading.normal >= 0) {
+      const bool own = own_normals && n >= 0;
+      put(row + shading.normal, own ? vertices.normals[static_cast<std::size_t>(n)] : Vec4f(source.face_normal, 0),
+          share);
+    }
+    if (shading.position >= 0) put(row + shading.position, vertices.world[mesh_triangle.position[k]], share);
+    if (!how.textured) continue;
+    const auto index = mesh_triangle.uv[k];
+    const Vec2d uv = index >= 0 ? object.mesh->uvs[static_cast<std::size_t>(index)] : Vec2d(0);
+    row[shading.texture.uv] = static_cast<float>(uv.x) * share;
+    row[shading.texture.uv + 1] = static_cast<float>(uv.y) * share;
+  }
+}
+
+}  // namespace ps::raster

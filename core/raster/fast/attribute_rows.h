@@ -1,0 +1,58 @@
+#pragma once
+#include <vector>
+
+#include "raster/fast/tile.h"
+#include "raster/shade_batch.h"
+
+namespace ps::raster {
+
+/// How the fragments of one surface are shaded, and where a triangle's numbers lie in its row: three corners one after
+/// the other, then what the triangle has once. Every slot begins at a multiple of 4.
+struct FastSurface {
+  BatchShading shading;  ///< its attributes are the row
+  int corner_size = 0;   ///< scalars of a corner
+  int row_size = 0;      ///< scalars in all
+  bool textured = false;
+};
+
+/// For every surface of the pass.
+std::vector<FastSurface> fast_surfaces(const Pass<float>& pass);
+
+/// What the triangles seen in a tile carry, made when it is first asked for. Keeps its memory from tile to tile.
+class AttributeRows {
+ public:
+  AttributeRows(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
+                const std::vector<FastSurface>& surfaces)
+      : pass_(pass), vertices_(vertices), surfaces_(surfaces) {}
+
+  /// The rows will be those of this tile. Makes them for all that is seen, in drawing order, in which vertices mostly
+  /// follow each other in memory. Fragments of one triangle share a row.
+  void start(const TileFragments& tile);
+  /// Where the row of the tile's triangle `id` begins in numbers(), which may move when a row is made.
+  std::uint32_t row_of(std::uint32_t id) {
+    const std::uint32_t begin = begin_[id];
+    return begin < seen ? begin : make_row(id);
+  }
+  const float* numbers() const { return numbers_.data(); }
+  const std::vector<FastSurface>& surfaces() const { return surfaces_; }
+
+ private:
+  static constexpr std::uint32_t missing = 0xffffffff;
+  static constexpr std::uint32_t seen = missing - 1;  ///< and still missing
+
+  std::uint32_t make_row(std::uint32_t id);
+  void fetch(const TileTriangle& triangle) const;
+  void fill_piece(const TileTriangle& triangle, const FastSurface& how, float* row) const;
+  void fill_corners(const TileTriangle& triangle, const FastSurface& how, float* row) const;
+  void fill_steps(const TileTriangle& triangle, const FastSurface& how, float* row) const;
+
+  const Pass<float>& pass_;
+  const std::vector<VertexBuffer<float>>& vertices_;
+  const std::vector<FastSurface>& surfaces_;
+  const TileFragments* tile_ = nullptr;
+  std::vector<std::uint32_t> begin_;  ///< of each of the tile's triangles
+  BlockVector<float> numbers_;
+  std::size_t used_ = 0;  ///< of them
+};
+
+}  // namespace ps::raster

@@ -1,0 +1,147 @@
+// Shading of a vector of fragments: shade_fragment.h and shade/illumination.h, operation by operation, compiled once
+// for each SIMD target (Highway).
+#if defined(PIXELSCOPE_SHADE_BATCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PIXELSCOPE_SHADE_BATCH_INL_H_
+#undef PIXELSCOPE_SHADE_BATCH_INL_H_
+#else
+#define PIXELSCOPE_SHADE_BATCH_INL_H_
+#endif
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/power-inl.h"
+#include "math/vec3-inl.h"
+#include "raster/shade_batch.h"
+#include "raster/texture_batch-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ps::raster::HWY_NAMESPACE {
+namespace shading {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+
+using V3 = ps::HWY_NAMESPACE::Vec3Lanes<D>;
+
+HWY_INLINE V splat(float value) { return hn::Set(D(), value); }
+HWY_INLINE V3 splat3(const Vec3f& value) { return ps::HWY_NAMESPACE::same_in_lanes<D>(value); }
+
+// A Source gives what the fragments' triangles carry: vector(slot) and pair(slot) interpolate three or two scalars of
+// the corners, constant(at) reads three of the triangle's own.
+
+template <class Source>
+HWY_INLINE texture::Colour read_texture(const BatchShading& shading, const Source& source, V z, M seen,
+                                        std::uint64_t& texels) {
+  const V3 uv = source.pair(shading.texture.uv);
+  texture::Steps steps;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const BatchTexture::Step& step = shading.texture.steps[i];
+    V3 change{splat(step.u), splat(step.v), splat(step.inverse_z)};
+    if (shading.steps_at >= 0) change = source.constant(shading.steps_at + 4 * static_cast<int>(i));
+    steps[i] = {change.x, change.y, change.z};
+  }
+  return texture::sample(shading.texture, steps, uv.x, uv.y, z, seen, texels);
+}
+
+HWY_INLINE void add_light(V3& sum, M mask, const Vec3f& colour, V amount) {
+  const V3 more{hn::Add(sum.x, hn::Mul(splat(colour.x), amount)), hn::Add(sum.y, hn::Mul(splat(colour.y), amount)),
+                hn::Add(sum.z, hn::Mul(splat(colour.z), amount))};
+  sum = choose(mask, more, sum);
+}
+
+/// One point or directional light: diffuse, then its highlight.
+HWY_INLINE void add_casting_light(const BatchShading& shading, const ShadingLight<float>& light, const V3& position,
+                                  const V3& normal, V normal_length, V3& sum) {
+  const D d;
+  const V zero = hn::Zero(d);
+  const V intensity = splat(light.intensity);
+  const V3 vector = splat3(light.vector);
+  const V3 to_light = light.kind == LightKind::point ? subtract(vector, position) : vector;
+  const V n_dot_l = dot(normal, to_light);
+  const V light_distance = length(to_light);
+  add_light(sum, hn::Gt(n_dot_l, zero), light.colour,
+            hn::Div(hn::Mul(intensity, n_dot_l), hn::Mul(normal_length, light_distance)));
+  if (!shading.specular) return;
+  V3 a = normal;
+  V3 b = subtract(splat3(shading.eye), position);
+  switch (shading.highlight) {
+  case Highlight::phong:
+    a = subtract(scale(normal, hn::Mul(splat(2), n_dot_l)), to_light);
+    break;
+  case Highlight::blinn_phong:
+    b = add(divide(to_light, light_distance), divide(b, length(b)));
+    break;
+  }
+  const V product = dot(a, b);
+  const M bright = hn::Gt(product, zero);
+  if (hn::AllFalse(d, bright)) return;
+  const V cosine = hn::Div(product, hn::Mul(length(a), length(b)));
+  // Where the light so far is not dark, a highlight below a quarter of its last bit is not worth its power.
+  const auto largest = std::max({std::abs(light.colour.x), std::abs(light.colour.y), std::abs(light.colour.z)});
+  const V dark = splat(std::abs(light.intensity) * largest * 0x1p-10f);
+  const M faint = hn::And(hn::Le(cosine, splat(shading.faint)), hn::Ge(hn::Min(hn::Min(sum.x, sum.y), sum.z), dark));
+  if (hn::AllFalse(d, hn::AndNot(faint, bright))) return;
+  const V raised = ps::HWY_NAMESPACE::power_of_floats(d, cosine, splat(shading.exponent));
+  add_light(sum, bright, light.colour, hn::Mul(intensity, raised));
+}
+
+template <class Source>
+HWY_INLINE V3 light_of_equation(const BatchShading& shading, const Source& source) {
+  const V zero = hn::Zero(D());
+  V3 normal = splat3(shading.face_normal);
+  if (shading.face_normal_at >= 0) normal = source.constant(shading.face_normal_at);
+  if (shading.normal >= 0) normal = source.vector(shading.normal);
+  V3 position{zero, zero, zero};
+  if (shading.position >= 0) position = source.vector(shading.position);
+  if (shading.renormalise) {
+    const V size = length(normal);
+    normal = choose(hn::Gt(size, zero), divide(normal, size), normal);
+  }
+  const V normal_length = length(normal);
+  V3 sum{zero, zero, zero};
+  for (const ShadingLight<float>& light : shading.lights) {
+    if (light.kind == LightKind::ambient)
+      add_light(sum, hn::Eq(zero, zero), light.colour, splat(light.intensity));
+    else
+      add_casting_light(shading, light, position, normal, normal_length, sum);
+  }
+  return sum;
+}
+
+/// The colours of the fragments in the lanes of `seen`; the others get anything. `z` is the fragments' depth in camera
+/// space. Adds the texels that were read.
+template <class Source>
+HWY_INLINE V3 shade_vector(const BatchShading& shading, const Source& source, V z, M seen, std::uint64_t& texels) {
+  const V zero = hn::Zero(D());
+  // The surface's own colour: the material's, times the texture's.
+  V3 colour = splat3(shading.colour);
+  if (shading.texture.texture) {
+    const texture::Colour texel = read_texture(shading, source, z, seen, texels);
+    colour = {hn::Mul(colour.x, texel.red), hn::Mul(colour.y, texel.green), hn::Mul(colour.z, texel.blue)};
+  }
+  V3 sum{zero, zero, zero};
+  switch (shading.source) {
+  case BatchLight::none:
+    return colour;
+  case BatchLight::constant:
+    sum = splat3(shading.constant);
+    break;
+  case BatchLight::corners:
+    if (shading.light >= 0) sum = source.vector(shading.light);
+    break;
+  case BatchLight::equation:
+    sum = light_of_equation(shading, source);
+    break;
+  }
+  return {hn::Add(hn::Mul(colour.x, sum.x), zero), hn::Add(hn::Mul(colour.y, sum.y), zero),
+          hn::Add(hn::Mul(colour.z, sum.z), zero)};
+}
+
+}  // namespace shading
+}  // namespace ps::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
