@@ -42,6 +42,12 @@ std::string inspect_command(const Document& document, Side side) {
                      std::max(document.pixel.x, 0), std::max(document.pixel.y, 0));
 }
 
+std::string chart_command(const Document& document, Side side, const std::vector<std::string>& arguments) {
+  std::string text = "pixelscope-cli chart" + scene_arguments(document, side);
+  for (const std::string& argument : arguments) text += " " + shell_quote(argument);
+  return text + " --out chart";
+}
+
 std::string window_command(const Document& document) {
   return "pixelscope --permalink " + shell_quote(permalink(document));
 }

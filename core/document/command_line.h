@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "document/document.h"
 
@@ -12,6 +13,8 @@ namespace ps {
 std::string render_command(const Document& document, Side side, const std::string& output = "picture.png");
 /// Tells the story of the picked pixel; of pixel 0,0 when none is picked.
 std::string inspect_command(const Document& document, Side side);
+/// Measures a chart around the settings of one side. `arguments` are those of `chart` itself ("--sweep", "samples").
+std::string chart_command(const Document& document, Side side, const std::vector<std::string>& arguments);
 /// Opens the window as it is now.
 std::string window_command(const Document& document);
 

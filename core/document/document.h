@@ -59,6 +59,7 @@ struct Document {
   SideState a, b;
   Vec2i pixel{-1, -1};    ///< the picked pixel, array position; (-1, -1) = none
   Side picked = Side::a;  ///< whose story is told
+  int event = -1;         ///< the selected event of that story; -1 = none
   CompareMode compare = CompareMode::side_by_side;
   double split = 0.5;          ///< where the divider stands, share of the picture's width
   double difference_gain = 1;  ///< factor by which differences are shown

@@ -22,6 +22,13 @@ double parse_in_range(std::string_view text, double low, double high, std::strin
   return value;
 }
 
+int parse_whole(std::string_view text, int low, int high, std::string_view what) {
+  const double value = parse_in_range(text, low, high, what);
+  if (value != static_cast<int>(value))
+    throw InputError(fmt::format("{}: found {}, expected a whole number", what, text));
+  return static_cast<int>(value);
+}
+
 /// One thing that a permalink can hold. `text` gives nothing while the document has the default.
 struct Field {
   std::string_view key;
@@ -77,6 +84,8 @@ const std::vector<Field>& document_fields() {
          if (t != "a" && t != "b") throw InputError(fmt::format("picked: found '{}', expected a or b", t));
          d.picked = t == "a" ? Side::a : Side::b;
        }},
+      {"event", [](const Document& d) { return d.event < 0 ? Text{} : Text{fmt::format("{}", d.event)}; },
+       [](Document& d, std::string_view t) { d.event = parse_whole(t, 0, 10'000'000, "event"); }},
       {"show-a", [](const Document& d) { return show_text(d.a.show); },
        [](Document& d, std::string_view t) { d.a.show = parse_shown_channel(t); }},
       {"show-b", [](const Document& d) { return show_text(d.b.show); },
@@ -110,12 +119,7 @@ const std::vector<Field>& document_fields() {
       {"lesson", [](const Document& d) { return text_unless(d.lesson, ""); },
        [](Document& d, std::string_view t) { d.lesson = t; }},
       {"step", [](const Document& d) { return d.step == 0 ? Text{} : Text{fmt::format("{}", d.step)}; },
-       [](Document& d, std::string_view t) {
-         const double step = parse_in_range(t, 0, 1000, "step");
-         if (step != static_cast<int>(step))
-           throw InputError(fmt::format("step: found {}, expected a whole number", t));
-         d.step = static_cast<int>(step);
-       }},
+       [](Document& d, std::string_view t) { d.step = parse_whole(t, 0, 1000, "step"); }},
   };
   return fields;
 }

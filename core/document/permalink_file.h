@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "document/document.h"
+
+namespace ps {
+
+/// The extension of files that hold a permalink as their only line.
+inline constexpr const char* permalink_extension = ".permalink";
+
+/// The permalink that a file holds: the line of a .permalink file, or the text that pictures saved by the programs
+/// carry (PNG). Nothing for any other file, and for a picture without one. Throws InputError for a file that cannot be
+/// read.
+std::optional<std::string> permalink_in_file(const std::filesystem::path& path);
+
+/// Writes the document's permalink as a file of one line. Throws InputError where it cannot be written.
+void save_permalink(const std::filesystem::path& path, const Document& document);
+
+}  // namespace ps
