@@ -99,7 +99,24 @@ struct Describer {
         std::count_if(e.crossings.begin(), e.crossings.end(), [](const VolumeCrossing& c) { return c.change != 0; }),
         e.crossings.size(), e.count);
     if (e.stored != e.count) text += fmt::format(", stored as {}", e.stored);
-    return text + (e.stored == 0 ? ": lit" : ": in shadow");
+    text += e.stored == 0 ? ": lit" : ": in shadow";
+    for (const VolumeCrossing& crossing : e.crossings)
+      if (crossing.change != 0) text += "; " + crossing_text(crossing);
+    return text;
+  }
+  std::string crossing_text(const VolumeCrossing& c) const {
+    const std::string what = fmt::format("{:+} where the line of sight {} the shadow of {}", c.change,
+                                         c.enters ? "enters" : "leaves", object_name(scene, c.object));
+    switch (c.part) {
+    case VolumePart::lit_face:
+      return what + " at its lit face";
+    case VolumePart::far_end:
+      return what + " at its far end";
+    case VolumePart::side:
+      return what + fmt::format(" through the side of the silhouette edge {} to {}", vector_text(c.edge_from),
+                                vector_text(c.edge_to));
+    }
+    return what;
   }
   std::string operator()(const EnvironmentEvent& e) const {
     return fmt::format("cube map made at {}: face {} along {} shows {}", vector_text(e.centre), cube_face_name(e.face),
@@ -112,6 +129,7 @@ struct Describer {
   }
   std::string operator()(const FragmentEvent& e) const {
     std::string text = fmt::format("{} covers the pixel at z = {}", primitive_name(scene, e.id), number_text(e.z));
+    if (const std::string behind = behind_camera_text(e); !behind.empty()) text += fmt::format(" ({})", behind);
     switch (e.depth) {
     case FragmentEvent::Depth::passed:
       return text + ": passed the depth test";
@@ -155,6 +173,11 @@ struct Describer {
   std::string operator()(const NormalMapEvent& e) const {
     return fmt::format("normal map: {} in tangent space turns the normal {} to {}", vector_text(e.stored),
                        vector_text(e.before), vector_text(e.after));
+  }
+  std::string operator()(const ParallaxEvent& e) const {
+    return fmt::format(
+        "parallax: the line of sight meets the relief at depth {} of 1, so texture coordinates {} become {}",
+        number_text(e.depth), vector_text(e.from), vector_text(e.to));
   }
   std::string operator()(const PixelEvent& e) const {
     return fmt::format("pixel {}, stored as {}, {}, {}", vector_text(e.linear), e.display[0], e.display[1],

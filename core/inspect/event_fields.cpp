@@ -228,17 +228,21 @@ Fields fields(const ShadowMapEvent& e) {
 }
 
 Fields fields(const StencilEvent& e) {
-  std::vector<double> objects, depths, changes;
+  std::vector<double> objects, depths, changes, sides;
   std::vector<bool> enters;
   for (const VolumeCrossing& crossing : e.crossings) {
     objects.push_back(crossing.object);
     depths.push_back(crossing.z);
     changes.push_back(crossing.change);
     enters.push_back(crossing.enters);
+    if (crossing.part != VolumePart::side) continue;
+    for (const Vec3d& end : {crossing.edge_from, crossing.edge_to}) sides.insert(sides.end(), {end.x, end.y, end.z});
   }
-  return {{"light", whole(e.light)}, {"surface-z", e.surface_z}, {"volume-of", objects},
-          {"volume-z", depths},      {"enters", enters},         {"change", changes},
-          {"count", whole(e.count)}, {"stored", whole(e.stored)}};
+  return {{"light", whole(e.light)},  {"silhouette-edges", whole(e.silhouette_edges)},
+          {"surface-z", e.surface_z}, {"volume-of", objects},
+          {"volume-z", depths},       {"enters", enters},
+          {"change", changes},        {"edges-of-sides", sides},
+          {"count", whole(e.count)},  {"stored", whole(e.stored)}};
 }
 
 Fields fields(const EnvironmentEvent& e) {
@@ -249,6 +253,11 @@ Fields fields(const EnvironmentEvent& e) {
           {"result", list(e.result)}};
 }
 
+Fields fields(const ParallaxEvent& e) {
+  return {{"texture", whole(e.texture)}, {"from", list(e.from)}, {"to", list(e.to)},
+          {"shift", list(e.shift)},      {"depth", e.depth},     {"relief-depths", e.relief}};
+}
+
 Fields fields(const PixelEvent& e) {
   return {{"linear", list(e.linear)}, {"display", std::vector<double>(e.display.begin(), e.display.end())}};
 }
@@ -257,7 +266,7 @@ constexpr std::array<std::string_view, std::variant_size_v<EventData>> kinds{
     "ray",        "node",       "sphere-test", "triangle-test", "hit",      "miss",    "texture",
     "light",      "shade",      "reflection",  "reject",        "fragment", "write",   "line",
     "pixel",      "solid-test", "refraction",  "coverage",      "sample",   "compare", "reuse",
-    "normal-map", "shadow-map", "stencil",     "environment"};
+    "normal-map", "shadow-map", "stencil",     "environment",   "parallax"};
 
 }  // namespace
 

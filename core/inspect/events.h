@@ -242,6 +242,16 @@ struct NormalMapEvent {
   Vec3d tangent{1, 0, 0}, bitangent{0, 1, 0}, before{0, 0, 1}, after{0, 0, 1};
 };
 
+/// Parallax mapping: where on its texture a point of a relief is read (shade/parallax_mapping.h). Depths from 0 at the
+/// surface to 1 at the bottom of the relief.
+struct ParallaxEvent {
+  int texture = 0;             ///< the height map
+  Vec2d from{0, 0}, to{0, 0};  ///< texture coordinates of the surface, and those that are read instead
+  Vec2d shift{0, 0};           ///< from the top of the relief to its bottom along the line of sight, in u and v
+  double depth = 0;            ///< where the line of sight is taken to meet the relief
+  std::vector<double> relief;  ///< depths that the map holds, in the order in which it was read
+};
+
 /// The finished pixel. The last event of every story.
 struct PixelEvent {
   Vec3d linear{0, 0, 0};
@@ -252,7 +262,7 @@ using EventData =
     std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent, TextureEvent, LightEvent,
                  ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent, WriteEvent, LineEvent, PixelEvent,
                  SolidTestEvent, RefractionEvent, CoverageEvent, SampleEvent, CompareEvent, ReuseEvent, NormalMapEvent,
-                 ShadowMapEvent, StencilEvent, EnvironmentEvent>;
+                 ShadowMapEvent, StencilEvent, EnvironmentEvent, ParallaxEvent>;
 
 /// One event with its place in the tree: `parent` is the index of the event it belongs to, -1 at the top.
 struct Event {

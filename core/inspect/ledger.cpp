@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "inspect/display_lines.h"
@@ -90,8 +91,9 @@ bool nearly_equal(const Vec3d& a, const Vec3d& b) {
   return true;
 }
 
-/// How the colour that write `index` brought was made, by what the kernel reported since its fragment began.
-Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, int level) {
+/// How the colour that write `index` brought was made, by what the kernel reported since its fragment began, scaled by
+/// `share`.
+Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, double share, int level) {
   ShadingEvents shading;
   int mirror = -1;
   shading.id = event_as<WriteEvent>(story.events, index).id;
@@ -102,26 +104,74 @@ Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, i
     if (std::holds_alternative<ReflectionEvent>(data) && mirror < 0) mirror = i;
     if (std::holds_alternative<LightEvent>(data)) shading.lights.insert(shading.lights.begin(), i);
   }
-  if (mirror < 0) return shading.shade < 0 ? Lines{} : light_terms(story, scene, shading, 1, level);
+  if (mirror < 0) return shading.shade < 0 ? Lines{} : light_terms(story, scene, shading, share, level);
   const auto& event = event_as<ReflectionEvent>(story.events, mirror);
   const double own = 1 - event.reflective;
-  Lines lines{{level, fmt::format("{} of its own colour", number_text(own)), own * event.local, mirror}};
-  if (shading.shade >= 0) append(lines, light_terms(story, scene, shading, own, level + 1));
+  Lines lines{{level, fmt::format("{} of its own colour", number_text(own)), share * own * event.local, mirror}};
+  if (shading.shade >= 0) append(lines, light_terms(story, scene, shading, share * own, level + 1));
   lines.push_back({level, fmt::format("{} of what its cube map shows", number_text(event.reflective)),
-                   event.reflective * event.reflected, mirror});
+                   share * event.reflective * event.reflected, mirror});
   return lines;
 }
+
+/// The numbers of the samples that write `index` reached, with multisampling: the kernel tells them beside it.
+const CoverageEvent* written_samples(const PixelStory& story, int index) {
+  const int parent = story.events[static_cast<std::size_t>(index)].parent;
+  const FragmentEvent* fragment =
+      parent < 0 ? nullptr : std::get_if<FragmentEvent>(&story.events[static_cast<std::size_t>(parent)].data);
+  if (!fragment || fragment->samples < 2) return nullptr;
+  for (int i = index - 1; i > parent; --i)
+    if (const auto* coverage = std::get_if<CoverageEvent>(&story.events[static_cast<std::size_t>(i)].data))
+      return coverage;
+  return nullptr;
+}
+
+/// The samples of a pixel that is drawn with multisampling, and which write each of them shows.
+class SampleOwners {
+ public:
+  void write(const CoverageEvent& samples, int index) {
+    if (owners_.empty()) owners_.assign(static_cast<std::size_t>(samples.tests), background);
+    for (const double sample : samples.values) owners_.at(static_cast<std::size_t>(sample)) = index;
+  }
+  /// The pixel as the mean of its samples, those of one write told together.
+  Lines lines(const PixelStory& story, const Scene& scene) const {
+    Lines lines;
+    std::vector<int> order(owners_);
+    std::sort(order.begin(), order.end());
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    for (const int owner : order) {
+      const auto count = std::count(owners_.begin(), owners_.end(), owner);
+      const double share = static_cast<double>(count) / static_cast<double>(owners_.size());
+      const std::string of = fmt::format("on {} of {} samples", count, owners_.size());
+      if (owner == background) {
+        lines.push_back({0, "background " + of, share * scene.background, -1});
+        continue;
+      }
+      const auto& write = event_as<WriteEvent>(story.events, owner);
+      lines.push_back(
+          {0, fmt::format("{}: its colour {}", primitive_name(scene, write.id), of), share * write.shaded, owner});
+      append(lines, shading_of_write(story, scene, owner, share, 1));
+    }
+    return lines;
+  }
+
+ private:
+  static constexpr int background = -1;
+  std::vector<int> owners_;  // the write that each sample shows
+};
 
 void add_write(const PixelStory& story, const Scene& scene, int index, Lines& lines) {
   const auto& write = event_as<WriteEvent>(story.events, index);
   const std::string name = write.id.object >= 0 ? primitive_name(scene, write.id) : "shape on the canvas";
-  if (nearly_equal(write.after, write.shaded)) {
+  // On a dark pixel a sum of two passes is nearly the second one, too.
+  const bool adds = write.after != write.shaded && nearly_equal(write.after, write.before + write.shaded);
+  if (!adds && nearly_equal(write.after, write.shaded)) {
     lines.clear();
     lines.push_back({0, fmt::format("{}: its colour", name), write.shaded, index});
-    append(lines, shading_of_write(story, scene, index, 1));
+    append(lines, shading_of_write(story, scene, index, 1, 1));
     return;
   }
-  if (nearly_equal(write.after, write.before + write.shaded)) {
+  if (adds) {
     if (lines.empty()) lines.push_back({0, "background", write.before, index});
     lines.push_back({0, fmt::format("{}: adds its colour", name), write.shaded, index});
     return;
@@ -156,17 +206,22 @@ Lines sample_lines(const PixelStory& story, const Scene& scene, const std::vecto
       if (event.parent < index) break;
     }
   }
-  add_rounding(lines, story.linear, samples.back());
   return lines;
 }
 
 Lines fragment_lines(const PixelStory& story, const Scene& scene) {
   Lines lines;
   bool written = false;
+  SampleOwners samples;
   for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
     const EventData& data = story.events[static_cast<std::size_t>(i)].data;
     if (std::holds_alternative<WriteEvent>(data)) {
-      add_write(story, scene, i, lines);
+      if (const CoverageEvent* reached = written_samples(story, i)) {
+        samples.write(*reached, i);
+        lines = samples.lines(story, scene);
+      } else {
+        add_write(story, scene, i, lines);
+      }
       written = true;
     }
     if (const auto* line = std::get_if<LineEvent>(&data)) {
@@ -190,6 +245,7 @@ std::vector<LedgerLine> story_ledger(const PixelStory& story, const Scene& scene
     add_ray(story, scene, eye, 1, 0, lines);
   else
     lines = fragment_lines(story, scene);
+  add_rounding(lines, story.linear, static_cast<int>(story.events.size()) - 1);
   append(lines, display_lines(story, settings));
   return lines;
 }

@@ -1,5 +1,7 @@
 #include "inspect/reason_text.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace ps {
@@ -178,6 +180,14 @@ std::string reject_count_text(RejectReason reason, std::size_t count) {
     return fmt::format("{} {} behind the camera", count, triangles);
   }
   return {};
+}
+
+std::string behind_camera_text(const FragmentEvent& fragment) {
+  const auto behind =
+      std::count_if(fragment.corner_depth.begin(), fragment.corner_depth.end(), [](double z) { return !(z > 0); });
+  if (behind == 0) return {};
+  if (behind == 3) return "all its corners lie behind the camera";
+  return behind == 1 ? "one of its corners lies behind the camera" : "two of its corners lie behind the camera";
 }
 
 }  // namespace ps

@@ -27,12 +27,17 @@ struct ShadowMapEvent {
   double visible = 1;  ///< share of the taps that are lit
 };
 
+/// Which face of a shadow volume: what the light falls on, a side that a silhouette edge throws, or the far end.
+enum class VolumePart { lit_face, side, far_end };
+
 /// A side or cap of a shadow volume that covers the pixel.
 struct VolumeCrossing {
   int object = 0;      ///< whose shadow
   bool enters = true;  ///< the line of sight goes in: a front face of the volume
   double z = 0;        ///< camera space
   int change = 0;      ///< what it did to the stencil buffer; 0 = it lay on the side that does not count
+  VolumePart part = VolumePart::side;
+  Vec3d edge_from{0, 0, 0}, edge_to{0, 0, 0};  ///< of a side: the silhouette edge where it begins, world space
 };
 
 /// A pixel's count in the stencil buffer of one light (CGFS ch. 15).
@@ -40,8 +45,9 @@ struct StencilEvent {
   int light = 0;
   double surface_z = 0;  ///< of the nearest surface, camera space
   std::vector<VolumeCrossing> crossings;
-  int count = 0;   ///< sum of the changes
-  int stored = 0;  ///< what the buffer holds after wrapping; 0 = lit
+  int silhouette_edges = 0;  ///< of all volumes of the light
+  int count = 0;             ///< sum of the changes
+  int stored = 0;            ///< what the buffer holds after wrapping; 0 = lit
 };
 
 /// A mirrored direction was looked up in a cube map (CGFS ch. 15).

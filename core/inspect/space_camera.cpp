@@ -76,7 +76,8 @@ void add_camera(const SpaceInputs& inputs, SpaceModel& model) {
   add_grid(image, model);
   model.items.push_back({SpaceKind::image_plane, SpaceShape::outline, corners});
   const double near = image.near_depth(inputs.settings.near);
-  if (near > 0 && near < 10 * inputs.bounds.radius) {
+  const bool cuts = inputs.settings.renderer == Renderer::ray_tracer || inputs.settings.clipping != Clipping::none;
+  if (cuts && near > 0 && near < 10 * inputs.bounds.radius) {
     model.items.push_back({SpaceKind::clip_plane, SpaceShape::outline, rectangle(image, {0, 0}, {w, h}, near)});
     model.items.back().label = near == plane ? "near plane = image plane" : "near plane";
   }

@@ -8,8 +8,7 @@
 namespace ps {
 namespace {
 
-constexpr double sunward_share = 0.75;  // how far a directional light's line goes, of the bounds' radius
-constexpr double behind_share = 2.4;    // how far a line of sight goes that meets nothing
+constexpr double behind_share = 2.4;  // how far a line of sight goes that meets nothing
 
 using Polygon = std::vector<Vec2d>;
 

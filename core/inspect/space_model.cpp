@@ -23,6 +23,8 @@ SpaceModel build_space(const Scene& scene, const View& view, const Settings& set
     case Renderer::rasterizer:
       add_fragments(inputs, model);
       break;
+    case Renderer::textbook:  // its story is told by the lines of the listing
+      break;
     }
   }
   for (const SpaceItem& item : model.items) {

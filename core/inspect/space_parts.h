@@ -18,6 +18,9 @@ struct SpaceInputs {
   SpaceBounds bounds;
 };
 
+/// How far a line towards a directional light goes, of the bounds' radius.
+inline constexpr double sunward_share = 0.75;
+
 /// Around eye, image, lights, and objects that are not ground.
 SpaceBounds space_bounds(const SpaceInputs& inputs);
 

@@ -12,8 +12,7 @@
 namespace ps {
 namespace {
 
-constexpr double endless_share = 0.8;   // how long a ray that meets nothing is drawn, of the bounds' radius
-constexpr double sunward_share = 0.75;  // likewise a shadow ray towards a directional light
+constexpr double endless_share = 0.8;  // how long a ray that meets nothing is drawn, of the bounds' radius
 
 class RayParts {
  public:

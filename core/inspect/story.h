@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "options/settings.h"
 
 namespace ps {
+
+struct ListingTrace;
 
 /// One line of the sum that makes the pixel's colour. `level` indents; a line's value is the sum of the lines one level
 /// deeper that follow it, where there are any. Lines of level 0 add up to the pixel.
@@ -30,6 +33,8 @@ struct PixelStory {
   Counters counters;
   /// Triangles whose box, grown by a pixel, misses the pixel (or whose object was dropped whole): counted, not listed.
   std::uint64_t triangles_elsewhere = 0;
+  /// Of the textbook renderer: the values that its listing had for this pixel (textbook/trace_listing.h).
+  std::shared_ptr<const ListingTrace> listing;
 };
 
 }  // namespace ps

@@ -7,6 +7,7 @@
 #include "inspect/names.h"
 #include "math/conventions.h"
 #include "options/option.h"
+#include "textbook/trace_listing.h"
 
 namespace ps {
 namespace {
@@ -35,10 +36,36 @@ struct ValueJson {
   }
 };
 
+struct WatchJson {
+  Json operator()(bool v) const { return v; }
+  Json operator()(std::int64_t v) const { return v; }
+  Json operator()(double v) const { return v; }
+  Json operator()(const Vec2d& v) const { return Json::array({v.x, v.y}); }
+  Json operator()(const Vec3d& v) const { return list(v); }
+  Json operator()(const std::string& v) const { return v; }
+};
+
 Json event_json(const Event& event, const Scene& scene) {
   Json json{{"kind", event_kind(event.data)}, {"parent", event.parent}, {"text", describe(event, scene)}};
   for (const EventField& field : event_fields(event.data))
     json[std::string(field.key)] = std::visit(ValueJson{scene}, field.value);
+  return json;
+}
+
+Json listing_json(const ListingTrace& trace) {
+  Json json{{"folder", trace.listing.folder}, {"source", trace.listing.listing->source}, {"dropped", trace.dropped}};
+  json["instances"] = Json::array();
+  for (const WatchInstance& instance : trace.instances)
+    json["instances"].push_back({{"line", instance.line},
+                                 {"name", instance.name},
+                                 {"value", watch_text(instance.value)},
+                                 {"parent", instance.parent}});
+  json["values"] = Json::array();
+  for (const Watch& watch : trace.watches)
+    json["values"].push_back({{"line", watch.line},
+                              {"name", watch.name},
+                              {"value", std::visit(WatchJson{}, watch.value)},
+                              {"instance", watch.instance}});
   return json;
 }
 
@@ -71,6 +98,7 @@ std::string story_json(const PixelStory& story, const Scene& scene, const View& 
     json["counters"][std::string(counter_key(counter))] = story.counters[counter];
   }
   json["triangles-elsewhere"] = story.triangles_elsewhere;
+  if (story.listing) json["listing"] = listing_json(*story.listing);
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -139,6 +139,17 @@ void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts
                               : fmt::format("it lies in the shadow of light {}", light + 1));
 }
 
+/// Of the fragment that wrote last.
+std::string winner_behind_camera(const PixelStory& story) {
+  const FragmentEvent* fragment = nullptr;
+  std::string text;
+  for (const Event& event : story.events) {
+    if (const auto* f = std::get_if<FragmentEvent>(&event.data)) fragment = f;
+    if (std::holds_alternative<WriteEvent>(event.data)) text = fragment ? behind_camera_text(*fragment) : "";
+  }
+  return text;
+}
+
 std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
   const WriteEvent* write = nullptr;
   const LineEvent* line = nullptr;
@@ -161,6 +172,8 @@ std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
   else
     parts.push_back("a shape on the canvas won");
   if (write) add_shadow_remarks(story, parts);
+  if (const std::string behind = winner_behind_camera(story); !behind.empty())
+    parts.push_back("it was not clipped, " + behind);
   add_fragment_remarks(story, count_events<WriteEvent>(story.events) + count_events<LineEvent>(story.events), parts);
   add_rejections(story, false, parts);
   return joined(parts);

@@ -7,10 +7,13 @@
 
 #include "inspect/describe.h"
 #include "inspect/event_fields.h"
+#include "inspect/parting/align_parts.h"
 #include "inspect/reason_text.h"
 
 namespace ps {
 namespace {
+
+using parting::EventTree;
 
 /// Above this many pairs of siblings they are matched greedily: a table of all pairs would take too long to fill.
 constexpr std::size_t most_pairs = 4'000'000;
@@ -31,33 +34,15 @@ std::string key_of(const EventData& data) {
   return std::string(event_kind(data));
 }
 
-struct Tree {
-  const PixelStory& story;
-  std::vector<std::vector<int>> children;  ///< of each event; the last entry holds the roots
-  std::vector<std::string> keys;
-
-  explicit Tree(const PixelStory& told) : story(told), children(told.events.size() + 1) {
-    for (std::size_t i = 0; i < told.events.size(); ++i) {
-      const int parent = told.events[i].parent;
-      children[parent < 0 ? told.events.size() : static_cast<std::size_t>(parent)].push_back(static_cast<int>(i));
-      keys.push_back(key_of(told.events[i].data));
-    }
-  }
-  const std::vector<int>& below(int event) const {
-    return children[event < 0 ? children.size() - 1 : static_cast<std::size_t>(event)];
-  }
-  const std::string& key(int event) const { return keys[static_cast<std::size_t>(event)]; }
-};
-
 class Aligner {
  public:
-  Aligner(const Tree& a, const Tree& b, const Scene& scene) : a_(a), b_(b), scene_(scene) {}
+  Aligner(const EventTree& a, const EventTree& b, const Scene& scene) : a_(a), b_(b), scene_(scene) {}
 
   void pair_up(int above_a, int above_b, int depth) {
     const auto& a = a_.below(above_a);
     const auto& b = b_.below(above_b);
     std::size_t i = 0, j = 0;
-    for (const auto& [partner_a, partner_b] : partners(a, b)) {
+    for (const auto& [partner_a, partner_b] : parting::common_sequence(keys(a_, a), keys(b_, b))) {
       while (i < partner_a) only_a(a[i++], depth);
       while (j < partner_b) only_b(b[j++], depth);
       const int event_a = a[i++], event_b = b[j++];
@@ -71,11 +56,13 @@ class Aligner {
   std::vector<AlignedRow> rows;
 
  private:
-  using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
-
-  std::string text(const Tree& tree, int event) const {
-    return describe(tree.story.events[static_cast<std::size_t>(event)], scene_);
+  static std::vector<std::string> keys(const EventTree& tree, const std::vector<int>& events) {
+    std::vector<std::string> keys;
+    for (const int event : events) keys.push_back(key_of(tree.event(event).data));
+    return keys;
   }
+
+  std::string text(const EventTree& tree, int event) const { return describe(tree.event(event), scene_); }
 
   void only_a(int event, int depth) {
     rows.push_back({event, -1, depth, false});
@@ -86,50 +73,60 @@ class Aligner {
     for (const int child : b_.below(event)) only_b(child, depth + 1);
   }
 
-  bool match(const std::vector<int>& a, std::size_t i, const std::vector<int>& b, std::size_t j) const {
-    return a_.key(a[i]) == b_.key(b[j]);
-  }
-
-  /// Positions of the longest common sequence of keys.
-  Pairs partners(const std::vector<int>& a, const std::vector<int>& b) const {
-    if (a.size() * b.size() > most_pairs) return greedy_partners(a, b);
-    const std::size_t width = b.size() + 1;
-    std::vector<std::uint32_t> longest((a.size() + 1) * width, 0);  // of the sequences from (i, j) on
-    for (std::size_t i = a.size(); i-- > 0;)
-      for (std::size_t j = b.size(); j-- > 0;)
-        longest[i * width + j] = match(a, i, b, j) ? longest[(i + 1) * width + j + 1] + 1
-                                                   : std::max(longest[(i + 1) * width + j], longest[i * width + j + 1]);
-    Pairs pairs;
-    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-      if (match(a, i, b, j))
-        pairs.push_back({i++, j++});
-      else if (longest[(i + 1) * width + j] >= longest[i * width + j + 1])
-        ++i;
-      else
-        ++j;
-    }
-    return pairs;
-  }
-
-  Pairs greedy_partners(const std::vector<int>& a, const std::vector<int>& b) const {
-    Pairs pairs;
-    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); ++i)
-      if (match(a, i, b, j)) pairs.push_back({i, j++});
-    return pairs;
-  }
-
-  const Tree& a_;
-  const Tree& b_;
+  const EventTree& a_;
+  const EventTree& b_;
   const Scene& scene_;
 };
 
 }  // namespace
 
 std::vector<AlignedRow> align_stories(const PixelStory& a, const PixelStory& b, const Scene& scene) {
-  const Tree tree_a(a), tree_b(b);
+  const EventTree tree_a(a), tree_b(b);
+  if (a.renderer != b.renderer) {
+    const bool ray_first = a.renderer == Renderer::ray_tracer;
+    auto rows = parting::align_ray_and_fragment(ray_first ? tree_a : tree_b, ray_first ? tree_b : tree_a, scene);
+    if (!ray_first)
+      for (AlignedRow& row : rows) std::swap(row.a, row.b);
+    if (!rows.empty()) return rows;
+  }
   Aligner aligner(tree_a, tree_b, scene);
   aligner.pair_up(-1, -1, 0);
   return std::move(aligner.rows);
 }
 
+namespace parting {
+
+EventTree::EventTree(const PixelStory& story) : story_(story), children_(story.events.size() + 1) {
+  for (std::size_t i = 0; i < story.events.size(); ++i) {
+    const int parent = story.events[i].parent;
+    children_[parent < 0 ? story.events.size() : static_cast<std::size_t>(parent)].push_back(static_cast<int>(i));
+  }
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> common_sequence(const std::vector<std::string>& a,
+                                                                 const std::vector<std::string>& b) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  if (a.size() * b.size() > most_pairs) {
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); ++i)
+      if (a[i] == b[j]) pairs.push_back({i, j++});
+    return pairs;
+  }
+  const std::size_t width = b.size() + 1;
+  std::vector<std::uint32_t> longest((a.size() + 1) * width, 0);  // of the sequences from (i, j) on
+  for (std::size_t i = a.size(); i-- > 0;)
+    for (std::size_t j = b.size(); j-- > 0;)
+      longest[i * width + j] = a[i] == b[j] ? longest[(i + 1) * width + j + 1] + 1
+                                            : std::max(longest[(i + 1) * width + j], longest[i * width + j + 1]);
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    if (a[i] == b[j])
+      pairs.push_back({i++, j++});
+    else if (longest[(i + 1) * width + j] >= longest[i * width + j + 1])
+      ++i;
+    else
+      ++j;
+  }
+  return pairs;
+}
+
+}  // namespace parting
 }  // namespace ps

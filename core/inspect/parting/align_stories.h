@@ -11,12 +11,15 @@ namespace ps {
 struct AlignedRow {
   int a = -1, b = -1;  ///< event indices; -1 = the step does not exist there
   int depth = 0;       ///< how many events lie above it
-  bool same = false;   ///< both tell the same, to the four digits that people read
+  /// Both tell the same, to the four digits that people read; a ray's event and a fragment's, where they come to the
+  /// same although their words differ.
+  bool same = false;
 };
 
 /// Puts the events of two stories of one pixel side by side: the trees are walked together, and among the children of a
 /// matched pair the longest common sequence of events about the same thing (the same primitive, light or kind of ray)
-/// is matched. Rows come in the order in which things happened, A's unmatched before B's.
+/// is matched. Rows come in the order in which things happened, A's unmatched before B's. A ray's story beside that of
+/// fragments is aligned by what both are about (align_parts.h).
 std::vector<AlignedRow> align_stories(const PixelStory& a, const PixelStory& b, const Scene& scene);
 
 }  // namespace ps

@@ -87,6 +87,15 @@ Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b)
   const Comparison c{scene, a, b};
   if (a.story.linear == b.story.linear && a.story.display == b.story.display)
     return {PartingCause::none, "Both stories end in exactly the same colour.", -1, -1};
+  if (a.story.listing || b.story.listing)
+    return {PartingCause::unexplained,
+            fmt::format("Unexplained: {} made by a textbook listing, whose story is told by its own lines; A ends in "
+                        "{} and B in {}.",
+                        a.story.listing && b.story.listing ? "both are"
+                        : a.story.listing                  ? "A is"
+                                                           : "B is",
+                        vector_text(a.story.linear), vector_text(b.story.linear)),
+            last_event(a), last_event(b)};
   const auto rays_a = eye_rays(a.story), rays_b = eye_rays(b.story);
   const std::size_t samples = std::min(rays_a.size(), rays_b.size());
   for (std::size_t k = 0; k < samples; ++k)

@@ -54,6 +54,8 @@ std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int ind
   const auto& a = event_as<LightEvent>(c.a.story.events, index_a);
   const auto& b = event_as<LightEvent>(c.b.story.events, index_b);
   if (a.blocker.has_value() == b.blocker.has_value()) return std::nullopt;
+  // A light that the surface faces away from adds nothing, blocked or not.
+  if (c.same(a.diffuse, b.diffuse) && c.same(a.specular, b.specular)) return std::nullopt;
   const bool in_a = a.blocker.has_value();
   const PixelId blocker = in_a ? *a.blocker : *b.blocker;
   const std::string light = light_name(c.scene, a.light);

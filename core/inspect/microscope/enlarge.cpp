@@ -1,0 +1,33 @@
+#include "inspect/microscope/enlarge.h"
+
+#include "render/viewport.h"
+
+namespace ps {
+
+EnlargedView enlarge(const View& view, const Settings& settings, const Vec2d& low, double side, int pixels) {
+  const Viewport<double> viewport = make_viewport<double>(view, settings);
+  const Vec2d middle = viewport.at(0, 0, low + Vec2d(side / 2));
+  EnlargedView enlarged{{view.camera, pixels, pixels}, settings};
+  Camera& camera = enlarged.view.camera;
+  camera.viewport_width = side * viewport.width / viewport.span_x;
+  camera.viewport_height = side * viewport.height / viewport.span_y;
+  const Vec3d aside = camera.right * middle.x + camera.up * middle.y;
+  // A sheared frame keeps the projection plane, and depth along the old forward axis, where they are.
+  if (viewport.projection == Projection::perspective)
+    camera.forward += aside / viewport.distance;
+  else
+    camera.position += aside;
+  Settings& how = enlarged.settings;
+  how.viewport_fit = ViewportFit::stretch;
+  how.field_of_view_span = FieldOfViewSpan::edges;
+  how.sample_position = SamplePosition::centre;
+  how.samples_per_pixel = 1;
+  how.sample_pattern = SamplePattern::grid;
+  how.adaptive_sampling = false;
+  how.subsampling = 1;
+  how.multisampling = 1;
+  how.tessellation = settings.tessellation * pixels / side;
+  return enlarged;
+}
+
+}  // namespace ps

@@ -1,0 +1,19 @@
+#pragma once
+#include "options/settings.h"
+#include "render/view.h"
+
+namespace ps {
+
+/// What to render so as to see a small part of a picture enlarged.
+struct EnlargedView {
+  View view;
+  Settings settings;  ///< one sample for each pixel, in its middle
+};
+
+/// A square part of the picture of `view` and `settings`, drawn with `pixels` pixels a side. `low` is its top left
+/// corner and `side` its size, in pixels of that picture from its top left corner; it may reach beyond the picture. The
+/// eye stays where it is and looks through a smaller piece of the same projection plane, so that both renderers draw
+/// what lies inside a pixel with the rays, or the projection, that they always use.
+EnlargedView enlarge(const View& view, const Settings& settings, const Vec2d& low, double side, int pixels);
+
+}  // namespace ps

@@ -1,0 +1,204 @@
+#include "inspect/microscope/fragments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "inspect/microscope/texels.h"
+#include "inspect/names.h"
+#include "raster/bins.h"
+#include "raster/coverage/of_triangle.h"
+#include "raster/coverage/walk.h"
+#include "raster/fragment_event.h"
+#include "raster/geometry.h"
+#include "raster/multisample.h"
+#include "raster/shade_fragment.h"
+
+namespace ps {
+namespace {
+
+using namespace raster;
+
+/// A triangle that was copied out of the picture's geometry.
+template <class Real>
+struct NearTriangle {
+  ScreenTriangle<Real> triangle;
+  std::vector<Real> attributes;  ///< of its corners, and what follows them (fragment.h)
+};
+
+template <class Real>
+class FragmentsIn final : public Microscope::Fragments {
+ public:
+  FragmentsIn(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
+              Progress& progress)
+      : pass_(make_pass<Real>(scene, view, settings, Channel::none, prepared)), pixel_(pixel) {
+    if (settings.draw != Draw::filled) return;
+    const ScreenGeometry<Real> geometry =
+        make_geometry(pass_, std::optional<Vec2i>{}, {settings.threads, {}}, progress);
+    for (const PrimitiveRef& ref : drawing_order(pass_, geometry)) {
+      const Batch<Real>& batch = geometry.batches[ref.batch];
+      const ScreenTriangle<Real>& triangle = batch.triangles[ref.index];
+      if (!is_near(triangle)) continue;
+      const auto first = batch.attributes.begin() + static_cast<std::ptrdiff_t>(triangle.attributes);
+      const auto most = std::min<std::ptrdiff_t>(batch.attributes.end() - first, most_scalars);
+      near_.push_back({triangle, {first, first + most}});
+    }
+  }
+
+  MicroReading read(const Vec2d& point) const override {
+    CoverageGrid grid = pass_.grid;
+    const auto unit = static_cast<double>(fixed_unit(grid.subpixel_bits));
+    grid.samples = 1;
+    grid.sample = {std::round(point.x * unit) / unit, std::round(point.y * unit) / unit};
+    MicroReading reading;
+    reading.point = grid.sample;
+    for (const NearTriangle<Real>& near : near_) reading.triangles.push_back(measure(near, grid));
+    reading.front = front_of(reading.triangles);
+    reading.seen = "the background";
+    if (reading.front < 0) return reading;
+    reading.seen = reading.triangles[static_cast<std::size_t>(reading.front)].name;
+    reading.texture = texture_of(near_[static_cast<std::size_t>(reading.front)], grid);
+    return reading;
+  }
+
+  std::vector<MicroSample> samples() const override {
+    std::vector<MicroSample> samples;
+    if (pass_.grid.samples == 1) {
+      samples.push_back(sample_at(pass_.grid.sample, [&](const NearTriangle<Real>& near, const TriangleEdges& edges) {
+        const auto input = coverage_input(pass_, near.triangle, edges);
+        return decide_sample<Real>(pass_.coverage, input, pixel_.x, pixel_.y).covered;
+      }));
+      return samples;
+    }
+    for (const SubSample& sample : sample_pattern(pass_.grid.samples)) {
+      const Vec2d place = pass_.grid.sample + Vec2d(sample.x, sample.y) / 16.0;
+      samples.push_back(sample_at(place, [&](const NearTriangle<Real>&, const TriangleEdges& edges) {
+        const SubSampleEdges sub = make_sub_sample_edges(edges, pass_.grid.subpixel_bits);
+        return sub.inside(sub.at(edges.at(pixel_.x, pixel_.y), sample));
+      }));
+    }
+    return samples;
+  }
+
+ private:
+  /// Corners, constants of flat shading, and the corners' weights of a piece that was cut.
+  static constexpr std::ptrdiff_t most_scalars = 3 * static_cast<std::ptrdiff_t>(max_attributes) + 6 + 9;
+
+  bool is_near(const ScreenTriangle<Real>& triangle) const {
+    Vec2d low(1e30), high(-1e30);
+    for (const FixedPoint& corner : triangle.corners) {
+      const Vec2d at = in_pixel(corner);
+      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    }
+    return low.x <= 1 + micro_margin && low.y <= 1 + micro_margin && high.x >= -micro_margin && high.y >= -micro_margin;
+  }
+  Vec2d in_pixel(const FixedPoint& point) const {
+    return canvas_pixels(point, pass_.grid.subpixel_bits) - Vec2d(pixel_);
+  }
+
+  TriangleSetup<Real> set_up(const NearTriangle<Real>& near, const TriangleEdges& edges) const {
+    return {&near.triangle, &pass_.surfaces[near.triangle.surface], near.attributes.data(), edges,
+            Real(1) / static_cast<Real>(edges.area)};
+  }
+
+  ps::MicroTriangle measure(const NearTriangle<Real>& near, const CoverageGrid& grid) const {
+    const auto edges = make_edges(near.triangle.corners, grid);
+    PS_ASSERT(edges.has_value(), "triangles without area are left out by the assembly");
+    const TriangleSetup<Real> setup = set_up(near, *edges);
+    const auto values = edges->at(pixel_.x, pixel_.y);
+    const Fragment<Real> fragment = make_fragment(pass_, setup, pixel_.x, pixel_.y, values);
+    const auto weights = space_weights(pass_, setup, fragment);
+    ps::MicroTriangle out;
+    out.id = event_id(setup);
+    out.name = primitive_name(*pass_.scene, out.id);
+    if (setup.surface->sphere) out.name += ", its triangle " + std::to_string(near.triangle.triangle);
+    out.edges = edges_in_pixels(values, grid.subpixel_bits);
+    out.covered = edges->inside(values);
+    out.back_face = near.triangle.back_face;
+    out.z = static_cast<double>(fragment.z);
+    for (std::size_t i = 0; i < 3; ++i) {
+      out.corners[i] = in_pixel(near.triangle.corners[i]);
+      out.ties[i] = values[i] == 0;
+      out.owns[i] = edges->threshold[i] < 0;
+      out.weights_2d[i] = static_cast<double>(fragment.weights[i]);
+      out.weights[i] = static_cast<double>(weights[i]);
+      out.z_2d += out.weights_2d[i] * static_cast<double>(near.triangle.z[i]);
+    }
+    const int slot = setup.surface->layout.uv;
+    if (slot == AttributeLayout::absent) return out;
+    out.uv = out.uv_2d = Vec2d(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Real* a = setup.attributes + i * static_cast<std::size_t>(setup.surface->layout.count) + slot;
+      const double back = pass_.divides() ? static_cast<double>(near.triangle.z[i]) : 1.0;
+      const Vec2d corner = Vec2d(static_cast<double>(a[0]), static_cast<double>(a[1])) * back;
+      *out.uv += out.weights[i] * corner;
+      *out.uv_2d += out.weights_2d[i] * corner;
+    }
+    return out;
+  }
+
+  /// The triangle that is seen where several cover a point: the nearest, or with no depth buffer the last one drawn.
+  int front_of(const std::vector<ps::MicroTriangle>& triangles) const {
+    const bool nearest = pass_.settings.visibility == Visibility::depth_buffer;
+    int front = -1;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (!triangles[i].covered) continue;
+      if (front < 0 || !nearest || triangles[i].z < triangles[static_cast<std::size_t>(front)].z)
+        front = static_cast<int>(i);
+    }
+    return front;
+  }
+
+  template <class Covers>
+  MicroSample sample_at(const Vec2d& place, Covers covers) const {
+    MicroReading reading = read(place);
+    for (std::size_t i = 0; i < near_.size(); ++i)
+      reading.triangles[i].covered = covers(near_[i], *make_edges(near_[i].triangle.corners, pass_.grid));
+    const int front = front_of(reading.triangles);
+    if (front < 0) return {place, false, "the background", -1};
+    return {place, true, reading.triangles[static_cast<std::size_t>(front)].name, -1};
+  }
+
+  std::optional<MicroTexture> texture_of(const NearTriangle<Real>& near, const CoverageGrid& grid) const {
+    const Surface<Real>& surface = pass_.surfaces[near.triangle.surface];
+    const int index = surface.material.texture;
+    if (surface.layout.uv == AttributeLayout::absent || !pass_.settings.textures || index < 0) return {};
+    const auto edges = make_edges(near.triangle.corners, grid);
+    const TriangleSetup<Real> setup = set_up(near, *edges);
+    const Fragment<Real> fragment = make_fragment(pass_, setup, pixel_.x, pixel_.y, edges->at(pixel_.x, pixel_.y));
+    const Vec2<Real> uv{interpolate(pass_, setup, fragment, surface.layout.uv),
+                        interpolate(pass_, setup, fragment, surface.layout.uv + 1)};
+    TexturePlace<Real> place{uv, uv};
+    if (surface.layout.relief) {
+      Silent silent;  // the microscope shows the colour's texels, not the relief's
+      place.uv = relief_uv(pass_, setup, fragment, uv, shading_normal(pass_, setup, fragment), silent);
+    }
+    PixelRecorder recorder(pixel_);
+    read_texture(pass_, setup, fragment, index, place, recorder);
+    const std::vector<Event> events = recorder.take();
+    const MipChain& chain = (*pass_.textures)[static_cast<std::size_t>(index)];
+    const TextureDerivatives<Real> steps = uv_derivatives(pass_, setup, fragment, uv, *chain.base);
+    return micro_texture(std::get<TextureEvent>(events.front().data), chain, pass_.settings.texture_wrap,
+                         std::array{Vec2d(steps.dx), Vec2d(steps.dy)});
+  }
+
+  Pass<Real> pass_;
+  Vec2i pixel_;
+  std::vector<NearTriangle<Real>> near_;
+};
+
+}  // namespace
+
+std::unique_ptr<Microscope::Fragments> make_micro_fragments(const Scene& scene, const View& view,
+                                                            const Settings& settings, Vec2i pixel, Prepared& prepared,
+                                                            Progress& progress) {
+  switch (settings.precision) {
+  case Precision::float32:
+    return std::make_unique<FragmentsIn<float>>(scene, view, settings, pixel, prepared, progress);
+  case Precision::float64:
+    return std::make_unique<FragmentsIn<double>>(scene, view, settings, pixel, prepared, progress);
+  }
+  return nullptr;
+}
+
+}  // namespace ps

@@ -1,0 +1,102 @@
+#include "inspect/microscope/microscope.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/mip_chain.h"
+#include "inspect/microscope/enlarge.h"
+#include "inspect/microscope/fragments.h"
+#include "inspect/microscope/texels.h"
+#include "inspect/names.h"
+#include "inspect/story_tree.h"
+#include "render/display_frame.h"
+#include "render/render.h"
+#include "render/viewport.h"
+
+namespace ps {
+namespace {
+
+constexpr int enlarged_pixels = 96;        // of the pixel and its margin, a side
+constexpr double ray_window = 1.0 / 1024;  // size of the one-pixel picture that a single ray makes
+constexpr const char* nothing_seen = "the background";
+
+/// What ray `ray` met, in words.
+std::string met_by(const std::vector<Event>& events, int ray, const Scene& scene) {
+  const auto hits = events_of_ray<HitEvent>(events, ray);
+  return hits.empty() ? nothing_seen : primitive_name(scene, event_as<HitEvent>(events, hits.back()).id);
+}
+
+}  // namespace
+
+Microscope::~Microscope() = default;
+
+Microscope::Microscope(Scene scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
+                       Progress& progress)
+    : scene_(std::move(scene)), view_(view), settings_(settings), pixel_(pixel) {
+  scene_.canvas_items = {};  // they are drawn over the finished picture, pixel by pixel
+  const EnlargedView wide = enlarge(view, settings, Vec2d(pixel) - micro_margin, 1 + 2 * micro_margin, enlarged_pixels);
+  RenderRequest request;
+  request.channels = Channel::ids;
+  const Frame frame = render(scene_, wide.view, wide.settings, request, prepared, progress);
+  enlarged_ = display_frame(frame, settings);
+  enlarged_ids_ = frame.ids;
+  switch (settings.renderer) {
+  case Renderer::rasterizer:
+    fragments_ = make_micro_fragments(scene_, view, settings, pixel, prepared, progress);
+    samples_ = fragments_->samples();
+    break;
+  case Renderer::ray_tracer:
+    find_ray_samples(prepared, progress);
+    break;
+  case Renderer::textbook:  // a listing has neither samples nor fragments of its own
+    break;
+  }
+}
+
+std::string Microscope::seen_at(const Vec2d& point) const {
+  const Vec2d at = (point + micro_margin) / (1 + 2 * micro_margin) * static_cast<double>(enlarged_pixels);
+  const int x = std::clamp(static_cast<int>(at.x), 0, enlarged_pixels - 1);
+  const int y = std::clamp(static_cast<int>(at.y), 0, enlarged_pixels - 1);
+  const PixelId id = enlarged_ids_.at(x, y);
+  return id.object < 0 ? nothing_seen : primitive_name(scene_, id);
+}
+
+/// The pixel's samples with what their rays met. The story leaves out most rays of a pixel with very many; the enlarged
+/// picture then tells what lies there.
+void Microscope::find_ray_samples(Prepared& prepared, Progress& progress) {
+  const PixelStory story = inspect(scene_, view_, settings_, pixel_, prepared, progress);
+  const auto samples = events_of_ray<SampleEvent>(story.events, -1);
+  if (samples.empty()) {
+    const int eye = eye_ray(story.events);
+    const std::string seen = eye < 0 ? nothing_seen : met_by(story.events, eye, scene_);
+    samples_.push_back({make_viewport<double>(view_, settings_).sample, seen != nothing_seen, seen, eye});
+    return;
+  }
+  for (const int index : samples) {
+    const Vec2d place = event_as<SampleEvent>(story.events, index).position;
+    const auto rays = events_below<RayEvent>(story.events, index);
+    const std::string seen = rays.empty() ? seen_at(place) : met_by(story.events, rays.front(), scene_);
+    samples_.push_back({place, seen != nothing_seen, seen, index});
+  }
+}
+
+MicroReading Microscope::read(const Vec2d& point, Prepared& prepared, Progress& progress) const {
+  if (fragments_) return fragments_->read(point);
+  MicroReading reading;
+  reading.point = point;
+  const EnlargedView narrow = enlarge(view_, settings_, Vec2d(pixel_) + point - ray_window / 2, ray_window, 1);
+  reading.ray = inspect(scene_, narrow.view, narrow.settings, {0, 0}, prepared, progress);
+  const auto& events = reading.ray->events;
+  const int eye = eye_ray(events);
+  reading.seen = eye < 0 ? nothing_seen : met_by(events, eye, scene_);
+  const auto lookups = eye < 0 ? std::vector<int>{} : events_of_ray<TextureEvent>(events, eye);
+  if (lookups.empty()) return reading;
+  const auto& lookup = event_as<TextureEvent>(events, lookups.front());
+  const auto index = static_cast<std::size_t>(lookup.texture);
+  if (index >= scene_.textures->size()) return reading;
+  const MipChain chain = make_mip_chain((*scene_.textures)[index].texels, MipLevels::finest_only);
+  reading.texture = micro_texture(lookup, chain, settings_.texture_wrap, {});
+  return reading;
+}
+
+}  // namespace ps

@@ -1,0 +1,85 @@
+#include "inspect/predict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/check.h"
+#include "inspect/vertex_chain.h"
+
+namespace ps {
+namespace {
+
+constexpr std::array<std::string_view, 3> question_keys{"colour", "winner", "rays"};
+constexpr int right_within = 4, wrong_beyond = 64;  // levels
+
+std::string object_text(int object, const Scene& scene) {
+  if (object < 0) return "the background";
+  return fmt::format("'{}'", scene.geometry->objects.at(static_cast<std::size_t>(object)).name);
+}
+
+std::string levels_text(const std::array<int, 3>& c) { return fmt::format("{} {} {}", c[0], c[1], c[2]); }
+
+Judgement judge_colour(const Guess& guess, const PixelStory& story) {
+  int apart = 0;
+  for (std::size_t i = 0; i < 3; ++i) apart = std::max(apart, std::abs(guess.colour[i] - story.display[i]));
+  Judgement judgement;
+  judgement.points =
+      std::clamp(1.0 - static_cast<double>(apart - right_within) / (wrong_beyond - right_within), 0.0, 1.0);
+  judgement.sentence = apart == 0 ? fmt::format("Right: {}.", levels_text(story.display))
+                                  : fmt::format("It is {}; you said {}, {} level{} off.", levels_text(story.display),
+                                                levels_text(guess.colour), apart, apart == 1 ? "" : "s");
+  return judgement;
+}
+
+}  // namespace
+
+std::string_view question_key(Question question) { return question_keys.at(static_cast<std::size_t>(question)); }
+
+Question parse_question(std::string_view text) {
+  for (std::size_t i = 0; i < question_keys.size(); ++i)
+    if (question_keys[i] == text) return static_cast<Question>(i);
+  throw InputError(fmt::format("found '{}', expected one of {}", text, fmt::join(question_keys, " ")));
+}
+
+std::optional<std::string_view> not_askable(Question question, const PixelStory& story) {
+  if (question == Question::rays && story.renderer != Renderer::ray_tracer)
+    return "Only the ray tracer sends rays; ask for the colour or the winner here.";
+  if (question == Question::winner && story.renderer == Renderer::textbook)
+    return "A listing tells no winner; ask for the colour here.";
+  return {};
+}
+
+int winner_of(const PixelStory& story) { return shown_triangle(story).object; }
+
+int rays_of(const PixelStory& story) {
+  return static_cast<int>(story.counters[Counter::eye_rays] + story.counters[Counter::shadow_rays] +
+                          story.counters[Counter::reflection_rays] + story.counters[Counter::refraction_rays]);
+}
+
+Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene) {
+  switch (question) {
+  case Question::colour:
+    return judge_colour(guess, story);
+  case Question::winner: {
+    const int winner = winner_of(story);
+    const bool right = guess.object == winner;
+    return {right ? 1.0 : 0.0, right ? fmt::format("Right: {}.", object_text(winner, scene))
+                                     : fmt::format("It is {}; you said {}.", object_text(winner, scene),
+                                                   object_text(guess.object, scene))};
+  }
+  case Question::rays: {
+    const int rays = rays_of(story), apart = std::abs(guess.rays - rays);
+    const auto plural = [](int count) { return fmt::format("{} ray{}", count, count == 1 ? "" : "s"); };
+    return {apart == 0   ? 1.0
+            : apart == 1 ? 0.5
+                         : 0.0,
+            apart == 0 ? fmt::format("Right: {}.", plural(rays))
+                       : fmt::format("It is {}; you said {}.", plural(rays), plural(guess.rays))};
+  }
+  }
+  return {};
+}
+
+}  // namespace ps

@@ -1,0 +1,51 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "inspect/story.h"
+#include "scene/scene.h"
+
+/// Predict, then reveal: a question about a pixel whose story is not told yet, and how good the answer was.
+
+namespace ps {
+
+enum class Question {
+  colour,  ///< which display levels the pixel has
+  winner,  ///< which object it shows
+  rays     ///< how many rays were traced for it
+};
+
+/// "colour", "winner", "rays"
+std::string_view question_key(Question question);
+/// Throws InputError for anything else.
+Question parse_question(std::string_view text);
+
+/// What someone says; only the member of the question counts.
+struct Guess {
+  std::array<int, 3> colour{};  ///< display levels, 0 to 255
+  int object = -1;              ///< index into Geometry::objects; -1 = background
+  int rays = 0;
+};
+
+/// The right answer, in words.
+struct Judgement {
+  double points = 0;  ///< 0 to 1
+  std::string sentence;
+};
+
+/// Why the question makes no sense for this story ("fragments need no rays"), or nothing.
+std::optional<std::string_view> not_askable(Question question, const PixelStory& story);
+
+/// The object that the pixel shows; -1 = background.
+int winner_of(const PixelStory& story);
+/// Eye, shadow, reflected and refracted rays that were traced for the pixel.
+int rays_of(const PixelStory& story);
+
+/// Compares the guess with the story. A colour earns a full point within 4 levels in every channel, and none beyond 64;
+/// a number of rays half a point if it is off by one.
+Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene);
+
+}  // namespace ps

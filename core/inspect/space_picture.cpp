@@ -1,0 +1,44 @@
+#include "inspect/space_picture.h"
+
+#include <cmath>
+
+#include "render/display_frame.h"
+
+namespace ps {
+
+SpacePicture draw_space_picture(const Scene& scene, const View& view, double near, Prepared& prepared,
+                                Progress& progress) {
+  Settings settings;
+  settings.renderer = Renderer::rasterizer;
+  settings.near = near / view.camera.projection_plane_d;
+  settings.backface_culling = false;  // open models are seen from all sides
+  Scene drawn = scene;
+  drawn.canvas_items = {};  // they lie on the picture, not in space
+  RenderRequest wanted;
+  wanted.channels = Channel::depth | Channel::ids;
+  if (scene_traits(drawn).csg) {  // has no triangles
+    settings.renderer = Renderer::ray_tracer;
+    settings.reflection_depth = 0;
+    settings.shadows = Shadows::none;
+  }
+  const Frame frame = render(drawn, view, settings, wanted, prepared, progress);
+  return {view, near, display_frame(frame, settings), frame.depth, frame.ids};
+}
+
+Image<Rgb8> paled(const SpacePicture& picture, const std::vector<bool>& ground, Rgb8 paper) {
+  constexpr double strength = 0.6, ground_strength = 0.2;
+  Image<Rgb8> out = picture.levels;
+  for (std::size_t i = 0; i < out.pixels().size(); ++i) {
+    Rgb8& p = out.pixels()[i];
+    const auto object = static_cast<std::size_t>(picture.ids.pixels()[i].object);
+    const bool is_ground = object < ground.size() && ground[object];
+    const double keep = std::isinf(picture.depth.pixels()[i]) ? 0 : is_ground ? ground_strength : strength;
+    const auto mix = [&](std::uint8_t level, std::uint8_t other) {
+      return static_cast<std::uint8_t>(level * keep + other * (1 - keep) + 0.5);
+    };
+    p = {mix(p.r, paper.r), mix(p.g, paper.g), mix(p.b, paper.b)};
+  }
+  return out;
+}
+
+}  // namespace ps
