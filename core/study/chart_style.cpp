@@ -39,6 +39,8 @@ Rgb8 mark_colour(const Settings& settings) {
     return twice ? Rgb8{86, 180, 233} : Rgb8{0, 114, 178};
   case Renderer::rasterizer:
     return twice ? Rgb8{230, 159, 0} : Rgb8{213, 94, 0};
+  case Renderer::textbook:
+    return {0, 158, 115};
   }
   return {};
 }

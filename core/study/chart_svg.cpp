@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "image/svg.h"
 #include "options/option.h"
 #include "study/axis.h"
 #include "study/chart_files.h"
@@ -14,23 +15,6 @@ namespace {
 constexpr Vec2d plot_corner{90, 50}, plot_size{830, 450};
 constexpr double letter_width = 6.3, letter_height = 13;  // of the 11 px sans-serif used for labels
 
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '&')
-      safe += "&amp;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 Vec2d on_plot(const ChartAxes& axes, double time, double error) {
   return {plot_corner.x + plot_size.x * axes.time.place(time),
           plot_corner.y + plot_size.y * (1 - axes.error.place(error))};
@@ -38,7 +22,7 @@ Vec2d on_plot(const ChartAxes& axes, double time, double error) {
 
 std::string text_at(double x, double y, std::string_view anchor, std::string_view text, int size = 12) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n", x, y, anchor,
-                     size, escaped(text));
+                     size, xml_escaped(text));
 }
 
 std::string line(Vec2d a, Vec2d b, std::string_view colour, double width) {
@@ -64,7 +48,7 @@ std::string draw_axes(const ChartAxes& axes) {
       text_at(plot_corner.x + plot_size.x / 2, bottom + 40, "middle", "time of one picture (ms), median and quartiles");
   svg += fmt::format(
       "<text transform=\"translate(24 {:.0f}) rotate(-90)\" text-anchor=\"middle\" font-size=\"12\">{}</text>\n",
-      plot_corner.y + plot_size.y / 2, escaped(axes.error_title));
+      plot_corner.y + plot_size.y / 2, xml_escaped(axes.error_title));
   return svg;
 }
 
@@ -86,7 +70,7 @@ std::string mark(const ChartPoint& point, const ChartAxes& axes, double largest_
   const double radius = mark_radius(point.memory_mb, largest_memory);
   std::string svg = line(low, high, colour, 2);
   const std::string title = fmt::format("<title>{}: {:.4g} ms ({:.4g} to {:.4g}), error {:.4g}, {:.4g} MB</title>",
-                                        escaped(point.what.settings), point.time_ms.median, point.time_ms.q1,
+                                        xml_escaped(point.what.settings), point.time_ms.median, point.time_ms.q1,
                                         point.time_ms.q3, point.error, point.memory_mb);
   const std::string_view outline = point.on_front ? "#000000" : "#ffffff";
   if (point.what.value.renderer == Renderer::ray_tracer)
@@ -105,8 +89,12 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
   for (const ChartPoint& point : chart.points) {
     if (!point.measured()) continue;
     const Vec2d at = on_plot(axes, point.time_ms.median, point.error) - plot_corner;
-    wishes.push_back(
-        {at, {letter_width * static_cast<double>(point.what.label.size()), letter_height}, point.on_front ? 0 : 1});
+    const double low = on_plot(axes, point.time_ms.q1, point.error).x - plot_corner.x;
+    const double high = on_plot(axes, point.time_ms.q3, point.error).x - plot_corner.x;
+    wishes.push_back({at,
+                      {letter_width * static_cast<double>(point.what.label.size()), letter_height},
+                      point.on_front ? 0 : 1,
+                      {at.x - low, high - at.x}});
     of_wish.push_back(&point);
   }
   std::string svg;

@@ -32,7 +32,12 @@ std::vector<Vec2d> candidates(const LabelWish& wish, double radius) {
 
 std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius) {
   std::vector<Rect> taken;
-  for (const LabelWish& wish : wishes) taken.push_back({wish.mark - radius, wish.mark + radius});
+  for (const LabelWish& wish : wishes) {
+    taken.push_back({wish.mark - radius, wish.mark + radius});
+    const double half = radius / 3;  // about the thickness of a bar's ends
+    if (wish.bar != Vec2d(0, 0))
+      taken.push_back({wish.mark - Vec2d(wish.bar.x, half), wish.mark + Vec2d(wish.bar.y, half)});
+  }
   std::vector<std::size_t> order(wishes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

@@ -10,6 +10,7 @@ struct LabelWish {
   Vec2d mark{0, 0};
   Vec2d size{0, 0};  ///< of the text
   int rank = 0;      ///< lower ranks choose first
+  Vec2d bar{0, 0};   ///< how far an error bar reaches to the left (x) and to the right (y) of the mark
 };
 
 struct LabelPlace {
@@ -17,8 +18,8 @@ struct LabelPlace {
   Vec2d corner{0, 0};  ///< top left of the text
 };
 
-/// Finds for each label a place near its mark where it covers no mark and no other label and stays inside the box from
-/// (0, 0) to `box`. `radius` is that of the marks.
+/// Finds for each label a place near its mark where it covers no mark, no error bar and no other label and stays inside
+/// the box from (0, 0) to `box`. `radius` is that of the marks.
 std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius);
 
 }  // namespace ps

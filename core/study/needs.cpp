@@ -29,13 +29,13 @@ class Search {
 
   Needs run() {
     Settings best = reference_settings(request_.base, traits_);
-    best.renderer = request_.base.renderer;
     // Whether a line goes through one pixel or its neighbour is a tie more often than not: there is no better truth.
     if (request_.base.draw != Draw::filled) best.precision = request_.base.precision;
-    best.reflection_depth = request_.base.reflection_depth;
-    best.shadows = request_.base.shadows;
+    // Fragments cannot trace shadows: who asks them to has asked for none.
+    if (request_.base.renderer == Renderer::rasterizer && request_.base.shadows == Shadows::traced)
+      best.shadows = Shadows::none;
     best.samples_per_pixel = request_.base.samples_per_pixel;
-    best.multisampling = request_.base.multisampling;
+    best.sample_pattern = request_.base.sample_pattern;
     reference_ = picture_of(best).levels;
     needs_.tolerance = request_.tolerance;
     const Tried start = try_out(request_.base);

@@ -53,8 +53,10 @@ struct Needs {
   bool within_tolerance = true;
 };
 
-/// What the scene needs of `base`. The reference is the same picture in double with the robust tests
-/// (outlines: as it is, since lines round ties). The search tries
+/// What the scene needs of `base`. The reference is the picture that reference_settings() asks for (study/reference.h):
+/// the ray tracer in double with its robust tests, traced shadows and at least 12 bounces, with as many samples of a
+/// pixel as `base` takes, since where samples lie is not a feature of the scene. Scenes that rays cannot show, and
+/// outlines, whose lines round ties, are held to the rasterizer in double and to themselves. The search tries
 /// every saving, takes the one after which the least work is left among those within the tolerance (at equal work a
 /// feature less), and goes on from there until none is left; it never adds work. Throws Cancelled.
 Needs find_needs(const NeedsRequest& request, StudyControl& control,

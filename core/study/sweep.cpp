@@ -163,12 +163,14 @@ SweepAxis parse_sweep_axis(std::string_view text) {
 
 std::span<const NamedSweep> named_sweeps() {
   static const std::vector<NamedSweep> sweeps{
-      {"renderers", "Renderers", {"renderer"}},
+      {"renderers", "Renderers", {"renderer=ray-tracer,rasterizer"}},
       {"accelerators", "Accelerators", {"accelerator"}},
       {"shading-models", "Shading models", {"renderer=rasterizer", "shading", "highlight"}},
-      {"texture-filters", "Texture filters", {"renderer", "texture-filter"}},
+      {"texture-filters", "Texture filters", {"renderer=ray-tracer,rasterizer", "texture-filter"}},
       {"reflection-depths", "Reflection depth", {"reflection-depth=0,1,2,3,4,6,8"}},
-      {"tessellation-levels", "Tessellation against exact spheres", {"renderer", "tessellation=0.05,0.2,0.5,2,8,32"}},
+      {"tessellation-levels",
+       "Tessellation against exact spheres",
+       {"renderer=ray-tracer,rasterizer", "tessellation=0.05,0.2,0.5,2,8,32"}},
       {"precision-and-tests", "Precision and tests", {"precision", "sphere-test", "self-hit"}},
       {"snapping", "Sub-pixel bits", {"renderer=rasterizer", "subpixel-bits=0,2,4,6,8,10,12"}},
       {"samples", "Samples per pixel", {"samples-per-pixel=1,4,16,64"}},

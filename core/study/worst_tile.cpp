@@ -9,7 +9,7 @@ namespace ps {
 double worst_tile_flip(const Image<Rgb8>& reference, const Image<Rgb8>& test) {
   if (reference == test) return 0;
   constexpr int tile_size = 16;
-  const Plane map = flip_map(reference, test);
+  const ScalarImage map = flip_map(reference, test);
   const int columns = std::max(1, map.width() / tile_size), rows = std::max(1, map.height() / tile_size);
   double worst = 0;
   for (int row = 0; row < rows; ++row)

@@ -3,13 +3,13 @@
 #include <random>
 
 #include "math/vec.h"
-#include "study/stability/experiments.h"
+#include "study/stability/support.h"
 
 namespace ps::stability {
 
 /// The angle of a normalised vector with itself: in float its square is above 1 for many vectors.
-std::vector<StabilityRow> acos_of_unit_dot(const StabilityRun& run) {
-  constexpr int vectors = 1000000;
+static std::vector<StabilityRow> measure_acos_of_unit_dot(const StabilityRun& run) {
+  const int vectors = run.count(1000000);
   run.check();
   std::mt19937 random(run.seed);
   std::normal_distribution<float> gauss(0, 1);
@@ -23,5 +23,17 @@ std::vector<StabilityRow> acos_of_unit_dot(const StabilityRun& run) {
   }
   return {{1, "float unit vectors", 100.0 * naive / vectors, 100.0 * robust / vectors, "% NaN"}};
 }
+
+const StabilityExperiment acos_of_unit_dot{
+    .key = "acos-of-unit-dot",
+    .title = "acos of a unit vector's square",
+    .knob = "length",
+    .naive = "acos(dot)",
+    .robust = "clamp to [-1, 1] first",
+    .explanation =
+        "Normalising rounds, so that many unit vectors are a little too long. acos of more than 1 is not a number.",
+    .safe = "Nowhere in float.",
+    .window = nowhere_safe,
+    .measure = measure_acos_of_unit_dot};
 
 }  // namespace ps::stability

@@ -1,13 +1,15 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/progress.h"
+#include "options/settings.h"
 
 namespace ps {
 
@@ -24,9 +26,33 @@ struct StabilityRow {
 struct StabilityRun {
   std::uint32_t seed = 1;
   Progress* progress = nullptr;  ///< asked between knobs; may stop the experiment with Cancelled
+  double effort = 1;             ///< share of the full number of rays, triangles or pixels
   void check() const {
     if (progress) progress->check();
   }
+  /// So many of `full` are tried, at least `least`.
+  int count(int full, int least = 1) const { return std::max(least, static_cast<int>(full * effort)); }
+  /// Side of a picture of `full` x `full` pixels, the same parity kept.
+  int side(int full, int least = 64) const {
+    if (effort >= 1) return full;
+    const int reduced = std::max(least, full / 4);
+    return reduced + (reduced + full) % 2;
+  }
+};
+
+/// Where on the knob the naive method may be used: low <= knob <= high.
+struct SafeWindow {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool empty() const { return !(low <= high); }
+  bool holds(double knob) const { return low <= knob && knob <= high; }
+};
+
+/// What shows a knob as a picture: the naive settings belong into A, the robust ones into B.
+struct StabilityPicture {
+  std::string scene;  ///< a built-in scene's name, or a scene's text if it has more than one line
+  int width = 200, height = 200;
+  Settings naive{}, robust{};
 };
 
 /// A place where a method fails, with what does not fail there.
@@ -36,11 +62,15 @@ struct StabilityExperiment {
   std::string_view knob;           ///< what is turned, with its unit
   std::string_view naive, robust;  ///< the two methods
   std::string_view explanation;    ///< why, in two sentences
-  std::string_view safe;           ///< where the naive method may be used
+  std::string_view safe;           ///< where the naive method may be used, in words
+  SafeWindow window;               ///< the same on the knob
   std::vector<StabilityRow> (*measure)(const StabilityRun&) = nullptr;
+  StabilityPicture (*picture)(double knob) = nullptr;  ///< null: nothing to see
+  std::span<const double> frames{};                    ///< knobs of the film strip, from left to right
 };
 
-/// All experiments. Adding one is a file with its function, a line in experiments.h and a row in table.cpp.
+/// All experiments, in the order of their subject: rays, boxes, coverage, depth, shadows, shading, sampling, numbers.
+/// Adding one is a file with its constant, a line in experiments.h and one in table.cpp.
 std::span<const StabilityExperiment> stability_experiments();
 /// Throws InputError naming the experiments that exist.
 const StabilityExperiment& find_stability_experiment(std::string_view key);

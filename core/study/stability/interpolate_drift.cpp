@@ -1,12 +1,12 @@
 #include <cmath>
 
-#include "study/stability/experiments.h"
+#include "study/stability/support.h"
 
 namespace ps::stability {
 
 /// The book's Interpolate (CGFS ch. 6) adds a slope again and again. A steep edge near canvas position 512, where
 /// floats are 2^-14 px apart: its slope of 4.49 such steps is rounded down at every addition.
-std::vector<StabilityRow> interpolate_drift(const StabilityRun& run) {
+static std::vector<StabilityRow> measure_interpolate_drift(const StabilityRun& run) {
   constexpr double step = 4.49 * 0x1p-14;
   std::vector<StabilityRow> rows;
   for (const int n : {100, 600, 1000, 10000, 100000, 1000000}) {
@@ -22,5 +22,17 @@ std::vector<StabilityRow> interpolate_drift(const StabilityRun& run) {
   }
   return rows;
 }
+
+const StabilityExperiment interpolate_drift{.key = "interpolate-drift",
+                                            .title = "Interpolate drifts",
+                                            .knob = "steps",
+                                            .naive = "d += slope",
+                                            .robust = "each value from the ends",
+                                            .explanation =
+                                                "Every addition rounds, and a constant slope rounds the same way each "
+                                                "time. A value computed from the ends has one rounding only.",
+                                            .safe = "Up to about 10,000 steps for a third of a pixel.",
+                                            .window = {nowhere, 10000},
+                                            .measure = measure_interpolate_drift};
 
 }  // namespace ps::stability

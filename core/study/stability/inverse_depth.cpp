@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/stability/experiments.h"
+#include "study/stability/support.h"
 
 namespace ps::stability {
 
 /// An edge from depth 1 to depth r, looked at along its whole length on the screen: z mixed as it is against 1/z mixed.
-std::vector<StabilityRow> inverse_depth(const StabilityRun& run) {
+static std::vector<StabilityRow> measure_inverse_depth(const StabilityRun& run) {
   constexpr int places = 100000;
   std::vector<StabilityRow> rows;
   for (const double ratio : {1.1, 2.0, 5.0, 10.0, 100.0, 1000.0}) {
@@ -25,5 +25,16 @@ std::vector<StabilityRow> inverse_depth(const StabilityRun& run) {
   }
   return rows;
 }
+
+const StabilityExperiment inverse_depth{
+    .key = "z-vs-1-z",
+    .title = "z against 1/z",
+    .knob = "ratio of the depths of the ends",
+    .naive = "mix z",
+    .robust = "mix 1/z",
+    .explanation = "Equal steps on the screen are not equal steps in depth. 1/z is linear on the screen, z is not.",
+    .safe = "Ratios up to 1.1 for an error of 2.5 %.",
+    .window = {nowhere, 1.1},
+    .measure = measure_inverse_depth};
 
 }  // namespace ps::stability

@@ -4,13 +4,13 @@
 #include <glm/geometric.hpp>
 
 #include "scene/world.h"
-#include "study/stability/experiments.h"
+#include "study/stability/support.h"
 
 namespace ps::stability {
 
 /// Planes x + y/m = const for many slopes m, stretched by s along x: the angle between the transformed normal and the
 /// normal of the transformed plane, whose direction in the plane is known.
-std::vector<StabilityRow> normal_under_scale(const StabilityRun& run) {
+static std::vector<StabilityRow> measure_normal_under_scale(const StabilityRun& run) {
   constexpr double degrees = 57.29577951308232;
   std::vector<StabilityRow> rows;
   for (const double scale : {1.0, 1.5, 2.0, 5.0, 10.0, 100.0}) {
@@ -35,5 +35,17 @@ std::vector<StabilityRow> normal_under_scale(const StabilityRun& run) {
   }
   return rows;
 }
+
+const StabilityExperiment normal_under_scale{
+    .key = "normal-under-scale",
+    .title = "Normals under a scale",
+    .knob = "scale along one axis",
+    .naive = "transform like positions",
+    .robust = "inverse transpose",
+    .explanation = "A plane that is stretched tilts one way and its normal, stretched with it, the other. The inverse "
+                   "transpose keeps normal and plane perpendicular.",
+    .safe = "Uniform scales only.",
+    .window = {1, 1},
+    .measure = measure_normal_under_scale};
 
 }  // namespace ps::stability

@@ -1,14 +1,14 @@
 #include <cmath>
 #include <random>
 
-#include "study/stability/experiments.h"
+#include "study/stability/support.h"
 
 namespace ps::stability {
 
 /// Rays that leave glass, cosine-weighted over the hemisphere: Snell's law asks for the root of a negative number
 /// beyond the critical angle. Robust: that branch is total reflection.
-std::vector<StabilityRow> refraction_total_internal(const StabilityRun& run) {
-  constexpr int rays = 1000000;
+static std::vector<StabilityRow> measure_refraction_total_internal(const StabilityRun& run) {
+  const int rays = run.count(1000000);
   std::vector<StabilityRow> rows;
   for (const double index : {1.0, 1.1, 1.33, 1.5, 2.0, 2.4}) {
     run.check();
@@ -26,5 +26,17 @@ std::vector<StabilityRow> refraction_total_internal(const StabilityRun& run) {
   }
   return rows;
 }
+
+const StabilityExperiment refraction_total_internal{.key = "refraction-total-internal",
+                                                    .title = "Total internal reflection",
+                                                    .knob = "index of refraction",
+                                                    .naive = "Snell's law alone",
+                                                    .robust = "reflect beyond the critical angle",
+                                                    .explanation =
+                                                        "Beyond the critical angle the sine of the refracted ray would "
+                                                        "exceed 1. Its cosine is then the root of a negative number.",
+                                                    .safe = "Index 1.",
+                                                    .window = {1, 1},
+                                                    .measure = measure_refraction_total_internal};
 
 }  // namespace ps::stability

@@ -1,13 +1,13 @@
 #include <cmath>
 #include <random>
 
-#include "study/stability/experiments.h"
+#include "study/stability/support.h"
 
 namespace ps::stability {
 
-/// Mean of n random samples in [0, 1) by a running float sum, against the same with Kahan's correction; the truth is
+/// Sum of n random samples in [0, 1) by a running float sum, against the same with Kahan's correction; the truth is
 /// summed in double.
-std::vector<StabilityRow> sample_accumulation(const StabilityRun& run) {
+static std::vector<StabilityRow> measure_sample_accumulation(const StabilityRun& run) {
   std::vector<StabilityRow> rows;
   for (const int n : {1000, 100000, 10000000, 100000000}) {
     std::mt19937 random(run.seed);
@@ -28,5 +28,17 @@ std::vector<StabilityRow> sample_accumulation(const StabilityRun& run) {
   }
   return rows;
 }
+
+const StabilityExperiment sample_accumulation{
+    .key = "sample-accumulation",
+    .title = "Sums of many samples",
+    .knob = "samples",
+    .naive = "float sum",
+    .robust = "Kahan's sum",
+    .explanation =
+        "A float sum of size S adds multiples of its own spacing only. From 16,777,216 on it no longer counts by ones.",
+    .safe = "Up to a million samples for 1e-5.",
+    .window = {nowhere, 1e6},
+    .measure = measure_sample_accumulation};
 
 }  // namespace ps::stability

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "study/stability/experiments.h"
+#include "study/stability/support.h"
 
 namespace ps::stability {
 namespace {
@@ -15,7 +15,7 @@ double level_of(double linear) {
 
 /// A pixel of which white covers a share and black the rest: the mean of stored levels against the level of the mean
 /// light.
-std::vector<StabilityRow> srgb_averaging(const StabilityRun& run) {
+static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run) {
   run.check();
   std::vector<StabilityRow> rows;
   for (const double percent : {1.0, 5.0, 10.0, 24.0, 25.0, 50.0, 75.0, 90.0, 99.0}) {
@@ -25,5 +25,16 @@ std::vector<StabilityRow> srgb_averaging(const StabilityRun& run) {
   }
   return rows;
 }
+
+const StabilityExperiment srgb_averaging{
+    .key = "srgb-averaging",
+    .title = "Averages of stored levels",
+    .knob = "share of white (%)",
+    .naive = "mean of levels",
+    .robust = "mean of light",
+    .explanation = "Stored levels are not proportional to light. Their mean makes edges too dark.",
+    .safe = "Nowhere between black and white.",
+    .window = nowhere_safe,
+    .measure = measure_srgb_averaging};
 
 }  // namespace ps::stability

@@ -1,0 +1,71 @@
+#include "study/stability/aimed_rays.h"
+
+#include "raytrace/triangle_moeller_trumbore.h"
+#include "raytrace/triangle_watertight.h"
+
+namespace ps::stability {
+
+Aim::Aim(const ClosedSphere& mesh, std::uint32_t seed) : mesh_(mesh), around_(mesh.vertices.size()), random_(seed) {
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const std::uint32_t vertex : mesh.triangles[i]) around_[vertex].push_back(i);
+}
+
+AimedRay Aim::next(AimAt what) {
+  if (what == AimAt::vertex) {
+    const auto vertex = static_cast<std::uint32_t>(random_.below(mesh_.vertices.size()));
+    return towards(Vec3d(mesh_.vertices[vertex]), {vertex});
+  }
+  const auto& corners = mesh_.triangles[random_.below(mesh_.triangles.size())];
+  const std::size_t side = random_.below(3);
+  const std::uint32_t from = corners[side], to = corners[(side + 1) % 3];
+  const Vec3d a(mesh_.vertices[from]), b(mesh_.vertices[to]);
+  return towards(a + (b - a) * random_.unit(), {from, to});
+}
+
+AimedRay Aim::towards(const Vec3d& target, std::initializer_list<std::uint32_t> vertices) {
+  const Vec3f from(random_.in_cube(0.5));
+  AimedRay ray{from, Vec3f(target - Vec3d(from)), {}};
+  for (const std::uint32_t vertex : vertices)
+    for (const std::uint32_t triangle : around_[vertex])
+      if (std::find(ray.candidates.begin(), ray.candidates.end(), triangle) == ray.candidates.end())
+        ray.candidates.push_back(triangle);
+  return ray;
+}
+
+CrackRates crack_rates(AimAt what, const TriangleHits& test, const StabilityRun& run) {
+  run.check();
+  const ClosedSphere mesh = closed_sphere(160, 320, 2, {0, 0, 0});
+  Aim aim(mesh, run.seed);
+  const int rays = run.count(1000000);
+  double misses = 0, doubles = 0;
+  for (int i = 0; i < rays; ++i) {
+    const AimedRay ray = aim.next(what);
+    int hits = 0;
+    for (const std::uint32_t triangle : ray.candidates) hits += test(ray, mesh.triangle(triangle)) ? 1 : 0;
+    misses += hits == 0 ? 1 : 0;
+    doubles += hits > 1 ? 1 : 0;
+  }
+  return {per_million(misses, rays), per_million(doubles, rays)};
+}
+
+bool watertight_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const auto result =
+      triangle_watertight<float>(ray.origin, Shear<float>(ray.direction), triangle, TriangleGuard::none);
+  return result.verdict == TriangleVerdict::inside && result.t > 0;
+}
+
+template <class Real>
+TriangleHits moeller_trumbore_hits(Real epsilon, Real tolerance) {
+  return [=](const AimedRay& ray, const TracedTriangle<float>& t) {
+    const TracedTriangle<Real> triangle{Vec3<Real>(t.a), Vec3<Real>(t.b), Vec3<Real>(t.c)};
+    const auto result =
+        triangle_moeller_trumbore<Real>(Vec3<Real>(ray.origin), Vec3<Real>(ray.direction), triangle, epsilon);
+    if (result.verdict == TriangleVerdict::parallel || !(result.t > 0)) return false;
+    return result.weights[0] >= -tolerance && result.weights[1] >= -tolerance && result.weights[2] >= -tolerance;
+  };
+}
+
+template TriangleHits moeller_trumbore_hits<float>(float, float);
+template TriangleHits moeller_trumbore_hits<double>(double, double);
+
+}  // namespace ps::stability

@@ -1,0 +1,46 @@
+#pragma once
+#include <algorithm>
+#include <functional>
+
+#include "study/stability/closed_sphere.h"
+#include "study/stability/support.h"
+
+namespace ps::stability {
+
+/// A ray from the middle of a closed sphere to a place where triangles meet.
+struct AimedRay {
+  Vec3f origin, direction;
+  std::vector<std::uint32_t> candidates;  ///< all triangles that touch that place
+};
+
+enum class AimAt { edge, vertex };
+
+/// Rays that random directions would never find: three in a million go so near to an edge.
+class Aim {
+ public:
+  Aim(const ClosedSphere& mesh, std::uint32_t seed);
+  AimedRay next(AimAt what);
+
+ private:
+  AimedRay towards(const Vec3d& target, std::initializer_list<std::uint32_t> vertices);
+  const ClosedSphere& mesh_;
+  std::vector<std::vector<std::uint32_t>> around_;
+  Random random_;
+};
+
+using TriangleHits = std::function<bool(const AimedRay&, const TracedTriangle<float>&)>;
+
+struct CrackRates {
+  double misses = 0, doubles = 0;  ///< per million rays
+};
+
+/// How often none, and how often more than one, of the triangles around is met. The mesh is the one of 101,760
+/// triangles with radius 2.
+CrackRates crack_rates(AimAt what, const TriangleHits& test, const StabilityRun& run);
+
+/// The tests that several experiments use.
+bool watertight_hits(const AimedRay& ray, const TracedTriangle<float>& triangle);
+template <class Real>
+TriangleHits moeller_trumbore_hits(Real epsilon, Real tolerance);
+
+}  // namespace ps::stability

@@ -1,0 +1,93 @@
+#include "study/stability/aimed_rays.h"
+#include "study/stability/build_flags/kernels.h"
+
+namespace ps::stability {
+namespace {
+
+FlagTriangle flat(const TracedTriangle<float>& t) {
+  return {{{t.a.x, t.a.y, t.a.z}, {t.b.x, t.b.y, t.b.z}, {t.c.x, t.c.y, t.c.z}}};
+}
+FlagRay flat(const AimedRay& ray) {
+  return {{ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z}};
+}
+
+std::vector<StabilityRow> measure_contraction(const StabilityRun& run) {
+  const auto misses = [&](auto test) {
+    const TriangleHits hits = [test](const AimedRay& ray, const TracedTriangle<float>& triangle) {
+      return test(flat(ray), flat(triangle));
+    };
+    return crack_rates(AimAt::edge, hits, run).misses;
+  };
+  const FlagBuild plain = plain_build(), fused = contracted_build();
+  std::vector<StabilityRow> rows;
+  if (!fused.available()) return rows;
+  const double product_misses = crack_rates(AimAt::edge, watertight_hits, run).misses;
+  rows.push_back({1, "watertight (Woop)", misses(fused.watertight), misses(plain.watertight), "misses per million"});
+  rows.push_back({1, "Moeller-Trumbore", misses(fused.moeller_trumbore), product_misses, "misses per million"});
+  rows.push_back({0, "Moeller-Trumbore", misses(plain.moeller_trumbore), product_misses, "misses per million"});
+  return rows;
+}
+
+constexpr int book_side = 600;
+
+std::vector<std::uint8_t> picture_of(const FlagBuild& build) {
+  std::vector<std::uint8_t> pixels(3 * book_side * book_side);
+  build.book_picture(book_side, pixels.data());
+  return pixels;
+}
+
+std::vector<StabilityRow> measure_flags(const StabilityRun& run) {
+  const std::vector<std::uint8_t> plain = picture_of(plain_build());
+  std::vector<StabilityRow> rows;
+  int knob = 0;
+  for (const FlagBuild& build :
+       {unoptimised_build(), contracted_build(), fast_build(), fast_contracted_build(), x87_build()}) {
+    run.check();
+    ++knob;
+    if (!build.available()) continue;
+    const std::vector<std::uint8_t> other = picture_of(build);
+    int differing = 0, largest = 0;
+    for (std::size_t i = 0; i < plain.size(); i += 3) {
+      int worst = 0;
+      for (std::size_t c = 0; c < 3; ++c) worst = std::max(worst, std::abs(plain[i + c] - other[i + c]));
+      differing += worst > 0 ? 1 : 0;
+      largest = std::max(largest, worst);
+    }
+    // What the program promises: the same pixels whatever the optimisation, as long as nothing may be fused.
+    const double same = build.name == unoptimised_build().name ? differing : 0;
+    rows.push_back(
+        {static_cast<double>(knob), build.name, static_cast<double>(differing), same, "px of 360,000 differ"});
+    rows.push_back({static_cast<double>(knob), build.name, static_cast<double>(largest), std::nan(""),
+                    "largest difference, levels"});
+  }
+  return rows;
+}
+
+}  // namespace
+
+const StabilityExperiment fma_contraction{
+    .key = "fma-contraction",
+    .title = "Fused multiply-add",
+    .knob = "0 = products rounded, 1 = fused by the compiler",
+    .naive = "-mfma -ffp-contract=fast",
+    .robust = "-ffp-contract=off",
+    .explanation =
+        "The watertight test relies on a b - c d being the exact opposite of c d - a b. Fused, one of the two "
+        "products is not rounded, and which one it is depends on the order.",
+    .safe = "Without contraction.",
+    .window = {0, 0},
+    .measure = measure_contraction};
+
+const StabilityExperiment build_flags{
+    .key = "build-flags",
+    .title = "Flags of the compiler",
+    .knob = "1 -O0, 2 fused, 3 fast-math, 4 both, 5 x87",
+    .naive = "the book's scene in float with other flags",
+    .robust = "-ffp-contract=off at any optimisation",
+    .explanation = "Flags that let the compiler fuse or reorder sums change roundings, and where a mirrored ray grazes "
+                   "the ground one rounding decides what it meets. Optimisation alone changes nothing.",
+    .safe = "-O0 to -O3 without contraction.",
+    .window = {1, 1},
+    .measure = measure_flags};
+
+}  // namespace ps::stability

@@ -1,0 +1,9 @@
+#include "study/stability/build_flags/kernels-inl.h"
+
+namespace ps::stability {
+
+FlagBuild fast_build() {
+  return {"-ffast-math", [] { return true; }, flag_watertight, flag_moeller_trumbore, flag_book_picture};
+}
+
+}  // namespace ps::stability

@@ -1,0 +1,146 @@
+// Included once by each file that compiles it with its own flags. It uses nothing but these lines and square roots:
+// any function shared with the rest of the program could be the copy that the linker keeps.
+#include "study/stability/build_flags/kernels.h"
+
+namespace ps::stability {
+namespace {
+
+struct V {
+  float x, y, z;
+};
+inline V operator+(V a, V b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline V operator-(V a, V b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline V operator*(float s, V a) { return {s * a.x, s * a.y, s * a.z}; }
+inline float product(V a, V b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline V crossed(V a, V b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+inline V vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+inline float size(float v) { return v < 0 ? -v : v; }
+
+/// Woop's test without the fallback to double, as its paper prints it.
+bool flag_watertight(const FlagRay& ray, const FlagTriangle& triangle) {
+  const float* d = ray.direction;
+  const int kz = size(d[0]) > size(d[1]) ? (size(d[0]) > size(d[2]) ? 0 : 2) : (size(d[1]) > size(d[2]) ? 1 : 2);
+  int kx = (kz + 1) % 3, ky = (kx + 1) % 3;
+  if (d[kz] < 0) {
+    const int other = kx;
+    kx = ky;
+    ky = other;
+  }
+  const float sx = d[kx] / d[kz], sy = d[ky] / d[kz];
+  float x[3], y[3];
+  for (int i = 0; i < 3; ++i) {
+    const float* corner = triangle.corner[i];
+    const float z = corner[kz] - ray.origin[kz];
+    x[i] = corner[kx] - ray.origin[kx] - sx * z;
+    y[i] = corner[ky] - ray.origin[ky] - sy * z;
+  }
+  const float u = x[2] * y[1] - y[2] * x[1];
+  const float v = x[0] * y[2] - y[0] * x[2];
+  const float w = x[1] * y[0] - y[1] * x[0];
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+bool flag_moeller_trumbore(const FlagRay& ray, const FlagTriangle& triangle) {
+  const V a = vector(triangle.corner[0]), d = vector(ray.direction);
+  const V b = vector(triangle.corner[1]) - a, c = vector(triangle.corner[2]) - a;
+  const V p = crossed(d, c);
+  const float determinant = product(b, p);
+  if (!(determinant != 0)) return false;
+  const V s = vector(ray.origin) - a, q = crossed(s, b);
+  const float u = product(s, p) / determinant, v = product(d, q) / determinant;
+  return u >= 0 && v >= 0 && u + v <= 1 && product(c, q) / determinant > 0;
+}
+
+struct Ball {
+  V centre;
+  float radius;
+  V colour;
+  float specular, reflective;
+};
+constexpr Ball balls[4] = {{{0, -1, 3}, 1, {255, 0, 0}, 500, 0.2f},
+                           {{-2, 0, 4}, 1, {0, 255, 0}, 10, 0.4f},
+                           {{2, 0, 4}, 1, {0, 0, 255}, 500, 0.3f},
+                           {{0, -5001, 0}, 5000, {255, 255, 0}, 1000, 0.5f}};
+constexpr float beyond = 1e30f, epsilon = 0.001f;
+
+struct Meeting {
+  int ball = -1;
+  float t = beyond;
+};
+Meeting nearest(V origin, V direction, float t_min, float t_max) {
+  Meeting best{-1, t_max};
+  for (int i = 0; i < 4; ++i) {
+    const V f = origin - balls[i].centre;
+    const float a = product(direction, direction), b = 2 * product(f, direction);
+    const float c = product(f, f) - balls[i].radius * balls[i].radius;
+    const float discriminant = b * b - 4 * a * c;
+    if (discriminant < 0) continue;
+    const float root = __builtin_sqrtf(discriminant);
+    const float t1 = (-b + root) / (2 * a), t2 = (-b - root) / (2 * a);
+    if (t1 > t_min && t1 < best.t) best = {i, t1};
+    if (t2 > t_min && t2 < best.t) best = {i, t2};
+  }
+  return best;
+}
+V mirrored(V ray, V normal) { return 2 * product(normal, ray) * normal - ray; }
+
+/// `base` to a whole power, without a call that another file might bring.
+float power(float base, int exponent) {
+  float result = 1;
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) result *= base;
+    base *= base;
+  }
+  return result;
+}
+
+float light_at(V point, V normal, V view, float specular) {
+  float sum = 0.2f;
+  for (int light = 0; light < 2; ++light) {
+    const V to_light = light == 0 ? V{2, 1, 0} - point : V{1, 4, 4};
+    const float intensity = light == 0 ? 0.6f : 0.2f;
+    if (nearest(point, to_light, epsilon, light == 0 ? 1.0f : beyond).ball >= 0) continue;
+    const float facing = product(normal, to_light);
+    const float length = __builtin_sqrtf(product(to_light, to_light));
+    if (facing > 0) sum += intensity * facing / (__builtin_sqrtf(product(normal, normal)) * length);
+    const V r = mirrored(to_light, normal);
+    const float along = product(r, view);
+    if (along > 0)
+      sum += intensity * power(along / (__builtin_sqrtf(product(r, r)) * __builtin_sqrtf(product(view, view))),
+                               static_cast<int>(specular));
+  }
+  return sum;
+}
+
+V traced(V origin, V direction, float t_min, int depth) {
+  const Meeting met = nearest(origin, direction, t_min, beyond);
+  if (met.ball < 0) return {0, 0, 0};
+  const Ball& ball = balls[met.ball];
+  const V point = origin + met.t * direction;
+  V normal = point - ball.centre;
+  normal = (1.0f / __builtin_sqrtf(product(normal, normal))) * normal;
+  const V view = -1.0f * direction;
+  const V local = light_at(point, normal, view, ball.specular) * ball.colour;
+  if (depth <= 0) return local;
+  const V reflected = traced(point, mirrored(view, normal), epsilon, depth - 1);
+  return (1 - ball.reflective) * local + ball.reflective * reflected;
+}
+
+std::uint8_t level(float value) {
+  return static_cast<std::uint8_t>(value < 0 ? 0 : value > 255 ? 255 : static_cast<int>(value + 0.5f));
+}
+
+void flag_book_picture(int side, std::uint8_t* pixels) {
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const V direction{static_cast<float>(column - side / 2) / static_cast<float>(side),
+                        static_cast<float>(side / 2 - 1 - row) / static_cast<float>(side), 1};
+      const V colour = traced({0, 0, 0}, direction, 1, 3);
+      *pixels++ = level(colour.x);
+      *pixels++ = level(colour.y);
+      *pixels++ = level(colour.z);
+    }
+}
+
+}  // namespace
+}  // namespace ps::stability

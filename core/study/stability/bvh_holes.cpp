@@ -1,0 +1,74 @@
+#include "raytrace/triangle_watertight.h"
+#include "study/stability/aimed_rays.h"
+#include "study/stability/half_tree.h"
+
+namespace ps::stability {
+namespace {
+
+struct Holes {
+  double naive = 0, robust = 0;              ///< misses per million rays
+  double naive_nodes = 0, robust_nodes = 0;  ///< visited, per ray
+};
+
+Holes holes_at(const Vec3d& centre, AimAt what, const StabilityRun& run) {
+  run.check();
+  const ClosedSphere mesh = closed_sphere(160, 320, 2, centre);
+  const HalfTree tree(mesh, MinForm::accumulated_first);
+  Random random(run.seed);
+  Holes holes;
+  const int rays = run.count(200000, 40000);
+  for (int i = 0; i < rays; ++i) {
+    const Vec3f origin(centre + random.in_cube(0.5));
+    Vec3d target;
+    if (what == AimAt::vertex) {
+      target = Vec3d(mesh.vertices[random.below(mesh.vertices.size())]);
+    } else {
+      const auto& corners = mesh.triangles[random.below(mesh.triangles.size())];
+      const Vec3d a(mesh.vertices[corners[0]]), b(mesh.vertices[corners[1]]);
+      target = a + (b - a) * random.unit();
+    }
+    const Vec3f direction(target - Vec3d(origin));
+    const Shear<float> shear(direction);
+    const auto lost = [&](SlabForm form, double& nodes) {
+      bool found = false;
+      nodes += static_cast<double>(tree.for_each(SlabRay<float>(origin, direction, 0, form), [&](std::uint32_t k) {
+        const auto hit = triangle_watertight<float>(origin, shear, mesh.triangle(k), TriangleGuard::none);
+        found = found || (hit.verdict == TriangleVerdict::inside && hit.t > 0);
+      }));
+      return found ? 0.0 : 1.0;
+    };
+    holes.naive += lost(SlabForm::naive, holes.naive_nodes);
+    holes.robust += lost(SlabForm::robust, holes.robust_nodes);
+  }
+  return {per_million(holes.naive, rays), per_million(holes.robust, rays), holes.naive_nodes / rays,
+          holes.robust_nodes / rays};
+}
+
+std::vector<StabilityRow> measure(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const double distance : {0.0, 1e3, 1e5}) {
+    const Holes holes = holes_at(Vec3d(distance, 0, 0), AimAt::vertex, run);
+    rows.push_back({distance, "rays at vertices", holes.naive, holes.robust, "misses per million rays"});
+    rows.push_back({distance, "cost", holes.naive_nodes, holes.robust_nodes, "nodes per ray"});
+  }
+  const Holes holes = holes_at(Vec3d(1e5, 0, 0), AimAt::edge, run);
+  rows.push_back({1e5, "rays at edges", holes.naive, holes.robust, "misses per million rays"});
+  return rows;
+}
+
+}  // namespace
+
+const StabilityExperiment bvh_holes{
+    .key = "bvh-holes",
+    .title = "Holes in a tree of boxes",
+    .knob = "distance of the world from the origin",
+    .naive = "near <= far of the slabs",
+    .robust = "far end grown by 2 gamma(3)",
+    .explanation =
+        "A watertight triangle does not help if the box around it is missed. Rays at vertices run along edges "
+        "of boxes all the way down the tree.",
+    .safe = "Nowhere for rays that are aimed at vertices.",
+    .window = nowhere_safe,
+    .measure = measure};
+
+}  // namespace ps::stability

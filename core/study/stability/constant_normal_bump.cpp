@@ -1,0 +1,80 @@
+#include "raytrace/self_hit.h"
+#include "raytrace/triangle_moeller_trumbore.h"
+#include "study/stability/support.h"
+
+namespace ps::stability {
+namespace {
+
+struct Rates {
+  double rays = 0, parameter = 0, bump = 0, robust = 0;
+};
+
+bool meets(const Vec3f& origin, const Vec3f& direction, const TracedTriangle<float>& triangle, float t_min) {
+  const auto result = triangle_moeller_trumbore<float>(origin, direction, triangle, 0);
+  return result.verdict == TriangleVerdict::inside && result.t > t_min;
+}
+
+/// Random triangles with sides of about 1; 20 rays into the half-space that the eye ray came from leave each hit.
+Rates rates_at(double distance, const StabilityRun& run) {
+  run.check();
+  Random random(run.seed);
+  Rates rates;
+  const TracedGeometry<float> geometry;
+  const Settings settings;
+  const int triangles = run.count(40000, 2000);
+  const Vec3d centre = Vec3d(distance, 0, 0);
+  for (int i = 0; i < triangles; ++i) {
+    const TracedTriangle<float> triangle{Vec3f(centre + random.in_cube(1)), Vec3f(centre + random.in_cube(1)),
+                                         Vec3f(centre + random.in_cube(1))};
+    double u = random.unit(), v = random.unit();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Vec3d target = Vec3d(triangle.a) + Vec3d(triangle.b - triangle.a) * u + Vec3d(triangle.c - triangle.a) * v;
+    Ray<float> ray{Vec3f(target + random.direction() * 2.0), Vec3f(0), 0, 0, no_primitive};
+    ray.direction = Vec3f(target) - ray.origin;
+    const auto hit = triangle_watertight<float>(ray.origin, Shear<float>(ray.direction), triangle, TriangleGuard::none);
+    if (hit.verdict != TriangleVerdict::inside) continue;
+    Surface<float> surface;
+    put_triangle_surface<float>(ray, {0, hit.t, hit.weights}, geometry, triangle, settings, surface);
+    const Vec3f& n = surface.geometric_normal;
+    const Vec3f facing = surface.back_face ? -n : n;
+    const Vec3f along_ray = ray.origin + ray.direction * hit.t;
+    for (int k = 0; k < 20; ++k) {
+      Vec3f away(random.direction());
+      if (dot(away, facing) < 0) away = -away;
+      ++rates.rays;
+      rates.parameter += meets(along_ray, away, triangle, 0) ? 1 : 0;
+      rates.bump += meets(surface.point + facing * 1e-4f, away, triangle, 0) ? 1 : 0;
+      const Vec3f origin = offset_from_triangle(surface, away);
+      const auto again = triangle_watertight<float>(origin, Shear<float>(away), triangle, TriangleGuard::rounding_of_t);
+      rates.robust += again.verdict == TriangleVerdict::inside && again.t > 0 ? 1 : 0;
+    }
+  }
+  return rates;
+}
+
+std::vector<StabilityRow> measure(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const double distance : {0.0, 1e3, 1e4, 1e5}) {
+    const Rates rates = rates_at(distance, run);
+    const double robust = percent(rates.robust, rates.rays);
+    rows.push_back({distance, "o + t d", percent(rates.parameter, rates.rays), robust, "% self-hits"});
+    rows.push_back({distance, "normal bump 1e-4", percent(rates.bump, rates.rays), robust, "% self-hits"});
+  }
+  return rows;
+}
+
+}  // namespace
+
+const StabilityExperiment constant_normal_bump{
+    .key = "constant-normal-bump",
+    .title = "A constant bump along the normal",
+    .knob = "distance of the world from the origin",
+    .naive = "start as found, or 0.0001 along the normal",
+    .robust = "offset by the bound of the point's own error",
+    .explanation = "A hit point lies on either side of its triangle as rounding will have it. A constant bump lifts it "
+                   "as long as the grid of floats there is finer than the bump.",
+    .safe = "A bump of 0.0001 up to a few hundred units from the origin.",
+    .window = {nowhere, 100},
+    .measure = measure};
+
+}  // namespace ps::stability

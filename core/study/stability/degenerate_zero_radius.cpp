@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include "base/check.h"
+#include "raytrace/sphere_quadratic.h"
+#include "raytrace/triangle_watertight.h"
+#include "scene/scene_file.h"
+#include "study/stability/support.h"
+
+namespace ps::stability {
+namespace {
+
+/// A textbook sphere test that turns away what it can name: a negative discriminant, a root before t = 0. What is
+/// neither is taken for a hit.
+bool rejecting(const Vec3f& direction, const TracedSphere<float>& sphere) {
+  const Vec3f f = Vec3f(0) - sphere.centre;
+  const float a = dot(direction, direction), b = 2 * dot(f, direction);
+  const float discriminant = b * b - 4 * a * (dot(f, f) - sphere.radius * sphere.radius);
+  if (discriminant < 0) return false;
+  const float t = (-b - std::sqrt(discriminant)) / (2 * a);
+  return !(t <= 0);
+}
+
+/// The same with the questions turned round: a hit is what passes.
+bool accepting(const Vec3f& direction, const TracedSphere<float>& sphere) {
+  const auto roots = sphere_quadratic<float>(Vec3f(0), direction, dot(direction, direction), sphere);
+  return sphere.radius > 0 && std::isfinite(sphere.radius) && roots.discriminant >= 0 && roots.near > 0 &&
+         std::isfinite(roots.near);
+}
+
+bool loads(std::string_view radius) {
+  try {
+    parse_scene("sphere { center = (0, 0, 5) radius = " + std::string(radius) + " color = red }\n", "radius", ".");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::vector<StabilityRow> measure(const StabilityRun&) {
+  constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  struct Case {
+    const char* name;
+    Vec3f direction;
+    TracedSphere<float> sphere;
+  };
+  const Vec3f ahead(0, 0, 1);
+  std::vector<StabilityRow> rows;
+  for (const Case& c : {Case{"radius -1", ahead, {{0, 0, 5}, -1}}, Case{"radius NaN", ahead, {{0, 0, 5}, nan}},
+                        Case{"radius infinite", ahead, {{0, 0, 5}, inf}}, Case{"direction 0", Vec3f(0), {{0, 0, 5}, 1}},
+                        Case{"centre at 1e20", ahead, {{0, 0, 1e20f}, 1}}, Case{"a ball ahead", ahead, {{0, 0, 5}, 1}}})
+    rows.push_back({0, c.name, rejecting(c.direction, c.sphere) ? 1.0 : 0.0,
+                    accepting(c.direction, c.sphere) ? 1.0 : 0.0, "hits"});
+  for (const char* radius : {"0", "-1", "nan", "inf", "1e400"})
+    rows.push_back(
+        {0, std::string("scene file with radius ") + radius, std::nan(""), loads(radius) ? 1.0 : 0.0, "accepted"});
+  return rows;
+}
+
+}  // namespace
+
+const StabilityExperiment degenerate_zero_radius{
+    .key = "degenerate-zero-radius",
+    .title = "Degenerate shapes",
+    .knob = "none",
+    .naive = "if (bad) return miss",
+    .robust = "return good, and refuse bad input when it is read",
+    .explanation =
+        "Every comparison with NaN is false, so a test that looks for reasons to turn a ray away finds none. "
+        "One that asks for reasons to accept it does not either, and misses.",
+    .safe = "Input that was checked.",
+    .window = nowhere_safe,
+    .measure = measure};
+
+}  // namespace ps::stability

@@ -1,0 +1,94 @@
+#include <array>
+
+#include "scene/scene_file.h"
+#include "study/stability/support.h"
+
+namespace ps::stability {
+namespace {
+
+constexpr int point_light = 1, sun = 2;
+
+/// The book's red ball, sunk into its ground to the middle, and the two lights: what is lost is the shadow that begins
+/// where the two touch.
+constexpr const char* scene_text = R"(
+viewport_size = 1 x 1
+projection_plane_d = 1
+background = black
+sphere { center = (0, -5001, 0) radius = 5000 color = (255, 255, 0) }
+sphere { center = (0, -1, 3) radius = 1 color = (255, 0, 0) }
+light { type = ambient intensity = 0.2 }
+light { type = point intensity = 0.6 position = (2, 1, 0) }
+light { type = directional intensity = 0.2 direction = (1, 4, 4) }
+)";
+constexpr int ground = 0;
+
+Settings guarded(double epsilon) {
+  Settings settings;
+  settings.precision = Precision::float64;
+  settings.sample_position = SamplePosition::corner;
+  settings.reflection_depth = 0;
+  if (epsilon >= 0) {
+    settings.self_hit = SelfHit::epsilon;
+    settings.shadow_epsilon = epsilon;
+  }
+  return settings;
+}
+
+Frame shadows_of(const Scene& scene, const Settings& settings, const StabilityRun& run) {
+  const int side = run.side(600, 300);
+  return picture_of(scene, {scene.camera, side, side}, settings, Channel::shadow | Channel::ids, run);
+}
+
+/// Percentage of the ground in the light's shadow that is lit.
+double lost(const Frame& truth, const Frame& frame, int light) {
+  double all = 0, gone = 0;
+  for (std::size_t i = 0; i < truth.ids.pixels().size(); ++i) {
+    if (truth.ids.pixels()[i].object != ground || (truth.shadow.pixels()[i] >> light & 1) == 0) continue;
+    ++all;
+    gone += (frame.shadow.pixels()[i] >> light & 1) == 0 ? 1 : 0;
+  }
+  return percent(gone, all);
+}
+
+std::vector<StabilityRow> measure(const StabilityRun& run) {
+  const Scene scene = parse_scene(scene_text, "ball", ".");
+  const Frame truth = shadows_of(scene, guarded(-1), run);
+  Settings robust = guarded(-1);
+  robust.precision = Precision::float32;
+  const Frame offset = shadows_of(scene, robust, run);
+  std::vector<StabilityRow> rows;
+  for (const double epsilon : {1e-3, 1e-2, 0.05, 0.1, 0.2, 0.3, 0.5}) {
+    const Frame frame = shadows_of(scene, guarded(epsilon), run);
+    for (const int light : {point_light, sun})
+      rows.push_back({epsilon, light == sun ? "directional light" : "point light", lost(truth, frame, light),
+                      lost(truth, offset, light), "% of the shadow on the ground lost"});
+  }
+  return rows;
+}
+
+StabilityPicture picture(double epsilon) {
+  StabilityPicture picture{.scene = scene_text};
+  picture.naive.self_hit = SelfHit::epsilon;
+  picture.naive.shadow_epsilon = epsilon;
+  return picture;
+}
+
+constexpr std::array frames{1e-3, 0.1, 0.2, 0.3, 0.5};
+
+}  // namespace
+
+const StabilityExperiment epsilon_too_large{
+    .key = "epsilon-too-large",
+    .title = "Epsilon too large",
+    .knob = "shadow epsilon (ray parameter)",
+    .naive = "ignore hits up to epsilon",
+    .robust = "bounded offset, no epsilon",
+    .explanation = "An epsilon jumps over whatever lies nearer, also over the very thing whose shadow begins there. "
+                   "Towards the directional light (1, 4, 4) it jumps nearly six times as far as its number says.",
+    .safe = "Up to 0.01 for this scene.",
+    .window = {nowhere, 0.01},
+    .measure = measure,
+    .picture = picture,
+    .frames = frames};
+
+}  // namespace ps::stability

@@ -1,0 +1,167 @@
+#include "raster/coverage/inexact_edges.h"
+#include "raster/edge_function.h"
+#include "raster/interpolate.h"
+#include "study/stability/jittered_mesh.h"
+
+namespace ps::stability {
+namespace {
+
+using raster::CoverageGrid;
+using raster::FixedPoint;
+
+enum class Width { int64, int32 };
+
+/// Draws a mesh with the product's edge functions and counts how often each pixel is painted.
+std::vector<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Width width) {
+  std::vector<int> times(static_cast<std::size_t>(side * side), 0);
+  const CoverageGrid grid{8, rule, {0.5, 0.5}};
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto p = mesh.corners(i);
+    const std::array<FixedPoint, 3> corner{raster::to_fixed(p[0], 8), raster::to_fixed(p[1], 8),
+                                           raster::to_fixed(p[2], 8)};
+    const auto edges = raster::make_edges(corner, grid);
+    if (!edges) continue;
+    const raster::PixelBox box = raster::sample_box(corner, grid);
+    for (int y = std::max(0, box.y0); y < std::min(side, box.y1); ++y)
+      for (int x = std::max(0, box.x0); x < std::min(side, box.x1); ++x) {
+        const auto value = edges->at(x, y);
+        bool inside = edges->inside(value);
+        if (width == Width::int32) {
+          inside = true;
+          for (std::size_t k = 0; k < 3; ++k)
+            inside = inside && raster::inside_edge(raster::wrapped(value[k], 8), edges->threshold[k]);
+        }
+        times[static_cast<std::size_t>(y * side + x)] += inside ? 1 : 0;
+      }
+  }
+  return times;
+}
+
+/// The mesh as a wave moves its inside, corners on half pixels: edges of every slope.
+FlatMesh bent(FlatMesh mesh) {
+  for (Vec2d& p : mesh.points) {
+    const Vec2d still(std::sin(pi * (p.x - 0.5) / 655), std::sin(pi * (p.y - 0.5) / 655));
+    const double share = std::min(1.0, 4 * still.x) * std::min(1.0, 4 * still.y);
+    const Vec2d moved = p + Vec2d(9 * std::sin(p.y / 23), 9 * std::sin(p.x / 27)) * std::max(0.0, share);
+    p = {std::round(2 * moved.x) / 2, std::round(2 * moved.y) / 2};
+  }
+  return mesh;
+}
+
+/// 32 x 31 pixels each: the sides run through samples, the diagonals through hardly any.
+FlatMesh rectangles() {
+  Random unused(0);
+  FlatMesh mesh = jittered_mesh(22, 0, 22, 0, 1, unused);
+  for (Vec2d& p : mesh.points) p = {0.5 + 32 * p.x, 0.5 + 31 * p.y};
+  return mesh;
+}
+
+/// 655 x 655 pixels, as 7,200 triangles with corners on half pixels, or as squares whose sides run through samples.
+std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const bool squares : {false, true}) {
+    run.check();
+    Random random(run.seed);
+    const FlatMesh mesh = squares ? rectangles() : bent(jittered_mesh(60, 0.5, 655.5, 0.2, 0, random));
+    const int last = 655;
+    const Painted robust = count_painted(painted_times(mesh, 720, FillRule::top_left, Width::int64), 720, 0, last);
+    for (const FillRule rule : {FillRule::inclusive, FillRule::exclusive}) {
+      const Painted naive = count_painted(painted_times(mesh, 720, rule, Width::int64), 720, 0, last);
+      const std::string name = std::string(squares ? "sides on samples" : "corners on half pixels") +
+                               (rule == FillRule::inclusive ? ", >= 0" : ", > 0");
+      const double knob = rule == FillRule::inclusive ? 0 : 1;
+      rows.push_back({knob, name + ", holes", naive.holes, robust.holes, "px of 429,025"});
+      rows.push_back({knob, name + ", doubles", naive.doubles, robust.doubles, "px of 429,025"});
+    }
+  }
+  return rows;
+}
+
+std::vector<StabilityRow> measure_int32(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const int cells : {16, 8, 6, 4, 3, 2}) {
+    run.check();
+    Random random(run.seed);
+    const FlatMesh mesh = jittered_mesh(cells, 0.5, 655.5, 0.2, 0, random);
+    const Painted naive = count_painted(painted_times(mesh, 660, FillRule::top_left, Width::int32), 660, 1, 655);
+    const Painted robust = count_painted(painted_times(mesh, 660, FillRule::top_left, Width::int64), 660, 1, 655);
+    rows.push_back({655.0 / cells, "square mesh", naive.holes, robust.holes, "holes, px of 429,025"});
+  }
+  return rows;
+}
+
+/// The book's DrawFilledTriangle (CGFS ch. 7): from the rounded left edge to the rounded right edge, both included,
+/// from the first row to the last, both included.
+void book_triangle(std::array<Vec2d, 3> p, int side, std::vector<int>& times) {
+  for (Vec2d& corner : p) corner = {std::round(corner.x), std::round(corner.y)};
+  if (p[1].y < p[0].y) std::swap(p[0], p[1]);
+  if (p[2].y < p[0].y) std::swap(p[0], p[2]);
+  if (p[2].y < p[1].y) std::swap(p[1], p[2]);
+  raster::InterpolatedValues<double> whole(p[0].y, p[0].x, p[2].y, p[2].x), upper(p[0].y, p[0].x, p[1].y, p[1].x),
+      lower(p[1].y, p[1].x, p[2].y, p[2].x);
+  for (int y = static_cast<int>(p[0].y); y <= static_cast<int>(p[2].y); ++y) {
+    const double a = whole.at(y - static_cast<int>(p[0].y));
+    const double b =
+        y < static_cast<int>(p[1].y) ? upper.at(y - static_cast<int>(p[0].y)) : lower.at(y - static_cast<int>(p[1].y));
+    for (int x = static_cast<int>(std::lround(std::min(a, b))); x <= static_cast<int>(std::lround(std::max(a, b))); ++x)
+      if (x >= 0 && y >= 0 && x < side && y < side) ++times[static_cast<std::size_t>(y * side + x)];
+  }
+}
+
+std::vector<StabilityRow> measure_inclusive(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const double size : {100.0, 50.0, 21.0, 10.0, 5.0, 3.0}) {
+    run.check();
+    Random random(run.seed);
+    const int cells = static_cast<int>(600 / size);
+    const FlatMesh mesh = jittered_mesh(cells, 10, 10 + cells * size, 0.3, 0, random);
+    std::vector<int> times(640 * 640, 0);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) book_triangle(mesh.corners(i), 640, times);
+    const int last = 10 + static_cast<int>(cells * size);
+    const Painted naive = count_painted(times, 640, 11, last);
+    const Painted robust = count_painted(painted_times(mesh, 640, FillRule::top_left, Width::int64), 640, 11, last);
+    rows.push_back({size, "mesh", percent(naive.doubles, naive.pixels), percent(robust.doubles, robust.pixels),
+                    "% of pixels painted more than once"});
+  }
+  return rows;
+}
+
+}  // namespace
+
+const StabilityExperiment fill_rule_easy{
+    .key = "fill-rule-easy",
+    .title = "Who owns an edge",
+    .knob = "0: >= 0, 1: > 0",
+    .naive = "inside where all edge values are >= 0, or > 0",
+    .robust = "top-left rule",
+    .explanation = "Where a sample lies exactly on a shared edge, both triangles say the same: both paint it, or "
+                   "neither. The top-left rule gives it to one of them.",
+    .safe = "Meshes without a sample on an edge.",
+    .window = nowhere_safe,
+    .measure = measure_easy};
+
+const StabilityExperiment int32_edge_functions{
+    .key = "int32-edge-functions",
+    .title = "Edge functions in 32 bits",
+    .knob = "length of a triangle's legs (px)",
+    .naive = "int32, 8 sub-pixel bits",
+    .robust = "int64",
+    .explanation = "An edge value is a product of two lengths in 256ths of a pixel. From 181 by 181 pixels on it needs "
+                   "more than 31 bits and changes its sign.",
+    .safe = "Triangles of up to 128 pixels.",
+    .window = {nowhere, 128},
+    .measure = measure_int32};
+
+const StabilityExperiment inclusive_scanlines{
+    .key = "inclusive-scanlines",
+    .title = "Scanlines with both ends",
+    .knob = "length of a triangle's legs (px)",
+    .naive = "the book's filling, both ends included",
+    .robust = "top-left rule",
+    .explanation = "Rows from the rounded left edge to the rounded right edge, both included, paint every shared edge "
+                   "twice. The smaller the triangles, the more of their pixels are edges.",
+    .safe = "Opaque triangles without a depth test, where painting twice costs time alone.",
+    .window = nowhere_safe,
+    .measure = measure_inclusive};
+
+}  // namespace ps::stability

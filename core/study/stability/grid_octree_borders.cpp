@@ -1,0 +1,149 @@
+#include <array>
+
+#include "study/stability/support.h"
+
+namespace ps::stability {
+namespace {
+
+struct Ball {
+  Vec3d centre;
+  double radius;
+};
+
+/// How a grid keeps and searches its balls.
+enum class Way {
+  centres_only,     ///< a ball stands in the cell of its centre alone
+  mailbox_rejects,  ///< stands in all it touches, is tested once, and counts only if hit inside that cell
+  first_hit_wins,   ///< as above without the mailbox's flaw, but the first cell with a hit ends the walk
+  keep_best         ///< the walk ends when the best hit lies before the end of the cell
+};
+
+/// A uniform grid over the unit cube.
+class Grid {
+ public:
+  Grid(const std::vector<Ball>& balls, int side, bool centres_only) : side_(side), cells_(cell_count()) {
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      const Vec3d reach(centres_only ? 0.0 : balls[i].radius);
+      std::array<int, 3> low{}, high{};
+      for (int axis = 0; axis < 3; ++axis) {
+        low[static_cast<std::size_t>(axis)] = cell_of(balls[i].centre[axis] - reach[axis]);
+        high[static_cast<std::size_t>(axis)] = cell_of(balls[i].centre[axis] + reach[axis]);
+      }
+      for (int z = low[2]; z <= high[2]; ++z)
+        for (int y = low[1]; y <= high[1]; ++y)
+          for (int x = low[0]; x <= high[0]; ++x) cells_[index(x, y, z)].push_back(static_cast<int>(i));
+    }
+  }
+
+  /// The ball that the ray is said to meet first, or -1. The origin lies outside the cube, the ray goes through it.
+  int search(const std::vector<Ball>& balls, const Vec3d& origin, const Vec3d& direction, Way way) const {
+    double enter = 0, leave = everywhere;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = -origin[axis] / direction[axis], b = (1 - origin[axis]) / direction[axis];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    if (!(enter <= leave)) return -1;
+    std::array<int, 3> cell{}, step{};
+    std::array<double, 3> next{}, width{};
+    const Vec3d start = origin + direction * enter;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      cell[i] = cell_of(start[axis]);
+      step[i] = direction[axis] < 0 ? -1 : 1;
+      width[i] = std::abs(1 / (side_ * direction[axis]));
+      const double plane = static_cast<double>(cell[i] + (step[i] > 0 ? 1 : 0)) / side_;
+      next[i] = (plane - origin[axis]) / direction[axis];
+    }
+    std::vector<char> tested(balls.size(), 0);
+    int best = -1;
+    double best_t = everywhere;
+    while (true) {
+      const std::size_t axis = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
+      const double exit = next[axis];
+      for (const int i : cells_[index(cell[0], cell[1], cell[2])]) {
+        if (way == Way::mailbox_rejects && tested[static_cast<std::size_t>(i)]) continue;
+        tested[static_cast<std::size_t>(i)] = 1;
+        const double t = hit(balls[static_cast<std::size_t>(i)], origin, direction);
+        if (way == Way::mailbox_rejects && !(t <= exit)) continue;
+        if (t < best_t) best_t = t, best = i;
+      }
+      if (best >= 0 && (way == Way::keep_best ? best_t <= exit : true)) return best;
+      cell[axis] += step[axis];
+      if (cell[axis] < 0 || cell[axis] >= side_) return best;
+      next[axis] += width[axis];
+    }
+  }
+
+  static double hit(const Ball& ball, const Vec3d& origin, const Vec3d& direction) {
+    const Vec3d f = origin - ball.centre;
+    const double a = dot(direction, direction), b = dot(f, direction);
+    const double discriminant = b * b - a * (dot(f, f) - ball.radius * ball.radius);
+    if (!(discriminant >= 0)) return everywhere;
+    const double t = (-b - std::sqrt(discriminant)) / a;
+    return t > 0 ? t : everywhere;
+  }
+
+ private:
+  std::size_t cell_count() const { return static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_ * side_); }
+  std::size_t index(int x, int y, int z) const { return static_cast<std::size_t>((z * side_ + y) * side_ + x); }
+  int cell_of(double place) const { return std::clamp(static_cast<int>(std::floor(place * side_)), 0, side_ - 1); }
+  int side_;
+  std::vector<std::vector<int>> cells_;
+};
+
+std::vector<StabilityRow> measure(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const int side : {4, 16, 64}) {
+    run.check();
+    Random random(run.seed);
+    std::vector<Ball> balls;
+    for (int i = 0; i < 2000; ++i) {  // inside the grid, or what sticks out would be seen without it
+      const double radius = random.between(0.01, 0.045), low = radius, high = 1 - radius;
+      balls.push_back({{random.between(low, high), random.between(low, high), random.between(low, high)}, radius});
+    }
+    const Grid overlapping(balls, side, false), centres(balls, side, true);
+    std::array<double, 4> wrong{};
+    double hits = 0;
+    const int rays = run.count(20000, 3000);
+    for (int i = 0; i < rays; ++i) {
+      const Vec3d origin = Vec3d(0.5) + random.direction() * 2.0;
+      const Vec3d direction = Vec3d(random.unit(), random.unit(), random.unit()) - origin;
+      int truth = -1;
+      double nearest = everywhere;
+      for (std::size_t k = 0; k < balls.size(); ++k) {
+        const double t = Grid::hit(balls[k], origin, direction);
+        if (t < nearest) nearest = t, truth = static_cast<int>(k);
+      }
+      if (truth < 0) continue;
+      ++hits;
+      for (const Way way : {Way::centres_only, Way::mailbox_rejects, Way::first_hit_wins, Way::keep_best}) {
+        const Grid& grid = way == Way::centres_only ? centres : overlapping;
+        const Way walk = way == Way::centres_only ? Way::keep_best : way;
+        wrong[static_cast<std::size_t>(way)] += grid.search(balls, origin, direction, walk) != truth ? 1 : 0;
+      }
+    }
+    const char* names[] = {"centres alone", "mailbox and t <= cell exit", "first hit wins"};
+    for (std::size_t i = 0; i < 3; ++i)
+      rows.push_back({static_cast<double>(side), names[i], percent(wrong[i], hits), percent(wrong[3], hits),
+                      "% of hits missed or wrong"});
+  }
+  return rows;
+}
+
+}  // namespace
+
+const StabilityExperiment grid_octree_borders{
+    .key = "grid-octree-borders",
+    .title = "Borders of grids and octrees",
+    .knob = "cells along a side",
+    .naive = "short cuts of registration and search",
+    .robust = "stand in every cell touched, keep the best until it lies before the cell's end",
+    .explanation =
+        "A ball that reaches into other cells is not found there, or is found in one cell and hit in another. "
+        "What decides is where the hit lies, not in which cell the test was made.",
+    .safe = "Nowhere.",
+    .window = nowhere_safe,
+    .measure = measure};
+
+}  // namespace ps::stability

@@ -1,0 +1,200 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "raster/shadow/shadow_lookup.h"
+#include "study/stability/support.h"
+
+namespace ps::stability {
+namespace {
+
+using raster::ShadowComparison;
+using raster::ShadowMap;
+
+constexpr double ball_radius = 0.5;
+const Vec3d ball_centre{0, ball_radius, 0};
+
+/// A ball on a floor of 8 x 8, with the sun at an elevation.
+Scene ball_on_floor(double elevation) {
+  Scene scene;
+  scene.materials = Part<std::vector<Material>>({Material{}});
+  Geometry geometry;
+  geometry.objects.push_back({"floor", Solid{Rectangle{{-4, 0, -4}, {0, 0, 8}, {8, 0, 0}}, 0}});
+  geometry.objects.push_back({"ball", Sphere{ball_centre, ball_radius, 0}});
+  scene.geometry = Part<Geometry>(std::move(geometry));
+  Light sun{LightKind::directional, 1};
+  sun.direction = {0, std::sin(elevation * pi / 180), std::cos(elevation * pi / 180)};
+  scene.lights = Part<std::vector<Light>>({sun});
+  return scene;
+}
+
+ShadowMap map_of(const Scene& scene, int size, const StabilityRun& run) {
+  run.check();
+  Settings settings;
+  settings.shadow_map_size = size;
+  settings.tessellation = 0.05;
+  Prepared prepared;
+  Progress own;
+  return raster::shadow_maps(scene, settings, prepared, WorkerPriority::normal, run.progress ? *run.progress : own)
+      ->front();
+}
+
+double texel(const ShadowMap& map) { return 2 * map.half / map.size; }
+
+/// How far the sun's ray from a point passes by the middle of the ball; infinity behind it.
+double distance_to_ball(const Vec3d& point, const Vec3d& to_sun) {
+  const Vec3d across = ball_centre - point;
+  const double along = dot(across, to_sun);
+  const Vec3d rest = across - to_sun * along;
+  return along < 0 ? everywhere : std::sqrt(dot(rest, rest));
+}
+
+double seen(const ShadowMap& map, const Vec3d& point, const ShadowComparison<double>& how) {
+  Silent nobody;
+  return raster::look_up_shadow(map, 0, point, Vec3d(0, 1, 0), how, nobody);
+}
+
+/// Mean darkness (%) of floor that the sun reaches.
+double acne(const Scene& scene, const ShadowMap& map, const ShadowComparison<double>& how, const StabilityRun& run) {
+  Random random(run.seed);
+  const Vec3d to_sun = scene.lights->front().direction;
+  const int points = run.count(100000, 20000);
+  double dark = 0;
+  for (int lit = 0; lit < points;) {
+    const Vec3d point{random.between(-3.5, 3.5), 0, random.between(-3.5, 3.5)};
+    if (distance_to_ball(point, to_sun) < ball_radius + 12 * texel(map)) continue;
+    ++lit;
+    dark += 1 - seen(map, point, how);
+  }
+  return percent(dark, points);
+}
+
+/// Percentage of the shadow within 0.15 of the place where the ball touches the floor that is lit.
+double contact_lost(const Scene& scene, const ShadowMap& map, const ShadowComparison<double>& how,
+                    const StabilityRun& run) {
+  Random random(run.seed);
+  const Vec3d to_sun = scene.lights->front().direction;
+  const int points = run.count(20000, 5000);
+  double lost = 0;
+  for (int shadowed = 0; shadowed < points;) {
+    const Vec3d point{random.between(-0.15, 0.15), 0, random.between(-0.15, 0.15)};
+    if (!(std::hypot(point.x, point.z) < 0.15) || distance_to_ball(point, to_sun) > ball_radius) continue;
+    ++shadowed;
+    lost += seen(map, point, how);
+  }
+  return percent(lost, points);
+}
+
+std::vector<StabilityRow> measure_acne(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const int size : {256, 1024, 2048})
+    for (const double elevation : {60.0, 30.0, 10.0}) {
+      const Scene scene = ball_on_floor(elevation);
+      const ShadowMap map = map_of(scene, size, run);
+      const double robust = acne(scene, map, {0, 0.52, 1}, run);
+      for (const double bias : {0.0, 0.001, 0.01, 0.05}) {
+        rows.push_back({bias, fmt::format("{} texels, sun at {} degrees", size, elevation),
+                        acne(scene, map, {bias, 0, 1}, run), robust, "% of lit floor dark"});
+        // The formula of the same: what half a texel's slope has left over the bias, over texel and slope.
+        const double slope = 1 / std::tan(elevation * pi / 180);
+        rows.push_back({bias, fmt::format("{} texels, sun at {} degrees, by formula", size, elevation),
+                        100 * std::max(0.0, 0.5 - bias / (texel(map) * slope)), 0, "% of lit floor dark"});
+      }
+    }
+  return rows;
+}
+
+std::vector<StabilityRow> measure_filter(const StabilityRun& run) {
+  const Scene scene = ball_on_floor(30);
+  const ShadowMap map = map_of(scene, 512, run);
+  std::vector<StabilityRow> rows;
+  for (const int taps : {1, 3, 5, 7})
+    rows.push_back({static_cast<double>(taps), "sun at 30 degrees", acne(scene, map, {0, 1, taps}, run),
+                    acne(scene, map, {0, taps / 2 + 0.6, taps}, run), "% of lit floor dark"});
+  return rows;
+}
+
+std::vector<StabilityRow> measure_peter_panning(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  const Scene scene = ball_on_floor(10);
+  for (const int size : {256, 1024, 2048}) {
+    const ShadowMap map = map_of(scene, size, run);
+    const double robust = contact_lost(scene, map, {0, 0.52, 1}, run);
+    for (const double bias : {0.01, 0.05, 0.1, 0.2, 0.4})
+      rows.push_back({bias, fmt::format("{} texels, sun at 10 degrees", size),
+                      contact_lost(scene, map, {bias, 0, 1}, run), robust, "% of contact shadow lost"});
+  }
+  return rows;
+}
+
+StabilityPicture picture(double bias) {
+  StabilityPicture picture{.scene = "lab/shadow-acne", .width = 240, .height = 160};
+  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.shadows = Shadows::map;
+  picture.robust.shadow_map_size = 256;
+  picture.robust.shadow_bias = 0;
+  picture.robust.shadow_slope_bias = 0.52;
+  picture.naive = picture.robust;
+  picture.naive.shadow_bias = bias;
+  picture.naive.shadow_slope_bias = 0;
+  return picture;
+}
+
+StabilityPicture picture_filter(double taps) {
+  StabilityPicture result = picture(0);
+  result.naive.shadow_filter = result.robust.shadow_filter = static_cast<int>(taps);
+  result.naive.shadow_slope_bias = 1;
+  result.robust.shadow_slope_bias = static_cast<int>(taps) / 2 + 0.6;
+  return result;
+}
+
+constexpr std::array biases{0.0, 0.01, 0.05, 0.2};
+constexpr std::array taps{1.0, 3.0, 5.0, 7.0};
+constexpr std::array large_biases{0.01, 0.1, 0.2, 0.5};
+
+}  // namespace
+
+const StabilityExperiment shadow_map_acne{
+    .key = "shadow-map-acne",
+    .title = "Shadow map acne",
+    .knob = "constant bias (world units)",
+    .naive = "constant bias",
+    .robust = "slope bias of half a texel",
+    .explanation =
+        "A texel knows the depth in its middle; half a texel farther down the slope the surface lies deeper "
+        "and takes itself for shadowed. The lower the light, the steeper the slope and the more bias is needed.",
+    .safe = "Half a texel times the slope, for the lowest light of the scene.",
+    .window = {0.05, everywhere},
+    .measure = measure_acne,
+    .picture = picture,
+    .frames = biases};
+
+const StabilityExperiment pcf_one_tap_bias{
+    .key = "pcf-one-tap-bias",
+    .title = "A filter with the bias of one tap",
+    .knob = "taps along a side",
+    .naive = "slope bias of one texel",
+    .robust = "slope bias of half the filter and a little more",
+    .explanation = "The outer taps of a filter lie texels away down the slope, where the surface is deeper by as many "
+                   "slopes. With a bias of one texel one of three taps is dark half the time.",
+    .safe = "One tap.",
+    .window = {1, 1},
+    .measure = measure_filter,
+    .picture = picture_filter,
+    .frames = taps};
+
+const StabilityExperiment peter_panning{
+    .key = "peter-panning",
+    .title = "Shadows that come off",
+    .knob = "constant bias (world units)",
+    .naive = "constant bias",
+    .robust = "slope bias of half a texel",
+    .explanation = "A bias large enough to cure acne under a low sun jumps over the thin part of an object where it "
+                   "touches the ground. More texels do not help against a constant.",
+    .safe = "Biases far below the size of objects.",
+    .window = {nowhere, 0.02},
+    .measure = measure_peter_panning,
+    .picture = picture,
+    .frames = large_biases};
+
+}  // namespace ps::stability

@@ -1,0 +1,145 @@
+#include <memory>
+
+#include "raster/edge_function.h"
+#include "scene/generate/uv_sphere.h"
+#include "study/stability/jittered_mesh.h"
+
+namespace ps::stability {
+namespace {
+
+using raster::CoverageGrid;
+using raster::FixedPoint;
+
+/// Which triangle each pixel belongs to when corners are rounded to so many bits.
+std::vector<int> owners(const FlatMesh& mesh, int side, int bits) {
+  std::vector<int> owner(static_cast<std::size_t>(side * side), -1);
+  const CoverageGrid grid{bits, FillRule::top_left, {0.5, 0.5}};
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto p = mesh.corners(i);
+    const std::array<FixedPoint, 3> corner{raster::to_fixed(p[0], bits), raster::to_fixed(p[1], bits),
+                                           raster::to_fixed(p[2], bits)};
+    const auto edges = raster::make_edges(corner, grid);
+    if (!edges) continue;
+    const raster::PixelBox box = raster::sample_box(corner, grid);
+    for (int y = std::max(0, box.y0); y < std::min(side, box.y1); ++y)
+      for (int x = std::max(0, box.x0); x < std::min(side, box.x1); ++x)
+        if (edges->inside(edges->at(x, y))) owner[static_cast<std::size_t>(y * side + x)] = static_cast<int>(i);
+  }
+  return owner;
+}
+
+std::vector<StabilityRow> measure_bits(const StabilityRun& run) {
+  constexpr int finest = 18, side = 520;
+  std::vector<StabilityRow> rows;
+  for (const double edge : {171.0, 17.7, 5.2, 2.6, 1.3}) {
+    run.check();
+    Random random(run.seed);
+    const int cells = std::max(3, static_cast<int>(512 / edge));
+    const FlatMesh mesh = jittered_mesh(cells, 2.3, 514.7, 0.3, 0, random);
+    const std::vector<int> truth = owners(mesh, side, finest);
+    const auto wrong = [&](int bits) {
+      const std::vector<int> owner = owners(mesh, side, bits);
+      double changed = 0, all = 0;
+      for (std::size_t i = 0; i < truth.size(); ++i)
+        if (truth[i] >= 0) {
+          ++all;
+          changed += owner[i] != truth[i] ? 1 : 0;
+        }
+      return percent(changed, all);
+    };
+    const double robust = wrong(8);
+    for (const int bits : {0, 2, 4, 8})
+      rows.push_back({static_cast<double>(bits),
+                      "legs of " + std::to_string(edge).substr(0, edge < 100 ? 4 : 3) + " px", wrong(bits), robust,
+                      "% of px given to another triangle"});
+  }
+  return rows;
+}
+
+/// A ball of 6,400 triangles before the camera.
+Scene ball() {
+  Mesh mesh = make_uv_sphere({80, 41});
+  mesh.materials = {0};
+  Geometry geometry;
+  geometry.meshes = {std::make_shared<Mesh>(std::move(mesh))};
+  Instance instance;
+  instance.transform.translation = {0.013, 0.021, 5};
+  geometry.objects.push_back({"ball", instance});
+  Scene scene;
+  scene.geometry = Part<Geometry>(std::move(geometry));
+  scene.materials = Part<std::vector<Material>>({Material{}});
+  return scene;
+}
+
+std::vector<StabilityRow> measure_agreement(const StabilityRun& run) {
+  const Scene scene = ball();
+  const View view{scene.camera, 512, 512};
+  Settings rays;
+  rays.lighting = false;
+  rays.precision = Precision::float64;
+  const auto ids = [&](const Settings& settings) { return picture_of(scene, view, settings, Channel::ids, run).ids; };
+  const Image<PixelId> traced = ids(rays);
+  const auto differing = [&](const Image<PixelId>& a) {
+    double count = 0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) count += a.pixels()[i] == traced.pixels()[i] ? 0 : 1;
+    return count;
+  };
+  Settings raster = rays;
+  raster.renderer = Renderer::rasterizer;
+  raster.subpixel_bits = 12;
+  const double robust = differing(ids(raster));
+  std::vector<StabilityRow> rows;
+  for (const int bits : {0, 2, 4, 8, 12}) {
+    raster.subpixel_bits = bits;
+    rows.push_back(
+        {static_cast<double>(bits), "both renderers", differing(ids(raster)), robust, "px with another triangle"});
+  }
+  raster.subpixel_bits = 8;
+  raster.sample_position = SamplePosition::corner;
+  rows.push_back({8, "half a pixel apart", differing(ids(raster)), robust, "px with another triangle"});
+  return rows;
+}
+
+StabilityPicture picture_bits(double bits) {
+  StabilityPicture picture{.scene = "cgfs/shading"};
+  picture.robust.renderer = Renderer::rasterizer;
+  picture.naive = picture.robust;
+  picture.naive.subpixel_bits = static_cast<int>(bits);
+  return picture;
+}
+
+constexpr std::array frames{0.0, 1.0, 2.0, 4.0, 8.0};
+
+}  // namespace
+
+const StabilityExperiment sub_pixel_bits{
+    .key = "sub-pixel-bits",
+    .title = "Sub-pixel bits",
+    .knob = "bits after the point",
+    .naive = "so many bits",
+    .robust = "8 bits",
+    .explanation =
+        "Corners are rounded before coverage is decided, so edges move by up to half a step. Each bit halves "
+        "the number of pixels that change hands.",
+    .safe = "8 bits: two pixels in a thousand at triangles of one pixel.",
+    .window = {8, everywhere},
+    .measure = measure_bits,
+    .picture = picture_bits,
+    .frames = frames};
+
+const StabilityExperiment ray_vs_raster_agreement{
+    .key = "ray-vs-raster-agreement",
+    .title = "Do rays and fragments see the same triangle?",
+    .knob = "sub-pixel bits",
+    .naive = "so many bits",
+    .robust = "12 bits, the same sample position",
+    .explanation =
+        "Rays ask where the exact edge runs, fragments where the rounded one does. Half a pixel between their "
+        "sample positions does more harm than all rounding.",
+    .safe = "8 bits and the same sample position.",
+    .window = {8, everywhere},
+    .measure = measure_agreement,
+    .picture = picture_bits,
+    .frames = frames};
+
+}  // namespace ps::stability

@@ -1,0 +1,191 @@
+#include <array>
+
+#include <fmt/format.h>
+
+#include "options/scene_settings.h"
+#include "scene/load.h"
+#include "scene/scene_file.h"
+#include "study/stability/support.h"
+
+namespace ps::stability {
+namespace {
+
+/// A floor in the light of the sun right above, and a roof over the middle whose shadow volume the camera looks
+/// through, or stands in.
+std::string roof_text(double camera_z) {
+  return fmt::format(
+      "viewport_size = 1.5 x 1\nprojection_plane_d = 1\nbackground = white\n"
+      "camera {{ position = (0, 0, {}) }}\n"
+      "rectangle {{ name = floor corner = (-30, -1, -20) side_a = (60, 0, 0) side_b = (0, 0, 80) color = white }}\n"
+      "box {{ name = roof center = (0, 3, 0) size = (4, 0.2, 4) color = (150, 110, 80) }}\n"
+      "light {{ type = ambient intensity = 0.25 }}\n"
+      "light {{ type = directional intensity = 0.75 direction = (0, 1, 0) }}\n",
+      camera_z);
+}
+constexpr int floor_object = 0, sun = 1;
+
+Settings with(Renderer renderer, Shadows shadows, double near) {
+  Settings settings;
+  settings.renderer = renderer;
+  settings.shadows = shadows;
+  settings.near = near;
+  settings.precision = renderer == Renderer::ray_tracer ? Precision::float64 : Precision::float32;
+  return settings;
+}
+
+/// Of the floor that rays and fragments both show, the percentage whose light is seen in one only. Pixels beside
+/// another object or beside an edge of the shadow are left out, since fragments round edges.
+double wrong_share(const Scene& scene, Shadows shadows, double near, const StabilityRun& run) {
+  const View view{scene.camera, 150, 100};
+  const Channel channels = Channel::ids | Channel::shadow;
+  const Frame truth = picture_of(scene, view, with(Renderer::ray_tracer, Shadows::traced, near), channels, run);
+  const Frame frame = picture_of(scene, view, with(Renderer::rasterizer, shadows, near), channels, run);
+  const auto bit = [](const Frame& f, int x, int y) { return f.shadow.at(x, y) >> sun & 1; };
+  double all = 0, wrong = 0;
+  for (int y = 1; y + 1 < 100; ++y)
+    for (int x = 1; x + 1 < 150; ++x) {
+      bool plain = frame.ids.at(x, y).object == floor_object;
+      for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+        plain = plain && truth.ids.at(x + dx, y + dy).object == floor_object &&
+                bit(truth, x + dx, y + dy) == bit(truth, x, y);
+      if (!plain) continue;
+      ++all;
+      wrong += bit(truth, x, y) != bit(frame, x, y) ? 1 : 0;
+    }
+  return percent(wrong, all);
+}
+
+std::vector<StabilityRow> measure_inside(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const double z : {-8.0, -6.0, -4.0, -3.0, -1.5, 0.0}) {
+    const Scene scene = parse_scene(roof_text(z), "roof", ".");
+    rows.push_back({z, "under a roof of 4 x 4", wrong_share(scene, Shadows::stencil_depth_pass, 0.05, run),
+                    wrong_share(scene, Shadows::stencil_depth_fail, 0.05, run), "% of floor pixels wrong"});
+  }
+  return rows;
+}
+
+std::vector<StabilityRow> measure_near(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  const Scene scene = parse_scene(roof_text(-2.05), "roof", ".");
+  for (const double near : {0.01, 0.03, 0.1, 0.3, 0.6})
+    rows.push_back({near, "camera 0.05 before the shadow", wrong_share(scene, Shadows::stencil_depth_pass, near, run),
+                    wrong_share(scene, Shadows::stencil_depth_fail, near, run), "% of floor pixels wrong"});
+  return rows;
+}
+
+/// `boards` over one place, in the light from above.
+std::string boards_text(int boards) {
+  std::string text =
+      "viewport_size = 1.5 x 1\nprojection_plane_d = 1\nbackground = white\ncamera { position = (0, 0, -3) }\n"
+      "rectangle { corner = (-6, -1, -2) side_a = (12, 0, 0) side_b = (0, 0, 14) color = white }\n"
+      "light { type = ambient intensity = 0.25 }\n"
+      "light { type = directional intensity = 0.75 direction = (0, 1, 0) }\n";
+  for (int i = 0; i < boards; ++i)
+    text += fmt::format("rectangle {{ corner = (-1, {}, 1) side_a = (2, 0, 0) side_b = (0, 0, 2) color = red }}\n",
+                        1.5 + 0.01 * i);
+  return text;
+}
+
+/// Percentage of the floor right under the boards that is lit.
+double lit_share(int boards, int bits, const StabilityRun& run) {
+  const Scene scene = parse_scene(boards_text(boards), "boards", ".");
+  const View view{scene.camera, 90, 60};
+  const Channel channels = Channel::ids | Channel::shadow;
+  Settings settings = with(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.1);
+  settings.stencil_bits = bits;
+  const Frame truth = picture_of(scene, view, with(Renderer::ray_tracer, Shadows::traced, 0.1), channels, run);
+  const Frame frame = picture_of(scene, view, settings, channels, run);
+  double dark = 0, lit = 0;
+  for (int y = 1; y + 1 < 60; ++y)
+    for (int x = 1; x + 1 < 90; ++x) {
+      bool inner = true;
+      for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+        inner = inner && truth.ids.at(x + dx, y + dy).object == 0 && truth.shadow.at(x + dx, y + dy) != 0;
+      if (!inner || frame.ids.at(x, y).object != 0) continue;
+      ++dark;
+      lit += frame.shadow.at(x, y) == 0 ? 1 : 0;
+    }
+  return percent(lit, dark);
+}
+
+std::vector<StabilityRow> measure_wrap(const StabilityRun& run) {
+  std::vector<StabilityRow> rows;
+  for (const int boards : {1, 8, 15, 16, 17, 32})
+    rows.push_back({static_cast<double>(boards), "4 bits", lit_share(boards, 4, run), lit_share(boards, 16, run),
+                    "% of shadow pixels lit"});
+  for (const int boards : {255, 256, 257})
+    rows.push_back({static_cast<double>(boards), "8 bits", lit_share(boards, 8, run), lit_share(boards, 16, run),
+                    "% of shadow pixels lit"});
+  return rows;
+}
+
+StabilityPicture picture_inside(double z) {
+  StabilityPicture picture{.scene = roof_text(z), .width = 240, .height = 160};
+  picture.naive = with(Renderer::rasterizer, Shadows::stencil_depth_pass, 0.05);
+  picture.robust = with(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.05);
+  return picture;
+}
+StabilityPicture picture_near(double near) {
+  StabilityPicture picture = picture_inside(-2.05);
+  picture.naive.near = picture.robust.near = near;
+  return picture;
+}
+StabilityPicture picture_wrap(double boards) {
+  StabilityPicture picture = picture_inside(0);
+  picture.scene = boards_text(static_cast<int>(boards));
+  picture.naive = picture.robust;
+  picture.naive.stencil_bits = 4;
+  picture.robust.stencil_bits = 16;
+  return picture;
+}
+
+constexpr std::array places{-8.0, -4.0, -1.5, 0.0};
+constexpr std::array nears{0.01, 0.03, 0.1, 0.3};
+constexpr std::array boards{8.0, 15.0, 16.0, 17.0};
+
+}  // namespace
+
+const StabilityExperiment z_pass_in_volume{
+    .key = "z-pass-in-volume",
+    .title = "Camera inside a shadow volume",
+    .knob = "z of the camera",
+    .naive = "count faces before the surface (depth pass)",
+    .robust = "count faces behind the surface (depth fail)",
+    .explanation = "Depth pass takes it that the eye is in the light. Inside a volume every count is one too low, and "
+                   "light and shadow change places.",
+    .safe = "Cameras outside every volume.",
+    .window = {nowhere, -2.5},
+    .measure = measure_inside,
+    .picture = picture_inside,
+    .frames = places};
+
+const StabilityExperiment near_plane_cuts_volume{
+    .key = "near-plane-cuts-volume",
+    .title = "The near plane cuts a volume",
+    .knob = "near plane",
+    .naive = "count faces before the surface (depth pass)",
+    .robust = "count faces behind the surface (depth fail)",
+    .explanation = "The near plane removes the face through which the view enters the volume, and with it the count. "
+                   "Depth fail counts what lies behind the surface and never looks there.",
+    .safe = "Near planes that stay outside every volume.",
+    .window = {nowhere, 0.03},
+    .measure = measure_near,
+    .picture = picture_near,
+    .frames = nears};
+
+const StabilityExperiment stencil_bits_wrap{
+    .key = "stencil-bits-wrap",
+    .title = "More shadows than a count can hold",
+    .knob = "volumes over each other",
+    .naive = "4 or 8 bits",
+    .robust = "16 bits",
+    .explanation = "A count of n bits comes round to 0 after 2^n volumes, and 0 means lit. All other numbers are "
+                   "right, so the fault appears at one depth of stacking alone.",
+    .safe = "Fewer than 2^bits shadows over each other.",
+    .window = {nowhere, 15},
+    .measure = measure_wrap,
+    .picture = picture_wrap,
+    .frames = boards};
+
+}  // namespace ps::stability

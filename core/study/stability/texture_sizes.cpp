@@ -1,0 +1,202 @@
+#include <array>
+#include <memory>
+
+#include "image/anisotropic.h"
+#include "image/mip_level.h"
+#include "image/texture_sampling.h"
+#include "study/stability/support.h"
+
+namespace ps::stability {
+namespace {
+
+constexpr int width = 256, height = 128, square = 8, texels_per_unit = 64;
+
+/// A floor of squares of 8 texels, 64 texels to a unit, that fills a picture from below the eye to the horizon.
+Vec2d floor_at(double column, double row) {
+  const double z = height / row;  // the eye is one unit above the floor, a pixel 1/128 of the view's distance
+  return {(column - width / 2.0) / height * z, z};
+}
+
+struct Floor {
+  MipChain chain;
+  std::vector<double> truth;  ///< levels
+};
+
+Floor make_floor(const StabilityRun& run) {
+  auto texels = std::make_shared<Image<Vec3f>>(texels_per_unit, texels_per_unit);
+  for (int y = 0; y < texels_per_unit; ++y)
+    for (int x = 0; x < texels_per_unit; ++x) texels->at(x, y) = Vec3f((x / square + y / square) % 2 == 0 ? 1 : 0);
+  Floor floor{make_mip_chain(texels), {}};
+  const int side = run.effort < 1 ? 16 : 64;
+  for (int row = 0; row < height; ++row) {
+    run.check();
+    for (int column = 0; column < width; ++column) {
+      double sum = 0;
+      for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+          // A shift of its own in each row of samples keeps the grid from beating with the squares.
+          const double shift = std::fmod(j * 0.6180339887498949, 1.0);
+          const Vec2d p = floor_at(column + (i + shift) / side, row + (j + 0.5) / side);
+          const auto cell = [](double v) {
+            return static_cast<std::int64_t>(std::floor(v * texels_per_unit / square));
+          };
+          sum += (cell(p.x) + cell(p.y)) % 2 == 0 ? 1 : 0;
+        }
+      floor.truth.push_back(255 * sum / (side * side));
+    }
+  }
+  return floor;
+}
+
+struct Error {
+  double whole = 0, far = 0;  ///< RMSE in levels, of the picture and of its quarter next to the horizon
+};
+
+Error error_of(const Floor& floor, TextureFilter filter, double bias, int anisotropy) {
+  Error error;
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) {
+      const double x = column + 0.5, y = row + 0.5;
+      const Vec2d uv = floor_at(x, y), right = floor_at(x + 0.5, y) - floor_at(x - 0.5, y);
+      const double z = height / y;  // the derivative downwards, of z = height / row and x proportional to z
+      const Vec2d down(-uv.x / y, -z / y);
+      const double size = texels_per_unit;
+      const TextureDerivatives<double> derivatives{right * size, down * size};
+      TextureLookup<double> lookup{filter, TextureWrap::repeat, 0};
+      Vec3d colour;
+      if (anisotropy > 1) {
+        const auto footprint = anisotropic_footprint(derivatives, Vec2d(size, size), anisotropy, bias);
+        colour = sample_anisotropic(floor.chain, uv, lookup, footprint).colour;
+      } else {
+        lookup.level = mip_level(derivatives, bias);
+        colour = sample_texture(floor.chain, uv, lookup).colour;
+      }
+      const double off = 255 * colour.x - floor.truth[static_cast<std::size_t>(row * width + column)];
+      error.whole += off * off;
+      if (row < height / 4) error.far += off * off;
+    }
+  return {std::sqrt(error.whole / (width * height)), std::sqrt(error.far / (width * height / 4.0))};
+}
+
+std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
+  const Floor floor = make_floor(run);
+  const Error robust = error_of(floor, TextureFilter::trilinear, 0, 16);
+  std::vector<StabilityRow> rows;
+  const auto add = [&](double knob, const std::string& name, const Error& naive) {
+    rows.push_back({knob, name, naive.whole, robust.whole, "RMSE, levels"});
+    rows.push_back({knob, name + ", far quarter", naive.far, robust.far, "RMSE, levels"});
+  };
+  add(0, "nearest", error_of(floor, TextureFilter::nearest, 0, 1));
+  add(0, "bilinear", error_of(floor, TextureFilter::bilinear, 0, 1));
+  for (const double bias : {-2.0, -1.0, -0.5, 0.0, 1.0, 2.0})
+    add(bias, "trilinear, bias", error_of(floor, TextureFilter::trilinear, bias, 1));
+  for (const int taps : {2, 4, 8, 16})
+    add(taps, "anisotropic, taps", error_of(floor, TextureFilter::trilinear, 0, taps));
+  return rows;
+}
+
+constexpr int screen = 256, finest = 2048;
+
+/// A picture of discs and grain, so that it has edges and detail at every size.
+std::vector<float> master(std::uint32_t seed) {
+  std::vector<float> values(static_cast<std::size_t>(finest) * finest, 0.5f);
+  Random random(seed);
+  for (int i = 0; i < 400; ++i) {
+    const double x = random.between(0, finest), y = random.between(0, finest), r = std::pow(2, random.between(3, 8));
+    const float value = static_cast<float>(random.unit());
+    for (int row = std::max(0, static_cast<int>(y - r)); row < std::min<double>(finest, y + r); ++row)
+      for (int column = std::max(0, static_cast<int>(x - r)); column < std::min<double>(finest, x + r); ++column)
+        if (std::hypot(column - x, row - y) < r)
+          values[static_cast<std::size_t>(row) * finest + static_cast<std::size_t>(column)] = value;
+  }
+  for (float& value : values) value = 0.9f * value + 0.1f * static_cast<float>(random.unit());
+  return values;
+}
+
+/// The same picture with `side` x `side` texels, each the mean of what it covers.
+std::vector<double> reduced(const std::vector<float>& values, int side) {
+  const int step = finest / side;
+  std::vector<double> result;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      double sum = 0;
+      for (int j = 0; j < step; ++j)
+        for (int i = 0; i < step; ++i)
+          sum += static_cast<double>(
+              values[static_cast<std::size_t>(y * step + j) * finest + static_cast<std::size_t>(x * step + i)]);
+      result.push_back(255 * sum / (step * step));
+    }
+  return result;
+}
+
+std::vector<StabilityRow> measure_size(const StabilityRun& run) {
+  const std::vector<float> values = master(run.seed);
+  const std::vector<double> truth = reduced(values, screen);
+  std::vector<StabilityRow> rows;
+  for (const int side : {16, 64, 128, 256, 512, 1024, 2048}) {
+    run.check();
+    const std::vector<double> texels = reduced(values, side);
+    double sum = 0;
+    for (int y = 0; y < screen; ++y)
+      for (int x = 0; x < screen; ++x) {
+        const auto texel = [&](int v) { return static_cast<std::size_t>((2 * v + 1) * side / (2 * screen)); };
+        const double off = texels[texel(y) * static_cast<std::size_t>(side) + texel(x)] -
+                           truth[static_cast<std::size_t>(y * screen + x)];
+        sum += off * off;
+      }
+    // A mip chain's level of the screen's size is that mean by construction.
+    rows.push_back({static_cast<double>(side), "256 px of screen", std::sqrt(sum / (screen * screen)),
+                    side >= screen ? 0 : std::nan(""), "RMSE, levels"});
+  }
+  return rows;
+}
+
+StabilityPicture picture_lod(double bias) {
+  StabilityPicture picture{.scene = "cgfs/crates"};
+  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.anisotropy = 16;
+  picture.naive = picture.robust;
+  picture.naive.anisotropy = 1;
+  picture.naive.mip_bias = bias;
+  return picture;
+}
+StabilityPicture picture_size(double) {
+  StabilityPicture picture = picture_lod(0);
+  picture.naive.texture_filter = TextureFilter::nearest;
+  return picture;
+}
+
+constexpr std::array biases{-2.0, -1.0, 0.0, 1.0, 2.0};
+constexpr std::array sizes{2048.0};
+
+}  // namespace
+
+const StabilityExperiment mipmap_lod{
+    .key = "mipmap-lod",
+    .title = "Which level of a texture",
+    .knob = "bias of the level, or taps",
+    .naive = "no levels, one level, or one tap",
+    .robust = "16 taps along the footprint",
+    .explanation = "A pixel far away covers many texels in one direction and few in the other. One round tap is either "
+                   "too sharp across or too blurred along; several taps fit both.",
+    .safe = "Surfaces that face the eye.",
+    .window = {16, everywhere},
+    .measure = measure_lod,
+    .picture = picture_lod,
+    .frames = biases};
+
+const StabilityExperiment texture_too_large{
+    .key = "texture-too-large",
+    .title = "A texture larger than the screen",
+    .knob = "texels along a side",
+    .naive = "the texel under the pixel's centre",
+    .robust = "mip level of the screen's size",
+    .explanation = "With more texels than pixels each pixel shows one of the many that it covers. Beyond one texel a "
+                   "pixel more memory makes the picture worse.",
+    .safe = "One texel a pixel.",
+    .window = {256, 256},
+    .measure = measure_size,
+    .picture = picture_size,
+    .frames = sizes};
+
+}  // namespace ps::stability

@@ -1,0 +1,97 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/mesh.h"
+#include "scene/object.h"
+
+/// The mathematics that the book takes for granted. Sums run from left to right, as its programs' do.
+
+namespace ps {
+
+inline double length(const Vec3d& v) { return std::sqrt(dot(v, v)); }
+
+/// A point (w = 1) through a matrix.
+inline Vec3d transform(const Mat4d& m, const Vec3d& p) {
+  const auto row = [&](int i) { return m[0][i] * p.x + m[1][i] * p.y + m[2][i] * p.z + m[3][i]; };
+  return {row(0), row(1), row(2)};
+}
+
+/// A direction (w = 0) through a matrix.
+inline Vec3d turn(const Mat4d& m, const Vec3d& v) {
+  const auto row = [&](int i) { return m[0][i] * v.x + m[1][i] * v.y + m[2][i] * v.z; };
+  return {row(0), row(1), row(2)};
+}
+
+inline Mat4d translation_matrix(const Vec3d& by) {
+  Mat4d m(1.0);
+  m[3] = {by.x, by.y, by.z, 1};
+  return m;
+}
+
+inline Mat4d scale_matrix(const Vec3d& by) {
+  Mat4d m(1.0);
+  for (int i = 0; i < 3; ++i) m[i][i] = by[i];
+  return m;
+}
+
+inline Mat4d rotation_matrix(const Mat3d& rotation) { return Mat4d(rotation); }
+
+/// World directions into the camera's: the inverse of the camera's rotation, which is its transpose.
+inline Mat4d camera_rotation_inverse(const Camera& camera) {
+  Mat4d m(1.0);
+  for (int i = 0; i < 3; ++i) m[i] = {camera.right[i], camera.up[i], camera.forward[i], 0};
+  return m;
+}
+
+/// The values of d along whole steps of i from i0 to i1, by adding the slope again and again (CGFS ch. 6).
+template <class Value>
+std::vector<Value> interpolate(double i0, const Value& d0, double i1, const Value& d1) {
+  if (i0 == i1) return {d0};
+  std::vector<Value> values;
+  const Value slope = (d1 - d0) / (i1 - i0);
+  Value d = d0;
+  for (double i = i0; i <= i1; ++i) {
+    values.push_back(d);
+    d += slope;
+  }
+  return values;
+}
+
+/// Along both sides of a triangle whose corners stand at whole heights y0 <= y1 <= y2: the long side, and the two short
+/// ones joined (CGFS ch. 7).
+template <class Value>
+struct TriangleSides {
+  std::vector<Value> long_side, short_sides;
+};
+template <class Value>
+TriangleSides<Value> interpolate_sides(const std::array<double, 3>& y, const std::array<Value, 3>& value) {
+  TriangleSides<Value> sides;
+  sides.short_sides = interpolate(y[0], value[0], y[1], value[1]);
+  sides.short_sides.pop_back();  // the second side begins with it
+  const std::vector<Value> second = interpolate(y[1], value[1], y[2], value[2]);
+  sides.short_sides.insert(sides.short_sides.end(), second.begin(), second.end());
+  sides.long_side = interpolate(y[0], value[0], y[2], value[2]);
+  return sides;
+}
+
+/// Indices of three corners by height, from below. Equal heights keep their order.
+inline std::array<std::size_t, 3> sorted_by_height(const std::array<Vec2d, 3>& p) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  const auto lower = [&](std::size_t a, std::size_t b) { return p[order[a]].y < p[order[b]].y; };
+  if (lower(1, 0)) std::swap(order[1], order[0]);
+  if (lower(2, 0)) std::swap(order[2], order[0]);
+  if (lower(2, 1)) std::swap(order[2], order[1]);
+  return order;
+}
+
+/// The entry for `place`, counted from `first`; its fraction is dropped.
+template <class Value>
+const Value& entry(const std::vector<Value>& values, double place, double first) {
+  return values.at(static_cast<std::size_t>(place - first));
+}
+
+}  // namespace ps

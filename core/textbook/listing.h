@@ -1,0 +1,53 @@
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "options/settings.h"
+#include "scene/scene.h"
+
+/// A listing is a lesson's routine, written in the steps of its source: chapters/NAME/listing.cpp. The textbook
+/// renderer runs it as it stands, in double precision, and the window shows its lines with the values that they had for
+/// a pixel.
+
+namespace ps {
+
+struct BookScene;
+class BookCanvas;
+
+/// How a listing goes about a picture.
+enum class ListingOrder {
+  pixel_by_pixel,   ///< it may be asked for any part of the canvas alone
+  object_by_object  ///< it goes through everything that is drawn, whichever pixels are wanted
+};
+
+struct Listing {
+  std::string_view label;   ///< "shadows and reflections"
+  std::string_view source;  ///< "CGFS ch. 4"
+  std::string_view shows;   ///< one sentence: what it can show
+  ListingOrder order = ListingOrder::pixel_by_pixel;
+  /// Keys of the options that it reads.
+  std::vector<std::string_view> reads;
+  /// How well it suits a scene with these traits and settings; 0 = it shows nothing of it.
+  int (*suits)(const SceneTraits&, const Settings&) = nullptr;
+  /// Draws the scene. Colours are those of the book, 0 to 255.
+  void (*draw)(const BookScene&, BookCanvas&) = nullptr;
+};
+
+struct NamedListing {
+  std::string folder;  ///< of the lesson: "cgfs_04_shadows_and_reflections"
+  std::string key;     ///< of the option's choice: "cgfs-04-shadows-and-reflections"
+  const Listing* listing = nullptr;
+};
+
+/// All listings, in the order of their folders.
+std::span<const NamedListing> listings();
+
+/// The one that the settings name or, with listing = auto, the one that suits best; of equals the earlier one.
+const NamedListing& listing_of(const Settings& settings, const SceneTraits& traits);
+
+/// Whether the listing looks at the option.
+bool listing_reads(const NamedListing& listing, std::string_view option);
+
+}  // namespace ps

@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "base/timer.h"
+#include "image/display.h"
+#include "raytrace/store_pixel.h"
+#include "render/region.h"
+#include "render/render.h"
+#include "textbook/book_canvas.h"
+#include "textbook/book_scene.h"
+#include "textbook/trace_listing.h"
+
+namespace ps {
+namespace {
+
+constexpr int tile_size = 64;
+
+/// Copies a finished canvas into the frame and counts colours that are no numbers.
+std::uint64_t store(const BookCanvas& canvas, Frame& frame) {
+  std::uint64_t nan = 0;
+  const TileRect& part = canvas.part();
+  for (int y = part.y0; y < part.y1; ++y)
+    for (int x = part.x0; x < part.x1; ++x) {
+      const Vec3d colour = canvas.at(x, y) / 255.0;
+      frame.colour_double.at(x, y) = colour;
+      frame.colour.at(x, y) = Vec3f(colour);
+      nan += std::isnan(colour.x) || std::isnan(colour.y) || std::isnan(colour.z) ? 1 : 0;
+    }
+  return nan;
+}
+
+}  // namespace
+
+Frame render_textbook(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                      Prepared&, Progress& progress) {
+  const Timer timer;
+  const BookScene book = book_scene(scene, view, settings);
+  const Listing& listing = *listing_of(settings, scene_traits(scene)).listing;
+  const TileRect region = asked_region(request, view.width, view.height);
+  Frame frame = empty_frame<double>(view, request);
+  clear_outside({}, frame);  // a listing makes colours alone
+  std::vector<TileRect> tiles;
+  if (!is_empty(region)) tiles.push_back(region);
+  if (listing.order == ListingOrder::pixel_by_pixel) {
+    tiles.clear();
+    for (const TileRect& tile : make_tiles(view.width, view.height, tile_size))
+      if (const TileRect part = common_part(tile, region); !is_empty(part)) tiles.push_back(part);
+  }
+  std::vector<std::uint64_t> nan(tiles.size());
+  parallel_for(static_cast<int>(tiles.size()), {settings.threads, request.priority}, progress, [&](int index, int) {
+    const TileRect& tile = tiles[static_cast<std::size_t>(index)];
+    BookCanvas canvas(view.width, view.height, tile, book.background, &progress);
+    listing.draw(book, canvas);
+    nan[static_cast<std::size_t>(index)] = store(canvas, frame);
+    if (request.on_tile) request.on_tile(frame, tile);
+  });
+  for (const std::uint64_t count : nan) frame.counters[Counter::nan_pixels] += count;
+  frame.times.push_back({"listing", timer.milliseconds()});
+  return frame;
+}
+
+PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared&,
+                            Progress& progress) {
+  auto trace = std::make_shared<ListingTrace>(trace_listing(scene, view, settings, pixel, &progress));
+  PixelStory story;
+  story.pixel = pixel;
+  story.renderer = Renderer::textbook;
+  story.linear = trace->linear;
+  const Rgb8 display = display_pixel(story.linear, display_transform(settings));
+  story.display = {display.r, display.g, display.b};
+  std::set<int> lines;
+  for (const Watch& watch : trace->watches) lines.insert(watch.line);
+  const Listing& listing = *trace->listing.listing;
+  story.verdict = lines.empty() ? fmt::format("no line of the listing of {} reached this pixel", listing.source)
+                                : fmt::format("the listing of {} gave this pixel its colour: {} values on {} lines",
+                                              listing.source, trace->watches.size(), lines.size());
+  story.events.push_back({-1, EventData(PixelEvent{story.linear, story.display})});
+  story.ledger.push_back({0, fmt::format("as the listing of {} computes it", listing.source), story.linear, 0});
+  story.listing = std::move(trace);
+  return story;
+}
+
+}  // namespace ps

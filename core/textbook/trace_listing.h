@@ -1,0 +1,28 @@
+#pragma once
+#include <vector>
+
+#include "base/progress.h"
+#include "inspect/watch.h"
+#include "options/settings.h"
+#include "render/view.h"
+#include "scene/scene.h"
+#include "textbook/listing.h"
+
+namespace ps {
+
+/// What a listing did for one pixel.
+struct ListingTrace {
+  NamedListing listing;
+  Vec2i pixel{0, 0};      ///< array position
+  Vec3d linear{0, 0, 0};  ///< the colour that it gave, 1.0 = the book's 255
+  std::vector<Watch> watches;
+  std::vector<WatchInstance> instances;
+  std::size_t dropped = 0;  ///< watches beyond the limit
+};
+
+/// Runs the listing that the settings name for one pixel (array position) of the view, and keeps what its lines had.
+/// Throws Cancelled when `progress` is asked to stop.
+ListingTrace trace_listing(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
+                           const Progress* progress = nullptr);
+
+}  // namespace ps
