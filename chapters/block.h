@@ -25,6 +25,9 @@ bool read_state_line(const BlockLine& line, LessonState& state);
 /// state for this claim alone. `start` is the step's state.
 Claim read_claim(const std::vector<BlockLine>& lines, const LessonState& start, const SourcePlace& place);
 
+/// Reads a `predict` block: ask (colour, winner or rays) and text (the question).
+Prediction read_prediction(const std::vector<BlockLine>& lines, const SourcePlace& place);
+
 /// Runs `read()`; an InputError without a place is thrown again with the line's in front of its message.
 template <class Read>
 void at_place(const SourcePlace& place, Read&& read) {

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/counters.h"
 #include "document/document.h"
+#include "inspect/predict.h"
 
 /// A lesson is a folder in chapters/ with a lesson.md; CONTRIBUTING.md describes its form.
 
@@ -60,12 +61,19 @@ struct Claim {
   SourcePlace place;
 };
 
+/// A question that a step asks about its pixel before the inspector tells its story.
+struct Prediction {
+  Question question = Question::colour;
+  std::string text;  ///< as the step puts it
+};
+
 struct LessonStep {
   std::string title;
   std::vector<std::string> paragraphs;
   std::vector<std::string> hints;  ///< what to look for
   LessonState state;
   std::vector<Claim> claims;
+  std::optional<Prediction> prediction;
 };
 
 struct Lesson {

@@ -27,8 +27,8 @@ class LessonParser {
       end_paragraph();
       block_ = trimmed(text.substr(3));
       block_place_ = place();
-      if (block_ != "settings" && block_ != "claim")
-        throw InputError(place(), fmt::format("a block named '{}'", block_), "```settings or ```claim");
+      if (block_ != "settings" && block_ != "claim" && block_ != "predict")
+        throw InputError(place(), fmt::format("a block named '{}'", block_), "```settings, ```claim or ```predict");
     } else if (starts_with(text, "## ")) {
       begin_step(std::string(trimmed(text.substr(3))));
     } else if (starts_with(text, "# ")) {
@@ -98,7 +98,11 @@ class LessonParser {
 
   void end_block() {
     const bool in_step = !lesson_.steps.empty();
-    if (block_ == "claim") {
+    if (block_ == "predict") {
+      if (!in_step) throw InputError(block_place_, "a question before the first step", "questions inside steps");
+      if (lesson_.steps.back().prediction) throw InputError(block_place_, "a second question", "one for each step");
+      lesson_.steps.back().prediction = read_prediction(lines_, block_place_);
+    } else if (block_ == "claim") {
       if (!in_step) throw InputError(block_place_, "a claim before the first step", "claims inside steps");
       lesson_.steps.back().claims.push_back(read_claim(lines_, lesson_.steps.back().state, block_place_));
     } else {
