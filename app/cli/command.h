@@ -16,6 +16,8 @@ void add_compare_command(CLI::App& app, Action& chosen);
 void add_chart_command(CLI::App& app, Action& chosen);
 void add_needs_command(CLI::App& app, Action& chosen);
 void add_stability_command(CLI::App& app, Action& chosen);
+void add_precision_command(CLI::App& app, Action& chosen);
+void add_causes_command(CLI::App& app, Action& chosen);
 void add_lessons_command(CLI::App& app, Action& chosen);
 void add_options_command(CLI::App& app, Action& chosen);
 void add_scenes_command(CLI::App& app, Action& chosen);

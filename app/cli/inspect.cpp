@@ -2,13 +2,21 @@
 
 #include <memory>
 
+#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/output_file.h"
+#include "cli/print_listing.h"
+#include "cli/print_vertex.h"
 #include "cli/scene_arguments.h"
 #include "document/number_list.h"
 #include "inspect/describe.h"
+#include "inspect/microscope/micro_svg.h"
 #include "inspect/number_text.h"
+#include "inspect/space_orbit.h"
+#include "inspect/space_svg.h"
 #include "inspect/story_json.h"
+#include "inspect/story_markdown.h"
 #include "math/conventions.h"
 #include "render/render.h"
 
@@ -18,7 +26,12 @@ namespace {
 struct InspectArguments {
   SceneArguments scene;
   std::string pixel;
-  bool json = false;
+  int instance = -1;
+  VertexArguments vertex;
+  bool json = false, markdown = false, csv = false;
+  std::string svg;    ///< "space" or "microscope"; empty = none
+  std::string point;  ///< of the microscope; empty = the pixel's first sample
+  std::string out;    ///< file; empty = standard output
 };
 
 int depth_of(const PixelStory& story, std::size_t index) {
@@ -43,8 +56,47 @@ void print_story(const PixelStory& story, const Scene& scene, const View& view) 
                line.term);
 }
 
+constexpr Vec2i drawing_size{1200, 800};
+constexpr double near_share = 0.02;  // of the viewer's distance
+
+/// The space view from its standard place.
+std::string draw_space(const Document& document, const View& view, const PixelStory& story, Prepared& prepared) {
+  const Scene& scene = document.scene;
+  const SpaceModel model = build_space(scene, view, document.a.settings, &story);
+  const double aspect = static_cast<double>(drawing_size.x) / drawing_size.y;
+  const SpaceOrbit orbit = preset_orbit(SpacePreset::outside, model.bounds, scene.camera, aspect);
+  const View viewer = orbit_view(orbit, scene.camera, drawing_size.x, drawing_size.y);
+  return space_svg(model,
+                   draw_space_picture(scene, viewer, near_share * orbit.distance, prepared, interruptible_progress()));
+}
+
+std::string draw_microscope(const Document& document, const View& view, Vec2i pixel, const std::string& point,
+                            Prepared& prepared) {
+  const Microscope microscope(document.scene, view, document.a.settings, pixel, prepared, interruptible_progress());
+  Vec2d at = microscope.samples().front().position;
+  if (!point.empty()) {
+    const auto numbers = parse_number_list(point, 2, "point");
+    at = {numbers[0], numbers[1]};
+    for (int axis = 0; axis < 2; ++axis)
+      if (!(at[axis] >= -micro_margin && at[axis] <= 1 + micro_margin))
+        throw InputError(
+            fmt::format("point: found {}, expected two numbers from {} to {}", point, -micro_margin, 1 + micro_margin));
+  }
+  return micro_svg(microscope, microscope.read(at, prepared, interruptible_progress()));
+}
+
+void write_result(const std::string& text, const std::string& out) {
+  if (out.empty())
+    fmt::print("{}", text);
+  else
+    write_file_atomically(out, text);
+}
+
 int run_inspect(const InspectArguments& arguments) {
   const Vec2i pixel = parse_pixel_text(arguments.pixel);
+  if (!arguments.svg.empty() && arguments.svg != "space" && arguments.svg != "microscope")
+    throw InputError(fmt::format("svg: found '{}', expected space or microscope", arguments.svg));
+  if (!arguments.out.empty()) require_output_file(arguments.out, OutputKind::any);
   const Document document = load_document(arguments.scene);
   const View view = view_of(document);
   if (pixel.x >= view.width || pixel.y >= view.height)
@@ -53,10 +105,27 @@ int run_inspect(const InspectArguments& arguments) {
   Prepared prepared;
   const PixelStory story =
       inspect(document.scene, view, document.a.settings, pixel, prepared, interruptible_progress());
-  if (arguments.json)
-    fmt::print("{}\n", story_json(story, document.scene, view));
+  if (!arguments.vertex.vertex.empty()) {
+    print_vertex(document, story, arguments.vertex, arguments.json);
+    return 0;
+  }
+  if (arguments.svg == "space")
+    write_result(draw_space(document, view, story, prepared), arguments.out);
+  else if (arguments.svg == "microscope")
+    write_result(draw_microscope(document, view, pixel, arguments.point, prepared), arguments.out);
+  else if (arguments.json)
+    write_result(story_json(story, document.scene, view) + "\n", arguments.out);
+  else if (arguments.csv)
+    write_result(story_csv(story, document.scene), arguments.out);
+  else if (arguments.markdown || !arguments.out.empty())
+    write_result(story_markdown(story, document.scene, view), arguments.out);
   else
     print_story(story, document.scene, view);
+  const bool as_text = !arguments.json && !arguments.csv && !arguments.markdown && arguments.svg.empty();
+  if (story.listing && as_text && arguments.out.empty()) {
+    fmt::print("\n");
+    print_listing(*story.listing, arguments.instance);
+  }
   return 0;
 }
 
@@ -70,7 +139,36 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
       ->type_name("X,Y")
       ->delimiter('\0')
       ->required();
-  command->add_flag("--json", arguments->json, "as JSON, with all digits");
+  command
+      ->add_option("--instance", arguments->instance,
+                   "with renderer=textbook: the time that a loop is run through whose values are shown")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--vertex", arguments->vertex.vertex,
+                   "follow a vertex from its model to the canvas instead: the one nearest to the pixel, or by number")
+      ->type_name("nearest|OBJECT,INDEX")
+      ->delimiter('\0');
+  command
+      ->add_option("--vertex-order", arguments->vertex.order, "try the other order: turn-then-move or move-then-turn")
+      ->type_name("ORDER");
+  command->add_option("--vertex-near", arguments->vertex.near, "try another near plane")
+      ->type_name("D")
+      ->check(CLI::PositiveNumber);
+  const auto json = command->add_flag("--json", arguments->json, "as JSON, with all digits");
+  const auto markdown = command->add_flag("--markdown", arguments->markdown, "as a page of Markdown")->excludes(json);
+  const auto csv = command->add_flag("--csv", arguments->csv, "as comma-separated values, one line for each number")
+                       ->excludes(json)
+                       ->excludes(markdown);
+  command->add_option("--svg", arguments->svg, "as a drawing: the scene from outside, or the pixel at panel size")
+      ->type_name("space|microscope")
+      ->excludes(json)
+      ->excludes(markdown)
+      ->excludes(csv);
+  command->add_option("--point", arguments->point, "sample point of the microscope, in pixels from the pixel's corner")
+      ->type_name("X,Y")
+      ->delimiter('\0');
+  command->add_option("--out", arguments->out, "write to this file (Markdown unless a form is named)");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_inspect(*arguments); }; });
 }
 

@@ -53,6 +53,8 @@ int main(int argc, char** argv) {
   ps::cli::add_chart_command(app, action);
   ps::cli::add_needs_command(app, action);
   ps::cli::add_stability_command(app, action);
+  ps::cli::add_precision_command(app, action);
+  ps::cli::add_causes_command(app, action);
   ps::cli::add_lessons_command(app, action);
   ps::cli::add_options_command(app, action);
   ps::cli::add_scenes_command(app, action);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -8,15 +9,17 @@
 #include "base/machine.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "study/stability/experiment.h"
+#include "image/file.h"
+#include "study/stability/pictures.h"
 
 namespace ps::cli {
 namespace {
 
 struct StabilityArguments {
   std::vector<std::string> names;
-  std::string output;
+  std::string output, strip;
   std::uint32_t seed = 1;
+  double effort = 1;
 };
 
 void print_rows(const StabilityExperiment& experiment, const std::vector<StabilityRow>& rows) {
@@ -28,11 +31,24 @@ void print_rows(const StabilityExperiment& experiment, const std::vector<Stabili
   fmt::print("\n");
 }
 
+int save_strip(const std::vector<const StabilityExperiment*>& chosen, const std::string& file) {
+  if (chosen.size() != 1) throw InputError("--strip: expected the name of one experiment");
+  const auto strip = film_strip(*chosen.front(), {}, interruptible_progress());
+  if (!strip) throw InputError(fmt::format("--strip: {} has no picture", chosen.front()->key));
+  save_image(file, *strip);
+  fmt::print("from left to right, {}: {}\n", chosen.front()->knob, fmt::join(chosen.front()->frames, ", "));
+  fmt::print("above: {}; below: {}; at the bottom, white: where they differ\n", chosen.front()->naive,
+             chosen.front()->robust);
+  return 0;
+}
+
 int run_stability(const StabilityArguments& arguments) {
   std::vector<const StabilityExperiment*> chosen;
   for (const std::string& name : arguments.names) chosen.push_back(&find_stability_experiment(name));
   if (chosen.empty())
     for (const StabilityExperiment& experiment : stability_experiments()) chosen.push_back(&experiment);
+  if (!arguments.strip.empty()) return save_strip(chosen, arguments.strip);
+  if (arguments.output.empty()) throw InputError("stability: expected --out FOLDER or --strip FILE");
   std::error_code error;
   std::filesystem::create_directories(arguments.output, error);
   if (!std::filesystem::is_directory(arguments.output))
@@ -41,7 +57,8 @@ int run_stability(const StabilityArguments& arguments) {
   fmt::print("pixelscope {}, {}, {}, {} threads, seed {}\n\n", machine.version, machine.processor, machine.simd,
              machine.threads, arguments.seed);
   for (const StabilityExperiment* experiment : chosen) {
-    const std::vector<StabilityRow> rows = experiment->measure({arguments.seed, &interruptible_progress()});
+    const std::vector<StabilityRow> rows =
+        experiment->measure({arguments.seed, &interruptible_progress(), arguments.effort});
     write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", experiment->key),
                           stability_csv(rows));
     print_rows(*experiment, rows);
@@ -57,7 +74,10 @@ void add_stability_command(CLI::App& app, Action& chosen) {
   std::string names;
   for (const StabilityExperiment& experiment : stability_experiments()) names += fmt::format(" {}", experiment.key);
   command->add_option("NAME", arguments->names, "experiments, all without one:" + names);
-  command->add_option("--out", arguments->output, "folder for NAME.csv")->required();
+  command->add_option("--out", arguments->output, "folder for NAME.csv");
+  command->add_option("--strip", arguments->strip, "the pictures over the knob of one experiment, as one file");
+  command->add_option("--effort", arguments->effort, "share of the full number of rays, triangles and pixels")
+      ->check(CLI::Range(0.001, 10.0));
   command->add_option("--seed", arguments->seed, "of the random numbers");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_stability(*arguments); }; });
 }

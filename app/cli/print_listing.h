@@ -1,0 +1,10 @@
+#pragma once
+#include "textbook/trace_listing.h"
+
+namespace ps::cli {
+
+/// Prints the listing with the values that its lines had for the pixel, to the right of each line. Of a loop one
+/// instance is shown: those around `instance` (an index as the loops' lines name it), or the telling ones for -1.
+void print_listing(const ListingTrace& trace, int instance);
+
+}  // namespace ps::cli
