@@ -55,7 +55,12 @@ int run(int argc, char** argv) {
             return width >= 320 && height >= 240 && width <= 16384 && height <= 16384 ? "" : "a size such as 1024x768";
           },
           "WxH"));
-  cli.parse(argc, argv);
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << cli.help();
+    return 0;
+  }
   if (*scale_option) shell_options.scale = scale;
   if (!window_size.empty()) {
     const auto [width, height] = ps::gui::parse_number_pair(window_size, {}, 'x');
@@ -83,7 +88,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const CLI::Success& success) {  // --help, --version
+  } catch (const CLI::Success& success) {  // --version
     std::cout << success.what() << '\n';
     return 0;
   } catch (const CLI::Error& error) {

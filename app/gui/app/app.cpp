@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "document/permalink.h"
+#include "document/permalink_file.h"
 #include "gui/app/timings_panel.h"
 #include "gui/input/actions.h"
 #include "gui/platform/state_file.h"
@@ -58,8 +60,10 @@ std::filesystem::path autosave_folder(const AppOptions& options) {
 Document first_document(const AppOptions& options) {
   if (!options.lesson.empty()) load_lesson(options.lesson);
   Document document;
-  if (!options.permalink.empty()) {
-    document = parse_permalink(options.permalink);
+  std::string link = options.permalink;
+  if (link.empty() && !options.scene.empty()) link = permalink_in_file(options.scene).value_or("");
+  if (!link.empty()) {
+    document = parse_permalink(link);
     attach_scene(document, load_scene(document.scene_name));
   } else {
     const std::string scene = options.scene.empty() ? first_scene : options.scene;
@@ -83,7 +87,9 @@ App::App(Shell& shell, const AppOptions& options, Document document)
           {.wake = [&shell] { shell.wake(); },
            .remembered = [&shell](const std::string& key) { return shell.remembered(key); },
            .remember = [&shell](const std::string& key, std::string value) { shell.remember(key, std::move(value)); }}),
-      space_([&shell] { shell.wake(); }), history_([&shell] { shell.wake(); }), autosave_(autosave_folder(options)) {
+      space_([&shell] { shell.wake(); }), microscope_([&shell] { shell.wake(); }), pixels_([&shell] { shell.wake(); }),
+      listing_([&shell] { shell.wake(); }), history_([&shell] { shell.wake(); }),
+      studies_([&shell] { shell.wake(); }, options.remember), autosave_(autosave_folder(options)) {
   const auto left_behind = autosave_.take_left_behind();
   const bool nothing_asked = options.scene.empty() && options.permalink.empty() && options.lesson.empty();
   if (left_behind && nothing_asked) {
@@ -100,6 +106,8 @@ App::App(Shell& shell, const AppOptions& options, Document document)
   read_layout(shell.remembered(layout_key), document.layout);
   session_.start(std::move(document));
   if (!options.lesson.empty()) go_to_step(session_, options.lesson, 0);
+  space_.save = [this] { files_.ask(FilePurpose::save_space, "space.svg"); };
+  microscope_.save = [this] { files_.ask(FilePurpose::save_microscope, "pixel.svg"); };
   add_actions();
 }
 
@@ -112,7 +120,8 @@ void App::set_option(Side side, const std::string& assignment) {
 
 bool App::busy() const {
   return session_.busy() || session_.has_news() || space_.worker.busy() || space_.worker.has_news() ||
-         history_.thumbnails.busy();
+         microscope_.worker.busy() || microscope_.worker.has_news() || history_.thumbnails.busy() || studies_.busy() ||
+         listing_.worker.busy() || listing_.worker.has_news() || pixels_.cost.busy() || pixels_.cost.has_news();
 }
 
 std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
@@ -169,7 +178,14 @@ void App::draw() {
   session_.update();
   flying_now_ = fly_camera(session_, pictures_, passed);
   collect_pictures(session_, pictures_);
+  mirror_screen(session_, pixel_panel_, mirror_);
+  listing_.worker.take_news();
+  const Layout& shares = session_.document().layout;
+  update_vertex(session_, vertex_, shares.panels && shares.bottom > 0 && shares.bottom_tab == "vertex");
+  space_.vertex = vertex_.chain;
   update_space(session_, space_);
+  studies_.update(session_);
+  update_pixels(session_, pixels_, pictures_);
 
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});
@@ -184,16 +200,22 @@ void App::draw() {
   layout({{0, top}, {size.x, size.y - status_height}});
   ImGui::SetCursorScreenPos({px(12), size.y - status_height + px(3)});
   ImGui::BeginChild("status", {size.x - px(24), status_height - px(3)}, false, fixed_window);
-  status_bar(session_, pictures_, status_bar_, "Click a pixel to see how it got its colour.   ? shows all keys.");
+  const std::string study = studies_.status();
+  status_bar(session_, pictures_, status_bar_,
+             study.empty() ? "Click a pixel to see how it got its colour.   ? shows all keys." : study);
   ImGui::EndChild();
   ImGui::End();
   message_bars(session_, px(8), size.x - px(8), size.y - status_height);
+  if (studies_.unsafe(session_, pictures_)) {
+    toggle_bottom(true);
+    session_.navigate([](Document& document) { document.layout.bottom_tab = "stability"; });
+  }
   file_dialog();
   about();
   session_.request_changed();
   publish();
   autosave_.save(session_.permalink());
-  if (session_.busy()) shell_.wake_after(0.1);  // progress moves also between tiles
+  if (session_.busy() || studies_.busy()) shell_.wake_after(0.1);  // progress moves also between tiles
 }
 
 /// A region with its heading; call ImGui::EndChild() after what is in it. A double click on the heading lets the region
@@ -304,11 +326,22 @@ void App::left_region(const Area& area) {
   }
   begin_region("left", options, "OPTIONS");
   if (session_.has_scene()) options_panel(session_, options_panel_);
+  if (const Option* swept = std::exchange(options_panel_.sweep, nullptr)) {
+    sweep_option(studies_.chart(), *swept, options_panel_.side);
+    toggle_bottom(true);
+    session_.navigate([](Document& document) { document.layout.bottom_tab = "chart"; });
+  }
   ImGui::EndChild();
 }
 
 void App::right_region(const Area& area) {
   begin_region("right", area, "PIXEL");
+  if (prediction_pending(session_, predict_)) {
+    predict_panel(session_, predict_);
+    ImGui::EndChild();
+    return;
+  }
+  prediction_verdict(session_, predict_);
   pixel_panel(session_, pixel_panel_, [this](const std::string& text) {
     shell_.set_clipboard(text);
     session_.say(Message::Kind::information, "Copied to the clipboard.");
@@ -320,7 +353,7 @@ void App::bottom_region(const Area& area) {
   if (!(filling_ == "bottom" || session_.document().layout.bottom > 0)) {
     bool open = false;
     begin_region("bottom", area);
-    section("bottom/open", "SPACE, TIMINGS", open);
+    section("bottom/open", "SPACE, LISTING, CHART, NEEDS and others", open);
     toggle_bottom(open);
     ImGui::EndChild();
     return;
@@ -328,9 +361,19 @@ void App::bottom_region(const Area& area) {
   begin_region("bottom", area);
   static constexpr std::array tabs{
       Choice{"space", "SPACE", "The scene from outside, with the rays or triangles of the picked pixel."},
+      Choice{"microscope", "MICROSCOPE", "The picked pixel at panel size: edges, samples, owners of ties, texels."},
+      Choice{"pixels", "PIXELS", "The worst pixels, watched pixels, and the levels of a rectangle."},
+      Choice{"listing", "LISTING", "A lesson's routine with the values of its lines at the picked pixel."},
+      Choice{"vertex", "VERTEX", "A corner's way from its model to the canvas, with matrices and numbers."},
+      Choice{"chart", "CHART", "Time against error over a sweep of options, as it is measured."},
+      Choice{"stability", "STABILITY", "Where methods fail: naive beside robust."},
+      Choice{"needs", "NEEDS", "What this scene needs, and the cheapest settings that show it."},
+      Choice{"why", "WHY", "Which option makes A and B differ, and what float gets wrong."},
       Choice{"timings", "TIMINGS", "Times of the stages and counts of the work, A beside B."},
       Choice{"fold", "Fold", "Leaves the room to the pictures."}};
-  int tab = session_.document().layout.bottom_tab == tabs[1].key ? 1 : 0;
+  int tab = 0;
+  for (std::size_t i = 0; i + 1 < tabs.size(); ++i)  // all but the last are tabs
+    if (tabs[i].key == session_.document().layout.bottom_tab) tab = static_cast<int>(i);
   if (tab_row("bottom", tabs, tab)) {
     if (tabs[static_cast<std::size_t>(tab)].key == "fold")
       toggle_bottom(false);
@@ -339,10 +382,40 @@ void App::bottom_region(const Area& area) {
         document.layout.bottom_tab = std::string(tabs[static_cast<std::size_t>(tab)].key);
       });
   }
-  if (tab == 0 && space_panel(session_, space_, pixel_panel_, pictures_, filling_ == "bottom"))
-    filling_ = filling_ == "bottom" ? "" : "bottom";
-  if (tab == 1) timings_panel(session_);
+  bottom_tab(std::string(tabs[static_cast<std::size_t>(tab)].key));
   ImGui::EndChild();
+}
+
+void App::bottom_tab(const std::string& tab) {
+  const bool filled = filling_ == "bottom";
+  bool fill_or_not = false;
+  const bool story = tab == "space" || tab == "microscope" || tab == "listing";
+  if (story && prediction_pending(session_, predict_))
+    ImGui::TextWrapped("The story is told after your answer.");
+  else if (tab == "space")
+    fill_or_not = space_panel(session_, space_, pixel_panel_, pictures_, filled);
+  else if (tab == "microscope")
+    fill_or_not = microscope_panel(session_, microscope_, filled);
+  else if (tab == "listing")
+    fill_or_not = listing_panel(session_, listing_, filled);
+  else if (tab == "vertex")
+    fill_or_not = vertex_panel(session_, vertex_, filled);
+  else if (tab == "pixels")
+    pixels_panel(session_, pixels_, pictures_);
+  else if (tab == "timings")
+    timings_panel(session_);
+  else
+    fill_or_not =
+        studies_.tab(tab, session_,
+                     {.browse_reference = [this] { files_.ask(FilePurpose::open_picture); },
+                      .ask_export = [this](const std::string& name) { files_.ask(FilePurpose::save_chart, name); },
+                      .copy =
+                          [this](const std::string& text) {
+                            shell_.set_clipboard(text);
+                            session_.say(Message::Kind::information, "The command is on the clipboard.");
+                          }},
+                     filled);
+  if (fill_or_not) filling_ = filled ? "" : "bottom";
 }
 
 /// Opens or shuts the region as its title asks.

@@ -9,14 +9,21 @@
 #include "gui/app/history_panel.h"
 #include "gui/app/lesson_panel.h"
 #include "gui/app/lights_panel.h"
+#include "gui/app/listing_panel.h"
+#include "gui/app/microscope_panel.h"
 #include "gui/app/options_panel.h"
 #include "gui/app/pictures_panel.h"
 #include "gui/app/pixel_panel.h"
+#include "gui/app/pixels_panel.h"
+#include "gui/app/predict_panel.h"
+#include "gui/app/screen_state.h"
 #include "gui/app/session.h"
 #include "gui/app/space_panel.h"
 #include "gui/app/status_bar.h"
+#include "gui/app/vertex_panel.h"
 #include "gui/shell/content.h"
 #include "gui/shell/shell.h"
+#include "gui/study/studies.h"
 
 namespace ps::gui {
 
@@ -64,6 +71,11 @@ class App final : public Content {
   // save_pictures.cpp
   void save_pictures(const std::filesystem::path& path);
   void save_scene_as(std::filesystem::path path);
+  void save_chart(const std::filesystem::path& path);
+  void save_permalink_as(std::filesystem::path path);
+  // save_exports.cpp
+  void save_story_as(std::filesystem::path path);
+  void save_drawing(std::filesystem::path path, const std::string& svg);
   // menus.cpp
   void menu_bar();
   void scene_menu();
@@ -82,6 +94,7 @@ class App final : public Content {
   void left_region(const Area& area);
   void right_region(const Area& area);
   void bottom_region(const Area& area);
+  void bottom_tab(const std::string& tab);
   void publish();
   void remember_layout();
 
@@ -91,9 +104,16 @@ class App final : public Content {
   OptionsPanelState options_panel_;
   PixelPanelState pixel_panel_;
   SpacePanelState space_;
+  MicroscopePanelState microscope_;
+  PixelsPanelState pixels_;
+  ListingPanelState listing_;
+  VertexPanelState vertex_;
+  PredictState predict_;
+  ScreenMirror mirror_;
   HistoryPanelState history_;
   StatusBarState status_bar_;
   FileDialog files_;
+  Studies studies_;
   LessonShelf lessons_;
   std::string filling_;  ///< the region that fills the window; empty = none
   bool about_open_ = false;

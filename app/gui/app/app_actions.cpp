@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "document/command_line.h"
 #include "gui/app/app.h"
 #include "gui/app/camera_moves.h"
 #include "gui/input/actions.h"
@@ -16,6 +17,23 @@ namespace {
 constexpr double turn_step = 5 * std::numbers::pi / 180;  // radians for one press
 constexpr int far_nudge = 10;                             // pixels, with Shift
 constexpr double light_share = 0.05;                      // of the scene's reach, for one press
+
+/// What the mouse does in the pictures and elsewhere, for the help sheet.
+void add_gestures(Actions& actions) {
+  for (const auto& [hand, label] : {
+           std::pair{"Click", "Inspect a pixel"},
+           std::pair{"Wheel", "Zoom in and out"},
+           std::pair{"Drag", "Move the picture, a light or a sphere"},
+           std::pair{"Shift+drag", "Render a rectangle alone (Esc: all)"},
+           std::pair{"Alt+drag", "Carry the camera around the scene"},
+           std::pair{"Ctrl+drag", "Look around"},
+           std::pair{"Right drag", "Look around; W A S D Q E fly"},
+           std::pair{"Middle drag", "Move the picture"},
+           std::pair{"Double-click", "On a heading: fill the window"},
+           std::pair{"Right-click", "On an option: copy, reset, send to B"},
+       })
+    actions.add_gesture({hand, label, "Mouse"});
+}
 
 }  // namespace
 
@@ -84,6 +102,21 @@ void App::add_actions() {
                .keys = "Ctrl+S",
                .run = [this] { files_.ask(FilePurpose::save_scene); },
                .enabled = open_scene});
+  actions.add({.name = "save-story",
+               .label = "Save the pixel's story...",
+               .group = "Scene",
+               .run = [this] { files_.ask(FilePurpose::save_story, "story.md"); },
+               .enabled = [this] { return session_.story(session_.document().picked) != nullptr; }});
+  actions.add({.name = "picture-b",
+               .label = "Compare with a picture file...",
+               .group = "Scene",
+               .run = [this] { files_.ask(FilePurpose::compare_picture); },
+               .enabled = open_scene});
+  actions.add({.name = "drop-picture-b",
+               .label = "Render B again instead of the file",
+               .group = "Scene",
+               .run = [this] { session_.close_picture_b(); },
+               .enabled = [this] { return session_.picture_b() != nullptr; }});
   actions.add({.name = "copy-permalink",
                .label = "Copy permalink",
                .group = "Scene",
@@ -94,6 +127,22 @@ void App::add_actions() {
                      session_.say(Message::Kind::information,
                                   "The permalink is on the clipboard: pixelscope --permalink TEXT");
                    },
+               .enabled = open_scene});
+  actions.add({.name = "copy-command",
+               .label = "Copy the command that shows this screen",
+               .group = "Scene",
+               .keys = "Shift+C",
+               .run =
+                   [this] {
+                     shell_.set_clipboard(window_command(session_.document()));
+                     session_.say(Message::Kind::information, "The command is on the clipboard.");
+                   },
+               .enabled = open_scene});
+  actions.add({.name = "save-screen",
+               .label = "Save the screen as a file...",
+               .group = "Scene",
+               .keys = "Ctrl+Shift+S",
+               .run = [this] { files_.ask(FilePurpose::save_permalink); },
                .enabled = open_scene});
   actions.add({.name = "undo",
                .label = "Undo",
@@ -235,6 +284,12 @@ void App::add_pixel_actions() {
 
 void App::add_story_actions() {
   auto& actions = shell_.actions();
+  actions.add({.name = "predict",
+               .label = "Predict: ask before the story is told",
+               .group = "Pixel",
+               .keys = "Q",
+               .run = [this] { predict_.on = !predict_.on; },
+               .checked = [this] { return predict_.on; }});
   const auto there_are_steps = [this] { return !space_.model.steps.empty(); };
   actions.add({.name = "story-play",
                .label = "Play or pause the story",
@@ -324,6 +379,7 @@ void App::add_camera_actions() {
                        return selected_light(session_.scene(), options_panel_.selected_light) <
                               static_cast<int>(session_.scene().lights->size());
                      }});
+  add_gestures(actions);
 }
 
 }  // namespace ps::gui

@@ -96,6 +96,7 @@ struct Drawer {
   }
   void operator()(const ReuseEvent& e) const { e.met ? pen.diamond(p.right) : pen.cross(p.text_quiet); }
   void operator()(const NormalMapEvent&) const { pen.arrow(p.right); }
+  void operator()(const ParallaxEvent&) const { pen.arrow(p.right); }
   void operator()(const ShadowMapEvent& e) const {
     pen.square(e.visible > 0 ? p.right : p.wrong, e.visible > 0 && e.visible < 1 ? Fill::hollow : Fill::filled);
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "document/permalink_file.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/widgets.h"
 
@@ -20,11 +21,23 @@ bool fits(const std::filesystem::path& path, FilePurpose purpose) {
   const std::string extension = path.extension().string();
   switch (purpose) {
   case FilePurpose::open_scene:
-    return extension == ".scene" || extension == ".obj";
+    return extension == ".scene" || extension == ".obj" || extension == permalink_extension;
   case FilePurpose::save_picture:
     return extension == ".png" || extension == ".ppm";
   case FilePurpose::save_scene:
     return extension == ".scene";
+  case FilePurpose::open_picture:
+  case FilePurpose::compare_picture:
+    return extension == ".png" || extension == ".ppm" || extension == ".pfm";
+  case FilePurpose::save_chart:
+    return extension == ".csv" || extension == ".json" || extension == ".svg";
+  case FilePurpose::save_permalink:
+    return extension == permalink_extension;
+  case FilePurpose::save_story:
+    return extension == ".md" || extension == ".csv" || extension == ".json";
+  case FilePurpose::save_space:
+  case FilePurpose::save_microscope:
+    return extension == ".svg";
   }
   return false;
 }
@@ -55,8 +68,50 @@ const char* title_of(FilePurpose purpose) {
     return "Save the pictures";
   case FilePurpose::save_scene:
     return "Save the scene";
+  case FilePurpose::open_picture:
+  case FilePurpose::compare_picture:
+    return "Compare with a picture";
+  case FilePurpose::save_chart:
+    return "Save the chart";
+  case FilePurpose::save_permalink:
+    return "Save the screen";
+  case FilePurpose::save_story:
+    return "Save the pixel's story";
+  case FilePurpose::save_space:
+    return "Save the view from outside";
+  case FilePurpose::save_microscope:
+    return "Save the microscope's view";
   }
   return "";
+}
+
+/// What stands in the empty line.
+const char* hint_of(FilePurpose purpose) {
+  switch (purpose) {
+  case FilePurpose::open_scene:
+    return "path or name";
+  case FilePurpose::save_picture:
+  case FilePurpose::open_picture:
+  case FilePurpose::compare_picture:
+    return "picture.png";
+  case FilePurpose::save_scene:
+    return "my.scene";
+  case FilePurpose::save_chart:
+    return "chart.svg";
+  case FilePurpose::save_permalink:
+    return "screen.permalink";
+  case FilePurpose::save_story:
+    return "story.md, .csv or .json";
+  case FilePurpose::save_space:
+  case FilePurpose::save_microscope:
+    return "drawing.svg";
+  }
+  return "";
+}
+
+bool reads(FilePurpose purpose) {
+  return purpose == FilePurpose::open_scene || purpose == FilePurpose::open_picture ||
+         purpose == FilePurpose::compare_picture;
 }
 
 }  // namespace
@@ -111,16 +166,12 @@ std::optional<FileDialog::Answer> FileDialog::draw() {
   typed_.copy(buffer.data(), buffer.size() - 1);
   ImGui::SetNextItemWidth(-1);
   if (opens) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputTextWithHint("##path",
-                                                purpose_ == FilePurpose::open_scene     ? "path or name"
-                                                : purpose_ == FilePurpose::save_picture ? "picture.png"
-                                                                                        : "my.scene",
-                                                buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##path", hint_of(purpose_), buffer.data(), buffer.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   typed_ = buffer.data();
   controls().record("file/path", typed_);
   const std::string nothing = typed_.empty() ? "Choose a file or type its path." : "";
-  if (button("file/ok", purpose_ == FilePurpose::open_scene ? "Open" : "Save", Emphasis::primary,
-             {.tooltip = {}, .disabled = nothing}) ||
+  if (button("file/ok", reads(purpose_) ? "Open" : "Save", Emphasis::primary, {.tooltip = {}, .disabled = nothing}) ||
       (entered && !typed_.empty())) {
     const std::filesystem::path typed(typed_);
     answer = Answer{purpose_, typed.is_absolute() ? typed : folder_ / typed};

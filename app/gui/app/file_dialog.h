@@ -6,7 +6,18 @@
 
 namespace ps::gui {
 
-enum class FilePurpose { open_scene, save_picture, save_scene };
+enum class FilePurpose {
+  open_scene,
+  open_picture,     ///< as the reference of a chart
+  compare_picture,  ///< as B
+  save_picture,
+  save_scene,
+  save_chart,
+  save_permalink,
+  save_story,
+  save_space,
+  save_microscope
+};
 
 /// Asks for a path: a list of the folder's files, and a line to type into. The only dialog that waits for an answer.
 class FileDialog {

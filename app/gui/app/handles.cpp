@@ -59,9 +59,14 @@ std::vector<Handle> handles_of(const Scene& scene, const View& view, const Setti
       add(fmt::format("light.{}.position", i), light_name(scene, static_cast<int>(i)), light.position, true);
   }
   const auto& objects = scene.geometry->objects;
-  for (std::size_t i = 0; i < objects.size(); ++i)
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::string name = object_name(scene, static_cast<int>(i));
+    const auto* solid = std::get_if<Solid>(&objects[i].shape);
     if (const auto* sphere = std::get_if<Sphere>(&objects[i].shape))
-      add(fmt::format("object.{}.center", i), object_name(scene, static_cast<int>(i)), sphere->centre, false);
+      add(fmt::format("object.{}.center", i), name, sphere->centre, false);
+    else if (const auto* rectangle = solid ? std::get_if<Rectangle>(&solid->form) : nullptr)
+      add(fmt::format("object.{}.corner", i), name, rectangle->corner, false);
+  }
   return handles;
 }
 

@@ -7,7 +7,8 @@
 
 namespace ps::gui {
 
-/// Something that can be taken hold of in a picture: a point light or the centre of a sphere.
+/// Something that can be taken hold of in a picture: a point light, the centre of a sphere or the corner of a
+/// rectangle.
 struct Handle {
   std::string path;       ///< of the property it changes, as set_property reads it: "light.1.position"
   std::string name;       ///< for people

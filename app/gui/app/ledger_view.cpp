@@ -11,6 +11,7 @@ namespace {
 
 constexpr double number_width = 72, swatch_size = 13, indent_step = 12;
 constexpr double room_for_one_line = 250;  // beside the numbers, for the words
+constexpr double narrow = 256;             // smaller letters below this width
 
 ImU32 swatch_colour(const Vec3d& value) {
   const auto level = [](double v) { return static_cast<int>(std::clamp(v, 0.0, 1.0) * 255 + 0.5); };
@@ -51,23 +52,30 @@ void headings(const Columns& columns) {
 
 bool line_row(const std::string& name, const LedgerLine& line, bool selected, const Columns& columns) {
   auto& list = *ImGui::GetWindowDrawList();
-  ImFont* words = theme().font(Face::body);
+  const Face face = columns.right - columns.left < px(narrow) ? Face::small : Face::body;
+  ImFont* words = theme().font(face);
   ImFont* digits = theme().font(columns.number < px(number_width) ? Face::small : Face::mono);
   const float pitch = std::max(words->FontSize, digits->FontSize) + px(3);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = columns.one_line ? pitch : 2 * pitch;
+  const float left = at.x + px(indent_step) * static_cast<float>(line.level) + px(4);
+  const float words_width = (columns.one_line ? columns.number_right(0) - columns.number : columns.right) - left;
+  const auto [lines, words_height] = [&] {
+    const FontScope font(face);
+    std::string broken = in_lines(line.term, words_width);
+    const float high = text_height(broken) + px(3);
+    return std::pair{std::move(broken), high};
+  }();
+  const float height = columns.one_line ? std::max(pitch, words_height) : words_height + pitch;
   const bool clicked = ImGui::Selectable(("##" + name).c_str(), selected, 0, {0, height});
   controls().record(name, line.term);
   tooltip(fmt::format("{}\n{}  {}  {}", line.term, full_number(line.value.x), full_number(line.value.y),
                       full_number(line.value.z)));
-  const float left = at.x + px(indent_step) * static_cast<float>(line.level) + px(4);
-  const float words_end = columns.one_line ? columns.number_right(0) - columns.number : columns.right;
   const ImU32 ink = colour_u32(palette().text);
   {
-    const FontScope font(Face::body);
-    draw_text({left, at.y}, {words_end, at.y + words->FontSize}, line.term, palette().text, 0);
+    const FontScope font(face);
+    draw_lines({left, at.y}, lines, palette().text);
   }
-  const float top = columns.one_line ? at.y : at.y + pitch;
+  const float top = columns.one_line ? at.y : at.y + words_height;
   for (int channel = 0; channel < 3; ++channel)
     number_at(list, digits, columns.number_right(channel), top, short_number(line.value[channel]), ink);
   const float size = px(swatch_size);

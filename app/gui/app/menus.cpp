@@ -70,7 +70,12 @@ void App::scene_menu() {
   ImGui::Separator();
   menu_action(actions, "save-picture");
   menu_action(actions, "save-scene");
+  menu_action(actions, "save-screen");
+  menu_action(actions, "save-story");
+  menu_action(actions, "picture-b");
+  menu_action(actions, "drop-picture-b");
   menu_action(actions, "copy-permalink");
+  menu_action(actions, "copy-command");
   ImGui::Separator();
   menu_action(actions, "quit");
   end_menu();
@@ -110,6 +115,7 @@ void App::view_menu() {
   items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid", "handles"});
   items({"channel-next", "channel-before"});
   items({"panels", "fullscreen"});
+  items({"predict"});
   items({"reset-view", "fly"});
   for (const char* name : {"dark-theme", "larger-type", "smaller-type", "standard-type"}) menu_action(actions, name);
   end_menu();
@@ -188,6 +194,27 @@ void App::file_dialog() {
     break;
   case FilePurpose::save_scene:
     save_scene_as(answer->path);
+    break;
+  case FilePurpose::open_picture:
+    studies_.chart().setup.reference_file = answer->path.string();
+    break;
+  case FilePurpose::save_chart:
+    save_chart(answer->path);
+    break;
+  case FilePurpose::save_permalink:
+    save_permalink_as(answer->path);
+    break;
+  case FilePurpose::compare_picture:
+    session_.open_picture_b(answer->path);
+    break;
+  case FilePurpose::save_story:
+    save_story_as(answer->path);
+    break;
+  case FilePurpose::save_space:
+    save_drawing(answer->path, space_drawing(session_, space_));
+    break;
+  case FilePurpose::save_microscope:
+    save_drawing(answer->path, microscope_drawing(microscope_));
     break;
   }
 }

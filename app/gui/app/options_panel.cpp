@@ -79,7 +79,9 @@ void row(Session& session, OptionsPanelState& state, const Option& option) {
   if (result.edit.finished) session.end_drag();
   switch (result.request) {
   case OptionRequest::none:
+    break;
   case OptionRequest::sweep:
+    state.sweep = &option;
     break;
   case OptionRequest::send_to_other: {
     Settings changed = session.settings(other);

@@ -14,6 +14,7 @@ struct OptionsPanelState {
   bool only_differences = false;
   int selected_light = 0;
   bool lights_open = false;
+  const Option* sweep = nullptr;                  ///< asked for from a row's menu, until whoever draws charts takes it
   std::map<std::string, bool, std::less<>> open;  ///< groups; those that are missing are as at the first start
 };
 

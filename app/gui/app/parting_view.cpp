@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gui/app/story_rows.h"
 #include "gui/widgets/draw.h"
 #include "inspect/describe.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int most_rows = 200;  // drawn at once; the two trees show the rest, page by page
 constexpr double indent_step = 10, letter_width = 18;
+constexpr double room_for_both = 640;  // width for A and B beside each other
 
 void compare(const Session& session, PartingViewState& state,
              const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {
@@ -36,51 +38,58 @@ void sentence(const Parting& parting) {
     value_text("cause", words);
   }
   const FontScope font(Face::heading);
-  ImGui::PushTextWrapPos(0);
-  value_text("sentence", parting.sentence);
-  ImGui::PopTextWrapPos();
+  value_paragraph("sentence", parting.sentence);
 }
 
 std::string text_of(const PixelStory& story, int event, const Scene& scene) {
   return event < 0 ? std::string() : describe(story.events[static_cast<std::size_t>(event)], scene);
 }
 
-/// One line of a row: its letter, then what happened there.
-void line(ImVec2 at, float right, Side side, std::string_view words) {
-  const auto& ink = side == Side::a ? palette().a_text : palette().b_text;
-  const float height = ImGui::GetTextLineHeight();
-  draw_text(at, {at.x + px(letter_width), at.y + height}, side == Side::a ? "A" : "B", ink, 0);
-  draw_text({at.x + px(letter_width), at.y}, {right, at.y + height}, words, palette().text, 0);
+/// What one side tells of a step, behind its letter.
+struct Words {
+  std::string lines;
+  Side side = Side::a;
+  ImVec2 at{};  ///< relative to the row's upper left corner
+};
+
+void draw(const Words& words, ImVec2 row, const ImVec4& ink) {
+  const ImVec2 at{row.x + words.at.x, row.y + words.at.y};
+  draw_lines(at, words.side == Side::a ? "A" : "B", words.side == Side::a ? palette().a_text : palette().b_text);
+  draw_lines({at.x + px(letter_width), at.y}, words.lines, ink);
 }
 
-/// A step of the two stories. Answers whether it was clicked.
+/// A step of the two stories: A above B, or where there is room beside it. Answers whether it was clicked.
 bool step(int number, const AlignedRow& row, bool parts_here, bool selected, PartingViewState& state,
           const Scene& scene) {
-  const std::string a = text_of(*state.told[0], row.a, scene), b = text_of(*state.told[1], row.b, scene);
-  const std::string name = fmt::format("row-{}", number);
-  const float line_height = ImGui::GetTextLineHeight();
-  const bool in_both = row.a >= 0 && row.b >= 0;
-  const float height = in_both && !row.same ? 2 * line_height : line_height;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float right = at.x + ImGui::GetContentRegionAvail().x;
-  const bool clicked = ImGui::Selectable(("##" + name).c_str(), selected, 0, {0, height + px(4)});
-  controls().record(name, row.same ? a : a + " | " + b);
-  tooltip(row.same    ? "The same in both:\n" + a
-          : row.b < 0 ? "Only in A:\n" + a
-          : row.a < 0 ? "Only in B:\n" + b
-                      : "A: " + a + "\nB: " + b);
-  const float left = at.x + px(8) + px(indent_step) * static_cast<float>(std::min(row.depth, 8));
-  if (parts_here) {
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + px(4), at.y + height + px(4)},
-                                              colour_u32(palette().attention));
-    if (state.reveal) ImGui::SetScrollHereY(0.3F);
+  const float room = ImGui::GetContentRegionAvail().x, indent = px(8 + indent_step * std::min(row.depth, 8));
+  const bool beside = room >= px(room_for_both);
+  const float column = beside ? std::floor((room - indent) / 2) : room - indent;
+  const std::array texts{text_of(*state.told[0], row.a, scene), text_of(*state.told[1], row.b, scene)};
+  std::vector<Words> parts;
+  float height = 0;
+  for (const Side side : both_sides) {
+    const std::string& text = texts[index_of(side)];
+    if (text.empty() || (!beside && side == Side::b && row.same && text == texts[0])) continue;
+    Words words{in_lines(text, column - px(letter_width + 4)), side, {indent, 0}};
+    if (beside)
+      words.at.x += side == Side::b ? column : 0;
+    else
+      words.at.y = height;
+    height = beside ? std::max(height, text_height(words.lines)) : height + text_height(words.lines);
+    parts.push_back(std::move(words));
   }
-  const float top = at.y + px(2);
-  if (row.same)
-    draw_text({left, top}, {right, top + line_height}, a, palette().text_quiet, 0);
-  else if (row.a >= 0)
-    line({left, top}, right, Side::a, a);
-  if (!row.same && row.b >= 0) line({left, in_both ? top + line_height : top}, right, Side::b, b);
+  const std::string name = fmt::format("row-{}", number);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float full = height + px(6);
+  if (parts_here) {
+    auto& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + room, at.y + full}, colour_u32(palette().attention, 0.25));
+    list.AddRectFilled(at, {at.x + px(4), at.y + full}, colour_u32(palette().attention));
+  }
+  const bool clicked = ImGui::Selectable(("##" + name).c_str(), selected, 0, {0, full});
+  controls().record(name, row.same && texts[0] == texts[1] ? texts[0] : texts[0] + " | " + texts[1]);
+  if (parts_here && state.reveal) ImGui::SetScrollHereY(0.3F);
+  for (const Words& words : parts) draw(words, {at.x, at.y + px(3)}, row.same ? palette().text_quiet : palette().text);
   return clicked;
 }
 
@@ -96,14 +105,22 @@ int row_of(const PartingViewState& state) {
   return -1;
 }
 
+/// Whether a step that only one side took says something to people: not what rays and pixels passed by.
+bool telling(const PartingViewState& state, const AlignedRow& row) {
+  if (row.a >= 0 && row.b >= 0) return true;
+  const Event& event = row.a >= 0 ? state.told[0]->events[static_cast<std::size_t>(row.a)]
+                                  : state.told[1]->events[static_cast<std::size_t>(row.b)];
+  return event_weight(event) != EventWeight::quiet && !std::holds_alternative<RejectEvent>(event.data);
+}
+
 void steps(Session& session, PartingViewState& state, std::array<StoryCursor, 2>& cursors) {
   const int parts_at = row_of(state);
-  int shown = 0, equal = 0;
+  int shown = 0, equal = 0, quiet = 0;
   for (std::size_t i = 0; i < state.rows.size() && shown < most_rows; ++i) {
     const AlignedRow& row = state.rows[i];
     const bool parts_here = static_cast<int>(i) == parts_at;
-    if (row.same && !state.equal_steps && !parts_here) {
-      ++equal;
+    if (!state.all_steps && !parts_here && (row.same || !telling(state, row))) {
+      ++(row.same ? equal : quiet);
       continue;
     }
     ++shown;
@@ -115,7 +132,8 @@ void steps(Session& session, PartingViewState& state, std::array<StoryCursor, 2>
   }
   state.reveal = false;
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  if (equal > 0) ImGui::TextWrapped("%d steps are the same in both.", equal);
+  if (equal > 0) ImGui::TextWrapped("%d steps come to the same in both.", equal);
+  if (quiet > 0) ImGui::TextWrapped("%d more are boxes and triangles that A or B passed by.", quiet);
   if (shown == most_rows) ImGui::TextWrapped("The first %d are shown.", most_rows);
   ImGui::PopStyleColor();
 }
@@ -135,10 +153,11 @@ void parting_view(Session& session, PartingViewState& state,
   compare(session, state, stories);
   sentence(state.parting);
   ImGui::Spacing();
-  if (state.parting.cause != PartingCause::none || state.equal_steps)
-    toggle("equal-steps", "Equal steps too", state.equal_steps);
+  if (state.parting.cause != PartingCause::none || state.all_steps) toggle("equal-steps", "All steps", state.all_steps);
   ImGui::Spacing();
+  ImGui::BeginChild("steps");  // what it comes down to stays in sight
   steps(session, state, cursors);
+  ImGui::EndChild();
 }
 
 }  // namespace ps::gui

@@ -15,8 +15,8 @@ struct PartingViewState {
   std::array<std::shared_ptr<const PixelStory>, 2> told;
   Parting parting;
   std::vector<AlignedRow> rows;
-  bool equal_steps = false;  ///< steps that are the same in both are listed too
-  bool reveal = false;       ///< the step at which they part shall be brought into view
+  bool all_steps = false;  ///< those that are the same in both are listed too, and those that say little
+  bool reveal = false;     ///< the step at which they part shall be brought into view
 };
 
 /// The stories of A and B step by step beside each other, with the first difference marked and its cause in a sentence.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "gui/app/picture_text.h"
@@ -62,6 +63,8 @@ struct FooterItem {
 };
 
 std::vector<FooterItem> footer_items(Session& session, Side side, const std::string& lead) {
+  if (const auto file = session.picture_b(); side == Side::b && file)
+    return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path}};
   const auto status = session.renderer(side).status();
   const auto result = session.renderer(side).result();
   const std::string text = footer_text(status, result.get());
@@ -71,7 +74,8 @@ std::vector<FooterItem> footer_items(Session& session, Side side, const std::str
     items.push_back({"left-out", one.brief, one.sentence, true});
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t to = std::min(text.find("   ", from), text.size());
-    items.push_back({{}, text.substr(from, to - from), counters, text.find("NaN", from) < to});
+    const bool alarm = text.find("NaN", from) < to;  // comes first, where no ellipsis reaches it
+    items.insert(alarm ? items.begin() : items.end(), {{}, text.substr(from, to - from), counters, alarm});
     from = text.find_first_not_of(' ', to);
   }
   if (!lead.empty() && !items.empty()) items.front().text = lead + items.front().text;
@@ -112,7 +116,9 @@ void picture_title(Session& session, Side side, const Area& row) {
   const float choice_width = std::min(px(124), row.width() * 0.45f), space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
 
-  const std::string text = title_text(session.settings(side), session.traits());
+  const auto file = side == Side::b ? session.picture_b() : nullptr;
+  const std::string text = file ? "file " + std::filesystem::path(file->path).filename().string()
+                                : title_text(session.settings(side), session.traits());
   const ImU32 colour = colour_u32(side == Side::a ? palette().a_text : palette().b_text);
   const float text_left = row.min.x + size + space;
   const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;

@@ -46,9 +46,14 @@ std::string title_text(const Settings& settings, const SceneTraits& traits) {
   case Renderer::rasterizer:
     if (settings.draw == Draw::filled && settings.lighting) text += ", " + label_of("shading", settings);
     break;
+  case Renderer::textbook:
+    if (settings.listing > 0) text += " " + label_of("listing", settings);
+    break;
   }
   for (const auto& option : option_table()) {
-    if (option.key == "renderer" || option.key == "reflection-depth" || option.key == "shading") continue;
+    if (option.key == "renderer" || option.key == "listing" || option.key == "reflection-depth" ||
+        option.key == "shading")
+      continue;
     if (option.get(settings) == option.default_value() || inactive_reason(option, settings, traits)) continue;
     text += fmt::format(", {} = {}", option.key, option_text(option, settings));
   }
@@ -79,6 +84,8 @@ std::string footer_text(const RenderStatus& status, const RenderResult* result) 
   case Renderer::rasterizer:
     text += fmt::format("   {}   {}", plural(c[Counter::triangles_drawn], "triangle"),
                         plural(c[Counter::fragments], "fragment"));
+    break;
+  case Renderer::textbook:  // a listing counts nothing
     break;
   }
   // A pixel without a number is worth more attention than all the others.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/platform/plain_texture.h"
+
 namespace ps::gui {
 namespace {
 
@@ -100,7 +102,7 @@ void draw_picture(ImDrawList& list, const ShownPicture& picture, const PictureTr
   list.PushClipRect(area.min, area.max, true);
   const Area whole = transform.picture_area(picture.size(), area);
   picture.texture.set_shrunk(transform.zoom < 1);
-  list.AddImage(picture.texture.id(), whole.min, whole.max);
+  add_plain_texture(list, picture.texture, whole.min, whole.max);
   if (style.grid && transform.zoom >= px(grid_from)) {
     const TileRect pixels = visible_pixels(picture, transform, area);
     draw_grid(list, pixels, transform, area);
@@ -127,7 +129,7 @@ void draw_loupe(ImDrawList& list, const ShownPicture& picture, Vec2i pixel, cons
     transform.centre = {pixel.x + 0.5, pixel.y + 0.5};
     picture.texture.set_shrunk(false);
     const Area whole = transform.picture_area(picture.size(), area);
-    list.AddImage(picture.texture.id(), whole.min, whole.max);
+    add_plain_texture(list, picture.texture, whole.min, whole.max);
     draw_mark(list, transform.to_window({pixel.x, pixel.y}, area),
               transform.to_window({pixel.x + 1, pixel.y + 1}, area));
   }

@@ -96,8 +96,12 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     return style;
   };
   const auto draw_nan = [&](Side which) {
-    if (session.shown(which) == ShownChannel::colour)
-      state.nan_pixels[index_of(which)].draw(list, session.renderer(which).result(), state.transform, area);
+    if (session.shown(which) != ShownChannel::colour) return;
+    const auto result = session.renderer(which).result();
+    state.nan_pixels[index_of(which)].draw(list, result, state.transform, area);
+    if (const std::uint64_t pixels = result ? result->frame.counters[Counter::nan_pixels] : 0; pixels > 0)
+      controls().record(which == Side::a ? "view/a/nan" : "view/b/nan", area.min, area.max,
+                        fmt::format("{} pixels are not a number", pixels));
   };
   list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
   draw_picture(list, state.pictures[index_of(shown_side)], state.transform, area, style_of(shown_side));
@@ -286,9 +290,18 @@ void loupe(const PicturesState& state) {
 void collect_pictures(Session& session, PicturesState& state) {
   for (const Side side : both_sides) {
     auto& picture = state.pictures[index_of(side)];
-    const auto changed = session.renderer(side).collect(picture.levels);
+    std::vector<TileRect> changed;
+    if (const auto file = session.picture_b(); side == Side::b && file) {
+      if (state.file == file) continue;
+      picture.levels = file->levels;
+      changed = {{0, 0, file->levels.width(), file->levels.height()}};
+    } else {
+      changed = session.renderer(side).collect(picture.levels);
+    }
+    if (side == Side::b) state.file = session.picture_b();
     if (changed.empty()) continue;
     picture.upload(changed);
+    ++state.versions[index_of(side)];
     state.fresh[index_of(side)] = true;
     state.difference_stale = true;
   }

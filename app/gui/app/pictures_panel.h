@@ -25,8 +25,10 @@ enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle, reg
 /// What the pictures remember of themselves. The document holds the rest.
 struct PicturesState {
   std::array<ShownPicture, 2> pictures;
-  std::array<bool, 2> fresh{};            ///< changed since their hash was taken
-  std::array<std::uint64_t, 2> hashes{};  ///< of the pictures' levels, for tests
+  std::array<std::uint64_t, 2> versions{};  ///< one more with each change
+  std::shared_ptr<const PictureFile> file;  ///< that stands in B's place
+  std::array<bool, 2> fresh{};              ///< changed since their hash was taken
+  std::array<std::uint64_t, 2> hashes{};    ///< of the pictures' levels, for tests
   std::array<NanPixels, 2> nan_pixels;
   ShownPicture difference;
   bool difference_stale = true;

@@ -7,7 +7,7 @@
 
 #include "gui/app/ledger_view.h"
 #include "gui/app/picture_text.h"
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 #include "inspect/story_json.h"
 #include "math/conventions.h"
 
@@ -52,9 +52,7 @@ void verdict(const PixelStory& story, Side side) {
   }
   tooltip("Red, green and blue as displayed, 0 to 255.");
   const FontScope font(Face::heading);
-  ImGui::PushTextWrapPos(0);
-  value_text(prefix(side) + "/verdict", story.verdict);
-  ImGui::PopTextWrapPos();
+  value_paragraph(prefix(side) + "/verdict", story.verdict);
 }
 
 void work(const PixelStory& story, const std::string& name) {
@@ -85,6 +83,11 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   const std::string name = prefix(side);
   verdict(story, side);
   ImGui::Spacing();
+  if (const int clicked = pin_view(session, state.pin, side, session.story(side)); clicked >= 0) {
+    cursor.selected = clicked;
+    cursor.reveal = true;
+    state.events_open = true;
+  }
   if (section("events", "What happened", state.events_open, event_count(story)))
     story_tree_view(name, story, session.scene(), cursor);
   if (section("sum", "The colour as a sum", state.sum_open)) {
@@ -99,6 +102,27 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   if (button("copy-text", "Copy as text", Emphasis::quiet)) copy(story_text(story, session.scene()));
   same_line_if_room(button_width("Copy as JSON"));
   if (button("copy-json", "Copy as JSON", Emphasis::quiet)) copy(story_json(story, session.scene(), session.view()));
+}
+
+/// What a picture file in B's place has here, beside A.
+void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const PixelStory>& ours) {
+  const PictureFile& file = *session.picture_b();
+  const Rgb8 level = file.levels.at(pixel.x, pixel.y);
+  swatch({level.r, level.g, level.b}, ImGui::GetTextLineHeight());
+  ImGui::SameLine(0, px(8));
+  {
+    const FontScope font(Face::mono);
+    value_text("b/colour", fmt::format("{} {} {}", level.r, level.g, level.b));
+  }
+  ImGui::PushTextWrapPos(0);
+  value_text("b/verdict", fmt::format("B is the picture {}; a file has no story.", file.path));
+  if (ours) {
+    const auto& own = ours->display;
+    value_text("b/difference",
+               fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255). The story below is that of A.",
+                           level.r - own[0], level.g - own[1], level.b - own[2]));
+  }
+  ImGui::PopTextWrapPos();
 }
 
 /// One of the two stories when both are told: the sum first, since that is what is compared.
@@ -182,6 +206,8 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
     return;
   }
   place(session, *picked);
+  same_line_if_room(button_width("Pinned"));
+  pin_button(session, state.pin);
   static constexpr std::array tabs{Choice{"a", "A", "The pixel in picture A."},
                                    Choice{"b", "B", "The pixel in picture B."},
                                    Choice{"both", "Both", "The stories of A and B together."},
@@ -209,6 +235,12 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
     break;
   case Shown::one: {
     const Side side = session.document().picked;
+    if (side == Side::b && session.picture_b()) {
+      file_pixel(session, *picked, stories[0]);
+      ImGui::Separator();
+      if (stories[0]) full_story(session, state, Side::a, *stories[0], copy);
+      break;
+    }
     if (const auto message = session.inspector(side).message(); !message.empty())
       ImGui::TextWrapped("%s", message.c_str());
     if (const auto& story = stories[index_of(side)]) full_story(session, state, side, *story, copy);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gui/app/parting_view.h"
+#include "gui/app/pin_view.h"
 #include "gui/app/session.h"
 #include "gui/app/story_tree_view.h"
 
@@ -16,6 +17,7 @@ struct PixelPanelState {
   std::array<StoryCursor, 2> cursors;
   std::array<std::shared_ptr<const PixelStory>, 2> told;  ///< the stories that the cursors point into
   PartingViewState parting;
+  PinState pin;
   bool events_open = true, sum_open = true, work_open = false;
   std::array<bool, 2> both_events_open{false, false}, both_sum_open{true, true};  ///< in the view of both
 };

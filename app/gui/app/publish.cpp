@@ -126,6 +126,7 @@ void App::publish() {
   out.publish("difference/levels", fmt::format("{:016x}", pictures_.difference_hash));
   const Document& document = session_.document();
   out.publish("scene", document.scene_name);
+  out.publish("loading", session_.loading() ? session_.loading_name() : "none");
   out.publish("compare", compare_word(document.compare));
   out.publish("identical", pictures_.hashes[0] == pictures_.hashes[1]);
   const auto picked = session_.pixel();
@@ -159,7 +160,14 @@ void App::publish() {
   out.publish("space/boxes", space_.boxes);
   out.publish("space/steps", static_cast<int>(space_.model.steps.size()));
   out.publish("space/playing", space_.play.running);
+  out.publish("listing/folder", listing_.told && listing_.told->listing ? listing_.told->listing->listing.folder : "");
+  out.publish("listing/values",
+              listing_.told && listing_.told->listing ? static_cast<int>(listing_.told->listing->watches.size()) : 0);
+  out.publish("predict/points", predict_.points);
+  out.publish("predict/asked", predict_.asked);
+  out.publish("vertex", vertex_.vertex ? fmt::format("{},{}", vertex_.vertex->object, vertex_.vertex->vertex) : "none");
   out.publish("space/filled", filling_ == "bottom");
+  studies_.publish();
 }
 
 }  // namespace ps::gui

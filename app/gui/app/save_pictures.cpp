@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "base/version.h"
+#include "document/permalink_file.h"
 #include "gui/app/app.h"
 #include "image/file.h"
 #include "scene/scene_writer.h"
@@ -40,6 +41,26 @@ void App::save_scene_as(std::filesystem::path path) {
     Scene scene = session_.scene();
     scene.camera = session_.view().camera;
     save_scene(scene, path);
+    session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
+  } catch (const InputError& error) {
+    session_.say(Message::Kind::error, error.what());
+  }
+}
+
+void App::save_chart(const std::filesystem::path& path) {
+  try {
+    export_chart(studies_.chart(), path);
+    session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
+  } catch (const InputError& error) {
+    session_.say(Message::Kind::error, error.what());
+  }
+}
+
+/// Writes everything on the screen as a file of one line, which opens as a scene does.
+void App::save_permalink_as(std::filesystem::path path) {
+  if (path.extension() != permalink_extension) path += permalink_extension;
+  try {
+    save_permalink(path, session_.document());
     session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
   } catch (const InputError& error) {
     session_.say(Message::Kind::error, error.what());

@@ -11,6 +11,8 @@
 
 #include "base/check.h"
 #include "document/permalink.h"
+#include "document/permalink_file.h"
+#include "image/file.h"
 #include "scene/load.h"
 
 namespace ps::gui {
@@ -29,6 +31,7 @@ void keep_place(const Document& from, Document& to) {
   to.view.height = height;
   to.pixel = from.pixel;
   to.picked = from.picked;
+  to.event = from.event;
   to.compare = from.compare;
   to.split = from.split;
   to.difference_gain = from.difference_gain;
@@ -39,7 +42,7 @@ bool inside(Vec2i pixel, const View& view) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height;
 }
 
-/// By its name: these are textures, never scenes.
+/// By its name: these are never scenes.
 bool is_picture_file(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -134,6 +137,36 @@ void Session::navigate(const std::function<void(Document&)>& apply) {
   changed_ = true;
 }
 
+void Session::open_picture_b(const std::filesystem::path& path) {
+  if (!has_scene()) return;
+  std::shared_ptr<const PictureFile> file;
+  try {
+    file = std::make_shared<const PictureFile>(PictureFile{path.string(), load_levels(path)});
+  } catch (const InputError& error) {
+    return say(Message::Kind::error, error.what());
+  }
+  const Vec2i size{file->levels.width(), file->levels.height()};
+  region_.reset();
+  edit("compare with " + path.filename().string(), [&](Document& document) {
+    const Vec2i old{view().width, view().height};
+    document.view.width = size.x;
+    document.view.height = size.y;
+    if (document.pixel.x >= 0) document.pixel = {document.pixel.x * size.x / old.x, document.pixel.y * size.y / old.y};
+  });
+  renderers_[1]->cancel();
+  picture_b_ = std::move(file);
+  changed_ = true;
+  say(Message::Kind::information, fmt::format("B is {} now, {} x {} pixels; A is rendered in that size.",
+                                              path.filename().string(), size.x, size.y));
+}
+
+void Session::close_picture_b() {
+  if (!picture_b_) return;
+  picture_b_.reset();
+  renderers_[1] = std::make_unique<RenderWorker>(prepared_, host_.wake);  // all of its picture is new to the window
+  changed_ = true;
+}
+
 void Session::set_pixel(std::optional<Vec2i> pixel) {
   navigate([&](Document& document) { document.pixel = pixel.value_or(Vec2i(-1, -1)); });
 }
@@ -160,13 +193,13 @@ void Session::go_to_entry(std::size_t place) {
 void Session::start(Document document) { take_up(std::move(document), Reason::open); }
 
 void Session::open(const std::string& path_or_name) {
-  if (is_picture_file(path_or_name)) {
-    say(Message::Kind::error,
-        fmt::format("{} is a picture. What can be opened are scenes (.scene) and models (.obj); a picture becomes "
-                    "visible as a texture that one of them names.",
-                    path_or_name));
+  try {
+    if (const auto link = permalink_in_file(path_or_name)) return open_permalink(*link);
+  } catch (const InputError& error) {
+    say(Message::Kind::error, error.what());
     return;
   }
+  if (is_picture_file(path_or_name)) return open_picture_b(path_or_name);
   load(
       path_or_name, [path_or_name] { return open_document(path_or_name, load_scene(path_or_name)); }, Reason::open);
 }
@@ -179,7 +212,7 @@ void Session::open_permalink(const std::string& text) {
         attach_scene(document, load_scene(document.scene_name));
         return document;
       },
-      Reason::open);
+      Reason::permalink);
 }
 
 void Session::reload() {
@@ -237,12 +270,12 @@ bool Session::take_loaded() {
 }
 
 void Session::take_up(Document document, Reason reason) {
+  if (reason != Reason::reload) close_picture_b();
   switch (reason) {
   case Reason::open:
+  case Reason::permalink:  // tells how the window is divided, too
     region_.reset();
-    if (has_scene()) {
-      document.layout = document_.layout;
-    }
+    if (has_scene() && reason == Reason::open) document.layout = document_.layout;
     std::erase_if(messages_, [](const Message& message) { return message.kind != Message::Kind::error; });
     note_recent(document.scene_name);
     break;
@@ -264,7 +297,7 @@ void Session::take_up(Document document, Reason reason) {
   if (!history_)
     history_.emplace(std::move(document), "start");
   else
-    history_->push(std::move(document), reason == Reason::open ? "open " + document_.scene_name : "reload");
+    history_->push(std::move(document), reason == Reason::reload ? "reload" : "open " + document_.scene_name);
   watched_.clear();  // a reload may have brought other files
   document_changed();
 }
@@ -281,9 +314,18 @@ void Session::document_changed() {
 
 void Session::request_work() {
   changed_ = false;
+  if (picture_b_ && (view().width != picture_b_->levels.width() || view().height != picture_b_->levels.height())) {
+    say(Message::Kind::warning, "The picture has another size than " + picture_b_->path + ", so B is rendered again.");
+    close_picture_b();
+    changed_ = false;
+  }
   const auto range = common_range();
   for (const Side side : both_sides) {
     PictureRequest request{document_.scene, view(), settings(side), shown(side), range, region_};
+    if (side == Side::b && picture_b_) {
+      inspectors_[1]->clear();
+      continue;
+    }
     if (const auto picked = pixel())
       inspectors_[index_of(side)]->request({request, *picked});
     else

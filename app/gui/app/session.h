@@ -30,6 +30,12 @@ struct Message {
   double since = -1;  ///< seconds on the window's clock when it was first seen; negative before
 };
 
+/// A picture from a file that stands in B's place.
+struct PictureFile {
+  std::string path;
+  Image<Rgb8> levels;
+};
+
 /// What the session needs from the window around it. All may be empty.
 struct SessionHost {
   std::function<void()> wake;  ///< from any thread: there is something new
@@ -81,6 +87,12 @@ class Session {
   /// Only these pixels are rendered (CGPP 15.4.4); absent = all. A new scene shows all again.
   void set_region(std::optional<TileRect> region) { region_ = region; }
   const std::optional<TileRect>& region() const { return region_; }
+  /// Puts a picture file (png, ppm, pfm) into B's place; the view takes its size. Errors become messages.
+  void open_picture_b(const std::filesystem::path& path);
+  /// B is rendered again.
+  void close_picture_b();
+  /// The file in B's place; nullptr while B is rendered.
+  std::shared_ptr<const PictureFile> picture_b() const { return picture_b_; }
   bool can_undo() const { return history_ && history_->can_undo(); }
   bool can_redo() const { return history_ && history_->can_redo(); }
   /// What undo and redo would take back or do again.
@@ -117,7 +129,7 @@ class Session {
   bool expire_messages(double now);
 
  private:
-  enum class Reason { open, reload };
+  enum class Reason { open, permalink, reload };
   struct Loaded {
     std::optional<Document> document;
     std::string error;
@@ -141,6 +153,7 @@ class Session {
   std::array<std::shared_ptr<const RenderResult>, 2> ranged_;  // results that range_ was made from
   std::optional<ValueRange> range_;
   std::optional<TileRect> region_;
+  std::shared_ptr<const PictureFile> picture_b_;
   std::vector<Message> messages_;
   std::vector<std::string> recent_;
   std::string loading_name_;

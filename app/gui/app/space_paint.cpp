@@ -58,7 +58,8 @@ class Painter {
   void label(const SpaceItem& item) {
     const bool bright = item.event >= 0 && item.event == look_.highlighted;
     const bool always = item.kind == SpaceKind::light || item.kind == SpaceKind::frustum ||
-                        item.kind == SpaceKind::shading_normal || item.kind == SpaceKind::clip_plane;
+                        item.kind == SpaceKind::shading_normal || item.kind == SpaceKind::clip_plane ||
+                        (item.kind == SpaceKind::hit_point && item.event < 0);  // a vertex that is followed
     if (item.label.empty() || (!always && !bright)) return;
     Vec3d at = item.points.back();
     if (item.kind == SpaceKind::frustum) at = item.points.front();

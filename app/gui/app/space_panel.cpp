@@ -9,9 +9,11 @@
 #include <numbers>
 
 #include "gui/app/space_paint.h"
+#include "gui/platform/plain_texture.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
 #include "inspect/describe.h"
+#include "inspect/space_svg.h"
 
 namespace ps::gui {
 namespace {
@@ -19,8 +21,9 @@ namespace {
 constexpr double camera_margin = 1.15;       // around the image, when looking through the camera
 constexpr double radians_per_pixel = 0.006;  // at scale 1
 constexpr double wheel_factor = 0.85;
-constexpr double near_share = 0.02;   // of the viewer's distance
-constexpr double focus_factor = 1.1;  // distance of the viewer, of the scene's radius
+constexpr double near_share = 0.02;        // of the viewer's distance
+constexpr double negligible_share = 0.01;  // of the pixel's colour
+constexpr double focus_factor = 1.1;       // distance of the viewer, of the scene's radius
 
 SpaceOrbit orbit_now(const SpacePanelState& state, double aspect) {
   return state.orbit ? *state.orbit : preset_orbit(state.preset, state.model.bounds, state.base, aspect);
@@ -108,6 +111,30 @@ void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pix
   tooltip("The event that is shown, of those of this pixel's story that have a place in the scene.");
 }
 
+/// How fast the story plays.
+void speed_choice(SpacePanelState& state) {
+  static constexpr std::array<double, 5> speeds{0.5, 1, 2, 5, 20};
+  static constexpr std::array choices{
+      Choice{"half", "½ / s", "An event every two seconds."}, Choice{"one", "1 / s", "An event every second."},
+      Choice{"two", "2 / s", "Two events in a second."}, Choice{"five", "5 / s", "Five events in a second."},
+      Choice{"twenty", "20 / s", "Twenty events in a second: a film."}};
+  const auto found = std::find(speeds.begin(), speeds.end(), state.play.per_second);
+  int index = found == speeds.end() ? 2 : static_cast<int>(found - speeds.begin());
+  ImGui::SameLine();
+  if (choice("speed", choices, index, {.tooltip = "How fast the story plays.", .width = px(84)}))
+    state.play.per_second = speeds[static_cast<std::size_t>(index)];
+}
+
+/// Leaves out rays that nobody could see in the pixel; which share counts as nothing is set under "Show".
+void hide_negligible(SpacePanelState& state) {
+  same_line_if_room(button_width("Main rays"), px(2));
+  const bool hidden = state.least_contribution > 0;
+  if (button_on_off("negligible", "Main rays", hidden,
+                    {.tooltip = "Hides rays that bring less than a hundredth of the pixel's colour, with all that "
+                                "belongs to them."}))
+    state.least_contribution = hidden ? 0 : negligible_share;
+}
+
 /// Where to look from: words side by side, or a list where the window is narrow.
 void look_from(SpacePanelState& state) {
   static constexpr std::array looks{
@@ -135,12 +162,18 @@ void look_from(SpacePanelState& state) {
 bool toolbar(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected, double aspect,
              bool filled) {
   play_buttons(session, state, pixel, selected);
+  speed_choice(state);
   look_from(state);
   same_line_if_room(button_width("Focus"), px(2));
   if (button("focus", "Focus", Emphasis::quiet, {.tooltip = "Puts the hit in the middle, from nearby."}))
     focus(state, selected, aspect);
   same_line_if_room(button_width("Show…"), px(2));
   show_popup(state);
+  hide_negligible(state);
+  if (state.save) {
+    same_line_if_room(button_width("Save SVG…"), px(2));
+    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Writes this view as a drawing."})) state.save();
+  }
   same_line_if_room(button_width("Fill"), px(2));
   return button_on_off("fill", "Fill", filled, {.tooltip = "Gives this view the whole window (double click; Esc)."});
 }
@@ -176,23 +209,10 @@ void move_by_mouse(SpacePanelState& state, double aspect) {
   }
 }
 
-/// The picture from outside, pale, so that lines stand out; what holds nothing shows the panel.
-Image<Rgb8> paled(const SpacePicture& picture, const std::vector<bool>& ground) {
+Rgb8 paper_colour() {
   const ImVec4 paper = palette().field;
-  const std::array<double, 3> base{paper.x * 255.0, paper.y * 255.0, paper.z * 255.0};
-  constexpr double strength = 0.6, ground_strength = 0.2;
-  Image<Rgb8> out = picture.levels;
-  for (std::size_t i = 0; i < out.pixels().size(); ++i) {
-    Rgb8& p = out.pixels()[i];
-    const auto object = static_cast<std::size_t>(picture.ids.pixels()[i].object);
-    const bool is_ground = object < ground.size() && ground[object];
-    const double keep = std::isinf(picture.depth.pixels()[i]) ? 0 : is_ground ? ground_strength : strength;
-    const auto mix = [&](std::uint8_t level, double paper_level) {
-      return static_cast<std::uint8_t>(level * keep + paper_level * (1 - keep) + 0.5);
-    };
-    p = {mix(p.r, base[0]), mix(p.g, base[1]), mix(p.b, base[2])};
-  }
-  return out;
+  const auto level = [](float share) { return static_cast<std::uint8_t>(share * 255 + 0.5f); };
+  return {level(paper.x), level(paper.y), level(paper.z)};
 }
 
 void caption(const SpacePanelState& state, const Session& session, int event, const Area& area) {
@@ -230,6 +250,10 @@ void advance_play(Session& session, SpacePanelState& state, PixelPanelState& pix
   if (state.play.running) redraw_after(std::max(0.0, state.play.next_at - now));
 }
 
+bool same_vertex(const std::optional<VertexChain>& a, const std::optional<VertexChain>& b) {
+  return a.has_value() == b.has_value() && (!a || (a->id == b->id && a->world == b->world && a->camera == b->camera));
+}
+
 }  // namespace
 
 void update_space(Session& session, SpacePanelState& state) {
@@ -243,7 +267,7 @@ void update_space(Session& session, SpacePanelState& state) {
     set_preset(state, SpacePreset::outside);
   }
   if (story == state.told && revisions == state.revisions && session.view() == state.view &&
-      session.settings(side) == state.settings)
+      session.settings(side) == state.settings && same_vertex(state.vertex, state.followed))
     return;
   if (story != state.told) state.play.up_to = -1;
   state.told = story;
@@ -251,7 +275,21 @@ void update_space(Session& session, SpacePanelState& state) {
   state.view = session.view();
   state.base = scene.camera;
   state.settings = session.settings(side);
+  state.followed = state.vertex;
   state.model = build_space(scene, state.view, state.settings, story.get());
+  if (state.vertex) add_vertex(*state.vertex, state.view.camera, state.model);
+}
+
+std::string space_drawing(const Session& session, const SpacePanelState& state) {
+  if (!state.picture || !session.has_scene()) return {};
+  const auto shown = [&](SpaceGroup group) { return state.groups[static_cast<std::size_t>(group)]; };
+  SpaceSvgOptions options;
+  options.least_contribution = state.least_contribution;
+  options.deepest_level = static_cast<int>(state.deepest_level);
+  options.nodes = shown(SpaceGroup::nodes);
+  options.grid = shown(SpaceGroup::grid);
+  options.rejected = shown(SpaceGroup::rejected);
+  return space_svg(state.model, *state.picture, options);
 }
 
 bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixel, const PicturesState& pictures,
@@ -289,7 +327,7 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
       picture && (picture != state.picture || state.paper != theme().brightness())) {
     state.picture = picture;
     state.paper = theme().brightness();
-    state.texture.upload(paled(*picture, state.model.ground));
+    state.texture.upload(paled(*picture, state.model.ground, paper_colour()));
   }
   auto& list = *ImGui::GetWindowDrawList();
   const bool covered = state.picture && static_cast<float>(state.picture->view.width) >= area.width() &&
@@ -300,7 +338,7 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
   const Area drawn_area{area.min,
                         {area.min.x + static_cast<float>(view.width), area.min.y + static_cast<float>(view.height)}};
   list.PushClipRect(area.min, area.max, true);
-  list.AddImage(state.texture.id(), drawn_area.min, drawn_area.max);
+  add_plain_texture(list, state.texture, drawn_area.min, drawn_area.max);
   SpaceLook look;
   look.groups = state.groups;
   look.least_contribution = state.least_contribution;

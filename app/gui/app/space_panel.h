@@ -9,6 +9,7 @@
 #include "gui/app/space_style.h"
 #include "gui/app/space_worker.h"
 #include "inspect/space_orbit.h"
+#include "inspect/vertex_chain.h"
 
 namespace ps::gui {
 
@@ -41,6 +42,8 @@ struct SpacePanelState {
   View view;
   Camera base;  ///< whose axes the orbit turns about
   Settings settings;
+  std::optional<VertexChain> vertex;  ///< that is followed; set before update_space()
+  std::optional<VertexChain> followed;
   SpaceModel model;
 
   // What is on the screen.
@@ -50,6 +53,7 @@ struct SpacePanelState {
   Brightness paper = Brightness::light;  ///< of the theme that `texture` was made for
   bool dragged = false;                  ///< the button that is down has moved
   int rays = 0, shadow_rays = 0, boxes = 0, items = 0;
+  std::function<void()> save;  ///< asks where to write the view; empty = it cannot be written
 };
 
 /// The side whose story is told.
@@ -59,6 +63,9 @@ inline Side told_side(const Session& session) { return session.document().picked
 /// the other way round. `filled`: it has the whole window; answers whether that shall change.
 bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixel, const PicturesState& pictures,
                  bool filled);
+
+/// What the panel shows now as an SVG file; empty before the first picture has come.
+std::string space_drawing(const Session& session, const SpacePanelState& state);
 
 /// Brings the model up to date; also while the panel is not shown, for steps and for what is published.
 void update_space(Session& session, SpacePanelState& state);

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "render/display_frame.h"
-
 namespace ps::gui {
 namespace {
 
@@ -12,24 +10,6 @@ bool same(const SpaceRequest& a, const SpaceRequest& b) {
   return s.geometry.revision() == t.geometry.revision() && s.lights.revision() == t.lights.revision() &&
          s.materials.revision() == t.materials.revision() && s.textures.revision() == t.textures.revision() &&
          s.background == t.background && a.view == b.view && a.near == b.near;
-}
-
-SpacePicture draw(const SpaceRequest& request, Prepared& prepared, Progress& progress) {
-  Settings settings;
-  settings.renderer = Renderer::rasterizer;
-  settings.near = request.near / request.view.camera.projection_plane_d;
-  settings.backface_culling = false;  // open models are seen from all sides
-  Scene scene = request.scene;
-  scene.canvas_items = {};  // they lie on the picture, not in space
-  RenderRequest wanted;
-  wanted.channels = Channel::depth | Channel::ids;
-  if (scene_traits(scene).csg) {  // has no triangles
-    settings.renderer = Renderer::ray_tracer;
-    settings.reflection_depth = 0;
-    settings.shadows = Shadows::none;
-  }
-  const Frame frame = render(scene, request.view, settings, wanted, prepared, progress);
-  return {request.view, request.near, display_frame(frame, settings), frame.depth, frame.ids};
 }
 
 }  // namespace
@@ -51,7 +31,8 @@ void SpaceWorker::start_next() {
   job_.start([this, request = *started_](Progress& progress) {
     std::shared_ptr<const SpacePicture> made;
     try {
-      made = std::make_shared<const SpacePicture>(draw(request, *prepared_, progress));
+      made = std::make_shared<const SpacePicture>(
+          draw_space_picture(request.scene, request.view, request.near, *prepared_, progress));
     } catch (const InputError&) {
       // A view that cannot be drawn: the last one stays.
     }

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "gui/app/newest_job.h"
-#include "render/render.h"
+#include "inspect/space_picture.h"
 
 namespace ps::gui {
 
@@ -14,15 +14,6 @@ struct SpaceRequest {
   Scene scene;
   View view;        ///< of the viewer, not of the picture
   double near = 1;  ///< nothing nearer is drawn, world units
-};
-
-/// A finished picture of the scene from outside. Shared, never changed.
-struct SpacePicture {
-  View view;
-  double near = 1;
-  Image<Rgb8> levels;
-  Image<float> depth;
-  Image<PixelId> ids;
 };
 
 /// Draws the scene from outside in the background. While one picture is being made the next is only noted, so that

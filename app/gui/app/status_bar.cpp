@@ -65,6 +65,7 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   const Rgb8 level = levels.at(pixel.x, pixel.y);
   std::string text = fmt::format("{}   array ({}, {})   book ({}, {})   {} {} {}", letter_of(side), pixel.x, pixel.y,
                                  book.x, book.y, level.r, level.g, level.b);
+  if (side == Side::b && session.picture_b()) return text;
   const bool fresh = result && result->frame.width() == levels.width() && result->frame.height() == levels.height();
   if (!fresh) return text;
   const ShownChannel channel = session.shown(side);

@@ -32,20 +32,22 @@ struct TreeDrawing {
   /// One row with its icon; answers what became of it. `rows` names it among the controls.
   TreeRow row(int index, const std::string& text, TreeKind kind, bool open, EventWeight weight) {
     const float icon = px(11);
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float label = start.x + ImGui::GetFontSize() + px(6);  // where tree_row begins its text
-    // Where the panel is narrow, smaller letters tell more than an ellipsis.
-    const Face plain = ImGui::GetWindowWidth() < px(narrow_panel) ? Face::small : Face::body;
-    const FontScope font(weight == EventWeight::strong ? Face::bold : plain);
-    // Room for the icon in front of the text, whatever the font's space is wide.
-    const auto spaces = static_cast<std::size_t>(std::max(1.f, (icon + px(7)) / ImGui::CalcTextSize(" ").x + 0.5f));
+    const FontScope font(row_face(weight));
+    const float label = ImGui::GetCursorScreenPos().x + ImGui::GetFontSize() + px(6);  // where tree_row leaves it room
     ImGui::PushStyleColor(ImGuiCol_Text, weight == EventWeight::quiet ? palette().text_quiet : palette().text);
-    const auto result = tree_row(fmt::format("{}/event/{}", name, index), std::string(spaces, ' ') + text, kind,
-                                 cursor.selected == index, open);
+    const auto result =
+        tree_row(fmt::format("{}/event/{}", name, index), text, kind, cursor.selected == index, open, icon + px(6));
     ImGui::PopStyleColor();
-    const float middle = (ImGui::GetItemRectMin().y + ImGui::GetItemRectMax().y) / 2;
+    const float middle = ImGui::GetItemRectMin().y + px(1) + ImGui::GetTextLineHeight() / 2;
     draw_event_icon(*ImGui::GetWindowDrawList(), event(index), {label + icon / 2, middle}, icon);
     return result;
+  }
+
+  /// One size for all rows; where the panel is narrow, smaller letters tell more in a line.
+  static Face row_face(EventWeight weight) {
+    const bool narrow = ImGui::GetWindowWidth() < px(narrow_panel);
+    if (weight == EventWeight::strong) return narrow ? Face::small_bold : Face::bold;
+    return narrow ? Face::small : Face::body;
   }
 
   /// A page begins in the middle of a tree: what stands above it is drawn again, with the part that belongs here.
@@ -70,8 +72,10 @@ struct TreeDrawing {
     ImGui::PushID(-1 - part.first);
     if (reveals(part.first, part.last)) ImGui::SetNextItemOpen(true);
     const std::string text = run_text(story.events, part);
-    const bool open = tree_row(fmt::format("{}/run/{}", name, part.first), text, TreeKind::branch, false, false).open;
-    tooltip(text);
+    const bool open = [&] {
+      const FontScope font(row_face(EventWeight::quiet));
+      return tree_row(fmt::format("{}/run/{}", name, part.first), text, TreeKind::branch, false, false).open;
+    }();
     ImGui::PopID();
     if (!open) return;
     for (int index = part.first; index < part.last; ++index) node(index);

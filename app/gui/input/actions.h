@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ps::gui {
@@ -38,11 +39,20 @@ struct Action {
   std::function<bool()> checked = {};       ///< for toggles in menus; empty = not a toggle
 };
 
+/// Something done with the mouse, for the help sheet.
+struct Gesture {
+  std::string hand;   ///< "Shift+drag"
+  std::string label;  ///< for people: "Render a rectangle alone"
+  std::string group;  ///< heading in the help sheet
+};
+
 class Actions {
  public:
   /// Adds an action; its name must be new and its default chords must be free.
   void add(Action action);
   const std::vector<Action>& all() const { return actions_; }
+  void add_gesture(Gesture gesture) { gestures_.push_back(std::move(gesture)); }
+  const std::vector<Gesture>& gestures() const { return gestures_; }
   const Action* find(std::string_view name) const;
   /// The first chord bound to the action as text for menus; "" if none.
   std::string key_text(std::string_view name) const;
@@ -69,6 +79,7 @@ class Actions {
     std::size_t action;
   };
   std::vector<Action> actions_;
+  std::vector<Gesture> gestures_;
   std::vector<Binding> bindings_;
   std::vector<std::pair<int, std::size_t>> held_;  // scancode, action
 };

@@ -26,6 +26,9 @@ class Texture {
   /// it: drivers that draw by the processor are several times as fast where it does not depend on the size.
   void set_shrunk(bool shrunk) const;
 
+  /// Grows whenever any texture changes.
+  static std::uint64_t changes();
+
   int width() const { return width_; }
   int height() const { return height_; }
   bool empty() const { return id_ == 0; }
@@ -35,6 +38,7 @@ class Texture {
  private:
   unsigned id_ = 0;
   int width_ = 0, height_ = 0;
+  mutable bool shrunk_ = false;
 };
 
 }  // namespace ps::gui

@@ -8,6 +8,9 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <utility>
+
+#include "gui/platform/texture.h"
 
 namespace ps::gui {
 namespace {
@@ -102,6 +105,7 @@ bool Window::wait_events(double seconds, const std::function<void(const SDL_Even
       wake_waiting = false;
     else
       sink(event);
+    if (event.type == SDL_WINDOWEVENT) shown_.forget();  // the window may have been covered, or have another size
     got = SDL_PollEvent(&event);
   }
   return any;
@@ -132,15 +136,19 @@ void Window::begin_frame() {
   ImGui_ImplSDL2_NewFrame();
 }
 
-void Window::draw_frame() {
+bool Window::draw_frame(bool will_be_read) {
+  const ImVec4& paper = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+  const bool same_paper = std::exchange(shown_paper_, {paper.x, paper.y, paper.z, 1}) == shown_paper_;
+  const bool same_textures = std::exchange(shown_textures_, Texture::changes()) == Texture::changes();
+  if (shown_.same_again(*ImGui::GetDrawData()) && same_paper && same_textures && !will_be_read) return false;
   const WindowSize pixels = drawable_size();
   glViewport(0, 0, pixels.width, pixels.height);
   // The cleared colour is the background of the whole window: a filled rectangle of this size would cost drivers that
   // draw by the processor several milliseconds.
-  const ImVec4& paper = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
   glClearColor(paper.x, paper.y, paper.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  return true;
 }
 
 void Window::show_frame() { SDL_GL_SwapWindow(window_); }
@@ -148,6 +156,7 @@ void Window::show_frame() { SDL_GL_SwapWindow(window_); }
 void Window::fonts_changed() {
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
+  shown_.forget();
 }
 
 Image<Rgb8> Window::screenshot() const {

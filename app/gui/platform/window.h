@@ -1,10 +1,13 @@
 #pragma once
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "gui/platform/frame_memory.h"
 #include "image/image.h"
 
 union SDL_Event;
@@ -38,7 +41,9 @@ class Window {
   static void wake();
 
   void begin_frame();  ///< the ImGui back ends' NewFrame
-  void draw_frame();   ///< draws ImGui's draw data into the back buffer
+  /// Draws ImGui's draw data into the back buffer. Not if that would show what the window shows already, unless the
+  /// caller will read the buffer; answers whether it was drawn.
+  bool draw_frame(bool will_be_read);
   /// The picture that draw_frame() left and show_frame() has not shown yet.
   Image<Rgb8> screenshot() const;
   void show_frame();     ///< swaps
@@ -60,6 +65,9 @@ class Window {
   SDL_Window* window_ = nullptr;
   void* context_ = nullptr;
   bool fullscreen_ = false;
+  FrameMemory shown_;
+  std::uint64_t shown_textures_ = 0;  // Texture::changes() then
+  std::array<float, 4> shown_paper_{};
 };
 
 }  // namespace ps::gui

@@ -19,7 +19,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr std::chrono::seconds idle_limit{120}, until_limit{30};
+constexpr std::chrono::seconds idle_limit{120}, until_limit{120};
 /// Frames until ImGui has seen an event and drawn what follows from it.
 constexpr int frames_after_input = 2;
 /// Frames in which a control may be scrolled to or its section may open.

@@ -35,6 +35,8 @@ class ScriptPlayer {
 
   /// Called once per turn of the main loop. Failures are printed to standard error with file and line.
   ScriptStep step(Window& window, Content& content, LoopState state);
+  /// Whether frame_drawn() may read the next frame.
+  bool wants_screenshot() const { return !screenshot_.empty(); }
   /// Called when a frame is drawn but not yet shown.
   void frame_drawn(const Window& window);
   /// How long the loop may sleep before the next step(), in seconds.

@@ -13,9 +13,19 @@ namespace {
 
 std::vector<std::string> groups_of(const Actions& actions) {
   std::vector<std::string> groups;
-  for (const Action& action : actions.all())
-    if (std::find(groups.begin(), groups.end(), action.group) == groups.end()) groups.push_back(action.group);
+  const auto add = [&](const std::string& group) {
+    if (std::find(groups.begin(), groups.end(), group) == groups.end()) groups.push_back(group);
+  };
+  for (const Gesture& gesture : actions.gestures()) add(gesture.group);
+  for (const Action& action : actions.all()) add(action.group);
   return groups;
+}
+
+/// Rows under a heading.
+std::size_t members_of(const Actions& actions, const std::string& group) {
+  const auto of_group = [&](const auto& row) { return row.group == group; };
+  return static_cast<std::size_t>(std::ranges::count_if(actions.all(), of_group) +
+                                  std::ranges::count_if(actions.gestures(), of_group));
 }
 
 /// Its keys, as many of them as fit beside what it does; the first one always.
@@ -56,6 +66,8 @@ void draw_group(const Actions& actions, const std::string& group, float width) {
     const std::string label = action.label + (action.kind == ActionKind::hold ? " (hold)" : "");
     row(label, keys_of(actions, action, width - text_width(label) - px(14)), width);
   }
+  for (const Gesture& gesture : actions.gestures())
+    if (gesture.group == group) row(gesture.label, gesture.hand, width);
   ImGui::Dummy({0, px(8)});
 }
 
@@ -97,14 +109,13 @@ void HelpSheet::draw(const Actions& actions) {
   // Groups fill the columns from the top, each column about as long as the others.
   std::size_t lines = 0;
   const auto groups = groups_of(actions);
-  const std::size_t total = actions.all().size() + 2 * groups.size();
+  const std::size_t total = actions.all().size() + actions.gestures().size() + 2 * groups.size();
   const auto per_column = (total + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
   int column = 0;
   const ImVec2 start = ImGui::GetCursorPos();
   ImGui::BeginGroup();
   for (const std::string& group : groups) {
-    const auto members = static_cast<std::size_t>(std::count_if(
-        actions.all().begin(), actions.all().end(), [&](const Action& action) { return action.group == group; }));
+    const std::size_t members = members_of(actions, group);
     if (lines > 0 && lines + (members + 2) / 2 > per_column && column + 1 < columns) {
       ImGui::EndGroup();
       ++column;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include <thread>
 
 #include "base/check.h"
+#include "base/timer.h"
 #include "gui/input/actions.h"
 #include "gui/input/tracker.h"
 #include "gui/platform/events.h"
@@ -66,6 +68,23 @@ double seconds_since_start() {
 
 }  // namespace
 
+/// The mean of the newest times, milliseconds.
+class RecentTimes {
+ public:
+  void add(double milliseconds) {
+    sum_ += milliseconds - times_[next_];
+    times_[next_] = milliseconds;
+    next_ = (next_ + 1) % times_.size();
+    count_ = std::min(count_ + 1, times_.size());
+  }
+  double mean() const { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
+
+ private:
+  std::array<double, 30> times_{};
+  std::size_t next_ = 0, count_ = 0;
+  double sum_ = 0;
+};
+
 struct Shell::Impl {
   explicit Impl(const ShellOptions& options)
       : script(options.script.empty() ? nullptr : std::make_unique<ScriptPlayer>(options.script)),
@@ -83,9 +102,10 @@ struct Shell::Impl {
   bool ended = false;
   int status = 0;
   int frames_due = frames_after_event;
-  std::uint64_t frames = 0;
+  std::uint64_t frames = 0, frames_drawn = 0;        // the latter without those that look like the one before
   Clock::time_point due = Clock::time_point::max();  // of wake_after
   Clock::time_point last_frame, last_input;
+  RecentTimes layout_times, frame_times;
 
   void add_actions(Shell& shell);
   void offer_values();
@@ -100,6 +120,9 @@ struct Shell::Impl {
 
 void Shell::Impl::offer_values() {
   const auto in_seconds = [](double seconds) { return std::to_string(seconds); };
+  // Of the last frames, whose drawing and showing comes after their layout; sleeping in between does not count.
+  values().offer("window/layout-ms", [this] { return std::to_string(layout_times.mean()); });
+  values().offer("window/frame-ms", [this] { return std::to_string(frame_times.mean()); });
   values().offer("clipboard", [this] { return window.clipboard(); });
   values().offer("window/seconds", [=] { return in_seconds(seconds_since_start()); });
   values().offer("window/cpu-seconds",
@@ -233,6 +256,7 @@ void Shell::Impl::dispatch_keys() {
 }
 
 void Shell::Impl::draw_frame() {
+  const Timer timer;
   if (theme().prepare()) window.fonts_changed();
   window.begin_frame();
   input.apply(ImGui::GetIO());
@@ -242,11 +266,17 @@ void Shell::Impl::draw_frame() {
   help.draw(actions);
   palette.draw(actions);
   ImGui::Render();
-  window.draw_frame();
+  layout_times.add(timer.milliseconds());
+  const bool drawn = window.draw_frame(script && script->wants_screenshot());
   if (script) script->frame_drawn(window);
-  window.show_frame();
+  if (drawn) {
+    window.show_frame();
+    ++frames_drawn;
+  }
+  frame_times.add(timer.milliseconds());
   if (frames == 0) values().publish("window/first-frame-ms", seconds_since_start() * 1000);
   values().publish("window/frames", ++frames);
+  values().publish("window/frames-drawn", frames_drawn);
   values().publish("window/scale", theme().scale());
   values().publish("window/theme", theme().brightness() == Brightness::dark ? "dark" : "light");
   if (const double wish = take_redraw_wish(); wish >= 0) {

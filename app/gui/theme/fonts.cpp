@@ -46,6 +46,8 @@ FaceFile face_file(Face face) {
     return {semi_bold, 26, narrow_ranges.data(), nullptr};
   case Face::small:
     return {regular, 14, wide_ranges.data(), mono};
+  case Face::small_bold:
+    return {semi_bold, 14, wide_ranges.data(), mono};
   case Face::mono:
     return {mono, 15, wide_ranges.data(), regular};
   case Face::mono_bold:

@@ -18,7 +18,8 @@ Palette make_palette(Brightness brightness);
 /// Contrast of two opaque sRGB colours after WCAG 2: 1 to 21.
 double contrast(const ImVec4& first, const ImVec4& second);
 
-enum class Face { body, bold, italic, heading, title, small, mono, mono_bold };
+enum class Face { body, bold, italic, heading, title, small, small_bold, mono, mono_bold };
+inline constexpr int face_count = 9;
 
 /// Loads the fonts, applies colours and sizes to Dear ImGui, and rebuilds all of it when scale or brightness change.
 class Theme {
@@ -44,7 +45,7 @@ class Theme {
   double scale_ = 1;
   bool fonts_stale_ = true, colours_stale_ = true;
   Palette palette_;
-  ImFont* fonts_[8] = {};
+  ImFont* fonts_[face_count] = {};
 };
 
 /// The one theme.

@@ -123,16 +123,20 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) {
   const float room = ImGui::GetContentRegionAvail().x;
   float wanted = 0;
   for (const Choice& tab : tabs) wanted += text_width(tab.label) + px(22);
-  const float squeeze = std::min(1.0f, room / std::max(1.0f, wanted));
+  // Tabs that do not fit one row go on in the next: half a word says nothing.
+  const bool wraps = wanted > room;
+  const float margin = wraps ? px(14) : px(22);
   const float height = ImGui::GetFrameHeight() + px(4);
   ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (std::size_t i = 0; i < tabs.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, 0);
+    const float width = std::floor(std::min(text_width(tabs[i].label) + margin, room));
+    if (i > 0 && (!wraps || ImGui::GetItemRectMax().x + width <= start.x + room)) ImGui::SameLine(0, 0);
     const std::string part = part_name(name, tabs[i].key);
     const bool open = static_cast<std::size_t>(index) == i;
     const bool wanted_by_script =
         controls().revealing().starts_with(full_name(part) + "/") && !controls().revealing().empty();
-    const bool clicked = hit_area(part, {std::floor((text_width(tabs[i].label) + px(22)) * squeeze), height}, {});
+    const bool clicked = hit_area(part, {width, height}, {});
     if ((clicked || wanted_by_script) && !open) {
       index = static_cast<int>(i);
       changed = true;
@@ -145,6 +149,7 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) {
     controls().record(part, open ? "on" : "off");
     if (!tabs[i].help.empty()) tooltip(tabs[i].help);
   }
+  ImGui::PopStyleVar();
   ImGui::EndGroup();
   const float bottom = ImGui::GetItemRectMax().y - 0.5f;
   draw.AddLine({start.x, bottom}, {start.x + room, bottom}, colour_u32(p.line));

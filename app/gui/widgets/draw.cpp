@@ -22,6 +22,32 @@ void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colo
   ImGui::PopStyleColor();
 }
 
+std::string in_lines(std::string_view text, float width) {
+  std::string lines;
+  std::size_t line = 0;  // where the last one begins
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+    const std::size_t before = lines.size();
+    lines += text.substr(at, end - at);
+    // The line was broken too late if this word does not fit: then its blank becomes the break.
+    if (before > line && text_width(std::string_view(lines).substr(line)) > width) {
+      lines[before - 1] = '\n';
+      line = before;
+    }
+    at = end + 1;
+    if (end == text.size()) break;
+    lines += text[end];
+    if (text[end] == '\n') line = lines.size();
+  }
+  return lines;
+}
+
+void value_paragraph(std::string_view name, std::string_view text) {
+  const std::string lines = in_lines(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(lines.data(), lines.data() + lines.size());
+  controls().record(name, std::string(text));
+}
+
 bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style) {
   const DisabledScope disabled(!style.disabled.empty());
   ImGui::PushID(full_name(name).c_str());

@@ -1,6 +1,7 @@
 #pragma once
 #include <imgui.h>
 
+#include <string>
 #include <string_view>
 
 #include "gui/widgets/widgets.h"
@@ -11,6 +12,18 @@ namespace ps::gui {
 inline float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 /// Text in a rectangle, vertically centred; `align` 0 left, 0.5 middle, 1 right; cut with an ellipsis if too long.
 void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colour, float align);
+/// Breaks text into lines of at most this width, at blanks alone: Dear ImGui's own wrapping also breaks numbers behind
+/// their point. A longer word gets a line of its own and sticks out.
+std::string in_lines(std::string_view text, float width);
+/// value_text() broken into lines where the room ends.
+void value_paragraph(std::string_view name, std::string_view text);
+inline float text_height(std::string_view text) {
+  return ImGui::CalcTextSize(text.data(), text.data() + text.size()).y;
+}
+/// Text from its upper left corner, as it is.
+inline void draw_lines(ImVec2 at, std::string_view text, const ImVec4& colour) {
+  ImGui::GetWindowDrawList()->AddText(at, colour_u32(colour), text.data(), text.data() + text.size());
+}
 /// An invisible button with the id `name`, focusable and dead when `disabled` is not empty.
 bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style);
 /// The style's tooltip with the reason for being greyed, for the last item.

@@ -99,7 +99,7 @@ void rich_text(std::string_view markdown) {
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + px(7), at.y + px(12)}, px(2.5),
                                                   colour_u32(palette().text_quiet), 12);
     }
-    set_block(paragraph, face, indent, face == Face::body ? 1.42f : 1.3f);
+    set_block(paragraph, face, indent, face == Face::body ? 1.2f : 1.12f);
     paragraph.clear();
     face = Face::body;
     bullet = false;

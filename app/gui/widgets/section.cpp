@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "gui/widgets/draw.h"
@@ -41,7 +42,8 @@ bool section(std::string_view name, std::string_view label, bool& open, std::str
   return open;
 }
 
-TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bool selected, bool default_open) {
+TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bool selected, bool default_open,
+                 float icon_room) {
   const std::string id = full_name(name), label(text);
   ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanFullWidth | ImGuiTreeNodeFlags_OpenOnArrow |
                              ImGuiTreeNodeFlags_OpenOnDoubleClick | ImGuiTreeNodeFlags_FramePadding;
@@ -51,11 +53,16 @@ TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bo
     flags |= ImGuiTreeNodeFlags_DefaultOpen;
   if (selected) flags |= ImGuiTreeNodeFlags_Selected;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(3), px(1)});
-  const float text_left = ImGui::GetCursorScreenPos().x + ImGui::GetTreeNodeToLabelSpacing();
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-  const bool open = ImGui::TreeNodeEx(id.c_str(), flags, "%s", "");
+  const ImVec2 at{ImGui::GetCursorScreenPos().x + ImGui::GetTreeNodeToLabelSpacing() + icon_room,
+                  ImGui::GetCursorScreenPos().y + px(1)};
+  const float width = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x - at.x;
+  const std::string lines = in_lines(text, width);
+  // Dear ImGui makes the row as high as its label: one with as many lines and nothing in them.
+  const auto breaks = static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
+  const std::string blank = std::string(breaks, '\n') + ' ';
+  const bool open = ImGui::TreeNodeEx(id.c_str(), flags, "%s", blank.c_str());
   ImGui::PopStyleVar();
-  draw_text({text_left, ImGui::GetItemRectMin().y}, {right, ImGui::GetItemRectMax().y}, text, palette().text, 0);
+  draw_lines(at, lines, ImGui::GetStyleColorVec4(ImGuiCol_Text));
   TreeRow row;
   row.open = open && kind == TreeKind::branch;
   row.clicked = ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen();

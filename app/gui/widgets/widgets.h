@@ -90,12 +90,14 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
                            const OptionRowContext& context = {});
 
 // --- rows.cpp ---
-/// A row of a tree. If it answers `open`, draw the children and call ImGui::TreePop(). Leaves never open.
+/// A row of a tree, as many lines high as its text needs. If it answers `open`, draw the children and call
+/// ImGui::TreePop(). Leaves never open. `icon_room` is left free in front of the text.
 struct TreeRow {
   bool open = false, clicked = false;
 };
 enum class TreeKind { branch, leaf };
-TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bool selected, bool default_open = true);
+TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bool selected, bool default_open = true,
+                 float icon_room = 0);
 /// Begins a table row that can be selected as a whole; call inside ImGui::BeginTable, then ImGui::TableNextColumn for
 /// the cells. The first cell holds `text`.
 bool table_row(std::string_view name, std::string_view text, bool selected);

@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "gui/app/app.h"
+#include "inspect/story_json.h"
+#include "inspect/story_markdown.h"
+
+namespace ps::gui {
+
+/// Writes the story of the picked pixel in the form that the file's extension names: md, csv or json.
+void App::save_story_as(std::filesystem::path path) {
+  const auto story = session_.story(session_.document().picked);
+  if (!story) return;
+  if (path.extension().empty()) path += ".md";
+  const std::string extension = path.extension().string();
+  try {
+    if (extension == ".csv")
+      write_file_atomically(path, story_csv(*story, session_.scene()));
+    else if (extension == ".json")
+      write_file_atomically(path, story_json(*story, session_.scene(), session_.view()));
+    else if (extension == ".md")
+      write_file_atomically(path, story_markdown(*story, session_.scene(), session_.view()));
+    else
+      throw InputError(fmt::format("{}: found extension '{}', expected md, csv or json", path.string(), extension));
+    session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
+  } catch (const InputError& error) {
+    session_.say(Message::Kind::error, error.what());
+  }
+}
+
+void App::save_drawing(std::filesystem::path path, const std::string& svg) {
+  if (svg.empty()) return session_.say(Message::Kind::warning, "There is nothing to draw yet.");
+  if (path.extension().empty()) path += ".svg";
+  try {
+    write_file_atomically(path, svg);
+    session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
+  } catch (const InputError& error) {
+    session_.say(Message::Kind::error, error.what());
+  }
+}
+
+}  // namespace ps::gui

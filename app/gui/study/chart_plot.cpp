@@ -1,0 +1,217 @@
+#include "gui/study/chart_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/study/plot_frame.h"
+#include "gui/theme/theme.h"
+#include "gui/widgets/record.h"
+#include "study/chart_style.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double reach = 8;  // pixels around a mark that still hit it, at scale 1
+
+ImU32 colour_of(Rgb8 c) { return IM_COL32(c.r, c.g, c.b, 255); }
+
+double largest_memory(const Chart& chart) {
+  double largest = 0;
+  for (const ChartPoint& point : chart.points) largest = std::max(largest, point.memory_mb);
+  return largest;
+}
+
+struct Mark {
+  std::size_t point = 0;
+  ImVec2 at;
+  float radius = 0;
+};
+
+std::vector<Mark> place_marks(const Chart& chart, const PlotFrame& frame) {
+  const double memory = largest_memory(chart);
+  std::vector<Mark> marks;
+  for (std::size_t i = 0; i < chart.points.size(); ++i) {
+    const ChartPoint& point = chart.points[i];
+    if (!point.measured()) continue;
+    marks.push_back({i, frame.at(point.time_ms.median, point.error), px(mark_radius(point.memory_mb, memory))});
+  }
+  return marks;
+}
+
+void draw_front(ImDrawList& list, const Chart& chart, const PlotFrame& frame) {
+  const auto front = front_by_time(chart);
+  const float dash = px(5), gap = px(4);
+  for (std::size_t i = 1; i < front.size(); ++i) {
+    const ImVec2 a = frame.at(front[i - 1]->time_ms.median, front[i - 1]->error);
+    const ImVec2 b = frame.at(front[i]->time_ms.median, front[i]->error);
+    const float length = std::hypot(b.x - a.x, b.y - a.y);
+    for (float from = 0; from < length; from += dash + gap) {
+      const float to = std::min(from + dash, length);
+      const auto on_line = [&](float way) {
+        return ImVec2{a.x + (b.x - a.x) * way / length, a.y + (b.y - a.y) * way / length};
+      };
+      list.AddLine(on_line(from), on_line(to), colour_u32(palette().text), px(1.2));
+    }
+  }
+}
+
+void draw_error_bar(ImDrawList& list, const ChartPoint& point, const PlotFrame& frame, ImU32 colour) {
+  const ImVec2 low = frame.at(point.time_ms.q1, point.error), high = frame.at(point.time_ms.q3, point.error);
+  const float cap = px(3);
+  list.AddLine(low, high, colour, px(2));
+  for (const ImVec2 end : {low, high}) list.AddLine({end.x, end.y - cap}, {end.x, end.y + cap}, colour, px(1.5));
+}
+
+void draw_mark(ImDrawList& list, const Mark& mark, const ChartPoint& point, bool strong) {
+  const ImU32 fill = colour_of(mark_colour(point.what.value));
+  const ImU32 edge = colour_u32(point.on_front || strong ? palette().text : palette().field);
+  const float r = mark.radius, width = px(strong ? 2.5 : 1.5);
+  const ImVec2 low{mark.at.x - r, mark.at.y - r}, high{mark.at.x + r, mark.at.y + r};
+  switch (point.what.value.renderer) {
+  case Renderer::ray_tracer:
+    list.AddCircleFilled(mark.at, r, fill, 24);
+    list.AddCircle(mark.at, r, edge, 24, width);
+    break;
+  case Renderer::rasterizer:
+    list.AddRectFilled(low, high, fill);
+    list.AddRect(low, high, edge, 0, 0, width);
+    break;
+  case Renderer::textbook:
+    list.AddTriangleFilled({mark.at.x, low.y}, high, {low.x, high.y}, fill);
+    list.AddTriangle({mark.at.x, low.y}, high, {low.x, high.y}, edge, width);
+    break;
+  }
+}
+
+/// A ring with its letter around the point that a picture shows now.
+void draw_ring(ImDrawList& list, const Mark& mark, const char* letter, const ImVec4& accent, float side) {
+  ImFont* font = theme().font(Face::bold);
+  list.AddCircle(mark.at, mark.radius + px(5), colour_u32(accent), 28, px(2));
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, letter);
+  const ImVec2 at{mark.at.x + side * (mark.radius + px(9) + size.x / 2) - size.x / 2, mark.at.y - size.y / 2};
+  list.AddText(font, font->FontSize, at, colour_u32(accent), letter);
+}
+
+void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, const std::vector<Mark>& marks,
+                 ChartLabels& labels) {
+  ImFont* font = theme().font(Face::small);
+  std::string key = fmt::format("{} {} {}", frame.inner.width(), frame.inner.height(), static_cast<int>(chart.metric));
+  float radius = 0;
+  for (const Mark& mark : marks) {
+    const ChartPoint& point = chart.points[mark.point];
+    key += fmt::format(" {:.0f},{:.0f},{:.0f},{:.0f}", mark.at.x, mark.at.y, frame.at(point.time_ms.q1, point.error).x,
+                       frame.at(point.time_ms.q3, point.error).x);
+    radius = std::max(radius, mark.radius);
+  }
+  if (key != labels.key || labels.places.size() != marks.size()) {
+    labels.key = std::move(key);
+    std::vector<LabelWish> wishes;
+    for (const Mark& mark : marks) {
+      const ChartPoint& point = chart.points[mark.point];
+      const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, point.what.label.c_str());
+      const float low = frame.at(point.time_ms.q1, point.error).x, high = frame.at(point.time_ms.q3, point.error).x;
+      wishes.push_back({{mark.at.x - frame.inner.min.x, mark.at.y - frame.inner.min.y},
+                        {size.x, size.y},
+                        point.on_front ? 0 : 1,
+                        {mark.at.x - low, high - mark.at.x}});
+    }
+    labels.places = place_labels(wishes, {frame.inner.width(), frame.inner.height()}, radius);
+  }
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (!labels.places[i].shown) continue;
+    const ImVec2 at{frame.inner.min.x + static_cast<float>(labels.places[i].corner.x),
+                    frame.inner.min.y + static_cast<float>(labels.places[i].corner.y)};
+    const ChartPoint& point = chart.points[marks[i].point];
+    list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)},
+                 colour_u32(point.on_front ? palette().text : palette().text_quiet), point.what.label.c_str());
+  }
+}
+
+std::optional<std::size_t> nearest(const std::vector<Mark>& marks, ImVec2 mouse) {
+  std::optional<std::size_t> found;
+  float best = 1e9f;
+  for (const Mark& mark : marks) {
+    const float distance = std::hypot(mark.at.x - mouse.x, mark.at.y - mouse.y);
+    if (distance > mark.radius + px(reach) || distance >= best) continue;
+    best = distance;
+    found = mark.point;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<std::size_t> draw_chart(ImDrawList& list, const Area& area, const Chart& chart, ChartLabels& labels,
+                                      const ChartMarks& shown, ImVec2 mouse) {
+  const ChartAxes axes = chart_axes(chart);
+  const bool up = error_metric(chart.metric).higher_is_better;
+  const PlotFrame frame = draw_plot_frame(
+      list, area, axes.time, axes.error,
+      {"time of one picture, ms", axes.error_title + (up ? ", higher is better" : ", lower is better")});
+  list.PushClipRect(area.min, area.max, true);
+  const std::vector<Mark> marks = place_marks(chart, frame);
+  const auto hovered = nearest(marks, mouse);
+  draw_front(list, chart, frame);
+  for (const Mark& mark : marks) {
+    const ChartPoint& point = chart.points[mark.point];
+    draw_error_bar(list, point, frame, colour_of(mark_colour(point.what.value)));
+  }
+  for (const Mark& mark : marks) {
+    const ChartPoint& point = chart.points[mark.point];
+    draw_mark(list, mark, point, mark.point == hovered);
+    if (mark.point == shown.a) draw_ring(list, mark, "A", palette().a_text, -1);
+    if (mark.point == shown.b) draw_ring(list, mark, "B", palette().b_text, 1);
+    controls().record(fmt::format("point/{}", point.number), {mark.at.x - 2, mark.at.y - 2},
+                      {mark.at.x + 2, mark.at.y + 2}, point.what.label);
+  }
+  draw_labels(list, chart, frame, marks, labels);
+  list.PopClipRect();
+  return hovered;
+}
+
+float chart_legend_height() { return theme().font(Face::small)->FontSize + px(4); }
+
+void draw_chart_legend(ImDrawList& list, const Area& area, const Chart& chart) {
+  ImFont* font = theme().font(Face::small);
+  const ImU32 ink = colour_u32(palette().text_quiet);
+  const float middle = area.min.y + font->FontSize / 2;
+  float x = area.min.x;
+  const auto width_of = [&](const std::string& text) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  };
+  bool rays = false, fragments = false;
+  for (const ChartPoint& point : chart.points)
+    (point.what.value.renderer == Renderer::ray_tracer ? rays : fragments) = true;
+  const auto entry = [&](const std::string& text, const auto& draw_sign) {
+    const float sign = px(22), width = sign + width_of(text) + px(14);
+    if (x + width > area.max.x) return;
+    draw_sign(ImVec2{x + sign / 2 - px(2), middle});
+    list.AddText(font, font->FontSize, {x + sign, area.min.y}, ink, text.c_str());
+    x += width;
+  };
+  const float r = px(5);
+  if (rays)
+    entry("ray tracer", [&](ImVec2 at) { list.AddCircleFilled(at, r, colour_of(mark_colour(Settings{})), 20); });
+  if (fragments)
+    entry("rasterizer", [&](ImVec2 at) {
+      Settings settings;
+      settings.renderer = Renderer::rasterizer;
+      list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, colour_of(mark_colour(settings)));
+    });
+  entry("Pareto front", [&](ImVec2 at) {
+    list.AddLine({at.x - px(8), at.y}, {at.x - px(2), at.y}, ink, px(1.2));
+    list.AddLine({at.x + px(2), at.y}, {at.x + px(8), at.y}, ink, px(1.2));
+  });
+  entry("quartiles", [&](ImVec2 at) {
+    list.AddLine({at.x - px(7), at.y}, {at.x + px(7), at.y}, ink, px(2));
+    for (const float end : {-px(7), px(7)}) list.AddLine({at.x + end, at.y - px(3)}, {at.x + end, at.y + px(3)}, ink);
+  });
+  entry(fmt::format("area: memory, up to {:.3g} MB", largest_memory(chart)), [&](ImVec2 at) {
+    list.AddCircle({at.x - px(4), at.y}, px(3), ink, 16);
+    list.AddCircle({at.x + px(4), at.y}, px(5.5), ink, 20);
+  });
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,160 @@
+#include "gui/study/curve_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gui/theme/theme.h"
+#include "gui/widgets/record.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double many_times = 40;  // values that differ by more than this want a logarithmic axis
+
+Axis axis_for(const std::vector<double>& values) {
+  double low = INFINITY, high = 0;
+  bool negative = false;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    negative = negative || value < 0;
+    if (value > 0) low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  const bool logarithmic = !negative && high > many_times * low;
+  return fit_axis(values, logarithmic ? AxisScale::logarithmic : AxisScale::linear);
+}
+
+enum class Method { naive, robust };
+
+double value_of(const StabilityRow& row, Method method) {
+  switch (method) {
+  case Method::naive:
+    return row.naive;
+  case Method::robust:
+    return row.robust;
+  }
+  return row.naive;
+}
+
+void draw_sign(ImDrawList& list, ImVec2 at, Method method, bool strong) {
+  const float r = px(strong ? 6 : 4.5), width = px(strong ? 3 : 2);
+  switch (method) {
+  case Method::naive: {
+    const ImU32 ink = colour_u32(palette().wrong_text);
+    list.AddLine({at.x - r, at.y - r}, {at.x + r, at.y + r}, ink, width);
+    list.AddLine({at.x - r, at.y + r}, {at.x + r, at.y - r}, ink, width);
+    break;
+  }
+  case Method::robust:
+    list.AddCircleFilled(at, r, colour_u32(palette().field), 20);
+    list.AddCircle(at, r, colour_u32(palette().right_text), 20, width);
+    break;
+  }
+}
+
+ImU32 line_colour(Method method) {
+  return colour_u32(method == Method::naive ? palette().wrong_text : palette().right_text);
+}
+
+void draw_curve(ImDrawList& list, const Curves& curves, const PlotFrame& frame, Method method,
+                std::optional<std::size_t> strong) {
+  std::optional<ImVec2> last;
+  for (const StabilityRow& row : curves.rows) {
+    const double value = value_of(row, method);
+    if (!std::isfinite(value)) {
+      last.reset();
+      continue;
+    }
+    const ImVec2 at = frame.at(row.knob, value);
+    if (last) list.AddLine(*last, at, line_colour(method), px(2));
+    last = at;
+  }
+  for (std::size_t i = 0; i < curves.rows.size(); ++i) {
+    const double value = value_of(curves.rows[i], method);
+    if (std::isfinite(value)) draw_sign(list, frame.at(curves.rows[i].knob, value), method, i == strong);
+  }
+}
+
+/// A band over the knobs where the naive method may be used, with its name.
+void draw_safe_window(ImDrawList& list, const Curves& curves, const PlotFrame& frame) {
+  if (curves.safe.empty()) return;
+  const Axis& knob = frame.x;
+  const double low = std::max(curves.safe.low, knob.zero_place ? 0.0 : knob.low),
+               high = std::min(curves.safe.high, knob.high);
+  if (!(low <= high)) return;
+  const auto& in = frame.inner;
+  const float left = curves.safe.low <= knob.low ? in.min.x : frame.at(low, 0).x;
+  const float right = curves.safe.high >= knob.high ? in.max.x : frame.at(high, 0).x;
+  list.AddRectFilled({left, in.min.y}, {right, in.max.y}, colour_u32(palette().right, 0.14));
+  for (const float x : {left, right})
+    list.AddLine({x, in.min.y}, {x, in.max.y}, colour_u32(palette().right_text), px(1));
+  ImFont* font = theme().font(Face::small);
+  const char* text = "safe";
+  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text).x;
+  const float x = std::clamp((left + right - width) / 2, in.min.x + px(3), in.max.x - width - px(3));
+  list.AddText(font, font->FontSize, {x, in.min.y + px(2)}, colour_u32(palette().right_text), text);
+}
+
+/// Both names in a line above the plot, each behind its sign.
+void draw_names(ImDrawList& list, const Area& area, const Curves& curves) {
+  ImFont* font = theme().font(Face::small);
+  float x = area.min.x;
+  for (const Method method : {Method::naive, Method::robust}) {
+    const std::string text = method == Method::naive ? "naive: " + curves.naive : "robust: " + curves.robust;
+    draw_sign(list, {x + px(6), area.min.y + font->FontSize / 2}, method, false);
+    list.AddText(font, font->FontSize, {x + px(16), area.min.y}, line_colour(method), text.c_str());
+    x += px(34) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  }
+}
+
+std::optional<std::size_t> nearest(const Curves& curves, const PlotFrame& frame, ImVec2 mouse) {
+  if (!frame.inner.contains(mouse)) return {};
+  std::optional<std::size_t> found;
+  float best = px(40);
+  for (std::size_t i = 0; i < curves.rows.size(); ++i) {
+    const float distance = std::abs(frame.at(curves.rows[i].knob, 0).x - mouse.x);
+    if (distance >= best) continue;
+    best = distance;
+    found = i;
+  }
+  return found;
+}
+
+}  // namespace
+
+CurvesDrawn draw_curves(ImDrawList& list, const Area& area, const Curves& curves, ImVec2 mouse,
+                        std::optional<std::size_t> marked) {
+  std::vector<double> knobs, results;
+  for (const StabilityRow& row : curves.rows) {
+    knobs.push_back(row.knob);
+    results.insert(results.end(), {row.naive, row.robust});
+  }
+  const float names = theme().font(Face::small)->FontSize + px(6);
+  const Area plot{{area.min.x, area.min.y + names}, area.max};
+  CurvesDrawn drawn;
+  drawn.frame = draw_plot_frame(list, plot, axis_for(knobs), axis_for(results), {curves.knob, curves.unit});
+  list.PushClipRect(area.min, area.max, true);
+  draw_names(list, area, curves);
+  draw_safe_window(list, curves, drawn.frame);
+  drawn.hovered = nearest(curves, drawn.frame, mouse);
+  const auto strong = drawn.hovered ? drawn.hovered : marked;
+  if (strong) {
+    const float x = std::round(drawn.frame.at(curves.rows[*strong].knob, 0).x);
+    list.AddLine({x, drawn.frame.inner.min.y}, {x, drawn.frame.inner.max.y}, colour_u32(palette().text_quiet));
+  }
+  for (const Method method : {Method::robust, Method::naive}) draw_curve(list, curves, drawn.frame, method, strong);
+  for (std::size_t i = 0; i < curves.rows.size(); ++i) {
+    const StabilityRow& row = curves.rows[i];
+    const ImVec2 at = drawn.frame.at(row.knob, std::isfinite(row.naive) ? row.naive : row.robust);
+    controls().record(fmt::format("point/{}", i), {at.x - 2, at.y - 2}, {at.x + 2, at.y + 2},
+                      fmt::format("{} {}", full_number(row.naive), full_number(row.robust)));
+  }
+  list.PopClipRect();
+  return drawn;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,171 @@
+#include "gui/study/needs_view.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "gui/app/picture_text.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+#include "options/scene_settings.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double number_width = 62, least_bar = 30;  // pixels at scale 1
+
+/// A number with a bar of that share of the cell, and a line at `limit` if there is one.
+void bar_cell(std::string_view name, double share, const std::string& text, std::optional<double> limit = {}) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  const float digits = px(number_width), bar = std::max(room - digits - px(8), px(least_bar));
+  ImGui::Dummy({room, height});
+  controls().record(name, text);
+  auto& list = *ImGui::GetWindowDrawList();
+  {
+    const FontScope mono(Face::mono);
+    draw_text(at, {at.x + digits, at.y + height}, text, palette().text, 1);
+  }
+  const ImVec2 from{at.x + digits + px(8), at.y + px(3)}, to{from.x + bar, at.y + height - px(3)};
+  list.AddRectFilled(from, to, colour_u32(palette().line, 0.6));
+  const auto part = static_cast<float>(std::clamp(share, 0.0, 1.0));
+  list.AddRectFilled(from, {from.x + bar * part, to.y}, colour_u32(palette().text_quiet));
+  if (!limit) return;
+  const float x = from.x + bar * static_cast<float>(std::clamp(*limit, 0.0, 1.0));
+  list.AddLine({x, from.y - px(3)}, {x, to.y + px(3)}, colour_u32(palette().text), px(2));
+}
+
+void column_heading(const char* text, const char* help) {
+  ImGui::TableNextColumn();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  const FontScope bold(Face::bold);
+  draw_text(at, {at.x + room, at.y + height}, text, palette().text_quiet, 0);
+  ImGui::Dummy({room, height});
+  const FontScope body(Face::body);
+  tooltip(help);
+}
+
+void name_cell(std::string_view text) {
+  ImGui::TableNextColumn();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  draw_text(at, {at.x + room, at.y + height}, text, palette().text, 0);
+  ImGui::Dummy({room, height});
+  if (text_width(text) > room) tooltip(text);
+}
+
+std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
+
+std::string changes_text(const Settings& from, const Settings& to) {
+  return fmt::format("{}", fmt::join(settings_difference(from, to), ", "));
+}
+
+void free_features(const Needs& needs) {
+  for (const FeatureShare& share : needs.shares) {
+    if (share.used) continue;
+    const std::string text = fmt::format("{}: free to drop, {}.", share.feature.label, share.reason);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    controls().record(fmt::format("free/{}", share.feature.name), share.reason);
+  }
+}
+
+}  // namespace
+
+NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
+  NeedsAdvice told;
+  if (!needs.within_tolerance) {
+    told.verdict = fmt::format("Nothing can be saved: even as they are, the settings differ from double by {}, more "
+                               "than the tolerance of {}.",
+                               short_number(needs.default_error), short_number(needs.tolerance));
+    return told;
+  }
+  told.changes = changes_text(base, needs.advice);
+  if (told.changes.empty()) {
+    told.verdict = "The scene needs all of it: no setting can be made cheaper within the tolerance.";
+    return told;
+  }
+  const double work = needs.default_work > 0
+                          ? 100.0 * (1 - static_cast<double>(needs.work) / static_cast<double>(needs.default_work))
+                          : 0;
+  told.verdict = fmt::format("{:.0f} % of the work can be saved; the worst place then differs by {} (allowed: {}).",
+                             work, short_number(needs.error), short_number(needs.tolerance));
+  told.saving = fmt::format("{} ms instead of {} ms; {} instead of {} rays, tests, fragments and texels",
+                            short_number(needs.time_ms), short_number(needs.default_time_ms), count_text(needs.work),
+                            count_text(needs.default_work));
+  return told;
+}
+
+void needs_shares(const Needs& needs, bool timed) {
+  double largest = needs.tolerance * 1.5;
+  bool any = false;
+  for (const FeatureShare& share : needs.shares) {
+    largest = std::max(largest, share.error_without);
+    any = any || share.used;
+  }
+  ImGui::Spacing();
+  if (any && ImGui::BeginTable("shares", timed ? 4 : 3, ImGuiTableFlags_SizingStretchProp)) {
+    ImGui::TableSetupColumn("feature", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+    for (const char* name : {"picture", "work", "time"})
+      if (timed || std::string_view(name) != "time")
+        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableNextRow();
+    column_heading("Without", "What is switched off.");
+    column_heading("Picture changes by",
+                   "Mean FLIP of the tile that differs most from the reference. The line is the tolerance.");
+    column_heading("Work saved", "Share of rays, intersection tests, fragments and texel reads.");
+    if (timed) column_heading("Time saved", "Share of the time of one picture. Below 0: noise of the clock.");
+    for (const FeatureShare& share : needs.shares) {
+      if (!share.used) continue;
+      const NameScope scope(share.feature.name);
+      ImGui::TableNextRow();
+      name_cell(share.feature.label);
+      ImGui::TableNextColumn();
+      bar_cell("picture", share.error_without / largest, fmt::format("{:.3f}", share.error_without),
+               needs.tolerance / largest);
+      ImGui::TableNextColumn();
+      bar_cell("work", share.work_share, percent(share.work_share));
+      if (!timed) continue;
+      ImGui::TableNextColumn();
+      bar_cell("time", share.cost_share, percent(share.cost_share));
+    }
+    ImGui::EndTable();
+  }
+  free_features(needs);
+}
+
+void needs_trail(const Needs& needs) {
+  const float digits = px(number_width + 20);
+  if (!ImGui::BeginTable("trail", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("taken", ImGuiTableColumnFlags_WidthFixed, px(52));
+  ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed,
+                          std::min(px(250), ImGui::GetContentRegionAvail().x * 0.4f));
+  ImGui::TableSetupColumn("error", ImGuiTableColumnFlags_WidthFixed, digits);
+  ImGui::TableSetupColumn("work", ImGuiTableColumnFlags_WidthFixed, digits);
+  ImGui::TableNextRow();
+  column_heading("", "");
+  column_heading("Tried", "One setting at a time; of those within the tolerance the cheapest is taken.");
+  column_heading("Error", "Of the worst tile, against the reference.");
+  column_heading("Work", "Rays, intersection tests, fragments and texel reads.");
+  for (std::size_t i = 0; i < needs.trail.size(); ++i) {
+    const NeedsStep& step = needs.trail[i];
+    ImGui::TableNextRow();
+    if (step.accepted) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, colour_u32(palette().selection));
+    ImGui::TableNextColumn();
+    if (step.accepted) ImGui::TextUnformatted("taken");
+    name_cell(step.change);
+    controls().record(fmt::format("trail/{}", i), step.change);
+    ImGui::TableNextColumn();
+    number_text(fmt::format("{:.3f}", step.error), 0, full_number(step.error));
+    ImGui::TableNextColumn();
+    number_text(count_text(step.work), 0, full_number(static_cast<double>(step.work)));
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace ps::gui

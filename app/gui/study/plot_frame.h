@@ -1,0 +1,27 @@
+#pragma once
+#include <imgui.h>
+
+#include <string>
+
+#include "gui/app/picture_transform.h"
+#include "study/axis.h"
+
+namespace ps::gui {
+
+/// The inside of a plot: where values lie on the screen.
+struct PlotFrame {
+  Area inner;
+  Axis x, y;
+  ImVec2 at(double x_value, double y_value) const;
+};
+
+struct PlotTitles {
+  std::string x;  ///< below the axis
+  std::string y;  ///< above the plot, from the left
+};
+
+/// Draws grid, tick labels and titles into an area and answers where the inside lies. Labels that would touch one
+/// another are left out.
+PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const Axis& x, const Axis& y, const PlotTitles& titles);
+
+}  // namespace ps::gui

@@ -1,0 +1,290 @@
+#include "gui/study/stability_tab.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "base/check.h"
+#include "gui/shell/values.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double list_width = 290, narrow = 640, little_height = 330;  // pixels at scale 1
+constexpr float curves_share = 0.52f;                                  // of the height, above a film strip
+
+const StabilityExperiment& selected(const StabilityTabState& state) {
+  for (const StabilityExperiment& experiment : stability_experiments())
+    if (experiment.key == state.selected) return experiment;
+  return stability_experiments().front();
+}
+
+void begin(StabilityTabState& state, const StabilityExperiment& experiment) {
+  state.running = experiment.key;
+  state.study.start([&experiment](StudyControl& control, const StabilityStudy::Publish& publish) {
+    auto found = std::make_shared<StabilityFound>();
+    found->key = experiment.key;
+    StabilityRun run;
+    run.progress = &control.progress();
+    found->rows = experiment.measure(run);
+    publish(found, {1, 1, 0});
+  });
+}
+
+void select(StabilityTabState& state, const StabilityExperiment& experiment) {
+  state.selected = experiment.key;
+  state.series.clear();
+  if (!state.measured.contains(experiment.key) && !state.study.running()) begin(state, experiment);
+}
+
+/// "6.1 / 0": the worst of the naive method in the first series, with the robust one at the same place.
+std::string worst_text(const std::vector<StabilityRow>& rows) {
+  const StabilityRow* worst = nullptr;
+  for (const StabilityRow& row : rows)
+    if (row.series == rows.front().series && !std::isnan(row.naive) && (!worst || row.naive > worst->naive))
+      worst = &row;
+  return worst ? fmt::format("{} / {}", short_number(worst->naive), short_number(worst->robust)) : "";
+}
+
+/// One experiment of the list: its title, and what came out.
+void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  const bool clicked = hit_area(experiment.key, {width, height}, {});
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  auto& list = *ImGui::GetWindowDrawList();
+  const bool shown = &selected(state) == &experiment;
+  if (shown || ImGui::IsItemHovered())
+    list.AddRectFilled(min, max, colour_u32(shown ? palette().selection : palette().field_hover), px(3));
+  if (shown) list.AddRectFilled(min, {min.x + px(3), max.y}, colour_u32(palette().text));
+  const auto found = state.measured.find(experiment.key);
+  const std::string note = state.running == experiment.key && state.study.running() ? "..."
+                           : found != state.measured.end()                          ? worst_text(found->second)
+                                                                                    : "";
+  float note_width = 0;
+  {
+    const FontScope small(Face::small);
+    note_width = note.empty() ? 0 : text_width(note) + px(12);
+    draw_text({max.x - note_width, min.y}, {max.x - px(6), max.y}, note, palette().text_quiet, 1);
+  }
+  draw_text({min.x + px(8), min.y}, {max.x - note_width - px(4), max.y}, experiment.title, palette().text, 0);
+  controls().record(experiment.key, note);
+  if (clicked) select(state, experiment);
+}
+
+/// Whether an experiment is listed for what was typed: it must occur in its title, key or explanation, in any case.
+bool listed(const StabilityExperiment& experiment, const std::string& search) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  for (const std::string_view text : {experiment.title, experiment.key, experiment.explanation})
+    if (std::search(text.begin(), text.end(), search.begin(), search.end(), same) != text.end()) return true;
+  return search.empty();
+}
+
+void run_buttons(StabilityTabState& state) {
+  if (state.study.running()) {
+    if (button("cancel", "Cancel")) {
+      state.waiting.clear();
+      state.study.cancel();
+    }
+    return;
+  }
+  const StabilityExperiment& experiment = selected(state);
+  if (button("measure", state.measured.contains(experiment.key) ? "Again" : "Measure", Emphasis::primary,
+             {.width = px(82)}))
+    begin(state, experiment);
+  same_line_if_room(button_width("All"), px(4));
+  if (!button("all", "All", Emphasis::quiet, {.tooltip = "Measures every experiment that is not measured yet."}))
+    return;
+  for (const StabilityExperiment& each : stability_experiments())
+    if (!state.measured.contains(each.key)) state.waiting.emplace_back(each.key);
+}
+
+void experiment_choice(StabilityTabState& state) {
+  std::vector<Choice> choices;
+  int index = 0;
+  for (const StabilityExperiment& experiment : stability_experiments()) {
+    if (&experiment == &selected(state)) index = static_cast<int>(choices.size());
+    choices.push_back({experiment.key, experiment.title, ""});
+  }
+  if (choice("experiment", choices, index, {.width = px(240)}))
+    select(state, stability_experiments()[static_cast<std::size_t>(index)]);
+}
+
+std::vector<std::string> series_of(const std::vector<StabilityRow>& rows) {
+  std::vector<std::string> names;
+  for (const StabilityRow& row : rows)
+    if (std::find(names.begin(), names.end(), row.series) == names.end()) names.push_back(row.series);
+  return names;
+}
+
+void series_choice(StabilityTabState& state, const std::vector<StabilityRow>& rows) {
+  const auto names = series_of(rows);
+  if (std::find(names.begin(), names.end(), state.series) == names.end()) state.series = names.front();
+  if (names.size() < 2) return;
+  std::vector<Choice> choices;
+  int index = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == state.series) index = static_cast<int>(i);
+    choices.push_back({names[i], names[i], ""});
+  }
+  if (choice("series", choices, index, {.width = std::min(px(300), ImGui::GetContentRegionAvail().x)}))
+    state.series = names[static_cast<std::size_t>(index)];
+}
+
+void explanation(const StabilityExperiment& experiment) {
+  {
+    const FontScope bold(Face::bold);
+    ImGui::TextWrapped("%s", std::string(experiment.title).c_str());
+  }
+  ImGui::TextWrapped("%s", std::string(experiment.explanation).c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextWrapped("Safe: %s", std::string(experiment.safe).c_str());
+  ImGui::PopStyleColor();
+  controls().record("explanation", std::string(experiment.explanation));
+}
+
+void point_tooltip(const Curves& curves, const StabilityRow& row, bool has_picture) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(fmt::format("{}: {}", curves.knob, short_number(row.knob)).c_str());
+  for (const auto& [name, value] : {std::pair{"naive", row.naive}, std::pair{"robust", row.robust}})
+    if (!std::isnan(value))
+      ImGui::TextUnformatted(fmt::format("{}: {} {}", name, short_number(value), row.unit).c_str());
+  ImGui::TextUnformatted(curves.safe.holds(row.knob) ? "inside the safe window" : "outside the safe window");
+  if (has_picture) ImGui::TextUnformatted("Click: opens it in A (naive) and B (robust).");
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void curves_area(StabilityTabState& state, const StabilityExperiment& experiment, float height) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room{ImGui::GetContentRegionAvail().x, height};
+  if (room.x < px(80)) return;
+  const Area area{at, {at.x + room.x, at.y + room.y}};
+  const bool clicked = ImGui::InvisibleButton("plot", room);
+  controls().record("plot", fmt::format("{:.0f}x{:.0f}", room.x, room.y));
+  const bool over = ImGui::IsItemHovered();
+  auto& list = *ImGui::GetWindowDrawList();
+  const auto found = state.measured.find(experiment.key);
+  if (found == state.measured.end()) {
+    list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
+    const bool now = state.study.running() && state.running == experiment.key;
+    draw_text(area.min, area.max, now ? "Measuring." : "Not measured yet: press Measure.", palette().text_quiet, 0.5f);
+    return;
+  }
+  Curves curves;
+  curves.knob = experiment.knob;
+  curves.naive = experiment.naive;
+  curves.robust = experiment.robust;
+  curves.safe = experiment.window;
+  for (const StabilityRow& row : found->second)
+    if (row.series == state.series) curves.rows.push_back(row);
+  if (curves.rows.empty()) return;
+  curves.unit = curves.rows.front().unit;
+  std::stable_sort(curves.rows.begin(), curves.rows.end(),
+                   [](const StabilityRow& a, const StabilityRow& b) { return a.knob < b.knob; });
+  const ImVec2 nowhere{-1e6f, -1e6f};
+  const CurvesDrawn drawn = draw_curves(list, area, curves, over ? ImGui::GetIO().MousePos : nowhere, {});
+  if (!drawn.hovered) return;
+  const StabilityRow& row = curves.rows[*drawn.hovered];
+  point_tooltip(curves, row, experiment.picture != nullptr);
+  if (clicked && experiment.picture) begin_opening(state.opening, experiment, row.knob);
+}
+
+/// Where there is little height the curves come first and the words follow below, to be scrolled to.
+void shown_experiment(StabilityTabState& state) {
+  const StabilityExperiment& experiment = selected(state);
+  const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
+  if (!low) explanation(experiment);
+  if (const auto found = state.measured.find(experiment.key); found != state.measured.end() && !found->second.empty())
+    series_choice(state, found->second);
+  const bool strip = experiment.picture && !experiment.frames.empty();
+  const float room = ImGui::GetContentRegionAvail().y;
+  curves_area(state, experiment, std::max(strip && !low ? room * curves_share : room, px(120)));
+  if (low) explanation(experiment);
+  if (const auto knob = film_strip_view(state.strip, experiment)) begin_opening(state.opening, experiment, *knob);
+}
+
+}  // namespace
+
+void show_experiment(StabilityTabState& state, const std::string& key) {
+  select(state, find_stability_experiment(key));
+}
+
+bool stability_busy(const StabilityTabState& state) {
+  return state.study.running() || !state.waiting.empty() || state.opening.running() || state.strip.study.running();
+}
+
+void update_stability(Session& session, StabilityTabState& state, const std::filesystem::path& folder) {
+  if (const auto opening = state.opening.found(); opening && opening != state.opened) {
+    state.opened = opening;
+    try {
+      show_opening(session, *opening, folder);
+    } catch (const InputError& error) {
+      session.say(Message::Kind::error, error.what());
+    }
+  }
+  const auto found = state.study.found();
+  if (found && found != state.taken) {
+    state.taken = found;
+    state.measured[found->key] = found->rows;
+  }
+  if (state.study.running() || state.waiting.empty()) return;
+  const std::string next = state.waiting.front();
+  state.waiting.erase(state.waiting.begin());
+  begin(state, find_stability_experiment(next));
+}
+
+bool stability_tab(Session&, StabilityTabState& state, bool filled) {
+  const NameScope scope("stability");
+  const bool wide = ImGui::GetContentRegionAvail().x >= px(narrow);
+  if (!wide) {
+    experiment_choice(state);
+    same_line_if_room(px(82), px(8));
+  }
+  run_buttons(state);
+  same_line_if_room(button_width("Fill"), px(8));
+  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Gives this the whole window (Esc)."});
+  if (wide) {
+    ImGui::BeginChild("list", {px(list_width), 0});
+    search_box("search", state.search, "Find an experiment");
+    {
+      const FontScope small(Face::small);
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      draw_text(at, {at.x + ImGui::GetContentRegionAvail().x - px(6), at.y + ImGui::GetTextLineHeight()},
+                "worst: naive / robust", palette().text_quiet, 1);
+      ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+    }
+    ImGui::BeginChild("rows");
+    for (const StabilityExperiment& experiment : stability_experiments())
+      if (listed(experiment, state.search)) list_row(state, experiment);
+    ImGui::EndChild();
+    ImGui::EndChild();
+    ImGui::SameLine(0, px(14));
+  }
+  ImGui::BeginChild("experiment");
+  shown_experiment(state);
+  ImGui::EndChild();
+  return fill;
+}
+
+void publish_stability(const StabilityTabState& state) {
+  Values& out = values();
+  out.publish("stability/running", state.study.running());
+  out.publish("stability/shown", selected(state).key);
+  out.publish("stability/measured", static_cast<int>(state.measured.size()));
+  const auto found = state.measured.find(selected(state).key);
+  if (found == state.measured.end()) return;
+  for (std::size_t i = 0; i < found->second.size(); ++i) {
+    const std::string name = fmt::format("stability/row/{}/", i);
+    out.publish(name + "naive", found->second[i].naive);
+    out.publish(name + "robust", found->second[i].robust);
+  }
+}
+
+}  // namespace ps::gui

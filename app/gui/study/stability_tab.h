@@ -1,0 +1,54 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gui/app/session.h"
+#include "gui/study/background_study.h"
+#include "gui/study/curve_plot.h"
+#include "gui/study/film_strip_view.h"
+#include "gui/study/stability_opening.h"
+
+namespace ps::gui {
+
+/// The measured curves of one experiment.
+struct StabilityFound {
+  std::string key;
+  std::vector<StabilityRow> rows;
+};
+using StabilityStudy = BackgroundStudy<StabilityFound>;
+
+/// What the laboratory remembers of itself.
+struct StabilityTabState {
+  explicit StabilityTabState(const std::function<void()>& wake) : strip(wake), study(wake), opening(wake) {}
+
+  std::string selected;  ///< key of the experiment that is shown; empty = the first
+  std::string search;    ///< in the list
+  std::string series;    ///< of it; empty = the first
+  std::map<std::string, std::vector<StabilityRow>, std::less<>> measured;  ///< by key
+  std::string running;                                                     ///< key
+  std::vector<std::string> waiting;                                        ///< keys that follow
+  std::shared_ptr<const StabilityFound> taken;                             ///< what was taken up last
+  std::shared_ptr<const StabilityOpening> opened;                          ///< the point that was shown last
+  FilmStripState strip;
+
+  StabilityStudy study;
+  StabilityOpeningStudy opening;
+};
+
+/// Experiments where methods fail, naive beside robust. `filled`: it has the whole window; answers whether that shall
+/// change.
+bool stability_tab(Session& session, StabilityTabState& state, bool filled);
+/// Takes up what has been measured and starts what waits; once per frame. `folder` is for scenes of points that are
+/// opened.
+void update_stability(Session& session, StabilityTabState& state, const std::filesystem::path& folder);
+/// Shows an experiment by its key, and measures it unless that was done.
+void show_experiment(StabilityTabState& state, const std::string& key);
+/// Something is being measured, rendered or opened.
+bool stability_busy(const StabilityTabState& state);
+/// What scripts may ask for.
+void publish_stability(const StabilityTabState& state);
+
+}  // namespace ps::gui
