@@ -54,6 +54,8 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/reflections", {"samples-per-pixel=4"}},
       {"cgfs/reflections", {"samples-per-pixel=4", "adaptive-sampling=on"}},
       {"cgfs/brick-wall", {}},
+      {"cgfs/relief", {"parallax=steep"}},
+      {"cgpp/teapot", {"renderer=rasterizer", "tessellation=20"}},
       {"octree/attenuation", {}},
       {"cgfs/magnifying-glass", {}},
       {"lab/flattened", {"renderer=rasterizer"}},
@@ -62,6 +64,8 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/shadows", {"renderer=rasterizer", "shadows=map", "shadow-map-size=64"}},
       {"lab/stacked-shadows", {}},
       {"lab/mirror-room", {"environment-size=32"}},
+      {"cgfs/reflections", {"renderer=textbook"}},
+      {"cgfs/shading", {"renderer=textbook"}},
       {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
       {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
   };

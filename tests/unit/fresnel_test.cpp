@@ -11,7 +11,7 @@
 namespace {
 
 using namespace ps;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Mean of the reflected shares across and along the plane of incidence, by the sines and tangents of the angles: not
 /// the form in which programs compute it.

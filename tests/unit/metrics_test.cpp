@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -38,8 +39,8 @@ Image<Rgb8> picture(int which) {
   return image;
 }
 
-ps::Plane plane_of(const Image<Rgb8>& image, std::uint8_t Rgb8::*channel) {
-  ps::Plane plane(image.width(), image.height());
+ps::ScalarImage plane_of(const Image<Rgb8>& image, std::uint8_t Rgb8::*channel) {
+  ps::ScalarImage plane(image.width(), image.height());
   for (std::size_t i = 0; i < plane.pixels().size(); ++i) plane.pixels()[i] = image.pixels()[i].*channel;
   return plane;
 }
@@ -76,6 +77,37 @@ TEST(Metrics, FlipEqualsTheReference) {
   EXPECT_NEAR(near.at(0, 0), 0.002503666656755, 1e-10);
   EXPECT_NEAR(near.at(10, 7), 0.426549231120813, 1e-10);
   EXPECT_NEAR(ps::flip(a, b, {.pixels_per_degree = 20}), 0.258548262098822, 1e-10);
+}
+
+/// The first picture with a fault at each pixel; metrics_reference.py has the same.
+template <class Fault>
+Image<Rgb8> changed(Fault&& fault) {
+  const Image<Rgb8> before = picture(0);
+  Image<Rgb8> after = before;
+  for (int y = 0; y < 18; ++y)
+    for (int x = 0; x < 24; ++x) after.at(x, y) = fault(before, x, y);
+  return after;
+}
+
+TEST(Metrics, FlipEqualsTheReferenceForEachKindOfFault) {
+  const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
+  const auto brighter = changed([&](const Image<Rgb8>& p, int x, int y) {
+    const Rgb8 c = p.at(x, y);
+    return Rgb8{byte(std::min(c.r + 5, 255)), byte(std::min(c.g + 5, 255)), byte(std::min(c.b + 5, 255))};
+  });
+  const auto shifted = changed([](const Image<Rgb8>& p, int x, int y) { return p.at(std::max(x - 1, 0), y); });
+  const auto square = changed([](const Image<Rgb8>& p, int x, int y) {
+    return x >= 9 && x < 15 && y >= 6 && y < 12 ? Rgb8{0, 0, 0} : p.at(x, y);
+  });
+  const auto dithered = changed([&](const Image<Rgb8>& p, int x, int y) {
+    const Rgb8 c = p.at(x, y);
+    return Rgb8{c.r, c.g, byte((c.b + ((x + y) % 2 != 0 ? 16 : 240)) % 256)};
+  });
+  const auto first = picture(0);
+  EXPECT_NEAR(ps::flip(first, brighter), 0.113125026731452, 1e-10);
+  EXPECT_NEAR(ps::flip(first, shifted), 0.291544412210807, 1e-10);
+  EXPECT_NEAR(ps::flip(first, square), 0.127920711084671, 1e-10);
+  EXPECT_NEAR(ps::flip(first, dithered), 0.035087025481328, 1e-10);
 }
 
 TEST(Metrics, SumsFollowTheirFormulas) {

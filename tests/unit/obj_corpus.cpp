@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace ps::testing {
+namespace ps::test {
 
 ModelFolder::ModelFolder() {
   static std::atomic<int> number{0};
@@ -26,4 +26,4 @@ std::string ModelFolder::write(const std::string& name, const std::string& text)
   return file.string();
 }
 
-}  // namespace ps::testing
+}  // namespace ps::test

@@ -4,7 +4,7 @@
 
 #include "scene/load.h"
 
-namespace ps::testing {
+namespace ps::test {
 
 /// A folder for the files of one test, removed with everything in it at the end.
 class ModelFolder {
@@ -25,4 +25,4 @@ class ModelFolder {
 /// The only mesh of a scene.
 inline const Mesh& mesh_of(const Scene& scene) { return *scene.geometry->meshes.at(0); }
 
-}  // namespace ps::testing
+}  // namespace ps::test

@@ -7,7 +7,7 @@
 
 namespace {
 
-const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string three_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 struct BadModel {
   const char* name;
@@ -21,7 +21,7 @@ struct BadModel {
 class ObjErrors : public testing::TestWithParam<BadModel> {};
 
 TEST_P(ObjErrors, NamePlaceFoundAndExpected) {
-  const ps::testing::ModelFolder folder;
+  const ps::test::ModelFolder folder;
   const BadModel& bad = GetParam();
   try {
     folder.load(bad.text);
@@ -48,24 +48,27 @@ INSTANTIATE_TEST_SUITE_P(
         BadModel{"zero_with_huge_exponent", "v 0e99999 0 0\n", 1, 3, "'0e99999'", "a number below 1e12"},
         BadModel{"two_coordinates", "v 1 2\n", 1, 6, "the end of the line", "a number"},
         BadModel{"no_faces", "v 0 0 0\n\nv 1 0 0\n", 3, 0, "no face in 3 lines", "at least one line 'f 1 2 3'"},
-        BadModel{"index_zero", corners + "f 0 1 2\n", 4, 3, "'0'", "an index from 1 up, or below 0 to count backwards"},
-        BadModel{"index_too_large", corners + "f 1 2 4\n", 4, 7, "index 4 in '4'", "a vertex index of at most 3"},
-        BadModel{"first_of_two_too_large", corners + "f 1 2 3\nf 1 2 7\nf 9 2 3\n", 5, 7, "index 7 in '7'",
+        BadModel{"index_zero", three_vertices + "f 0 1 2\n", 4, 3, "'0'",
+                 "an index from 1 up, or below 0 to count backwards"},
+        BadModel{"index_too_large", three_vertices + "f 1 2 4\n", 4, 7, "index 4 in '4'",
                  "a vertex index of at most 3"},
-        BadModel{"negative_beyond_start", corners + "f -1 -2 -4\n", 4, 9, "index -4 in '-4'",
+        BadModel{"first_of_two_too_large", three_vertices + "f 1 2 3\nf 1 2 7\nf 9 2 3\n", 5, 7, "index 7 in '7'",
                  "a vertex index of at most 3"},
-        BadModel{"index_2_31", corners + "f 1 2 2147483648\n", 4, 7, "index 2147483648 in '2147483648'",
+        BadModel{"negative_beyond_start", three_vertices + "f -1 -2 -4\n", 4, 9, "index -4 in '-4'",
                  "a vertex index of at most 3"},
-        BadModel{"index_2_63", corners + "f 1 2 9223372036854775808\n", 4, 7,
+        BadModel{"index_2_31", three_vertices + "f 1 2 2147483648\n", 4, 7, "index 2147483648 in '2147483648'",
+                 "a vertex index of at most 3"},
+        BadModel{"index_2_63", three_vertices + "f 1 2 9223372036854775808\n", 4, 7,
                  "index 1000000000000 in '9223372036854775808'", "a vertex index of at most 3"},
-        BadModel{"normal_without_normals", corners + "f 1//1 2//1 3//1\n", 4, 3, "index 1 in '1//1'",
+        BadModel{"normal_without_normals", three_vertices + "f 1//1 2//1 3//1\n", 4, 3, "index 1 in '1//1'",
                  "no normal index, since there are none in the file"},
-        BadModel{"uv_too_large", corners + "vt 0 0\nf 1/1 2/2 3/1\n", 5, 7, "index 2 in '2/2'",
+        BadModel{"uv_too_large", three_vertices + "vt 0 0\nf 1/1 2/2 3/1\n", 5, 7, "index 2 in '2/2'",
                  "a texture coordinate index of at most 1"},
-        BadModel{"two_corners", corners + "f 1 2\n", 4, 6, "a face with 2 corners", "at least 3 corners"},
-        BadModel{"corner_of_words", corners + "f a b c\n", 4, 3, "'a'", "a corner such as 1, 1/2, 1//3 or 1/2/3"},
+        BadModel{"two_corners", three_vertices + "f 1 2\n", 4, 6, "a face with 2 corners", "at least 3 corners"},
+        BadModel{"corner_of_words", three_vertices + "f a b c\n", 4, 3, "'a'",
+                 "a corner such as 1, 1/2, 1//3 or 1/2/3"},
         BadModel{"too_many_corners",
-                 corners + "f" +
+                 three_vertices + "f" +
                      [] {
                        std::string many;
                        for (int i = 0; i < 1001; ++i) many += " 1";
@@ -83,10 +86,10 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(ObjErrors, BadMaterialFile) {
-  const ps::testing::ModelFolder folder;
+  const ps::test::ModelFolder folder;
   folder.write("a.mtl", "newmtl red\nKd 1 zero 0\n");
   try {
-    folder.load("mtllib a.mtl\n" + corners + "f 1 2 3\n");
+    folder.load("mtllib a.mtl\n" + three_vertices + "f 1 2 3\n");
     FAIL() << "was accepted";
   } catch (const ps::InputError& error) {
     EXPECT_EQ(error.place().file, (folder.path() / "a.mtl").string());
@@ -97,10 +100,10 @@ TEST(ObjErrors, BadMaterialFile) {
 }
 
 TEST(ObjErrors, BadTexture) {
-  const ps::testing::ModelFolder folder;
+  const ps::test::ModelFolder folder;
   folder.write("a.mtl", "newmtl red\nmap_Kd broken.png\n");
   folder.write("broken.png", "\x89PNG\r\n\x1a\nno more");
-  EXPECT_THROW(folder.load("mtllib a.mtl\n" + corners + "f 1 2 3\n"), ps::InputError);
+  EXPECT_THROW(folder.load("mtllib a.mtl\n" + three_vertices + "f 1 2 3\n"), ps::InputError);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace {
 
-using ps::testing::mesh_of;
-using ps::testing::ModelFolder;
+using ps::test::mesh_of;
+using ps::test::ModelFolder;
 using Corners = std::array<std::uint32_t, 3>;
 
 const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";

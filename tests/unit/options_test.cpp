@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "options/option.h"
 #include "raytrace/embree_triangles.h"
+#include "textbook/listing.h"
 
 namespace ps {
 namespace {
@@ -20,7 +21,8 @@ std::size_t up_to(Enum last) {
 /// How many enumerators each choice has, by its last one.
 const std::map<std::string_view, std::size_t>& enumerator_counts() {
   static const std::map<std::string_view, std::size_t> counts{
-      {"renderer", up_to(Renderer::rasterizer)},
+      {"renderer", up_to(Renderer::textbook)},
+      {"listing", listings().size() + 1},
       {"sample-position", up_to(SamplePosition::corner)},
       {"projection", up_to(Projection::orthographic)},
       {"viewport-fit", up_to(ViewportFit::stretch)},
@@ -31,6 +33,8 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"depth-format", up_to(DepthFormat::unorm)},
       {"coverage", up_to(Coverage::micropolygon)},
       {"edge-arithmetic", up_to(EdgeArithmetic::int32)},
+      {"parallax", up_to(Parallax::occlusion)},
+      {"patches", up_to(Patches::projected_error)},
       {"light-passes", up_to(LightPasses::many)},
       {"fill-rule", up_to(FillRule::exclusive)},
       {"draw", up_to(Draw::points)},

@@ -4,6 +4,9 @@
 
 #include "base/check.h"
 #include "document/command_line.h"
+#include "document/permalink_file.h"
+#include "image/file.h"
+#include "support/run_cli.h"
 #include "support/stories.h"
 
 namespace ps {
@@ -44,6 +47,8 @@ TEST(Permalink, BadTextIsAnInputError) {
                           "split=nan",
                           "compare=both",
                           "step=1.5",
+                          "event=-1",
+                          "event=2.5",
                           "picked=c",
                           "panels=1",
                           "show-a=nothing",
@@ -53,6 +58,26 @@ TEST(Permalink, BadTextIsAnInputError) {
                           "=",
                           "&"})
     EXPECT_THROW(parse_permalink(bad), InputError) << bad;
+}
+
+TEST(PermalinkFile, KeepsTheLineAndTheTextOfPictures) {
+  const test::ScratchFolder folder;
+  Document document;
+  document.scene_name = "cgfs/crates";
+  document.event = 7;
+  document.pixel = {340, 130};
+  save_permalink(folder.file("screen.permalink"), document);
+  EXPECT_EQ(permalink_in_file(folder.file("screen.permalink")), permalink(document));
+  SaveOptions with_text;
+  with_text.texts = {{"permalink", permalink(document)}};
+  save_image(folder.file("with.png"), Image<Rgb8>(2, 2), with_text);
+  save_image(folder.file("without.png"), Image<Rgb8>(2, 2));
+  EXPECT_EQ(permalink_in_file(folder.file("with.png")), permalink(document));
+  EXPECT_EQ(permalink_in_file(folder.file("without.png")), std::nullopt);
+  EXPECT_EQ(permalink_in_file("cgfs/crates"), std::nullopt);
+  EXPECT_EQ(permalink_in_file(folder.file("some.scene")), std::nullopt);
+  EXPECT_THROW(permalink_in_file(folder.file("missing.permalink")), InputError);
+  EXPECT_THROW(permalink_in_file(folder.write("empty.permalink", "\n")), InputError);
 }
 
 TEST(CommandLine, QuotesForTheShell) {

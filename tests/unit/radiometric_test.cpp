@@ -9,7 +9,7 @@
 namespace {
 
 using namespace ps;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const auto nothing_blocks = [](int, const Vec3d&, double) -> std::optional<PixelId> { return {}; };
 
 Lighting<double> lit(const LitPoint<double>& point, const ShadingMaterial<double>& material,

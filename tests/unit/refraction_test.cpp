@@ -16,7 +16,7 @@
 namespace {
 
 using namespace ps;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec3d at_angle(double degrees) { return {std::sin(degrees * pi / 180), -std::cos(degrees * pi / 180), 0}; }
 

@@ -12,12 +12,12 @@ using namespace ps;
 
 constexpr int width = 75, height = 75;
 
-struct Told {
+struct SampledPixel {
   Frame frame;
   PixelStory story;
 };
 
-Told told(const Scene& scene, const Settings& settings, Vec2i pixel) {
+SampledPixel told(const Scene& scene, const Settings& settings, Vec2i pixel) {
   Prepared prepared;
   Progress progress;
   const View view{scene.camera, width, height};
@@ -56,7 +56,7 @@ TEST(SamplingStory, LedgerOfSamplesSumsToTheFramebuffer) {
         settings.precision = precision;
         settings.samples_per_pixel = count;
         settings.sample_pattern = SamplePattern::jitter;
-        const Told t = told(scene, settings, pixel);
+        const SampledPixel t = told(scene, settings, pixel);
         EXPECT_EQ(t.story.linear, linear_at(t.frame, pixel));
         const Vec3d sum = top_level_sum(t.story);
         EXPECT_EQ(sum, t.story.linear);
@@ -87,7 +87,7 @@ TEST(SamplingStory, AdaptiveTellsWhyItSubdivided) {
   int subdivided = 0, left = 0;
   for (int y = 20; y < 60; y += 3)
     for (int x = 10; x < 70; x += 5) {
-      const Told t = told(scene, settings, {x, y});
+      const SampledPixel t = told(scene, settings, {x, y});
       const auto comparisons = events_of_ray<CompareEvent>(t.story.events, -1);
       ASSERT_EQ(comparisons.size(), 4u);
       bool any = false;
@@ -108,7 +108,7 @@ TEST(SamplingStory, SubsamplingTellsOfReuse) {
   int met = 0, searched = 0;
   for (int y = 20; y < 60; y += 3)
     for (int x = 10; x < 70; x += 5) {
-      const Told t = told(scene, settings, {x, y});
+      const SampledPixel t = told(scene, settings, {x, y});
       ASSERT_EQ(t.story.linear, linear_at(t.frame, {x, y}));
       const int eye = eye_ray(t.story.events);
       const auto reuse = events_of_ray<ReuseEvent>(t.story.events, eye);
@@ -145,6 +145,35 @@ TEST(SamplingStory, ShadowCacheIsReplayed) {
   const Frame frame = render(scene, view, settings, {}, prepared, progress);
   // One tile holds the whole picture, so the pixels' own work is that of the picture.
   EXPECT_EQ(tests, frame.counters[Counter::sphere_tests] + frame.counters[Counter::solid_tests]);
+}
+
+// The second pass of an adaptive picture fills the cache anew, by the pixels that it chose alone.
+TEST(SamplingStory, ShadowCacheIsReplayedForChosenPixels) {
+  const Scene scene = load_scene("cgfs/fence");
+  Settings settings;
+  settings.shadow_cache = true;
+  settings.samples_per_pixel = 4;
+  settings.adaptive_sampling = true;
+  settings.simd = Simd::off;
+  settings.accelerator = Accelerator::none;
+  Prepared prepared;
+  Progress progress;
+  const View view{scene.camera, 20, 20};
+  RenderRequest request;
+  request.channels = Channel::tests | Channel::samples;
+  const Frame frame = render(scene, view, settings, request, prepared, progress);
+  int subdivided = 0;
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 20; ++x) {
+      const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
+      EXPECT_EQ(story.counters[Counter::sphere_tests] + story.counters[Counter::solid_tests] +
+                    story.counters[Counter::triangle_tests],
+                frame.tests.at(x, y))
+          << x << ", " << y;
+      subdivided += frame.samples.at(x, y) > 1 ? 1 : 0;
+    }
+  EXPECT_GT(subdivided, 50);
+  EXPECT_LT(subdivided, 350);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(SceneEdit, EveryPropertyReadsBackItsOwnValue) {
       ps::Scene scene = before;
       EXPECT_EQ(ps::get_property(scene, property.path), property.value);
       ps::set_property(scene, property.path, property.value);
-      ps::testing::expect_equal_scenes(scene, before);
+      ps::test::expect_equal_scenes(scene, before);
     }
   }
 }
@@ -58,7 +58,7 @@ TEST(SceneEdit, WrongPathsAndValuesAreRefusedAndChangeNothing) {
   EXPECT_THROW(ps::set_property(scene, "object.0.radius", "1 sphere { }"), ps::InputError);
   EXPECT_THROW(ps::set_property(scene, "light.1.position", "(nan, 0, 0)"), ps::InputError);
   EXPECT_THROW(ps::set_property(scene, "light.2.direction", "(0, 0, 0)"), ps::InputError);
-  ps::testing::expect_equal_scenes(scene, before);
+  ps::test::expect_equal_scenes(scene, before);
   EXPECT_EQ(scene.lights.revision(), before.lights.revision());
   EXPECT_EQ(scene.geometry.revision(), before.geometry.revision());
 }

@@ -74,7 +74,7 @@ TEST(SceneMutation, ModelsAreReadOrRefused) {
   const std::uint64_t seed = std::random_device{}();
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
-  const ps::testing::ModelFolder folder;
+  const ps::test::ModelFolder folder;
   folder.write("m.mtl", "newmtl a b\nKd 1 0 0\nNs 20\n");
   const std::string text =
       "mtllib m.mtl\no x\nv 0 0 0\nv 1 0 0\nv 1 1 0 1 1 1\nv 0 1e0 0\nvt 0 1\nvn 0 0 1\nusemtl a b\n"
@@ -85,7 +85,7 @@ TEST(SceneMutation, ModelsAreReadOrRefused) {
     try {
       const ps::Scene scene = folder.load(wrong);
       ++read;
-      const ps::Mesh& mesh = ps::testing::mesh_of(scene);
+      const ps::Mesh& mesh = ps::test::mesh_of(scene);
       for (const auto& triangle : mesh.triangles) {
         for (const auto corner : triangle.position) EXPECT_LT(corner, mesh.positions.size()) << wrong;
         EXPECT_LT(mesh.materials.at(triangle.material), scene.materials->size());
@@ -102,7 +102,7 @@ TEST(SceneMutation, ModelsAreReadOrRefused) {
 }
 
 TEST(SceneMutation, IncludesInACircleAreRefused) {
-  const ps::testing::ModelFolder folder;
+  const ps::test::ModelFolder folder;
   folder.write("b.scene", "background = red\ninclude = \"a.scene\"\n");
   const std::string first = folder.write("a.scene", "# one\ninclude = b.scene\n");
   try {
@@ -116,7 +116,7 @@ TEST(SceneMutation, IncludesInACircleAreRefused) {
 }
 
 TEST(SceneMutation, IncludedFilesAreListed) {
-  const ps::testing::ModelFolder folder;
+  const ps::test::ModelFolder folder;
   folder.write("parts/lamp.scene", "light { type = ambient intensity = 0.5 }\n");
   const std::string first = folder.write("room.scene", "include = parts/lamp.scene\n");
   const ps::Scene scene = ps::load_scene(first);

@@ -5,7 +5,7 @@
 #include "scene/rotation.h"
 #include "scene/texture_generator.h"
 
-namespace ps::testing {
+namespace ps::test {
 namespace {
 
 class Dice {
@@ -105,7 +105,7 @@ CanvasItem random_item(Dice& dice) {
 
 }  // namespace
 
-Scene random_scene(std::mt19937_64& random) {
+Scene scene_with_everything(std::mt19937_64& random) {
   Dice dice(random);
   Scene scene;
   scene.title = "A \"title\" with \\ and # in it";
@@ -146,6 +146,8 @@ Scene random_scene(std::mt19937_64& random) {
         materials.push_back(random_material(dice, object.name));
         if (dice.coin()) materials.back().texture = 0;
         if (dice.coin()) materials.back().normal_map = 0;
+        if (dice.coin()) materials.back().height_map = 0;
+        if (dice.coin()) materials.back().relief_depth = dice.number(0, 1);
       }
       object.shape = sphere;
     } else {
@@ -209,4 +211,4 @@ void expect_equal_scenes(const Scene& a, const Scene& b) {
   }
 }
 
-}  // namespace ps::testing
+}  // namespace ps::test

@@ -12,13 +12,13 @@
 namespace {
 
 TEST(SceneWriter, BuiltInScenesReadBackTheSame) {
-  const ps::testing::ModelFolder folder;
+  const ps::test::ModelFolder folder;
   for (const auto& listed : ps::builtin_scenes()) {
     SCOPED_TRACE(listed.name);
     const ps::Scene scene = ps::load_scene(listed.name);
     const auto path = folder.path() / "saved.scene";
     ps::save_scene(scene, path);
-    ps::testing::expect_equal_scenes(scene, ps::load_scene(path.string()));
+    ps::test::expect_equal_scenes(scene, ps::load_scene(path.string()));
   }
 }
 
@@ -27,11 +27,11 @@ TEST(SceneWriter, RandomScenesReadBackTheSame) {
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
   for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
-    const ps::Scene scene = ps::testing::random_scene(random);
+    const ps::Scene scene = ps::test::scene_with_everything(random);
     const std::string text = ps::write_scene(scene, ".");
     SCOPED_TRACE(text);
     try {
-      ps::testing::expect_equal_scenes(scene, ps::parse_scene(text, "random.scene", "."));
+      ps::test::expect_equal_scenes(scene, ps::parse_scene(text, "random.scene", "."));
     } catch (const std::exception& error) {
       ADD_FAILURE() << error.what();
     }
@@ -45,7 +45,7 @@ TEST(SceneWriter, ADifferenceInTheLastBitIsSeen) {
   changed.materials.edit(
       [](std::vector<ps::Material>& materials) { materials[1].colour.y = std::nextafter(materials[1].colour.y, 0); });
   EXPECT_NE(ps::write_scene(scene, "."), ps::write_scene(changed, "."));
-  ps::testing::expect_equal_scenes(changed, ps::parse_scene(ps::write_scene(changed, "."), "x.scene", "."));
+  ps::test::expect_equal_scenes(changed, ps::parse_scene(ps::write_scene(changed, "."), "x.scene", "."));
 }
 
 TEST(SceneWriter, SpheresKeepTheBooksForm) {

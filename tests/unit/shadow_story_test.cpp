@@ -11,14 +11,14 @@ namespace {
 
 constexpr int width = 120, height = 80;
 
-struct Told {
+struct ShadowedPicture {
   Scene scene;
   View view;
   Settings settings;
   Prepared prepared;
   Frame frame;
 
-  explicit Told(const std::string& name, Shadows shadows, Environment environment = Environment::none)
+  explicit ShadowedPicture(const std::string& name, Shadows shadows, Environment environment = Environment::none)
       : scene(load_scene(name)), view{scene.camera, width, height}, settings(settings_for(scene)) {
     settings.renderer = Renderer::rasterizer;
     settings.shadows = shadows;
@@ -53,7 +53,7 @@ std::vector<T> events_of(const PixelStory& story) {
   return events;
 }
 
-void expect_picture(Told& told) {
+void expect_picture(ShadowedPicture& told) {
   int dark = 0;
   for (const Vec2i pixel : pixels_of(told.frame)) {
     const PixelStory story = told.story(pixel);
@@ -76,7 +76,7 @@ void expect_picture(Told& told) {
 TEST(ShadowStory, SaysWhatThePictureShows) {
   for (const Shadows method : {Shadows::map, Shadows::stencil_depth_fail, Shadows::stencil_depth_pass})
     for (const Shading shading : {Shading::phong, Shading::gouraud, Shading::flat}) {
-      Told told("lab/inside-shadow", method);
+      ShadowedPicture told("lab/inside-shadow", method);
       told.settings.shading = shading;
       Progress progress;
       RenderRequest request;
@@ -88,7 +88,7 @@ TEST(ShadowStory, SaysWhatThePictureShows) {
 
 TEST(ShadowStory, SaysWhatACubeMapShows) {
   for (const Environment kind : {Environment::cube_map, Environment::room_map}) {
-    Told told("lab/mirror-room", Shadows::none, kind);
+    ShadowedPicture told("lab/mirror-room", Shadows::none, kind);
     expect_picture(told);
     int mirrored = 0;
     for (const Vec2i pixel : pixels_of(told.frame)) {
@@ -106,7 +106,7 @@ TEST(ShadowStory, SaysWhatACubeMapShows) {
 }
 
 TEST(ShadowStory, StencilCountsAreTheSumOfTheirCrossings) {
-  Told told("lab/stacked-shadows", Shadows::stencil_depth_fail);
+  ShadowedPicture told("lab/stacked-shadows", Shadows::stencil_depth_fail);
   int crossed = 0;
   for (const Vec2i pixel : pixels_of(told.frame)) {
     const PixelStory story = told.story(pixel);
@@ -129,7 +129,7 @@ TEST(ShadowStory, StencilCountsAreTheSumOfTheirCrossings) {
 }
 
 TEST(ShadowStory, MapsTellTheirTapsAndTheComparison) {
-  Told told("lab/shadow-acne", Shadows::map);
+  ShadowedPicture told("lab/shadow-acne", Shadows::map);
   told.settings.shadow_filter = 3;
   int compared = 0;
   for (const Vec2i pixel : pixels_of(told.frame)) {
@@ -152,7 +152,7 @@ TEST(ShadowStory, MapsTellTheirTapsAndTheComparison) {
 }
 
 TEST(ShadowStory, SpaceShowsSilhouettesAndMaps) {
-  Told told("lab/inside-shadow", Shadows::stencil_depth_fail);
+  ShadowedPicture told("lab/inside-shadow", Shadows::stencil_depth_fail);
   SpaceModel model = build_space(told.scene, told.view, told.settings, nullptr);
   EXPECT_GT(count_of(model, SpaceKind::silhouette), 4 + 4) << "floor, roof and two balls";
   EXPECT_EQ(count_of(model, SpaceKind::silhouette), count_of(model, SpaceKind::shadow_volume));
@@ -166,7 +166,7 @@ TEST(ShadowStory, SpaceShowsSilhouettesAndMaps) {
 // Pictures with shadows depend neither on threads nor on SIMD.
 TEST(ShadowStory, PicturesAreTheSameForAnyNumberOfThreads) {
   for (const Shadows method : {Shadows::map, Shadows::stencil_depth_fail}) {
-    Told one("cgfs/shadows", method);
+    ShadowedPicture one("cgfs/shadows", method);
     for (const int threads : {1, 3, 7}) {
       Settings settings = one.settings;
       settings.threads = threads;

@@ -15,7 +15,7 @@
 namespace ps {
 namespace {
 
-struct Told {
+struct ToldPixel {
   Scene scene;
   View view;
   Settings settings;
@@ -23,8 +23,8 @@ struct Told {
   SpaceModel model;
 };
 
-Told tell(const std::string& name, Vec2i pixel, Renderer renderer, int size = 600) {
-  Told told;
+ToldPixel tell(const std::string& name, Vec2i pixel, Renderer renderer, int size = 600) {
+  ToldPixel told;
   told.scene = load_scene(name);
   told.view = {told.scene.camera, size, size};
   told.settings.renderer = renderer;
@@ -44,7 +44,7 @@ std::vector<const SpaceItem*> items_of(const SpaceModel& model, SpaceKind kind) 
 }
 
 template <class T>
-int events_of(const PixelStory& story) {
+int count_events(const PixelStory& story) {
   int count = 0;
   for (const Event& event : story.events) count += std::holds_alternative<T>(event.data) ? 1 : 0;
   return count;
@@ -61,7 +61,7 @@ TEST(SpaceModel, EyeRayPassesThroughItsPixelOnTheImage) {
   for (const char* name : {"cgfs/reflections", "cgfs/camera"})
     for (int i = 0; i < 20; ++i) {
       const Vec2i pixel(any(random), any(random));
-      const Told told = tell(name, pixel, Renderer::ray_tracer, 200);
+      const ToldPixel told = tell(name, pixel, Renderer::ray_tracer, 200);
       const auto rays = items_of(told.model, SpaceKind::eye_ray);
       ASSERT_EQ(rays.size(), 1u);
       const Camera& camera = told.view.camera;
@@ -83,8 +83,8 @@ TEST(SpaceModel, EyeRayPassesThroughItsPixelOnTheImage) {
 }
 
 TEST(SpaceModel, HitsLieOnTheirRaysAndOnTheirSpheres) {
-  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
-  EXPECT_EQ(count_of(told.model, SpaceKind::hit_point), events_of<HitEvent>(told.story));
+  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  EXPECT_EQ(count_of(told.model, SpaceKind::hit_point), count_events<HitEvent>(told.story));
   EXPECT_GE(count_of(told.model, SpaceKind::reflection_ray), 1);
   for (const SpaceItem* hit : items_of(told.model, SpaceKind::hit_point)) {
     const auto& event = event_as<HitEvent>(told.story.events, hit->event);
@@ -103,9 +103,9 @@ TEST(SpaceModel, HitsLieOnTheirRaysAndOnTheirSpheres) {
 }
 
 TEST(SpaceModel, NormalsAreAsLongAsTheRendererHadThem) {
-  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
   const auto normals = items_of(told.model, SpaceKind::shading_normal);
-  ASSERT_EQ(static_cast<int>(normals.size()), events_of<HitEvent>(told.story));
+  ASSERT_EQ(static_cast<int>(normals.size()), count_events<HitEvent>(told.story));
   for (const SpaceItem* arrow : normals) {
     const Vec3d drawn = arrow->points[1] - arrow->points[0];
     EXPECT_NEAR(glm::length(drawn), normal_length(told.model.bounds), 1e-9);
@@ -117,7 +117,7 @@ TEST(SpaceModel, NormalsAreAsLongAsTheRendererHadThem) {
 TEST(SpaceModel, ShadowRaysEndAtTheirLightOrOnTheirBlocker) {
   int blocked = 0;
   for (const Vec2i pixel : {Vec2i(300, 420), Vec2i(180, 470), Vec2i(420, 330), Vec2i(250, 480), Vec2i(100, 400)}) {
-    const Told told = tell("cgfs/reflections", pixel, Renderer::ray_tracer);
+    const ToldPixel told = tell("cgfs/reflections", pixel, Renderer::ray_tracer);
     int shadow_rays = 0;
     for (const Event& event : told.story.events)
       if (const auto* ray = std::get_if<RayEvent>(&event.data)) shadow_rays += ray->kind == RayKind::shadow ? 1 : 0;
@@ -148,7 +148,7 @@ TEST(SpaceModel, ShadowRaysEndAtTheirLightOrOnTheirBlocker) {
 }
 
 TEST(SpaceModel, WithoutShadowsTheLightsAreOnlyDirections) {
-  Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
   told.settings.shadows = Shadows::none;
   told.settings.reflection_depth = 0;
   Prepared prepared;
@@ -161,7 +161,7 @@ TEST(SpaceModel, WithoutShadowsTheLightsAreOnlyDirections) {
 
 TEST(SpaceModel, ThreeAreasFillTheHitTriangle) {
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    const Told told = tell("cgfs/crates", {180, 330}, renderer);
+    const ToldPixel told = tell("cgfs/crates", {180, 330}, renderer);
     const auto triangles = items_of(told.model, SpaceKind::triangle);
     const auto parts = items_of(told.model, SpaceKind::barycentric_area);
     ASSERT_EQ(parts.size(), 3u);
@@ -181,7 +181,7 @@ TEST(SpaceModel, ThreeAreasFillTheHitTriangle) {
 // Fragments know their corners on the canvas only; unprojected, they are the model's own corners again, as near as the
 // sub-pixel grid allows.
 TEST(SpaceModel, FragmentTrianglesAreTheModelsInTheWorld) {
-  const Told told = tell("cgfs/crates", {180, 330}, Renderer::rasterizer);
+  const ToldPixel told = tell("cgfs/crates", {180, 330}, Renderer::rasterizer);
   int compared = 0;
   for (const SpaceItem* triangle : items_of(told.model, SpaceKind::triangle)) {
     const auto& fragment = event_as<FragmentEvent>(told.story.events, triangle->event);
@@ -197,11 +197,11 @@ TEST(SpaceModel, FragmentTrianglesAreTheModelsInTheWorld) {
     ++compared;
   }
   EXPECT_GT(compared, 0);
-  EXPECT_EQ(count_of(told.model, SpaceKind::hit_point), events_of<FragmentEvent>(told.story));
+  EXPECT_EQ(count_of(told.model, SpaceKind::hit_point), count_events<FragmentEvent>(told.story));
 }
 
 TEST(SpaceModel, StepsAreInOrderAndEachHasSomethingToShow) {
-  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
   ASSERT_FALSE(told.model.steps.empty());
   for (std::size_t i = 1; i < told.model.steps.size(); ++i) EXPECT_LT(told.model.steps[i - 1], told.model.steps[i]);
   EXPECT_EQ(told.model.steps.front(), 0);
@@ -209,7 +209,7 @@ TEST(SpaceModel, StepsAreInOrderAndEachHasSomethingToShow) {
 
 // Whatever is selected in the tree or the sum shows something: a light its shadow ray, a colour the hit it belongs to.
 TEST(SpaceModel, EverySelectedEventShowsSomethingOfItsRay) {
-  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
   const auto& events = told.story.events;
   for (int i = 0; i + 1 < static_cast<int>(events.size()); ++i) {
     const int shown = shown_event(told.model, told.story, i);
@@ -228,7 +228,7 @@ TEST(SpaceModel, EverySelectedEventShowsSomethingOfItsRay) {
 }
 
 TEST(SpaceModel, GroundDoesNotMakeTheSceneSmall) {
-  const Told told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
   EXPECT_LT(told.model.bounds.radius, 10);  // the ground's radius is 5000
   EXPECT_EQ(told.model.ground, (std::vector<bool>{false, false, false, true}));
   for (const Vec3d& seen : {Vec3d(0, 0, 0), Vec3d(0, -1, 3), Vec3d(-2, 0, 4), Vec3d(2, 0, 4)})

@@ -100,6 +100,7 @@ FragmentEvent fragment(int triangle, FragmentEvent::Depth depth) {
   FragmentEvent event;
   event.id = {0, triangle};
   event.depth = depth;
+  event.corner_depth = {2, 2, 2};
   return event;
 }
 

@@ -33,7 +33,7 @@ TEST(Sweep, GivesEveryCombinationOnce) {
 
 TEST(Sweep, AnOptionThatCannotActDoesNotMultiplyPoints) {
   // The rasterizer has no reflected rays: three depths for rays, one point for it.
-  const auto points = points_of({"renderer", "reflection-depth=0,1,3"}, "cgfs/reflections");
+  const auto points = points_of({"renderer=ray-tracer,rasterizer", "reflection-depth=0,1,3"}, "cgfs/reflections");
   int rasterized = 0;
   for (const SweepPoint& point : points) rasterized += point.value.renderer == Renderer::rasterizer ? 1 : 0;
   EXPECT_EQ(points.size(), 4u);

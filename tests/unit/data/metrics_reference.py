@@ -27,6 +27,20 @@ def picture(which):
     return rows
 
 
+def changed(kind):
+    """The first picture with one kind of fault; the same stands in the test."""
+    rows = picture(0)
+    if kind == 'brighter':
+        return [[tuple(min(v + 5, 255) for v in c) for c in row] for row in rows]
+    if kind == 'one pixel to the right':
+        return [[row[max(x - 1, 0)] for x in range(WIDTH)] for row in rows]
+    if kind == 'a black square':
+        return [[(0, 0, 0) if 9 <= x < 15 and 6 <= y < 12 else c for x, c in enumerate(row)]
+                for y, row in enumerate(rows)]
+    return [[(r, g, (b + (16 if (x + y) % 2 else -16)) % 256) for x, (r, g, b) in enumerate(row)]
+            for y, row in enumerate(rows)]  # dithered blue
+
+
 def clamped(plane, x, y):
     return plane[min(max(y, 0), len(plane) - 1)][min(max(x, 0), len(plane[0]) - 1)]
 
@@ -167,6 +181,10 @@ def main():
         values = flip(linear[0], linear[1], ppd)
         print(f'flip at {ppd:.15f} pixels per degree: mean {sum(values) / len(values):.15f}')
         print(f'  at (0, 0) {values[0]:.15f}, at (10, 7) {values[7 * WIDTH + 10]:.15f}')
+    for kind in ('brighter', 'one pixel to the right', 'a black square', 'dithered blue'):
+        other = [[[linear_of_srgb(v / 255) for v in c] for c in row] for row in changed(kind)]
+        values = flip(linear[0], other, 0.7 * (3840 / 0.7) * pi / 180)
+        print(f'flip, {kind}: {sum(values) / len(values):.15f}')
 
 
 main()

@@ -1,0 +1,18 @@
+// How often a random test tries: as written, or fewer times under a sanitizer, where each try costs ten times as much
+// and one is as good as many at showing a bad access. What a test proves about values is proved by the Release build.
+#pragma once
+
+#include <algorithm>
+
+namespace ps::test {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int trial_divisor = 8;
+#else
+inline constexpr int trial_divisor = 1;
+#endif
+
+/// `count` tries, an eighth of them (at least one) under a sanitizer.
+constexpr int trials(int count) { return std::max(1, count / trial_divisor); }
+
+}  // namespace ps::test

@@ -1,0 +1,183 @@
+// The textbook listings and how they are shown with the values of a pixel.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "render/display_frame.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "support/run_cli.h"
+#include "textbook/listing_view.h"
+
+namespace ps {
+namespace {
+
+Settings textbook(const Scene& scene) {
+  Settings settings = settings_for(scene);
+  settings.renderer = Renderer::textbook;
+  return settings;
+}
+
+ListingTrace trace(const Scene& scene, const Settings& settings, Vec2i pixel) {
+  return trace_listing(scene, {scene.camera, scene.canvas_width, scene.canvas_height}, settings, pixel);
+}
+
+const ListingRow& row_with(const std::vector<ListingRow>& rows, const std::string& text) {
+  for (const ListingRow& row : rows)
+    if (row.text.find(text) != std::string::npos) return row;
+  ADD_FAILURE() << "no line has " << text;
+  return rows.front();
+}
+
+std::string value_of(const ListingRow& row, const std::string& name) {
+  for (const ListingValue& value : row.values)
+    if (value.name == name) return value.value;
+  return "nothing";
+}
+
+TEST(Listing, EachChapterSuitsItsScene) {
+  const std::pair<const char*, const char*> suited[] = {{"cgfs/spheres", "cgfs_02_basic_ray_tracing"},
+                                                        {"cgfs/lights", "cgfs_03_light"},
+                                                        {"cgfs/shadows", "cgfs_04_shadows_and_reflections"},
+                                                        {"cgfs/reflections", "cgfs_04_shadows_and_reflections"},
+                                                        {"cgfs/lines", "cgfs_06_lines"},
+                                                        {"cgfs/triangles", "cgfs_07_filled_triangles"},
+                                                        {"cgfs/wireframe", "cgfs_10_scenes"},
+                                                        {"cgfs/cubes", "cgfs_12_hidden_surfaces"},
+                                                        {"cgfs/shading", "cgfs_13_shading"},
+                                                        {"cgfs/crates", "cgfs_14_textures"}};
+  for (const auto& [name, folder] : suited) {
+    const Scene scene = load_scene(name);
+    EXPECT_EQ(listing_of(textbook(scene), scene_traits(scene)).folder, folder) << name;
+  }
+}
+
+TEST(Listing, TextLeavesTheWatchesOut) {
+  const ListingText text =
+      parse_listing("#include <x>\nnamespace ps {\nnamespace {\n\nint f() {\n  int a = 1;\n"
+                    "  PS_WATCH(\"a\",\n           a);\n  return a;\n}\n\n}  // namespace\nint g();\n");
+  ASSERT_EQ(text.lines.size(), 4u);
+  EXPECT_EQ(text.lines[0].text, "int f() {");
+  EXPECT_EQ(text.lines[0].number, 5);
+  EXPECT_EQ(text.shown_at.at(7), 1);  // the watch belongs to "int a = 1;"
+  EXPECT_EQ(text.shown_at.at(8), 1);
+  EXPECT_EQ(text.lines[2].number, 9);
+  EXPECT_EQ(text.shown_at.at(13), -1);
+}
+
+/// Every listing shows some code, and every value that it has for its scene's telling pixel stands beside a line of it.
+TEST(Listing, EveryValueHasALine) {
+  for (const char* name : {"cgfs/spheres", "cgfs/lights", "cgfs/reflections", "cgfs/lines", "cgfs/triangles",
+                           "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
+    const Scene scene = load_scene(name);
+    const ListingTrace traced = trace(scene, textbook(scene), scene.telling_pixel);
+    const ListingText text = load_listing_text(traced.listing.folder);
+    EXPECT_GT(text.lines.size(), 15u) << name;
+    EXPECT_GT(traced.watches.size(), 3u) << name;
+    EXPECT_EQ(traced.dropped, 0u) << name;
+    for (const Watch& watch : traced.watches) EXPECT_GE(text.shown_at.at(static_cast<std::size_t>(watch.line)), 0);
+    for (const ListingLine& line : text.lines) EXPECT_EQ(line.text.find("PS_"), std::string::npos) << line.text;
+    std::size_t shown = 0;
+    for (const ListingRow& row : ListingView(traced, text).rows()) shown += row.values.size();
+    EXPECT_GE(shown, 3u) << name;
+  }
+}
+
+/// The values are those of the picture: a traced pixel is the one that `render` stores, for every pixel tried.
+TEST(Listing, TraceGivesTheColourOfThePicture) {
+  for (const char* name : {"cgfs/reflections", "cgfs/lines", "cgfs/triangles", "cgfs/wireframe", "cgfs/crates"}) {
+    const Scene scene = load_scene(name);
+    const Settings settings = textbook(scene);
+    const View view{scene.camera, 120, 100};
+    const Frame frame = render(scene, view, settings);
+    Prepared prepared;
+    Progress progress;
+    for (int y = 3; y < 100; y += 16)
+      for (int x = 1; x < 120; x += 13) {
+        const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
+        EXPECT_EQ(story.linear, frame.colour_double.at(x, y)) << name << " " << x << "," << y;
+        EXPECT_FALSE(story.verdict.empty());
+      }
+  }
+}
+
+/// A discriminant worked out by hand: cgfs/spheres through the middle of the canvas, D = (0, 0, 1) from the origin;
+/// for the red sphere (0, -1, 3) with r = 1: a = 1, b = -6, c = 9, so 36 - 36 = 0 and t = 3.
+TEST(Listing, NumbersAreThoseOfTheBook) {
+  const Scene scene = load_scene("cgfs/spheres");
+  const ListingTrace traced = trace(scene, textbook(scene), {300, 299});
+  const ListingText text = load_listing_text(traced.listing.folder);
+  const ListingView view(traced, text);
+  const auto rows = view.rows();
+  EXPECT_EQ(row_with(rows, "for (const BookSphere& sphere").instance, "sphere red");
+  EXPECT_EQ(row_with(rows, "for (const BookSphere& sphere").count, 4);
+  EXPECT_EQ(value_of(row_with(rows, "const double c = "), "a, b, c"), "(1, -6, 9)");
+  EXPECT_EQ(value_of(row_with(rows, "const double discriminant ="), "discriminant"), "0");
+  EXPECT_EQ(value_of(row_with(rows, "const double t2 = "), "t1, t2"), "(3, 3)");
+}
+
+TEST(Listing, LoopsAreSteppedThrough) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const ListingTrace traced = trace(scene, textbook(scene), {300, 420});
+  const ListingText text = load_listing_text(traced.listing.folder);
+  ListingView view(traced, text);
+  auto rows = view.rows();
+  const auto find = [&](const std::string& words) -> std::size_t {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (rows[i].text.find(words) != std::string::npos) return i;
+    ADD_FAILURE() << words;
+    return 0;
+  };
+  const std::size_t light = find("for (const Light& light");
+  EXPECT_EQ(rows[light].instance, "light ambient");
+  view.step(light, 1);
+  rows = view.rows();
+  EXPECT_EQ(rows[light].instance, "light point");
+  EXPECT_EQ(rows[light].place, 2);
+  // The spheres that are shown are now those of this light's shadow ray, not those of the eye ray.
+  const std::size_t sphere = find("for (const BookSphere& sphere");
+  EXPECT_EQ(rows[sphere].count, 4);
+  const WatchInstance& focus = traced.instances.at(static_cast<std::size_t>(view.focus()));
+  EXPECT_EQ(watch_text(focus.value), "point");
+  for (int i = 0; i < 100; ++i) view.step(light, 1);  // stops at the end
+  rows = view.rows();
+  EXPECT_EQ(rows[light].instance, "light directional");
+
+  // Three bounces: four rays, one inside the other.
+  const std::size_t ray = find("Vec3d trace_ray(") + 1;
+  ListingView again(traced, text);
+  rows = again.rows();
+  const std::size_t traced_ray = rows[ray].loops ? ray : ray - 1;
+  EXPECT_EQ(rows[traced_ray].instance, "ray with bounces left 3");
+  again.step(traced_ray, 1);
+  EXPECT_EQ(again.rows()[traced_ray].instance, "ray with bounces left 2");
+}
+
+TEST(Listing, OptionsThatItDoesNotReadAreGreyed) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const Settings settings = textbook(scene);
+  const SceneTraits traits = scene_traits(scene);
+  EXPECT_FALSE(inactive_reason(*find_option("reflection-depth"), settings, traits));
+  EXPECT_FALSE(inactive_reason(*find_option("listing"), settings, traits));
+  EXPECT_TRUE(inactive_reason(*find_option("sphere-test"), settings, traits));
+  EXPECT_TRUE(inactive_reason(*find_option("shading"), settings, traits));
+}
+
+TEST(Listing, CommandLinePrintsLinesWithValues) {
+  const auto text = test::run_cli({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook"});
+  ASSERT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("discriminant = 0"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("[sphere red: 1 of 4]"), std::string::npos) << text.out;
+  const auto json =
+      test::run_cli({"inspect", "cgfs/spheres", "--pixel", "300,299", "--set", "renderer=textbook", "--json"});
+  ASSERT_EQ(json.status, 0) << json.err;
+  const auto story = nlohmann::json::parse(json.out);
+  EXPECT_EQ(story.at("renderer"), "textbook");
+  EXPECT_EQ(story.at("listing").at("folder"), "cgfs_02_basic_ray_tracing");
+  EXPECT_GT(story.at("listing").at("values").size(), 10u);
+}
+
+}  // namespace
+}  // namespace ps

@@ -1,0 +1,99 @@
+// The story as Markdown and as comma-separated values.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/number_text.h"
+#include "inspect/event_fields.h"
+#include "inspect/story_markdown.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "support/stories.h"
+
+namespace ps {
+namespace {
+
+/// A reader of comma-separated values by the grammar of RFC 4180.
+std::vector<std::vector<std::string>> read_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows(1, {""});
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string& field = rows.back().back();
+    if (quoted) {
+      if (text[i] != '"')
+        field += text[i];
+      else if (i + 1 < text.size() && text[i + 1] == '"')
+        field += text[++i];
+      else
+        quoted = false;
+    } else if (text[i] == '"') {
+      quoted = true;
+    } else if (text[i] == ',') {
+      rows.back().push_back("");
+    } else if (text.compare(i, 2, "\r\n") == 0) {
+      rows.push_back({""});
+      ++i;
+    } else {
+      field += text[i];
+    }
+  }
+  rows.pop_back();
+  return rows;
+}
+
+TEST(StoryFiles, CsvKeepsEveryDigit) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const View view{scene.camera, 200, 200};
+  Prepared prepared;
+  Progress progress;
+  const PixelStory story = inspect(scene, view, {}, {151, 191}, prepared, progress);
+  const auto rows = read_csv(story_csv(story, scene));
+  ASSERT_GT(rows.size(), story.events.size());
+  for (const auto& row : rows) ASSERT_EQ(row.size(), 6u);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"part", "index", "parent", "kind", "name", "value"}));
+  std::map<std::string, std::string> values;  // by part, index and name
+  for (const auto& row : rows) values[row[0] + "/" + row[1] + "/" + row[4]] = row[5];
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < story.events.size(); ++i) {
+    const std::string event = "event/" + std::to_string(i) + "/";
+    EXPECT_FALSE(values[event + "text"].empty());
+    const auto* hit = std::get_if<HitEvent>(&story.events[i].data);
+    if (!hit) continue;
+    ++hits;
+    EXPECT_EQ(parse_number(values[event + "t"]), hit->t);
+    EXPECT_EQ(parse_number(values[event + "point[2]"]), hit->point.z);
+  }
+  EXPECT_GT(hits, 1u);
+  double red = 0;
+  for (std::size_t i = 0; i < story.ledger.size(); ++i) {
+    const std::string line = "ledger/" + std::to_string(i) + "/";
+    if (values[line + "level"] == "0") red += *parse_number(values[line + "value[0]"]);
+    EXPECT_EQ(values[line + "term"], story.ledger[i].term);
+  }
+  EXPECT_EQ(red, story.linear.x);
+}
+
+TEST(StoryFiles, MarkdownTellsEverything) {
+  const Scene scene = test::book_spheres();
+  const PixelStory story = test::mirrored_story();
+  const std::string page = story_markdown(story, scene, {scene.camera, 600, 600});
+  const auto lines_with = [&](const std::string& start) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < page.size();) {
+      const std::size_t end = std::min(page.find('\n', at), page.size());
+      const std::string line = page.substr(at, end - at);
+      if (line.substr(std::min(line.find_first_not_of(' '), line.size())).starts_with(start)) ++count;
+      at = end + 1;
+    }
+    return count;
+  };
+  EXPECT_EQ(page.substr(0, 2), "# ");
+  EXPECT_NE(page.find(story.verdict.substr(0, 8)), std::string::npos);
+  EXPECT_EQ(lines_with("- "), story.events.size() + 4 + (story.triangles_elsewhere > 0 ? 1 : 0));
+  EXPECT_GE(lines_with("| "), story.ledger.size() + 2);
+  EXPECT_EQ(page.find("<"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ps
