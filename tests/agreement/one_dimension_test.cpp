@@ -21,10 +21,27 @@ std::set<int> centres(double a, double b, int bits) {
   return columns;
 }
 
-// The scene's own segments, by their corners.
+/// A segment of the scene in pixels, and its row.
+struct Segment {
+  double from = 0, to = 0;
+  int row = 0;
+};
+
+std::vector<Segment> segments_of(const Scene& scene) {
+  std::vector<Segment> segments;
+  for (const Object& object : scene.geometry->objects) {
+    const auto& rectangle = std::get<Rectangle>(std::get<Solid>(object.shape).form);
+    const double from = rectangle.corner.x + 12;
+    segments.push_back({from, from + rectangle.side_a.x, static_cast<int>(std::floor(4 - rectangle.corner.y))});
+  }
+  return segments;
+}
+
+// The scene's own segments, by their ends.
 TEST(OneDimension, SceneCoversWhatTheFormulaSays) {
   const Scene scene = load_scene("cgpp/one-dimension");
-  const Mesh& mesh = *scene.geometry->meshes.at(0);
+  const std::vector<Segment> segments = segments_of(scene);
+  ASSERT_EQ(segments.size(), 16u);
   Settings settings = settings_for(scene);
   for (const int bits : {0, 1, 2, 8, 12}) {
     settings.subpixel_bits = bits;
@@ -35,10 +52,8 @@ TEST(OneDimension, SceneCoversWhatTheFormulaSays) {
     const Frame frame = render(scene, {scene.camera, 24, 10}, settings, request, prepared, progress);
     for (int row = 0; row < 10; ++row) {
       std::set<int> expected, drawn;
-      for (std::size_t v = 0; v + 3 < mesh.positions.size(); v += 4) {
-        if (static_cast<int>(std::floor(4 - mesh.positions[v].y)) != row) continue;
-        expected.merge(centres(mesh.positions[v].x + 12, mesh.positions[v + 2].x + 12, bits));
-      }
+      for (const Segment& segment : segments)
+        if (segment.row == row) expected.merge(centres(segment.from, segment.to, bits));
       for (int column = 0; column < 24; ++column)
         if (frame.ids.at(column, row).object >= 0) drawn.insert(column);
       EXPECT_EQ(drawn, expected) << "row " << row << ", " << bits << " bits";

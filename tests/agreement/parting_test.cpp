@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
+#include "document/document.h"
 #include "image/display.h"
+#include "inspect/parting/align_stories.h"
 #include "inspect/parting/parting.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -196,6 +199,64 @@ TEST(Parting, SaysNothingWherePicturesAgree) {
   Progress progress;
   const PixelStory story = inspect(scene, view, settings, {300, 420}, prepared, progress);
   EXPECT_EQ(find_parting(scene, {story, settings}, {story, settings}).cause, PartingCause::none);
+}
+
+// The first frame that anyone sees: A traced, B rasterized. The marked pixel faces away from one light, which a shadow
+// ray finds blocked and the rasterizer does not ask about; what tells the pictures apart is the mirror.
+TEST(Parting, NamesTheMirrorAtTheFirstPixel) {
+  const Document document = open_document("cgfs/reflections", load_scene("cgfs/reflections"));
+  const Settings& a = document.a.settings;
+  const Settings& b = document.b.settings;
+  ASSERT_EQ(a.renderer, Renderer::ray_tracer);
+  ASSERT_EQ(b.renderer, Renderer::rasterizer);
+  const View view = view_of(document);
+  Prepared prepared;
+  Progress progress;
+  for (const Vec2i pixel : {document.pixel, Vec2i{300, 420}}) {
+    const PixelStory story_a = inspect(document.scene, view, a, pixel, prepared, progress);
+    const PixelStory story_b = inspect(document.scene, view, b, pixel, prepared, progress);
+    const Parting parting = find_parting(document.scene, {story_a, a}, {story_b, b});
+    EXPECT_EQ(parting.cause, PartingCause::missing_bounce) << parting.sentence;
+    EXPECT_NE(parting.sentence.find("mirrored ray"), std::string::npos) << parting.sentence;
+  }
+}
+
+// A ray's story beside a fragment's: what both tell of stands in one row, where both see the same thing it counts as
+// the same, and no event is lost or told twice.
+TEST(AlignStories, PutsARayBesideAFragment) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const View view{scene.camera, scene.canvas_width, scene.canvas_height};
+  const Settings traced = settings_for(scene);
+  Settings rasterized = traced;
+  rasterized.renderer = Renderer::rasterizer;
+  Prepared prepared;
+  Progress progress;
+  const PixelStory ray = inspect(scene, view, traced, {300, 420}, prepared, progress);
+  const PixelStory fragment = inspect(scene, view, rasterized, {300, 420}, prepared, progress);
+  for (const bool swapped : {false, true}) {
+    const PixelStory &a = swapped ? fragment : ray, &b = swapped ? ray : fragment;
+    const auto rows = align_stories(a, b, scene);
+    std::multiset<int> told_a, told_b;
+    int lights = 0, seen = 0;
+    for (const AlignedRow& row : rows) {
+      if (row.a >= 0) told_a.insert(row.a);
+      if (row.b >= 0) told_b.insert(row.b);
+      if (row.a < 0 || row.b < 0) continue;
+      const EventData &of_a = a.events[static_cast<std::size_t>(row.a)].data,
+                      &of_b = b.events[static_cast<std::size_t>(row.b)].data;
+      lights += std::holds_alternative<LightEvent>(of_a) && std::holds_alternative<LightEvent>(of_b) ? 1 : 0;
+      const bool hit = std::holds_alternative<HitEvent>(swapped ? of_b : of_a);
+      const bool covers = std::holds_alternative<FragmentEvent>(swapped ? of_a : of_b);
+      if (hit && covers) {
+        ++seen;
+        EXPECT_TRUE(row.same);
+      }
+    }
+    EXPECT_EQ(lights, 3);
+    EXPECT_EQ(seen, 1);
+    for (std::size_t i = 0; i < a.events.size(); ++i) EXPECT_EQ(told_a.count(static_cast<int>(i)), 1u) << i;
+    for (std::size_t i = 0; i < b.events.size(); ++i) EXPECT_EQ(told_b.count(static_cast<int>(i)), 1u) << i;
+  }
 }
 
 // A colour that was changed behind the events' back must not be explained away.

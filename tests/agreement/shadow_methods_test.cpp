@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
 
 #include "image/display.h"
 #include "options/scene_settings.h"
@@ -88,7 +89,13 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, ShadowMethods,
                                          Bounds{"lab/cornell", 1, 2, 2, 1, 1},
                                          Bounds{"lab/inside-shadow", 5, 2, 2, 1, 100},
                                          Bounds{"lab/stacked-shadows", 1, 2, 2, 1, 1},
-                                         Bounds{"octree/attenuation", 1, 2, 2, 1, 1}));
+                                         Bounds{"octree/attenuation", 1, 2, 2, 1, 1}),
+                         [](const testing::TestParamInfo<Bounds>& test) {
+                           std::string name = test.param.scene;
+                           for (char& letter : name)
+                             if (letter == '/' || letter == '-') letter = '_';
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace ps

@@ -68,6 +68,34 @@ TEST(Stencil, ANearPlaneThatCutsAVolumeSpoilsDepthPassOnly) {
   EXPECT_LT(share(Shadows::stencil_depth_fail, 1.5), 1);
 }
 
+// Where the floor ends, the sides of its own shadow volume begin: a pixel right on that edge sees both at one depth,
+// and rounding must not decide. The picture's rows are such that the far edge runs through pixel centres.
+TEST(Stencil, TheEdgeOfAnObjectIsNotInItsOwnShadow) {
+  Scene scene = load_scene("lab/inside-shadow");
+  scene.geometry.edit([](Geometry& geometry) {
+    std::erase_if(geometry.objects, [](const Object& o) { return std::holds_alternative<Sphere>(o.shape); });
+  });
+  const auto draw_large = [&](Renderer renderer, Shadows shadows) {
+    RenderRequest request;
+    request.channels = Channel::ids | Channel::shadow;
+    Prepared prepared;
+    Progress progress;
+    return render(scene, {scene.camera, 300, 200}, with(scene, renderer, shadows), request, prepared, progress);
+  };
+  const Frame traced = draw_large(Renderer::ray_tracer, Shadows::traced);
+  const Frame drawn = draw_large(Renderer::rasterizer, Shadows::stencil_depth_fail);
+  const int edge = 112;
+  int on_edge = 0;
+  for (int x = 0; x < 300; ++x) {
+    if (drawn.ids.at(x, edge).object != 0) continue;
+    ++on_edge;
+    EXPECT_EQ(drawn.shadow.at(x, edge), 0u) << x;
+  }
+  EXPECT_GT(on_edge, 150);
+  EXPECT_TRUE(drawn.ids.at(150, edge - 1).object != 0);
+  EXPECT_EQ(wrong_share(traced, drawn, 0, 1), 0);
+}
+
 /// Of the floor under exactly 16 boards, as `counts` tells, how many pixels are dark and how many there are.
 struct Floor {
   int dark = 0, pixels = 0;

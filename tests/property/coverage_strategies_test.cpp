@@ -7,6 +7,7 @@
 #include <set>
 
 #include "raster/coverage/walk.h"
+#include "support/trials.h"
 
 namespace ps::raster {
 namespace {
@@ -86,7 +87,7 @@ bool truly_inside(const CoverageInput& input, int column, int row) {
 TEST(CoverageStrategies, FindWhatRationalArithmeticFinds) {
   std::mt19937 random(seed);
   constexpr int size = 150;
-  for (int trial = 0; trial < 240; ++trial) {
+  for (int trial = 0; trial < test::trials(240); ++trial) {
     const int bits = std::array<int, 5>{0, 1, 4, 8, 12}[static_cast<std::size_t>(trial % 5)];
     const auto rule = static_cast<FillRule>(trial / 5 % 3);
     const double at = trial % 7 == 0 ? 0.0 : 0.5;

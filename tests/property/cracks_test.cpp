@@ -7,6 +7,7 @@
 
 #include "render/render.h"
 #include "support/closed_sphere.h"
+#include "support/trials.h"
 
 namespace {
 
@@ -73,14 +74,15 @@ constexpr unsigned seed = 8;
 
 TEST(Cracks, AWatertightTestLeavesNone) {
   const Scene sphere = inside_of_sphere();
-  const Scene wall = wall_of_pixels(100, seed);
+  const int wall_size = 30 + test::trials(70);
+  const Scene wall = wall_of_pixels(wall_size, seed);
   for (const Accelerator accelerator : {Accelerator::bvh, Accelerator::octree})
     for (const Simd simd : {Simd::off, Simd::automatic}) {
       Settings settings;
       settings.near = 0;
       settings.accelerator = accelerator;
       settings.simd = simd;
-      EXPECT_EQ(uncovered(wall, 100, settings), 0) << "seed " << seed;
+      EXPECT_EQ(uncovered(wall, wall_size, settings), 0) << "seed " << seed;
       for (const int size : {128, 129}) EXPECT_EQ(uncovered(sphere, size, settings), 0) << size;
     }
 }

@@ -8,6 +8,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/random_scene.h"
+#include "support/trials.h"
 
 namespace {
 
@@ -81,13 +82,13 @@ TEST(Packets, BookScenesFromAnywhere) {
   for (const BuiltinScene& entry : builtin_scenes()) {
     SCOPED_TRACE(entry.name);
     const Scene scene = load_scene(entry.name);
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < test::trials(6); ++i) {
       const View view{i == 0 ? scene.camera : random_camera(random), 75 + i, 49};
       fast += takes_the_fast_path(scene, view, {}) ? 1 : 0;
       expect_same_on_all_targets(scene, view, {});
     }
   }
-  EXPECT_GE(fast, 24) << "most scenes with spheres must take the fast path, or this test says nothing";
+  EXPECT_GE(fast, 4 * test::trials(6)) << "most scenes with spheres must take the fast path, or this test says nothing";
 }
 
 TEST(Packets, EverySettingThatTheFastPathCovers) {
@@ -114,7 +115,7 @@ TEST(Packets, EverySettingThatTheFastPathCovers) {
 
 TEST(Packets, ScenesWithTintsHugeExponentsAndNoObjects) {
   std::mt19937 random(62);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < test::trials(40); ++i) {
     Scene scene = load_scene("cgfs/reflections");
     scene.materials.edit([&](std::vector<Material>& materials) {
       for (Material& material : materials) {
@@ -152,12 +153,50 @@ TEST(Packets, WhatTheyDoNotCoverIsLeftToTheClearPath) {
   }
 }
 
+/// Subsampling: the same pixels reuse what their neighbours saw, so the same thin things are missed.
+TEST(Packets, SubsamplingReusesTheSame) {
+  for (const char* name : {"cgfs/reflections", "cgfs/fence", "cgfs/mirrors", "octree/headline", "cgfs/shading"}) {
+    const Scene scene = load_scene(name);
+    for (const int step : {2, 3, 8, 16}) {
+      SCOPED_TRACE(std::string(name) + ", step " + std::to_string(step));
+      Settings settings;
+      settings.subsampling = step;
+      settings.shadow_cache = step == 3;
+      const View view{scene.camera, 75, 49};
+      if (std::string_view(name) == "cgfs/reflections" && step != 3) {
+        EXPECT_TRUE(takes_the_fast_path(scene, view, settings));
+      }
+      expect_same_on_all_targets(scene, view, settings);
+    }
+  }
+}
+
+/// What it is for: fewer tests, with and without SIMD, for the same picture where nothing is thinner than the step.
+TEST(Packets, SubsamplingSavesTests) {
+  const Scene scene = load_scene("cgfs/reflections");
+  Settings settings;
+  settings.reflection_depth = 0;
+  settings.shadows = Shadows::none;
+  for (const Simd simd : {Simd::off, Simd::automatic}) {
+    settings.subsampling = 1;
+    const Frame plain = traced(scene, View{scene.camera, 320, 320}, settings, simd);
+    settings.subsampling = 8;
+    const Frame less = traced(scene, View{scene.camera, 320, 320}, settings, simd);
+    EXPECT_LT(less.counters[Counter::sphere_tests] * 2, plain.counters[Counter::sphere_tests]);
+    EXPECT_GT(less.counters[Counter::searches_saved], 320u * 320 * 3 / 4);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < plain.colour.pixels().size(); ++i)
+      differing += plain.colour.pixels()[i] != less.colour.pixels()[i] ? 1 : 0;
+    EXPECT_LT(differing, 320u * 320 / 100);
+  }
+}
+
 TEST(Packets, SeveralSamplesForEachPixel) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, 61, 43};
   for (const SamplePattern pattern :
        {SamplePattern::grid, SamplePattern::jitter, SamplePattern::random, SamplePattern::halton, SamplePattern::r2})
-    for (const int count : {1, 3, 16, 300})
+    for (const int count : {1, 3, 16, test::trials(300)})
       for (const bool adaptive : {false, true}) {
         SCOPED_TRACE(count);
         Settings settings;

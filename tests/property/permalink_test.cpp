@@ -58,6 +58,7 @@ Document any_document() {
   d.b.show = static_cast<ShownChannel>(*rc::gen::inRange(0, channels));
   if (*rc::gen::arbitrary<bool>()) d.pixel = {*rc::gen::inRange(0, 9999), *rc::gen::inRange(0, 9999)};
   d.picked = *rc::gen::element(Side::a, Side::b);
+  d.event = *rc::gen::inRange(-1, 5000);
   d.compare = static_cast<CompareMode>(*rc::gen::inRange(0, 5));
   d.split = any_share();
   d.difference_gain = any_share() * 100;

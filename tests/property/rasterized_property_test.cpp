@@ -1,5 +1,6 @@
 // What must hold for every scene and setting: pictures and counters do not depend on threads, and the inspector repeats
 // the picture's own bits.
+#include <algorithm>
 #include <cstring>
 #include <mutex>
 #include <random>
@@ -163,6 +164,53 @@ TEST(Rasterized, TexturesAreTheSameOnEverySimdTarget) {
           EXPECT_EQ(clear.counters, fast.counters) << filter << ", " << wrap << ", " << more;
         }
       }
+}
+
+/// What the window always asks for comes from the fast paths, too: the same ids, depths, colours and counts as from the
+/// clear path, for any number of threads. Several stages are left to it, a sphere stands for its triangles, and the
+/// camera is near enough to cut some.
+TEST(Rasterized, FastPathsStoreIdsAndDepths) {
+  constexpr Channel asked = Channel::ids | Channel::depth;
+  const std::vector<std::vector<std::string>> variants{{},
+                                                       {"shading=gouraud", "depth-value=z"},
+                                                       {"shading=flat", "visibility=painter"},
+                                                       {"lighting=off", "visibility=draw-order", "clipping=near"},
+                                                       {"backface-culling=off", "texture-filter=mipmap"}};
+  for (const char* name : {"cgfs/reflections", "cgfs/shading", "cgfs/crates", "cgfs/camera"}) {
+    const Scene scene = load_scene(name);
+    View view{scene.camera, 333, 207};
+    for (const double forward : {0.0, 1.5}) {
+      view.camera.position = scene.camera.position + scene.camera.forward * forward;
+      for (const auto& variant : variants) {
+        Settings settings = settings_of(variant);
+        settings.simd = Simd::off;
+        const Frame clear = draw(scene, view, settings, asked);
+        const auto seen = std::ranges::count_if(clear.ids.pixels(), [](const PixelId& id) { return id.object >= 0; });
+        EXPECT_GT(seen, 1000) << name;
+        settings.simd = Simd::automatic;
+        for (const int threads : {1, 2, 7}) {
+          settings.threads = threads;
+          const Frame fast = draw(scene, view, settings, asked);
+          EXPECT_TRUE(same_bits(clear.ids, fast.ids)) << name;
+          EXPECT_TRUE(same_bits(clear.depth, fast.depth)) << name;
+          EXPECT_TRUE(same_bits(clear.colour, fast.colour)) << name;
+          EXPECT_EQ(clear.counters, fast.counters) << name;
+        }
+        EXPECT_TRUE(same_bits(clear.ids, draw(scene, view, settings, Channel::ids).ids)) << name;
+        EXPECT_TRUE(same_bits(clear.depth, draw(scene, view, settings, Channel::depth).depth)) << name;
+      }
+    }
+  }
+}
+
+/// Asking for them leaves a picture on the fast path, whose stages have names of their own.
+TEST(Rasterized, IdsAndDepthsAreNoReasonToBeSlow) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const auto stage = [&](Channel channels) {
+    return draw(scene, {scene.camera, 64, 64}, settings_of({}), channels).times.at(1).stage;
+  };
+  EXPECT_EQ(stage(Channel::ids | Channel::depth), stage(Channel::none));
+  EXPECT_NE(stage(Channel::normal), stage(Channel::none));
 }
 
 TEST(Rasterized, StoryAccountsForEveryTriangle) {

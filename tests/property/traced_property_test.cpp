@@ -13,6 +13,7 @@
 #include "image/display.h"
 #include "render/render.h"
 #include "support/random_scene.h"
+#include "support/trials.h"
 
 namespace {
 
@@ -73,7 +74,7 @@ std::vector<Settings> ways_to_intersect() {
 }
 
 TEST(TracedProperty, TheTreeOfBoxesChangesNothingButTheWork) {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= static_cast<unsigned>(test::trials(12)); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = random_scene(seed);
     for (Settings settings : ways_to_intersect()) {
@@ -96,7 +97,7 @@ TEST(TracedProperty, TheTreeOfBoxesChangesNothingButTheWork) {
 }
 
 TEST(TracedProperty, EveryAcceleratorGivesThePictureOfNone) {
-  for (unsigned seed = 13; seed <= 15; ++seed) {
+  for (unsigned seed = 13; seed < 13u + static_cast<unsigned>(test::trials(3)); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = random_scene(seed);
     for (Settings settings : ways_to_intersect()) {
@@ -117,7 +118,7 @@ TEST(TracedProperty, EveryAcceleratorGivesThePictureOfNone) {
 
 TEST(TracedProperty, ShadowCacheCachedConstantsAndAnyHitChangeNothingButTheWork) {
   bool work_changed = false;
-  for (unsigned seed = 16; seed <= 19; ++seed) {
+  for (unsigned seed = 16; seed < 16u + static_cast<unsigned>(test::trials(4)); ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = random_scene(seed);
     for (Settings settings : ways_to_intersect()) {

@@ -1,0 +1,307 @@
+// Stability experiments on coverage, depth, shadows, shading and sampling against rates measured elsewhere.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "support/curve.h"
+
+namespace {
+
+using namespace ps;
+using test::Curve;
+
+double noise(double per_million, double edges) { return 3 * std::sqrt(per_million * 1e6 / edges); }
+
+TEST(StabilityCoverage, FillRule) {
+  const Curve curve("fill-rule-easy");
+  // 2,953 elsewhere; how many samples lie on edges depends on the mesh, that all of them go wrong does not.
+  EXPECT_GT(curve.naive("corners on half pixels, >= 0, doubles", 0), 2000);
+  EXPECT_GT(curve.naive("corners on half pixels, > 0, holes", 1), 2000);
+  EXPECT_EQ(curve.naive("corners on half pixels, >= 0, holes", 0), 0);
+  EXPECT_EQ(curve.naive("corners on half pixels, > 0, doubles", 1), 0);
+  curve.expect_naive("sides on samples, >= 0, doubles", 0, 26814);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityCoverage, EdgesThroughASample) {
+  const Curve curve("fill-rule-adversarial");
+  for (const auto& [length, rate] : std::map<double, double>{{10, 1800}, {100, 19665}, {1000, 131100}})
+    for (const char* what : {"float, own order, holes", "float, own order, doubles"})
+      curve.expect_naive(what, length, rate, noise(rate, 20000));
+  curve.expect_naive("float, stepped, holes", 1000, 182640);
+  EXPECT_EQ(curve.naive("float, A x + B y + C, holes", 1000), 0);
+  // 43,310 elsewhere: it is the far corners' edges that fail, so their distance decides.
+  EXPECT_GT(curve.naive("float, A x + B y + C at 16,000 px, holes", 10), 5000);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityCoverage, Int32) {
+  const Curve curve("int32-edge-functions");
+  curve.expect_naive("square mesh", 655.0 / 16, 0);
+  curve.expect_naive("square mesh", 655.0 / 8, 0);
+  EXPECT_GT(curve.naive("square mesh", 655.0 / 3), 100000) << "190,250 at about 170 px elsewhere";
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityCoverage, SteppedEdgesDrift) {
+  const Curve curve("stepped-edge-drift", 1);
+  for (const auto& [canvas, wrong] : std::map<double, double>{{1024, .0012}, {4096, .015}, {16384, .23}}) {
+    curve.expect_naive("edges across the canvas", canvas, wrong, 0.002);
+    EXPECT_LT(curve.robust("edges across the canvas", canvas), 0.002);
+  }
+}
+
+TEST(StabilityCoverage, SubPixelBits) {
+  const Curve curve("sub-pixel-bits");
+  curve.expect_naive("legs of 17.7 px", 2, .98);
+  curve.expect_naive("legs of 2.60 px", 2, 6.7);
+  curve.expect_naive("legs of 2.60 px", 4, 1.7);
+  curve.expect_naive("legs of 2.60 px", 8, .106);
+}
+
+TEST(StabilityCoverage, RaysAndFragments) {
+  const Curve curve("ray-vs-raster-agreement");
+  // One step of bits after another divides the disagreement by four; 12 bits leave none.
+  EXPECT_GT(curve.naive("both renderers", 0), 1000);
+  EXPECT_NEAR(curve.naive("both renderers", 0) / curve.naive("both renderers", 2), 3.4, 1.2);
+  EXPECT_NEAR(curve.naive("both renderers", 2) / curve.naive("both renderers", 4), 3.6, 1.5);
+  EXPECT_LE(curve.naive("both renderers", 8), 40);
+  EXPECT_LE(curve.naive("both renderers", 12), 3);
+  EXPECT_GT(curve.naive("half a pixel apart", 8), 1.5 * curve.naive("both renderers", 0));
+}
+
+TEST(StabilityCoverage, InclusiveScanlines) {
+  const Curve curve("inclusive-scanlines");
+  for (const auto& [size, share] : std::map<double, double>{{100, 1.9}, {21, 10.3}, {10, 21}, {3, 63}})
+    curve.expect_naive("mesh", size, share);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityDepth, AffineTexture) {
+  const Curve curve("affine-texture");
+  const double first = curve.naive("floor from z = 1.5 to 9.5", 1);
+  for (const auto& [cells, texels] :
+       std::map<double, double>{{1, 143}, {2, 54}, {4, 18}, {8, 5.2}, {16, 1.37}, {32, .349}, {64, .088}, {128, .022}})
+    curve.expect_naive("floor from z = 1.5 to 9.5", cells, texels);
+  EXPECT_GT(first, 0);
+  EXPECT_LT(curve.robust("floor from z = 1.5 to 9.5", 128), 1e-10);
+}
+
+TEST(StabilityDepth, Formats) {
+  const Curve curve("depth-bits-z-fighting");
+  curve.expect_naive("unorm 24, z = 1000", 0.01, 98.3);
+  curve.expect_naive("unorm 24, z = 1000", 0.1, 82.4);
+  curve.expect_naive("float 0..1, z = 1000", 0.01, 98.2);
+  curve.expect_naive("unorm 16, z = 1000", 0.01, 100);
+  curve.expect_naive("plain 1/z, z = 1000", 0.01, 0);
+  for (const double gap : {0.001, 0.01, 0.1}) EXPECT_EQ(curve.robust("unorm 24, z = 1000", gap), 0);
+  for (const auto& [z, gap] : std::map<double, double>{{10, 6.7e-5}, {100, .0062}, {1000, .67}})
+    curve.expect_naive("unorm 24, resolved", z, gap);
+}
+
+TEST(StabilityDepth, NearPlane) {
+  const Curve curve("near-plane");
+  for (const auto& [near, gap] : std::map<double, double>{{1, .063}, {.1, .62}, {.01, 6.1}, {.001, 38}})
+    curve.expect_naive("z = 1000", near, gap, gap * 0.35);
+}
+
+TEST(StabilityDepth, SixteenBitsOfZ) {
+  const Curve curve("16-bit-linear-z");
+  for (const double z : {10.0, 100.0, 1000.0, 9000.0}) curve.expect_naive("gap 0.01", z, 93.5);
+}
+
+TEST(StabilityDepth, PaintersCycle) {
+  const Curve curve("painter-s-cycle");
+  EXPECT_GT(curve.naive("three bars, best order", 3), 2);
+  EXPECT_GT(curve.naive("three bars, worst order", 3), 1.5 * curve.naive("three bars, best order", 3));
+  curve.expect_naive("soup by centroid", 300, 10.1);
+  curve.expect_naive("soup by nearest corner", 300, 12.3);
+  curve.expect_naive("soup by farthest corner", 300, 14.5);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityDepth, CornersBehindTheCamera) {
+  const Curve curve("near-plane-clipping");
+  for (const char* way : {"no clipping", "drop the triangle", "clamp z", "take |z|"}) {
+    EXPECT_EQ(curve.naive(way, 3), 0) << way;
+    EXPECT_GT(curve.naive(way, -1), 3) << way;
+  }
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityShadows, MapAcneFollowsItsFormula) {
+  const Curve curve("shadow-map-acne");
+  for (const int size : {256, 1024})
+    for (const int elevation : {60, 30, 10}) {
+      const std::string series = std::to_string(size) + " texels, sun at " + std::to_string(elevation) + " degrees";
+      for (const double bias : {0.0, 0.001, 0.01, 0.05})
+        EXPECT_NEAR(curve.naive(series, bias), curve.naive(series + ", by formula", bias), 1.5)
+            << series << " " << bias;
+      EXPECT_LT(curve.robust(series, 0), 0.1);
+    }
+  curve.expect_naive("1024 texels, sun at 60 degrees", 0, 50);
+}
+
+TEST(StabilityShadows, FilterWithTheBiasOfOneTap) {
+  const Curve curve("pcf-one-tap-bias");
+  EXPECT_LT(curve.naive("sun at 30 degrees", 1), 0.3);
+  EXPECT_NEAR(curve.naive("sun at 30 degrees", 3), 100.0 / 6, 1);
+  EXPECT_NEAR(curve.naive("sun at 30 degrees", 5), 30, 1);
+  for (const double taps : {1.0, 3.0, 5.0, 7.0}) EXPECT_LT(curve.robust("sun at 30 degrees", taps), 0.3);
+}
+
+TEST(StabilityShadows, PeterPanning) {
+  const Curve curve("peter-panning");
+  curve.expect_naive("1024 texels, sun at 10 degrees", 0.2, 23.7);
+  EXPECT_LT(curve.robust("1024 texels, sun at 10 degrees", 0.2), 5) << "0.8 elsewhere";
+}
+
+TEST(StabilityShadows, CameraInsideAVolume) {
+  const Curve curve("z-pass-in-volume");
+  EXPECT_EQ(curve.naive("under a roof of 4 x 4", -8), 0);
+  EXPECT_GT(curve.naive("under a roof of 4 x 4", 0), 99);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityShadows, NearPlaneCutsAVolume) {
+  const Curve curve("near-plane-cuts-volume");
+  EXPECT_EQ(curve.naive("camera 0.05 before the shadow", 0.01), 0);
+  EXPECT_GT(curve.naive("camera 0.05 before the shadow", 0.1), 99);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityShadows, DepthFailNeedsItsCaps) {
+  const Curve curve("z-fail-caps");
+  EXPECT_GT(curve.naive("no caps, camera outside", 0), 1);
+  EXPECT_GT(curve.naive("no caps, camera inside", 0), 1);
+  EXPECT_GT(curve.naive("far plane", 4), 1);
+  EXPECT_EQ(curve.naive("far plane", 1000), 0);
+  EXPECT_GT(curve.naive("short extrusion", 1.5), 1);
+  EXPECT_EQ(curve.naive("short extrusion", 10), 0);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityShadows, StencilCountsWrap) {
+  const Curve curve("stencil-bits-wrap");
+  for (const double boards : {1.0, 8.0, 15.0, 17.0}) EXPECT_EQ(curve.naive("4 bits", boards), 0) << boards;
+  EXPECT_EQ(curve.naive("4 bits", 16), 100);
+  EXPECT_EQ(curve.naive("8 bits", 256), 100);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilityShading, GouraudHighlights) {
+  const Curve curve("gouraud-highlight");
+  for (const auto& [triangles, mean] : std::map<double, double>{{960, .65}, {3968, .86}, {16128, .96}})
+    curve.expect_naive("exponent 50, mean", triangles, mean);
+  EXPECT_LT(curve.naive("exponent 50, mean", 360), .45) << "0.21 over 20 lights elsewhere";
+  EXPECT_LT(curve.naive("exponent 500, mean", 360), 0.1);
+  EXPECT_GT(curve.robust("exponent 50, mean", 360), 0.99);
+}
+
+TEST(StabilityShading, ShortNormals) {
+  const Curve curve("unnormalised-interpolated-normals");
+  EXPECT_NEAR(curve.naive("half-way between two corners", 30), .9659, 1e-4);
+  EXPECT_NEAR(curve.naive("highlight of exponent 50", 30), .177, 1e-3);
+}
+
+TEST(StabilityShading, Terminator) {
+  const Curve curve("shadow-terminator", 0.3);
+  for (const auto& [triangles, share] : std::map<double, double>{{120, 5.6}, {360, 3.4}, {3968, 1.0}, {65024, .23}})
+    curve.expect_naive("ball with smooth normals", triangles, share, 0.03);
+}
+
+TEST(StabilityShading, Outlines) {
+  const Curve curve("silhouette-tessellation");
+  EXPECT_NEAR(curve.naive("radius 200 px", 10), 9.79, 0.01);
+  EXPECT_LE(curve.naive("enough for radius 200 px", 45), 0.5);
+}
+
+TEST(StabilityNumbers, FarFromTheOrigin) {
+  const Curve curve("far-from-origin");
+  for (const auto& [distance, px] : std::map<double, double>{{1e3, .015}, {1e4, .16}, {1e5, 1.5}, {1e6, 14.5}})
+    curve.expect_naive("rms", distance, px);
+  for (const double distance : {1e3, 1e6}) EXPECT_LT(curve.robust("rms", distance), 1e-4);
+}
+
+TEST(StabilityNumbers, LookingStraightUp) {
+  const Curve curve("lookat-up-forward");
+  for (const auto& [angle, degrees] : std::map<double, double>{{1e-5, .45}, {1e-6, 4.5}, {1e-7, 39}})
+    curve.expect_naive("right vector", angle, degrees);
+  EXPECT_EQ(curve.naive("no right vector", 0), 100);
+  EXPECT_EQ(curve.robust("no right vector", 0), 0);
+}
+
+TEST(StabilityNumbers, Precision) {
+  const Curve curve("precision", 1);
+  curve.expect_naive("float against double", 1e-3, 7312);
+  curve.expect_naive("float against double, size", 1e-3, 2.30);
+  curve.expect_naive("float against double", 1e-1, 590);
+  curve.expect_naive("that epsilon alone, in double", 1e-1, 14198);
+}
+
+TEST(StabilitySampling, Rates) {
+  const Curve curve("supersampling-rate");
+  for (const auto& [samples, error] :
+       std::map<double, std::pair<double, double>>{{16, {.116, .051}}, {64, {.054, .018}}, {256, {.027, .0064}}}) {
+    curve.expect_naive("any edge, random and jitter", samples, error.first);
+    curve.expect_robust("any edge, random and jitter", samples, error.second);
+  }
+  EXPECT_NEAR(curve.naive("any edge, random and jitter, slope", 0), -.50, .05);
+  EXPECT_NEAR(curve.robust("any edge, random and jitter, slope", 0), -.74, .05);
+  EXPECT_NEAR(curve.robust("any edge, grid and Halton, slope", 0), -.77, .07);
+  EXPECT_NEAR(curve.naive("vertical edge, grid and Halton, slope", 0), -.50, .05);
+}
+
+TEST(StabilitySampling, GridsBeat) {
+  const Curve curve("grid-moire");
+  const std::string series = "8 x 8 squares in a pixel";
+  EXPECT_EQ(curve.naive(series, 16), .5);
+  EXPECT_EQ(curve.naive(series, 64), 0);
+  curve.expect_robust(series, 16, .126);
+}
+
+TEST(StabilitySampling, AdaptiveNeverSeesWhatItMissed) {
+  const Curve curve("adaptive-sampling-misses");
+  EXPECT_GT(curve.naive("cost", 1), 1.5 * curve.naive("cost", 16));
+  EXPECT_GT(curve.naive("error", 1), 0.9 * curve.naive("error", 4)) << "the floor";
+  EXPECT_GT(curve.naive("error", 1), 0.5);
+}
+
+TEST(StabilitySampling, DiscsBetweenSamples) {
+  const Curve curve("sub-pixel-disc-missed", 1);
+  for (const double diameter : {0.1, 0.3, 0.5, 0.7, 1.0})
+    EXPECT_NEAR(curve.naive("centres", diameter), 100 * (1 - 3.14159265 * diameter * diameter / 4), 0.4);
+  EXPECT_NEAR(curve.naive("centres and corners", 0.5), 60.7, 0.5);
+  EXPECT_EQ(curve.robust("centres", 0.5), 0);
+}
+
+TEST(StabilitySampling, BarsBetweenTracedPixels) {
+  const Curve curve("subsampling-bars", 1);
+  EXPECT_NEAR(curve.naive("bars 1 px wide", 4), 75, 0.5);
+  EXPECT_NEAR(curve.naive("bars 4 px wide", 8), 50, 0.5);
+  curve.expect_all_robust_zero();
+}
+
+TEST(StabilitySampling, MipLevels) {
+  const Curve curve("mipmap-lod");
+  curve.expect_naive("nearest, far quarter", 0, 113);
+  curve.expect_naive("bilinear, far quarter", 0, 105);
+  curve.expect_naive("trilinear, bias, far quarter", 0, 36);
+  // 4.9 elsewhere; how taps are spread along a footprint differs.
+  EXPECT_LT(curve.naive("anisotropic, taps, far quarter", 16), 10);
+  EXPECT_LT(curve.naive("trilinear, bias", -0.5), curve.naive("trilinear, bias", 0)) << "the best bias is not 0";
+}
+
+TEST(StabilitySampling, TexturesLargerThanTheScreen) {
+  const Curve curve("texture-too-large");
+  const std::string series = "256 px of screen";
+  EXPECT_EQ(curve.naive(series, 256), 0);
+  EXPECT_GT(curve.naive(series, 512), 4);
+  EXPECT_GT(curve.naive(series, 2048), curve.naive(series, 1024));
+  EXPECT_GT(curve.naive(series, 64), curve.naive(series, 128));
+}
+
+}  // namespace
