@@ -31,6 +31,13 @@ TEST(Window, SaysThatThereIsNoOpenGl) {
   EXPECT_NE(result.errors.find("OpenGL"), std::string::npos) << result.errors;
 }
 
+TEST(Window, HelpNamesEveryArgument) {
+  const auto result = run_window("--help");
+  EXPECT_EQ(result.status, 0);
+  for (const char* argument : {"SCENE", "--lesson", "--set", "--set-b", "--permalink", "--size", "--script", "--scale"})
+    EXPECT_NE(result.output.find(argument), std::string::npos) << argument << " in: " << result.output;
+}
+
 TEST(Window, RefusesBadArguments) {
   for (const char* arguments : {"--no-such-option", "--scale 9", "--scale banana", "--script /no/such/file"}) {
     const auto result = run_window(arguments);
@@ -65,6 +72,23 @@ TEST(Window, IdleWindowDrawsNothing) {
   ASSERT_TRUE(lines >> before >> after) << result.output;
   EXPECT_GT(before, 0);
   EXPECT_EQ(after, before);
+}
+
+// A frame like the one before is laid out, but not drawn; anything that changes is.
+TEST(Window, DrawsNoFrameTwice) {
+  const auto folder = ps::fresh_output_folder("gui-no-frame-twice");
+  const auto result = play("wait idle\nwait frames 4\nprint window/frames-drawn\nwait frames 30\n"
+                           "print window/frames-drawn\nset exposure=2\nwait idle\nprint window/frames-drawn\n"
+                           "resize 900x700\nwait idle\nprint window/frames-drawn\n",
+                           folder, "1024x768", "--size 160x120");
+  ASSERT_EQ(result.status, 0) << result.errors;
+  std::istringstream lines(result.output);
+  int before = 0, after = 0, changed = 0, resized = 0;
+  ASSERT_TRUE(lines >> before >> after >> changed >> resized) << result.output;
+  EXPECT_GT(before, 0);
+  EXPECT_EQ(after, before);
+  EXPECT_GT(changed, after);
+  EXPECT_GT(resized, changed);
 }
 
 TEST(Window, RemembersTypeSizeAndTheme) {

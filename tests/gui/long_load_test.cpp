@@ -1,0 +1,55 @@
+// A model that takes long to load: the window stays usable, says what it does, and can be told to stop.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "gui/program.h"
+#include "support/golden.h"
+
+namespace {
+
+/// A sheet of `side` x `side` squares in waves, as Wavefront OBJ.
+void write_sheet(const std::filesystem::path& path, int side) {
+  std::ofstream file(path);
+  for (int y = 0; y <= side; ++y)
+    for (int x = 0; x <= side; ++x) file << "v " << x << ' ' << y << ' ' << (x * 7 + y * 13) % 5 << '\n';
+  for (int y = 0; y < side; ++y)
+    for (int x = 1; x <= side; ++x) {
+      const int low = y * (side + 1) + x, high = low + side + 1;
+      file << "f " << low << ' ' << low + 1 << ' ' << high + 1 << "\nf " << low << ' ' << high + 1 << ' ' << high
+           << '\n';
+    }
+}
+
+TEST(LongLoad, CanBeCancelled) {
+  const auto folder = ps::fresh_output_folder("gui-long-load");
+  const auto model = folder / "sheet.obj";
+  write_sheet(model, 1000);
+  const auto result = ps::test::play("wait idle\n"
+                                     "keep a/picture FIRST\n"
+                                     "keep scene SCENE\n"
+                                     "drop " +
+                                         model.string() +
+                                         "\n"
+                                         "wait until loading contains sheet.obj\n"
+                                         "wait 600\n"  // until the bar comes
+                                         "screenshot " +
+                                         (folder / "loading.png").string() +
+                                         "\n"
+                                         "expect scene $SCENE\n"
+                                         "click-pixel A 310,400\n"  // the window answers while it loads
+                                         "wait until pixel 310,400\n"
+                                         "click status/progress/cancel\n"
+                                         "wait idle\n"
+                                         "expect loading none\n"
+                                         "expect scene $SCENE\n"
+                                         "expect a/picture $FIRST\n"
+                                         "expect messages 0\n"
+                                         "quit\n",
+                                     folder, "1024x768");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  std::filesystem::remove(model);
+}
+
+}  // namespace

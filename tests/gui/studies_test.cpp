@@ -1,0 +1,180 @@
+// The tabs of long studies against the command line: the same errors, the same advice, the same curves.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "gui/program.h"
+#include "support/golden.h"
+
+namespace {
+
+using ps::test::play;
+using ps::test::read_file;
+
+/// Runs pixelscope-cli with its output in a file; answers whether it ended well.
+bool run_cli(const std::string& arguments, const std::filesystem::path& output) {
+  const std::string command =
+      fmt::format("{}/pixelscope-cli {} >{} 2>&1", PIXELSCOPE_BIN_DIR, arguments, output.string());
+  return std::system(command.c_str()) == 0;
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
+
+/// The column "error" of a chart's points.csv. Counted from the end: labels may hold commas.
+std::vector<std::string> errors_of(const std::filesystem::path& csv) {
+  std::vector<std::string> errors;
+  std::istringstream lines(read_file(csv));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields;
+    std::istringstream parts(line);
+    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
+    errors.push_back(fields.at(fields.size() - 3));
+  }
+  return errors;
+}
+
+std::string expect_errors(const std::vector<std::string>& errors) {
+  std::string script;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    script += fmt::format("expect chart/of/{}/error ~= {} 1e-12\n", i, errors[i]);
+  return script;
+}
+
+TEST(Studies, ChartHasTheErrorsOfTheCommandLine) {
+  const auto folder = ps::fresh_output_folder("gui-chart-values");
+  const std::string view = "cgfs/reflections --size 90x90";
+  const auto chart = folder / "chart", merged = folder / "merged", log = folder / "log";
+  ASSERT_TRUE(
+      run_cli(fmt::format("chart {} --sweep reflection-depths --repeats 1 --out {}", view, chart.string()), log))
+      << read_file(log);
+  ASSERT_TRUE(run_cli(fmt::format("chart merge {} --metric flip --out {}", chart.string(), merged.string()), log))
+      << read_file(log);
+  const auto rmse = errors_of(chart / "points.csv"), flip = errors_of(merged / "points.csv");
+  ASSERT_EQ(rmse.size(), 7u);
+  ASSERT_EQ(flip.size(), 7u);
+  ASSERT_NE(rmse[0], rmse[1]);
+  const auto saved = folder / "saved.csv";
+  const auto result = play("wait idle\nclick bottom/chart\nchoose chart/sweep reflection-depths\nclick chart/measure\n"
+                           "wait idle\nexpect chart/measured 7\n" +
+                               expect_errors(rmse) + "choose chart/metric flip\n" + expect_errors(flip) +
+                               "click chart/export\nclick chart/csv\nkey Ctrl+A\ntype " + saved.string() +
+                               "\nclick file/ok\nwait idle\n"
+                               "click chart/export\nclick chart/command\nprint clipboard\nquit\n",
+                           folder, "1280x800", view);
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+  EXPECT_EQ(errors_of(saved), flip);
+  // What the window copies is the command that measures the same.
+  const std::string program = "pixelscope-cli ", end = " --out chart\n";
+  ASSERT_TRUE(result.output.starts_with(program) && result.output.ends_with(end)) << result.output;
+  std::string command = result.output.substr(program.size(), result.output.size() - program.size() - end.size());
+  const auto again = folder / "again";
+  ASSERT_TRUE(run_cli(command + " --out " + again.string(), log)) << command << read_file(log);
+  EXPECT_EQ(errors_of(again / "points.csv"), flip);
+}
+
+TEST(Studies, ChartOfARectangleHasTheErrorsOfTheCommandLine) {
+  const auto folder = ps::fresh_output_folder("gui-chart-rectangle");
+  const std::string view = "cgfs/reflections --size 120x120";
+  const auto result = play("wait idle\nkey 1\nwait idle\ndrag view/a/picture 40,30 shift\nwait idle\n"
+                           "click bottom/chart\nchoose chart/sweep renderers\nclick chart/change\n"
+                           "click chart/setup/part/rectangle\nclick chart/setup/measured-in/linear\nkey Esc\n"
+                           "click chart/measure\nwait idle\nexpect chart/status contains rectangle\n"
+                           "print region\nprint chart/of/0/error\nprint chart/of/1/error\nquit\n",
+                           folder, "1280x800", view);
+  ASSERT_EQ(result.status, 0) << result.errors;
+  std::istringstream lines(result.output);
+  std::string region;
+  double ray_tracer = 0, rasterizer = 0;
+  lines >> region >> ray_tracer >> rasterizer;
+  const auto chart = folder / "chart", log = folder / "log";
+  ASSERT_TRUE(run_cli(
+      fmt::format("chart {} --sweep renderers --linear --region {} --repeats 1 --out {}", view, region, chart.string()),
+      log))
+      << read_file(log);
+  const auto errors = errors_of(chart / "points.csv");
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_DOUBLE_EQ(ray_tracer, std::stod(errors[0]));
+  EXPECT_DOUBLE_EQ(rasterizer, std::stod(errors[1]));
+  EXPECT_NE(ray_tracer, rasterizer);
+}
+
+class Needs : public testing::TestWithParam<const char*> {};
+
+TEST_P(Needs, AreThoseOfTheCommandLine) {
+  const std::string scene = GetParam();
+  const auto folder = ps::fresh_output_folder("gui-needs-" + scene.substr(scene.find('/') + 1));
+  const std::string view = scene + " --size 90x90";
+  const auto log = folder / "needs.json";
+  ASSERT_TRUE(run_cli(fmt::format("needs {} --repeats 1 --json", view), log)) << read_file(log);
+  const auto needs = nlohmann::json::parse(read_file(log));
+  std::string script = "wait idle\nclick bottom/needs\nclick needs/measure\nwait idle\n";
+  script += fmt::format("expect needs/error ~= {} 1e-12\n", needs.at("error").get<double>());
+  script += fmt::format("expect needs/work {}\n", needs.at("work").get<std::uint64_t>());
+  script += fmt::format("expect needs/default-work {}\n", needs.at("default_work").get<std::uint64_t>());
+  for (const auto& feature : needs.at("features")) {
+    const std::string name = "needs/of/" + feature.at("name").get<std::string>() + "/";
+    script += fmt::format("expect {}used {}\n", name, feature.at("used").get<bool>() ? "on" : "off");
+    if (!feature.at("used").get<bool>()) continue;
+    script += fmt::format("expect {}error-without ~= {} 1e-12\n", name, feature.at("error_without").get<double>());
+  }
+  const auto result = play(script + "quit\n", folder, "1280x800", view);
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Studies, Needs, testing::Values("cgfs/crates", "cgfs/cubes"));
+
+TEST(Studies, StabilityHasTheCurvesOfTheCommandLine) {
+  const auto folder = ps::fresh_output_folder("gui-stability-values");
+  const std::string name = "srgb-averaging";
+  const auto log = folder / "log";
+  ASSERT_TRUE(run_cli(fmt::format("stability {} --out {}", name, folder.string()), log)) << read_file(log);
+  std::istringstream lines(read_file(folder / (name + ".csv")));
+  std::string line, script = fmt::format("wait idle\nclick bottom/stability\nclick stability/fill\n"
+                                         "click stability/{}\nwait idle\nexpect stability/shown {}\n",
+                                         name, name);
+  std::getline(lines, line);
+  int rows = 0;
+  while (std::getline(lines, line)) {
+    const auto quote = line.find('"', line.find('"') + 1);  // behind the name of the series
+    std::istringstream fields(line.substr(quote + 2));
+    std::string naive, robust;
+    std::getline(fields, naive, ',');
+    std::getline(fields, robust, ',');
+    script += fmt::format("expect stability/row/{0}/naive ~= {1} 1e-12\nexpect stability/row/{0}/robust ~= {2} 1e-12\n",
+                          rows++, naive, robust);
+  }
+  ASSERT_GT(rows, 3);
+  const auto result = play(script + "quit\n", folder, "1280x800");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
+}
+
+TEST(Studies, ResultsAreKeptFromOneStartToTheNext) {
+  const auto folder = ps::fresh_output_folder("gui-chart-kept");
+  const std::string state = "env XDG_STATE_HOME=" + std::filesystem::absolute(folder / "state").string();
+  const std::string begin = "wait idle\nclick bottom/chart\nchoose chart/sweep reflection-depths\n";
+  const auto first = folder / "first.script", second = folder / "second.script";
+  write_file(first, begin + "expect chart/measure Measure\nclick chart/measure\nwait until chart/measured > 0\n"
+                            "click chart/cancel\nwait until chart/running off\n"
+                            "expect chart/measure Resume\nexpect chart/measured < 7\nquit\n");
+  write_file(second, begin + "expect chart/measure Resume\nclick chart/measure\nwait idle\n"
+                             "expect chart/measured 7\nexpect chart/of/6/runs 5\nquit\n");
+  for (const auto& script : {first, second}) {
+    const auto result = ps::test::run_window(
+        "--window-size 1280x800 cgfs/reflections --size 500x500 --script " + script.string(), state);
+    EXPECT_EQ(result.status, 0) << result.errors;
+  }
+}
+
+}  // namespace
