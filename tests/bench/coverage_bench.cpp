@@ -15,7 +15,7 @@
 namespace ps::bench {
 namespace {
 
-struct Picture {
+struct StrategyPicture {
   Scene scene;
   View view;
   Settings settings;
@@ -36,22 +36,22 @@ void make_plain(Settings& settings) {
   settings.simd = Simd::off;
 }
 
-Picture small_triangles() {
+StrategyPicture small_triangles() {
   const auto mesh = bench_mesh("teapot");
-  Picture picture{mesh_scene(mesh), framed_view(*mesh, 160, 120), {}};
+  StrategyPicture picture{mesh_scene(mesh), framed_view(*mesh, 160, 120), {}};
   make_plain(picture.settings);
   return picture;
 }
 
-Picture large_triangles() {
+StrategyPicture large_triangles() {
   Scene scene = load_scene("cgfs/depth");
-  Picture picture{scene, {scene.camera, 640, 640}, settings_for(scene)};
+  StrategyPicture picture{scene, {scene.camera, 640, 640}, settings_for(scene)};
   make_plain(picture.settings);
   return picture;
 }
 
-Job strategy_job(const Picture& start, Coverage strategy) {
-  const auto ours = std::make_shared<Picture>(start), yardstick = std::make_shared<Picture>(start);
+Job strategy_job(const StrategyPicture& start, Coverage strategy) {
+  const auto ours = std::make_shared<StrategyPicture>(start), yardstick = std::make_shared<StrategyPicture>(start);
   ours->settings.coverage = strategy;
   Job job;
   job.ours = [ours] { ours->draw(); };

@@ -9,7 +9,7 @@
 namespace ps::bench {
 namespace {
 
-struct Picture {
+struct CurvePicture {
   Scene scene;
   View view;
   Settings settings;
@@ -18,7 +18,7 @@ struct Picture {
 
 Job curve_job(int triangles, int width, int height) {
   const std::shared_ptr<const Mesh> mesh = sphere_of(triangles);
-  const auto picture = std::make_shared<Picture>();
+  const auto picture = std::make_shared<CurvePicture>();
   picture->scene = mesh_scene(mesh);
   picture->view = framed_view(*mesh, width, height);
   picture->settings.renderer = Renderer::rasterizer;

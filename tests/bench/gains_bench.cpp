@@ -8,13 +8,14 @@
 
 #include "bench/bench.h"
 #include "bench/meshes.h"
+#include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
 
 namespace ps::bench {
 namespace {
 
-struct Picture {
+struct GainPicture {
   Scene scene;
   View view;
   Settings settings;
@@ -36,12 +37,12 @@ Settings plain_settings() {
   return settings;
 }
 
-Picture book_picture() {
+GainPicture book_picture() {
   const Scene scene = load_scene("cgfs/reflections");
   return {scene, View{scene.camera, 320, 320}, plain_settings()};
 }
 
-Picture mesh_picture(int width, int height) {
+GainPicture mesh_picture(int width, int height) {
   const auto mesh = bench_mesh("teapot");
   return {mesh_scene(mesh), framed_view(*mesh, width, height), plain_settings()};
 }
@@ -54,8 +55,8 @@ double share_of_differing(const Frame& a, const Frame& b) {
   return static_cast<double>(differing) / static_cast<double>(a.colour.pixels().size());
 }
 
-Job gain_job(const Picture& start, const Change& with, const Change& without, double allowed_share) {
-  const auto ours = std::make_shared<Picture>(start), yardstick = std::make_shared<Picture>(start);
+Job gain_job(const GainPicture& start, const Change& with, const Change& without, double allowed_share) {
+  const auto ours = std::make_shared<GainPicture>(start), yardstick = std::make_shared<GainPicture>(start);
   with(ours->settings);
   without(yardstick->settings);
   Job job;
@@ -70,7 +71,7 @@ Job gain_job(const Picture& start, const Change& with, const Change& without, do
   return job;
 }
 
-Bench gain(const std::string& name, const std::string& without_name, std::function<Picture()> picture, Change with,
+Bench gain(const std::string& name, const std::string& without_name, std::function<GainPicture()> picture, Change with,
            Change without, double allowed_share = 0) {
   return {"gains/" + name, "ms", without_name,
           [picture = std::move(picture), with = std::move(with), without = std::move(without), allowed_share] {
@@ -111,6 +112,27 @@ Benches gains_benches() {
     benches.push_back(gain(
         fmt::format("subsampling-{}/book", step), "every pixel searched", book_picture,
         [step](Settings& s) { s.subsampling = step; }, nothing, 0.01));
+  for (const int step : {2, 8})  // beside the fast path
+    benches.push_back(gain(
+        fmt::format("subsampling-{}/book-simd", step), "every pixel searched",
+        [] {
+          GainPicture picture = book_picture();
+          picture.settings.simd = Simd::automatic;
+          return picture;
+        },
+        [step](Settings& s) { s.subsampling = step; }, nothing, 0.01));
+  for (const auto accelerator : {Accelerator::none, Accelerator::bvh})
+    benches.push_back(gain(
+        fmt::format("subsampling-8/headline-{}", accelerator == Accelerator::none ? "none" : "bvh"),
+        "every pixel searched",
+        [accelerator] {
+          const Scene scene = load_scene("octree/headline");
+          GainPicture picture{scene, View{scene.camera, 160, 120}, settings_for(scene)};
+          picture.settings.threads = 1;
+          picture.settings.accelerator = accelerator;
+          return picture;
+        },
+        [](Settings& s) { s.subsampling = 8; }, nothing, 0.02));
   benches.push_back(gain(
       "adaptive-16/book", "16 samples everywhere", book_picture,
       [](Settings& s) {

@@ -9,7 +9,7 @@
 namespace ps::bench {
 namespace {
 
-struct Subject {
+struct RayCurveSubject {
   OurRays ours;
   std::vector<BenchRay> rays;
   std::vector<BenchHit> hits;
@@ -17,10 +17,10 @@ struct Subject {
 
 Job curve_job(int triangles) {
   const std::shared_ptr<const Mesh> mesh = sphere_of(triangles);
-  const std::shared_ptr<Subject> subject(
-      new Subject{OurRays(mesh_scene(mesh), Settings{}, std::make_shared<Prepared>()),
-                  primary_rays(framed_view(*mesh, 640, 480)),
-                  {}});
+  const std::shared_ptr<RayCurveSubject> subject(
+      new RayCurveSubject{OurRays(mesh_scene(mesh), Settings{}, std::make_shared<Prepared>()),
+                          primary_rays(framed_view(*mesh, 640, 480)),
+                          {}});
   subject->hits.resize(subject->rays.size());
   Job job;
   job.ours = [subject] { subject->ours.nearest(subject->rays, subject->hits); };

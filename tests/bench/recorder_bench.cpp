@@ -52,7 +52,7 @@ void walk_without_recorder(const Bvh<float>& bvh, const SlabRay<float>& ray, con
   }
 }
 
-struct Subject {
+struct RecorderSubject {
   Prepared prepared;
   TraceInputs<float> inputs;
   std::vector<BenchRay> rays;
@@ -78,7 +78,7 @@ struct Subject {
 
 Job silent_job() {
   const std::shared_ptr<const Mesh> mesh = bench_mesh("teapot");
-  const auto subject = std::make_shared<Subject>();
+  const auto subject = std::make_shared<RecorderSubject>();
   const View view = framed_view(*mesh, 512, 384);
   subject->inputs = make_trace_inputs<float>(mesh_scene(mesh), view, Settings{}, subject->prepared);
   subject->rays = primary_rays(view);
