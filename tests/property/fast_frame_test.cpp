@@ -2,7 +2,6 @@
 // a pixel, small, large, cut by the planes and by the guard band, flat, behind the camera, one before the other; and on
 // the scenes that Pixelscope ships with, under options drawn at random.
 #include <cstdlib>
-#include <cstring>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -12,9 +11,12 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/random_scene.h"
+#include "support/same_bits.h"
 
 namespace ps {
 namespace {
+
+using ps::test::same_bits;
 
 /// Triangles without any order, of sizes from a hundredth of a pixel to the whole picture, with and without normals.
 std::shared_ptr<const Mesh> soup(std::mt19937& random, int triangles) {
@@ -95,11 +97,6 @@ Frame draw(const Scene& scene, const Settings& settings, int width, int height) 
   static Prepared prepared;  // what scenes are made into does not depend on how it is drawn
   Progress progress;
   return render(scene, {scene.camera, width, height}, settings, {}, prepared, progress);
-}
-
-bool same_bits(const Image<Vec3f>& a, const Image<Vec3f>& b) {
-  return a.pixels().size() == b.pixels().size() &&
-         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
 }
 
 void expect_equal(const Frame& clear, const Frame& fast, const std::string& what) {

@@ -9,9 +9,12 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/random_scene.h"
+#include "support/same_bits.h"
 
 namespace ps {
 namespace {
+
+using ps::test::same_bits;
 
 constexpr int walks = 500;
 constexpr int steps = 4;
@@ -85,12 +88,6 @@ Frame frame(const Scene& scene, const View& view, const Settings& settings, Prep
   RenderRequest request;
   request.channels = Channel::depth | Channel::ids;
   return render(scene, view, settings, request, prepared, progress);
-}
-
-template <class T>
-bool same_bits(const Image<T>& a, const Image<T>& b) {
-  return a.width() == b.width() && a.height() == b.height() &&
-         (a.empty() || std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0);
 }
 
 // The metamorphic test of Prepared: whatever was rendered before, a picture made with what is kept from it equals one

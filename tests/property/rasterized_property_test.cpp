@@ -1,7 +1,6 @@
 // What must hold for every scene and setting: pictures and counters do not depend on threads, and the inspector repeats
 // the picture's own bits.
 #include <algorithm>
-#include <cstring>
 #include <mutex>
 #include <random>
 
@@ -11,9 +10,12 @@
 #include "options/option.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/same_bits.h"
 
 namespace ps {
 namespace {
+
+using ps::test::same_bits;
 
 constexpr Channel all_channels = static_cast<Channel>(0x3ff);
 
@@ -42,13 +44,6 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, Chann
   RenderRequest request;
   request.channels = channels;
   return render(scene, view, settings, request, prepared, progress);
-}
-
-/// Equal bits, NaN included.
-template <class T>
-bool same_bits(const Image<T>& a, const Image<T>& b) {
-  if (a.width() != b.width() || a.height() != b.height()) return false;
-  return a.empty() || std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
 }
 
 TEST(Rasterized, IsTheSameForAnyNumberOfThreads) {

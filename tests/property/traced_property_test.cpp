@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <cstring>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -13,12 +12,14 @@
 #include "image/display.h"
 #include "render/render.h"
 #include "support/random_scene.h"
+#include "support/same_bits.h"
 #include "support/trials.h"
 
 namespace {
 
 using namespace ps;
 using ps::test::random_scene;
+using ps::test::same_bits;
 
 constexpr Channel all_channels = static_cast<Channel>((1u << 12) - 1);
 
@@ -28,12 +29,6 @@ Frame traced(const Scene& scene, const Settings& settings, RenderRequest request
   Progress progress;
   request.channels = all_channels;
   return render_traced(scene, View{scene.camera, width, height}, settings, request, prepared, progress);
-}
-
-template <class T>
-bool same_bits(const Image<T>& a, const Image<T>& b) {
-  return a.width() == b.width() && a.height() == b.height() &&
-         (a.empty() || std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0);
 }
 
 enum class Tests { compare, ignore };

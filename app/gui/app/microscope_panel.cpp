@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "gui/app/same_scene.h"
 #include "gui/app/space_panel.h"
 #include "gui/widgets/draw.h"
 #include "inspect/microscope/micro_svg.h"
@@ -17,11 +18,6 @@ namespace {
 constexpr double number_width = 82, name_width = 134;  // of the table's columns
 constexpr std::size_t most_rows = 40;
 
-bool same_scene(const Scene& a, const Scene& b) {
-  return a.geometry.revision() == b.geometry.revision() && a.lights.revision() == b.lights.revision() &&
-         a.materials.revision() == b.materials.revision() && a.textures.revision() == b.textures.revision() &&
-         a.background == b.background;
-}
 bool same_pixel(const MicroRequest& a, const MicroRequest& b) {
   return same_scene(a.scene, b.scene) && a.view == b.view && a.settings == b.settings && a.pixel == b.pixel;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gui/app/same_scene.h"
 #include "gui/widgets/draw.h"
 #include "render/render.h"
 
@@ -21,10 +22,7 @@ Image<float> count_tests(const CostRequest& request, Prepared& prepared, Progres
 }
 
 bool same_cost(const CostRequest& a, const CostRequest& b) {
-  return a.scene.geometry.revision() == b.scene.geometry.revision() &&
-         a.scene.lights.revision() == b.scene.lights.revision() &&
-         a.scene.materials.revision() == b.scene.materials.revision() &&
-         a.scene.textures.revision() == b.scene.textures.revision() && a.view == b.view && a.settings == b.settings;
+  return same_scene(a.scene, b.scene) && a.view == b.view && a.settings == b.settings;
 }
 
 bool still(Session& session) { return !session.busy() && !session.has_news(); }

@@ -323,7 +323,7 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
 
   state.worker.request({session.scene(), viewer(state, width, height), near_of(state, aspect)});
   state.worker.take_news();
-  if (const auto picture = state.worker.picture();
+  if (const auto picture = state.worker.result();
       picture && (picture != state.picture || state.paper != theme().brightness())) {
     state.picture = picture;
     state.paper = theme().brightness();
