@@ -39,4 +39,13 @@ if(PIXELSCOPE_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
+# Once from nothing, a dozen files at once are quicker; with a compiler cache, and after a change, files alone are.
+# Sanitized code is so slow to compile that it is never worth it.
+if(PIXELSCOPE_SANITIZE OR NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(unity_by_default ON)
+else()
+  set(unity_by_default OFF)
+endif()
+option(PIXELSCOPE_UNITY "Compile a dozen files of a target as one" ${unity_by_default})
+
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)

@@ -60,7 +60,7 @@ bool is_one_of(std::string_view word, const auto& list) {
 
 std::vector<std::string_view> mtl_words() {
   std::vector<std::string_view> words(drawn_colours.begin(), drawn_colours.end());
-  words.insert(words.end(), {"newmtl", "Ns", "Ni", "d", "Tr", "illum", "map_Kd"});
+  for (const char* word : {"newmtl", "Ns", "Ni", "d", "Tr", "illum", "map_Kd"}) words.push_back(word);
   words.insert(words.end(), reliefs.begin(), reliefs.end());
   for (const NotDrawn& statement : not_drawn) words.push_back(statement.word);
   return words;

@@ -9,11 +9,6 @@
 #include "scene/generate/torus_knot.h"
 
 namespace ps::bench {
-namespace {
-
-Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
-
-}  // namespace
 
 std::shared_ptr<const Mesh> bench_mesh(const std::string& name) {
   if (name == "teapot") return std::make_shared<const Mesh>(make_teapot());
@@ -55,8 +50,8 @@ View framed_view(const Mesh& mesh, int width, int height) {
   view.width = width;
   view.height = height;
   Camera& camera = view.camera;
-  camera.forward = unit(Vec3d{-0.5, 1, -0.45});  // the meshes stand on z, as the teapot does
-  camera.right = unit(cross(camera.forward, Vec3d{0, 0, 1}));
+  camera.forward = glm::normalize(Vec3d{-0.5, 1, -0.45});  // the meshes stand on z, as the teapot does
+  camera.right = glm::normalize(cross(camera.forward, Vec3d{0, 0, 1}));
   camera.up = cross(camera.right, camera.forward);
   camera.position = bounds.centre - camera.forward * (2.7 * bounds.radius);
   double half_height = 0;

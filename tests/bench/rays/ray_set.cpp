@@ -13,8 +13,6 @@
 namespace ps::bench {
 namespace {
 
-Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
-
 /// In [0, 1). Not a standard distribution, whose numbers differ between libraries.
 double uniform(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }
 
@@ -43,7 +41,7 @@ SurfacePoints surface_points(const Mesh& mesh, std::span<const BenchRay> primary
     if (hits[i].triangle == no_hit) continue;
     const auto& corners = mesh.triangles[hits[i].triangle].position;
     const Vec3d a = mesh.positions[corners[0]];
-    Vec3d normal = unit(cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a));
+    Vec3d normal = glm::normalize(cross(mesh.positions[corners[1]] - a, mesh.positions[corners[2]] - a));
     const Vec3d direction(primary[i].direction);
     if (dot(normal, direction) > 0) normal = -normal;
     const Vec3d point = Vec3d(primary[i].origin) + static_cast<double>(hits[i].t) * direction + lift * normal;
@@ -68,7 +66,7 @@ std::vector<BenchRay> random_rays(const SurfacePoints& surface) {
     const double r = std::sqrt(std::max(0.0, 1 - z * z));
     const Vec3d on_sphere{r * std::cos(angle), r * std::sin(angle), z};
     const Vec3d direction = Vec3d(surface.normals[i]) + 0.999 * on_sphere;
-    rays.push_back({surface.points[i], Vec3f(unit(direction)), std::numeric_limits<float>::infinity()});
+    rays.push_back({surface.points[i], Vec3f(glm::normalize(direction)), std::numeric_limits<float>::infinity()});
   }
   for (std::size_t i = rays.size(); i > 1; --i) std::swap(rays[i - 1], rays[random() % i]);
   return rays;
