@@ -16,7 +16,7 @@ std::string read_file(const std::filesystem::path& path) {
   return text.str();
 }
 
-ProgramResult run_window(const std::string& arguments, const std::string& before) {
+WindowRun run_window(const std::string& arguments, const std::string& before) {
   static int count = 0;
   const auto folder = std::filesystem::temp_directory_path() /
                       ("pixelscope-gui-" + std::to_string(getpid()) + "-" + std::to_string(++count));
@@ -25,12 +25,12 @@ ProgramResult run_window(const std::string& arguments, const std::string& before
   const std::string command =
       before + " " PIXELSCOPE_BIN_DIR "/pixelscope " + arguments + " >" + out + " 2>" + err + " </dev/null";
   const int ended = std::system(command.c_str());
-  ProgramResult result{WIFEXITED(ended) ? WEXITSTATUS(ended) : -1, read_file(out), read_file(err)};
+  WindowRun result{WIFEXITED(ended) ? WEXITSTATUS(ended) : -1, read_file(out), read_file(err)};
   std::filesystem::remove_all(folder);
   return result;
 }
 
-ProgramResult play(const std::string& commands, const std::filesystem::path& folder, const std::string& size,
+WindowRun play(const std::string& commands, const std::filesystem::path& folder, const std::string& size,
                    const std::string& arguments) {
   const auto script = folder / "script.script";
   std::ofstream(script) << commands;
