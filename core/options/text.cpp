@@ -110,4 +110,15 @@ std::optional<std::string_view> inactive_reason(const Option& option, const Sett
   return option.inactive ? option.inactive(settings, traits) : std::nullopt;
 }
 
+std::optional<std::string_view> inactive_choice_reason(const Choice& choice, const Settings& settings,
+                                                       const SceneTraits& traits) {
+  return choice.inactive ? choice.inactive(settings, traits) : std::nullopt;
+}
+
+std::optional<std::string_view> inactive_value_reason(const Option& option, const Settings& settings,
+                                                      const SceneTraits& traits) {
+  if (option.kind != OptionKind::choice) return {};
+  return inactive_choice_reason(option.choices.at(static_cast<std::size_t>(option.get(settings))), settings, traits);
+}
+
 }  // namespace ps

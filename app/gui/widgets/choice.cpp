@@ -10,6 +10,16 @@ std::string part_name(std::string_view name, std::string_view key) {
   return std::string(name) + "/" + std::string(key);
 }
 
+/// Why choice `i` cannot act now.
+std::string_view idle_reason(const ControlStyle& style, std::size_t i) {
+  return i < style.idle.size() ? style.idle[i] : std::string_view{};
+}
+
+/// A choice that cannot act is greyed, but can be taken: other settings may wake it.
+ImVec4 choice_colour(const ControlStyle& style, std::size_t i) {
+  return idle_reason(style, i).empty() ? text_colour(style) : palette().text_disabled;
+}
+
 float segment_width(const Choice& choice) { return text_width(choice.label) + 2 * ImGui::GetStyle().FramePadding.x; }
 
 bool segments(std::string_view name, std::span<const Choice> choices, int& index, float width,
@@ -38,13 +48,13 @@ bool segments(std::string_view name, std::span<const Choice> choices, int& index
     draw.AddRectFilled(min, max, colour_u32(style.disabled.empty() ? state_colour(idle, style) : idle), rounding);
     if (i > 0 && !chosen && static_cast<std::size_t>(index) + 1 != i)
       draw.AddLine({min.x, min.y + px(6)}, {min.x, max.y - px(6)}, colour_u32(p.line));
-    draw_text(min, max, choices[i].label, text_colour(style), 0.5f);
+    draw_text(min, max, choices[i].label, choice_colour(style, i), 0.5f);
     if (chosen)
       draw.AddRectFilled({min.x + px(8), max.y - px(3)}, {max.x - px(8), max.y - px(1)},
                          colour_u32(text_colour(style)));
     controls().record(part, chosen ? "on" : "off", style.disabled.empty());
     const ControlStyle own{.tooltip = style.tooltip.empty() ? choices[i].help : style.tooltip,
-                           .disabled = style.disabled};
+                           .disabled = style.disabled.empty() ? idle_reason(style, i) : style.disabled};
     style_tooltip(own);
   }
   ImGui::EndGroup();
@@ -65,13 +75,15 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   outline(min, max, p.line);
   const float arrow = px(18);
   const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(choices.size()) - 1));
-  draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, choices[chosen].label, text_colour(style), 0);
+  draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, choices[chosen].label, choice_colour(style, chosen), 0);
   const float x = max.x - arrow / 2 - px(2), y = (min.y + max.y) / 2;
   const ImU32 ink = colour_u32(style.disabled.empty() ? p.text_quiet : p.text_disabled);
   draw.AddLine({x - px(4), y - px(2)}, {x, y + px(2)}, ink, px(1.5));
   draw.AddLine({x, y + px(2)}, {x + px(4), y - px(2)}, ink, px(1.5));
   controls().record(name, std::string(choices[chosen].key), style.disabled.empty());
-  style_tooltip(style);
+  ControlStyle own = style;
+  if (own.disabled.empty()) own.disabled = idle_reason(style, chosen);
+  style_tooltip(own);
 
   bool changed = false;
   // Below the field, or above it where there is no room below.
@@ -86,12 +98,14 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return false;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const std::string label(choices[i].label);
+    ImGui::PushStyleColor(ImGuiCol_Text, choice_colour({.idle = style.idle}, i));
     if (ImGui::Selectable(label.c_str(), i == chosen) && i != chosen) {
       index = static_cast<int>(i);
       changed = true;
     }
+    ImGui::PopStyleColor();
     controls().record(part_name(name, choices[i].key), i == chosen ? "on" : "off");
-    if (!choices[i].help.empty()) tooltip(choices[i].help);
+    style_tooltip({.tooltip = choices[i].help, .disabled = idle_reason(style, i)});
   }
   ImGui::EndPopup();
   return changed;

@@ -126,6 +126,10 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   const Palette& p = palette();
   OptionRowResult result;
   const auto reason = inactive_reason(option, settings, traits);
+  std::vector<std::string_view> idle;
+  for (const Choice& choice : option.choices)
+    idle.push_back(inactive_choice_reason(choice, settings, traits).value_or(std::string_view{}));
+  const auto idle_value = inactive_value_reason(option, settings, traits);
   const ControlStyle base{.disabled = reason.value_or(std::string_view{})};
   ImGui::PushID(full_name(option.key).c_str());
   const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -159,14 +163,15 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   const float label_room = stacked ? room - mark : label_width;
   ImGui::Dummy({label_room, height});
   draw_text({start.x + mark, start.y}, {start.x + mark + label_room - px(6), start.y + height}, option.label,
-            reason ? p.text_disabled : p.text, 0);
-  option_tooltip(option, settings, context, base.disabled);
+            reason || idle_value ? p.text_disabled : p.text, 0);
+  option_tooltip(option, settings, context, reason ? *reason : idle_value.value_or(std::string_view{}));
 
   const ImVec2 place =
       stacked ? ImVec2{start.x + mark, start.y + height} : ImVec2{start.x + mark + label_width, start.y};
   ImGui::SetCursorScreenPos(place);
   ControlStyle style = base;
   style.width = start.x + room - reset - place.x;
+  style.idle = idle;
   // The label's tooltip explains; the control itself adds only why it is greyed.
   result.edit = option_control(option, settings, style);
   if (option.get(settings) != option.default_value()) {

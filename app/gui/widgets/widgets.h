@@ -22,6 +22,7 @@ struct ControlStyle {
   std::string_view tooltip = {};   ///< what it does; wrapped
   std::string_view disabled = {};  ///< not empty: greyed, and this reason is shown in the tooltip
   float width = 0;                 ///< 0 = as wide as its text (buttons) or the space that is left (others)
+  std::span<const std::string_view> idle = {};  ///< of choices, one for each: why it cannot act now, or nothing
 };
 
 // --- buttons.cpp ---
