@@ -26,13 +26,17 @@ struct SlabRay {
 
   SlabRay() = default;
   SlabRay(const Vec3<Real>& origin, const Vec3<Real>& direction, Real pad, SlabForm slab_form = SlabForm::robust)
+      : SlabRay(origin, direction, Vec3<Real>(pad), slab_form) {}
+  /// With a pad for each axis.
+  SlabRay(const Vec3<Real>& origin, const Vec3<Real>& direction, const Vec3<Real>& pad,
+          SlabForm slab_form = SlabForm::robust)
       : form(slab_form) {
     for (int axis = 0; axis < 3; ++axis) {
       inverse[axis] = Real(1) / direction[axis];
       const bool down = std::signbit(direction[axis]);
       negative[static_cast<std::size_t>(axis)] = down;
-      entering[axis] = down ? origin[axis] - pad : origin[axis] + pad;
-      leaving[axis] = down ? origin[axis] + pad : origin[axis] - pad;
+      entering[axis] = down ? origin[axis] - pad[axis] : origin[axis] + pad[axis];
+      leaving[axis] = down ? origin[axis] + pad[axis] : origin[axis] - pad[axis];
     }
   }
 };

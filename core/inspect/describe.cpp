@@ -19,7 +19,8 @@ struct Describer {
                        vector_text(e.direction));
   }
   std::string operator()(const NodeEvent& e) const {
-    return fmt::format("box {} on level {}: {}", e.node, e.level, e.entered ? "entered" : "passed by");
+    const std::string place = e.object < 0 ? "" : fmt::format(" in the model of {}", object_name(scene, e.object));
+    return fmt::format("box {} on level {}{}: {}", e.node, e.level, place, e.entered ? "entered" : "passed by");
   }
   std::string operator()(const SphereTestEvent& e) const {
     std::string text = fmt::format("{}: {}", primitive_name(scene, e.id), outcome_text(e.outcome));

@@ -26,11 +26,13 @@ Fields fields(const RayEvent& e) {
 }
 
 Fields fields(const NodeEvent& e) {
-  return {{"node", whole(e.node)},
-          {"level", whole(e.level)},
-          {"low", list(e.low)},
-          {"high", list(e.high)},
-          {"entered", e.entered}};
+  Fields f{{"node", whole(e.node)},
+           {"level", whole(e.level)},
+           {"low", list(e.low)},
+           {"high", list(e.high)},
+           {"entered", e.entered}};
+  if (e.object >= 0) f.push_back({"model-of", PixelId{e.object, -1}});
+  return f;
 }
 
 Fields fields(const SphereTestEvent& e) {

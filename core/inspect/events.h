@@ -34,6 +34,7 @@ struct NodeEvent {
   int level = 0;
   Vec3d low{0, 0, 0}, high{0, 0, 0};
   bool entered = false;
+  int object = -1;  ///< the instance in whose model space the box lies; -1 = in the world
 };
 
 enum class TestOutcome {

@@ -8,6 +8,7 @@
 #include "inspect/number_text.h"
 #include "inspect/space_parts.h"
 #include "inspect/story_tree.h"
+#include "scene/world.h"
 
 namespace ps {
 namespace {
@@ -144,17 +145,40 @@ class RayParts {
       add_normal(SpaceKind::geometric_normal, hit.point, hit.geometric_normal, like, inputs_, model_);
   }
 
+  const Instance* instance_of(int object) const {
+    const auto& objects = inputs_.scene.geometry->objects;
+    if (object < 0 || static_cast<std::size_t>(object) >= objects.size()) return nullptr;
+    return std::get_if<Instance>(&objects[static_cast<std::size_t>(object)].shape);
+  }
+
+  /// A way along all edges of a box in a model, some of them twice, in the world.
+  static std::vector<Vec3d> placed_box(const NodeEvent& node, const Transform& transform) {
+    std::vector<Vec3d> points;
+    for (const unsigned corner : {0u, 1u, 3u, 2u, 0u, 4u, 5u, 1u, 5u, 7u, 3u, 7u, 6u, 2u, 6u, 4u}) {
+      Vec3d point = node.low;
+      for (int axis = 0; axis < 3; ++axis)
+        if ((corner >> axis & 1u) != 0) point[axis] = node.high[axis];
+      points.push_back(to_world(transform, point));
+    }
+    return points;
+  }
+
   /// A box is drawn once, however many rays come to it; entered if any ray did.
   void add_node(int index, const NodeEvent& node) {
-    const auto [place, first] = nodes_.try_emplace(node.node, model_.items.size());
+    const auto [place, first] = nodes_.try_emplace({node.object, node.node}, model_.items.size());
     if (!first) {
       if (node.entered) model_.items[place->second].emphasised = true;
       return;
     }
     SpaceItem item = part_of(index);
     item.kind = SpaceKind::node;
-    item.shape = SpaceShape::box;
-    item.points = {node.low, node.high};
+    if (const Instance* instance = instance_of(node.object)) {
+      item.shape = SpaceShape::line;
+      item.points = placed_box(node, instance->transform);
+    } else {
+      item.shape = SpaceShape::box;
+      item.points = {node.low, node.high};
+    }
     item.level = node.level;
     item.emphasised = node.entered;
     model_.items.push_back(std::move(item));
@@ -164,7 +188,7 @@ class RayParts {
   const std::vector<Event>& events_;
   SpaceModel& model_;
   std::map<int, std::vector<const LightEvent*>> asked_;  // by the event that they belong to
-  std::map<int, std::size_t> nodes_;                     // item of each node
+  std::map<std::pair<int, int>, std::size_t> nodes_;     // item of each node, by its object and number
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ enum class Environment { none, cube_map, room_map };
 enum class Shadows { traced, none, map, stencil_depth_fail, stencil_depth_pass };
 enum class SelfHit { offset, epsilon, normal_bump };
 enum class EpsilonUnit { ray_parameter, distance };
-enum class Accelerator { bvh, none, bounding_spheres, box, octree, embree };
+enum class Accelerator { bvh, none, bounding_spheres, box, octree, two_level, embree };
 enum class SlabTest { robust, naive };
 enum class TriangleTest { watertight, moeller_trumbore, barycentric, cross_products };
 enum class SphereTest { robust, quadratic };

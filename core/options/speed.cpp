@@ -18,10 +18,17 @@ Reason needs_any_hit(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+Reason needs_single(const Settings& s, const SceneTraits&) {
+  if (s.precision != Precision::float32) return "Embree knows single precision only: the tree of boxes serves";
+  return {};
+}
+
 Reason needs_boxes(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_rays(s, t)) return reason;
   if (s.accelerator == Accelerator::none || s.accelerator == Accelerator::bounding_spheres)
     return "the accelerator has no boxes";
+  const bool others = t.spheres || t.solids || t.csg;
+  if (s.accelerator == Accelerator::embree && !needs_single(s, t) && !others) return "Embree tests its boxes itself";
   return {};
 }
 
@@ -38,9 +45,12 @@ Option accelerator_row() {
        {"bounding-spheres", "bounding spheres", "A sphere around each object, spheres around those, and within."},
        {"box", "one box", "Rays that miss the box around everything are done at once."},
        {"octree", "octree", "Space cut into eight parts, again and again; a triangle stands in all it touches."},
+       {"two-level", "two levels",
+        "A tree for each model, kept once however often it stands in the scene, and a tree over its instances."},
        {"embree", "Embree",
-        "Intel's kernels, for triangles in float (in double the tree of boxes serves). Rays within rounding of an edge "
-        "may find the neighbour, and are counted. Its nodes cannot be told."}});
+        "Intel's kernels, for triangles in float. Rays within rounding of an edge may find the neighbour, and are "
+        "counted. Its nodes cannot be told.",
+        needs_single}});
   if (!EmbreeTriangles::available()) option.choices.pop_back();
   option.maximum = static_cast<double>(option.choices.size()) - 1;
   return option;

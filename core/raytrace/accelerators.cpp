@@ -88,6 +88,9 @@ SimpleAccelerators<Real> simple_accelerators(const Scene& scene, const TracedGeo
       return box;
     });
     break;
+  case Accelerator::two_level:
+    result.two_level = two_level(scene, geometry, prepared);
+    break;
   case Accelerator::octree:
     result.octree = prepared.get<Octree<Real>>(key("octree")
                                                    .add(static_cast<std::uint64_t>(settings.octree_leaf))

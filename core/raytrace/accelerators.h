@@ -3,6 +3,7 @@
 #include "accel/octree.h"
 #include "accel/single_box.h"
 #include "raytrace/embree_triangles.h"
+#include "raytrace/two_level.h"
 
 namespace ps {
 
@@ -19,8 +20,9 @@ struct SimpleAccelerators {
   std::shared_ptr<const BoundingSpheres> spheres;
   std::shared_ptr<const SingleBox<Real>> box;
   std::shared_ptr<const Octree<Real>> octree;
+  std::shared_ptr<const TwoLevel<Real>> two_level;
   std::shared_ptr<const EmbreeGeometry> embree;  ///< in float only
-  bool any() const { return spheres || box || octree || embree; }
+  bool any() const { return spheres || box || octree || two_level || embree; }
 };
 
 template <class Real>

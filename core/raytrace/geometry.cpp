@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "scene/world.h"
-
 namespace ps {
 namespace {
 
@@ -26,26 +24,12 @@ Box<Real> traced_box(const FormBox& box) {
   return result;
 }
 
-/// Twice the area is not 0. Corners are as rays see them; products of floats are exact in double.
-template <class Real>
-bool has_area(const TracedTriangle<Real>& triangle) {
-  const Vec3d a(triangle.a);
-  const Vec3d normal = cross(Vec3d(triangle.b) - a, Vec3d(triangle.c) - a);
-  return dot(normal, normal) > 0;
-}
-
 template <class Real>
 std::int32_t add_attributes(const Mesh& mesh, const MeshTriangle& corners, const std::vector<Vec3d>& world_normals,
                             TracedGeometry<Real>& geometry) {
-  TriangleAttributes<Real> attributes;
-  attributes.has_normals = corners.normal[0] >= 0 && corners.normal[1] >= 0 && corners.normal[2] >= 0;
-  attributes.has_uvs = corners.uv[0] >= 0 && corners.uv[1] >= 0 && corners.uv[2] >= 0;
+  const auto attributes = placed_attributes<Real>(
+      mesh, corners, [&](std::int32_t normal) { return world_normals.at(static_cast<std::size_t>(normal)); });
   if (!attributes.has_normals && !attributes.has_uvs) return -1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (attributes.has_normals)
-      attributes.normals[k] = Vec3<Real>(world_normals.at(static_cast<std::size_t>(corners.normal[k])));
-    if (attributes.has_uvs) attributes.uvs[k] = Vec2<Real>(mesh.uvs.at(static_cast<std::size_t>(corners.uv[k])));
-  }
   geometry.attributes.push_back(attributes);
   return static_cast<std::int32_t>(geometry.attributes.size()) - 1;
 }
@@ -56,7 +40,7 @@ void add_instance(const Scene& scene, std::int32_t object, const Instance& insta
   const Mesh& mesh = *scene.geometry->meshes.at(instance.mesh);
   std::vector<Vec3<Real>> positions;
   positions.reserve(mesh.positions.size());
-  for (const Vec3d& position : mesh.positions) positions.emplace_back(to_world(instance.transform, position));
+  for (const Vec3d& position : mesh.positions) positions.push_back(placed_corner<Real>(instance.transform, position));
   geometry.one_sided_triangles = geometry.one_sided_triangles || instance.sides == Sides::front;
   const Mat3d matrix = normal_matrix(instance.transform, normals);
   std::vector<Vec3d> world_normals;
@@ -80,6 +64,42 @@ void add_instance(const Scene& scene, std::int32_t object, const Instance& insta
                                    instance.sides == Sides::front});
     geometry.triangles.push_back(triangle);
   }
+}
+
+/// The same, sharing the mesh.
+template <class Real>
+void share_instance(std::int32_t object, const Instance& instance, NormalTransform normals,
+                    TracedGeometry<Real>& geometry) {
+  const Mesh& mesh = *geometry.meshes.at(instance.mesh);
+  PlacedInstance placed;
+  placed.object = object;
+  placed.mesh = instance.mesh;
+  placed.first = geometry.numbered;
+  placed.front_only = instance.sides == Sides::front;
+  placed.material = instance.material;
+  placed.transform = instance.transform;
+  placed.normals = normal_matrix(instance.transform, normals);
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const TracedTriangle<Real> triangle = placed_triangle<Real>(placed, mesh, i);
+    if (!has_area(triangle)) {
+      ++geometry.degenerate_triangles;
+      continue;
+    }
+    for (const Vec3<Real>& corner : {triangle.a, triangle.b, triangle.c}) placed.box.include(Vec3d(corner));
+  }
+  geometry.one_sided_triangles = geometry.one_sided_triangles || placed.front_only;
+  geometry.numbers.push_back(
+      {geometry.numbered, NumberRange::Kind::instance, static_cast<std::uint32_t>(geometry.instances.size())});
+  geometry.numbered += count;
+  geometry.instances.push_back(placed);
+}
+
+/// Gives the primitive that was added last its number.
+template <class Real>
+void number_primitive(TracedGeometry<Real>& geometry) {
+  geometry.numbers.push_back(
+      {geometry.numbered++, NumberRange::Kind::primitive, static_cast<std::uint32_t>(geometry.primitives.size()) - 1});
 }
 
 template <class Real>
@@ -133,9 +153,32 @@ void add_solid(std::int32_t object, const CsgNode& root, Sides sides, TracedGeom
   geometry.solid_boxes.push_back(traced_box<Real>(box));
 }
 
+enum class Meshes { unfolded, shared };
+
+/// Sets what is known of all primitives together.
 template <class Real>
-TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals) {
+void measure_shared(TracedGeometry<Real>& geometry) {
+  Box<Real> all;
+  for (const NumberRange& range : geometry.numbers) {
+    if (range.kind == NumberRange::Kind::instance) {
+      const Box<double>& box = geometry.instances[range.index].box;
+      all.include(Box<Real>{Vec3<Real>(box.low), Vec3<Real>(box.high)});
+      continue;
+    }
+    const Primitive& primitive = geometry.primitives[range.index];
+    if (primitive.kind == PrimitiveKind::solid && geometry.solids[primitive.shape].unbounded)
+      geometry.unbounded.push_back(range.first);
+    else
+      all.include(primitive_box(geometry, primitive));
+  }
+  geometry.reach = all.reach();
+}
+
+template <class Real>
+TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals, Meshes meshes) {
   TracedGeometry<Real> geometry;
+  const bool shared = meshes == Meshes::shared;
+  if (shared) geometry.meshes = scene.geometry->meshes;
   const auto& objects = scene.geometry->objects;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const auto object = static_cast<std::int32_t>(i);
@@ -150,9 +193,17 @@ TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals)
       add_solid(object, {{}, {}, *solid}, solid->sides, geometry);
     } else if (const auto* csg = std::get_if<Csg>(&objects[i].shape)) {
       add_solid(object, csg->root, Sides::two, geometry);
+    } else if (shared) {
+      share_instance(object, std::get<Instance>(objects[i].shape), normals, geometry);
+      continue;
     } else {
       add_instance(scene, object, std::get<Instance>(objects[i].shape), normals, geometry);
     }
+    if (shared) number_primitive(geometry);
+  }
+  if (shared) {
+    measure_shared(geometry);
+    return geometry;
   }
   Box<Real> all;
   for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
@@ -209,9 +260,10 @@ template <class Real>
 std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, const Settings& settings,
                                                             Prepared& prepared) {
   Key key("traced geometry");
-  key.add(scene.geometry.revision()).add(precision_key<Real>).add(settings.normal_transform);
-  return prepared.get<TracedGeometry<Real>>(key,
-                                            [&] { return build_geometry<Real>(scene, settings.normal_transform); });
+  const Meshes meshes = settings.accelerator == Accelerator::two_level ? Meshes::shared : Meshes::unfolded;
+  key.add(scene.geometry.revision()).add(precision_key<Real>).add(settings.normal_transform).add(meshes);
+  return prepared.get<TracedGeometry<Real>>(
+      key, [&] { return build_geometry<Real>(scene, settings.normal_transform, meshes); });
 }
 
 template <class Real>

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -8,6 +9,7 @@
 #include "accel/bvh.h"
 #include "accel/wide_bvh.h"
 #include "options/settings.h"
+#include "raytrace/placed_instance.h"
 #include "render/frame.h"
 #include "render/prepared.h"
 #include "scene/form_frame.h"
@@ -19,21 +21,6 @@ template <class Real>
 struct TracedSphere {
   Vec3<Real> centre{0, 0, 0};
   Real radius = 1;
-};
-
-/// World-space corners.
-template <class Real>
-struct TracedTriangle {
-  Vec3<Real> a{0}, b{0}, c{0};
-  std::int32_t attributes = -1;  ///< index into TracedGeometry::attributes; -1 = none
-};
-
-template <class Real>
-struct TriangleAttributes {
-  std::array<Vec3<Real>, 3> normals{};  ///< world space, unit length
-  std::array<Vec2<Real>, 3> uvs{};
-  bool has_normals = false;
-  bool has_uvs = false;
 };
 
 /// A FormFrame in the renderer's precision.
@@ -66,15 +53,29 @@ enum class PrimitiveKind : std::uint32_t { sphere, triangle, solid };
 struct Primitive {
   PixelId id;
   PrimitiveKind kind = PrimitiveKind::sphere;
-  std::uint32_t shape = 0;     ///< index into spheres, triangles or solids
+  std::uint32_t shape = 0;     ///< index into spheres, triangles (where shared: instances) or solids
   std::uint32_t material = 0;  ///< index into Scene::materials; of a CSG object that of its first part
   bool front_only = false;     ///< rays that see its back pass through
 };
 
-/// The scene's geometry as rays see it: instances unfolded into world-space triangles, in the renderer's precision.
+/// Consecutive numbers of primitives, from `first` to the next range.
+struct NumberRange {
+  enum class Kind : std::uint32_t { primitive, instance };
+  std::uint32_t first = 0;
+  Kind kind = Kind::primitive;
+  std::uint32_t index = 0;  ///< into TracedGeometry::primitives or instances
+};
+
+/// The scene's geometry as rays see it, in the renderer's precision. Instances are either unfolded into world-space
+/// triangles, and a primitive's number is its index; or they share their meshes, and `numbers` tells whose it is.
+/// Both give the same triangles, to the last bit, in the same order.
 template <class Real>
 struct TracedGeometry {
   std::vector<Primitive> primitives;
+  std::vector<PlacedInstance> instances;            ///< where meshes are shared
+  std::vector<std::shared_ptr<const Mesh>> meshes;  ///< theirs; they belong to the scene
+  std::vector<NumberRange> numbers;                 ///< where meshes are shared
+  std::uint32_t numbered = 0;                       ///< how many numbers those are
   std::vector<TracedSphere<Real>> spheres;
   std::vector<TracedTriangle<Real>> triangles;
   std::vector<TriangleAttributes<Real>> attributes;
@@ -90,16 +91,78 @@ struct TracedGeometry {
   Real reach = 0;                          ///< the largest absolute coordinate of any bounded primitive's box
 
   std::size_t heap_bytes() const {
-    return owned_bytes(primitives, spheres, triangles, attributes, forms, solids, solid_boxes, steps, unbounded,
-                       bounded);
+    return owned_bytes(primitives, instances, numbers, spheres, triangles, attributes, forms, solids, solid_boxes,
+                       steps, unbounded, bounded) +
+           meshes.capacity() * sizeof meshes[0];
   }
 };
+
+template <class Real>
+inline bool shares_meshes(const TracedGeometry<Real>& geometry) {
+  return !geometry.instances.empty();
+}
+/// Of all numbers that primitives have.
+template <class Real>
+inline std::uint32_t primitive_count(const TracedGeometry<Real>& geometry) {
+  return geometry.numbers.empty() ? static_cast<std::uint32_t>(geometry.primitives.size()) : geometry.numbered;
+}
+
+/// Triangle `triangle` of an instance.
+template <class Real>
+inline Primitive placed_primitive(const TracedGeometry<Real>& geometry, std::uint32_t instance,
+                                  std::uint32_t triangle) {
+  const PlacedInstance& placed = geometry.instances[instance];
+  const Mesh& mesh = *geometry.meshes[placed.mesh];
+  const std::uint32_t own = mesh.triangles[triangle].material;
+  return {{placed.object, static_cast<std::int32_t>(triangle)},
+          PrimitiveKind::triangle,
+          instance,
+          placed.material ? *placed.material : mesh.materials[own],
+          placed.front_only};
+}
+
+/// The primitive with this number.
+template <class Real>
+inline Primitive primitive_of(const TracedGeometry<Real>& geometry, std::uint32_t number) {
+  if (geometry.numbers.empty()) return geometry.primitives[number];
+  const auto after = std::upper_bound(geometry.numbers.begin(), geometry.numbers.end(), number,
+                                      [](std::uint32_t n, const NumberRange& range) { return n < range.first; });
+  const NumberRange& range = *std::prev(after);
+  if (range.kind == NumberRange::Kind::primitive) return geometry.primitives[range.index];
+  return placed_primitive(geometry, range.index, number - range.first);
+}
+
+/// A triangle's corners, and its attributes (for one that has some). Where meshes are shared they are made in
+/// `scratch`.
+template <class Real>
+inline const TracedTriangle<Real>& triangle_of(const TracedGeometry<Real>& geometry, const Primitive& primitive,
+                                               TracedTriangle<Real>& scratch) {
+  if (!shares_meshes(geometry)) return geometry.triangles[primitive.shape];
+  const PlacedInstance& placed = geometry.instances[primitive.shape];
+  const Mesh& mesh = *geometry.meshes[placed.mesh];
+  scratch = placed_triangle<Real>(placed, mesh, static_cast<std::uint32_t>(primitive.id.triangle));
+  return scratch;
+}
+template <class Real>
+inline const TriangleAttributes<Real>& attributes_of(const TracedGeometry<Real>& geometry, const Primitive& primitive,
+                                                     const TracedTriangle<Real>& triangle,
+                                                     TriangleAttributes<Real>& scratch) {
+  if (!shares_meshes(geometry)) return geometry.attributes[static_cast<std::size_t>(triangle.attributes)];
+  const PlacedInstance& placed = geometry.instances[primitive.shape];
+  const Mesh& mesh = *geometry.meshes[placed.mesh];
+  const MeshTriangle& corners = mesh.triangles[static_cast<std::uint32_t>(primitive.id.triangle)];
+  scratch = placed_attributes<Real>(mesh, corners, [&](std::int32_t normal) {
+    return normal_to_world(placed.normals, mesh.normals[static_cast<std::size_t>(normal)]);
+  });
+  return scratch;
+}
 
 /// A box that certainly holds the primitive; for an infinite one a box beyond all coordinates of a scene.
 template <class Real>
 Box<Real> primitive_box(const TracedGeometry<Real>& geometry, const Primitive& primitive);
 
-/// The product for this scene, which depends on its geometry and on `normal_transform`.
+/// The product for this scene, which depends on its geometry and on `normal_transform`, and on whether the accelerator
+/// wants meshes shared.
 template <class Real>
 std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, const Settings& settings,
                                                             Prepared& prepared);

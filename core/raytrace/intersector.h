@@ -63,7 +63,7 @@ class Intersector {
 
   void prepare(Query& query) const {
     query.a = dot(query.ray.direction, query.ray.direction);
-    if (!geometry_.triangles.empty()) query.shear = Shear<Real>(query.ray.direction);
+    if (!geometry_.triangles.empty() || shares_meshes(geometry_)) query.shear = Shear<Real>(query.ray.direction);
   }
 
   Hit<Real> search(const Ray<Real>& ray, bool any) const {
@@ -99,12 +99,21 @@ class Intersector {
         return best;
       }
     }
+    if (inputs_.simple.two_level) {
+      const auto visit_known = [&](std::uint32_t number, const Primitive& primitive) {
+        if (!cached) prepare(query);
+        return test(query, number, primitive, best) && any;
+      };
+      const CandidateRay<Real> candidate{ray.origin, ray.direction, padding(ray), padded_slabs(ray)};
+      for_each_candidate(*inputs_.simple.two_level, geometry_, candidate, best.t, visit_known, recorder_);
+      return best;
+    }
     if (inputs_.simple.any()) {
       search_simple(ray, visit, best);
       return best;
     }
     if (!inputs_.bvh) {
-      const NoAccelerator all{static_cast<std::uint32_t>(geometry_.primitives.size())};
+      const NoAccelerator all{primitive_count(geometry_)};
       for_each_candidate(all, SlabRay<Real>(), best.t, visit, recorder_);
       return best;
     }
@@ -273,7 +282,10 @@ class Intersector {
   }
 
   bool test(const Query& query, std::uint32_t index, Hit<Real>& best) const {
-    const Primitive& primitive = geometry_.primitives[index];
+    return test(query, index, primitive_of(geometry_, index), best);
+  }
+
+  bool test(const Query& query, std::uint32_t index, const Primitive& primitive, Hit<Real>& best) const {
     if (query.ray.passes_transparent && inputs_.materials[primitive.material].transparency > 0) return false;
     switch (primitive.kind) {
     case PrimitiveKind::sphere:
@@ -349,12 +361,15 @@ class Intersector {
   }
 
   bool test_triangle(const Query& query, std::uint32_t index, const Primitive& primitive, Hit<Real>& best) const {
+    TracedTriangle<Real> placed;
+    const TracedTriangle<Real>& triangle = triangle_of(geometry_, primitive, placed);
+    if (shares_meshes(geometry_) && !has_area(triangle)) return false;  // unfolding leaves it out
     recorder_.count(Counter::triangle_tests);
-    const TriangleResult<Real> result = triangle_result(query, index, geometry_.triangles[primitive.shape]);
+    const TriangleResult<Real> result = triangle_result(query, index, triangle);
     TestOutcome outcome = TestOutcome::missed;
     switch (result.verdict) {
     case TriangleVerdict::inside:
-      if (primitive.front_only && sees_back(query.ray, geometry_.triangles[primitive.shape]))
+      if (primitive.front_only && sees_back(query.ray, triangle))
         outcome = TestOutcome::back_side;
       else
         outcome = judge(query.ray, result.t, index, best);
@@ -422,14 +437,14 @@ class Intersector {
       if (outcome == TestOutcome::accepted) best = {index, crossing.t, {}, crossing.detail};
       break;
     }
-    recorder_.event([&] { return solid_event(query, index, primitive.id, outcome, crossings); });
+    recorder_.event([&] { return solid_event(query, index, primitive, outcome, crossings); });
     return outcome == TestOutcome::accepted;
   }
 
-  SolidTestEvent solid_event(const Query& query, std::uint32_t index, const PixelId& id, TestOutcome outcome,
+  SolidTestEvent solid_event(const Query& query, std::uint32_t index, const Primitive& primitive, TestOutcome outcome,
                              const Crossings<Real>& crossings) const {
-    SolidTestEvent event{id, outcome, {}, {}};
-    const TracedSolid& solid = geometry_.solids[geometry_.primitives[index].shape];
+    SolidTestEvent event{primitive.id, outcome, {}, {}};
+    const TracedSolid& solid = geometry_.solids[primitive.shape];
     for (std::size_t part = 0; part < solid.forms; ++part) {
       const LineSpan<Real> span = span_of(query, index, solid, part);
       if (!span.empty)

@@ -77,16 +77,18 @@ inline std::optional<TangentFrame<Real>> tangents_of(const Surface<Real>& surfac
   const auto of_form = [&](const TracedForm<Real>& form, int face, const Vec3<Real>& p) {
     return lengths == TangentLengths::any ? form_tangents(form, face, p) : form_relief_tangents(form, face, p);
   };
-  const Primitive& primitive = geometry.primitives[surface.primitive];
+  const Primitive primitive = primitive_of(geometry, surface.primitive);
   switch (primitive.kind) {
   case PrimitiveKind::sphere: {
     TracedForm<Real> ball;
     return of_form(ball, 0, surface.geometric_normal);
   }
   case PrimitiveKind::triangle: {
-    const TracedTriangle<Real>& triangle = geometry.triangles[primitive.shape];
+    TracedTriangle<Real> placed;
+    const TracedTriangle<Real>& triangle = triangle_of(geometry, primitive, placed);
     if (!surface.has_uv || triangle.attributes < 0) return {};
-    const auto& attributes = geometry.attributes[static_cast<std::size_t>(triangle.attributes)];
+    TriangleAttributes<Real> placed_ones;
+    const TriangleAttributes<Real>& attributes = attributes_of(geometry, primitive, triangle, placed_ones);
     return triangle_frame<Real>({triangle.a, triangle.b, triangle.c}, attributes.uvs);
   }
   case PrimitiveKind::solid: {

@@ -34,7 +34,7 @@ inline Ray<Real> leaving_ray(const Surface<Real>& surface, const Vec3<Real>& dir
   case SelfHit::offset:
     ray.start = surface.primitive;
     ray.start_detail = surface.detail;
-    if (inputs.geometry->primitives[surface.primitive].kind == PrimitiveKind::triangle)
+    if (primitive_of(*inputs.geometry, surface.primitive).kind == PrimitiveKind::triangle)
       ray.origin = offset_from_triangle(surface, direction);
     break;
   case SelfHit::epsilon:

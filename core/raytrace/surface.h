@@ -54,8 +54,8 @@ inline Value blend(const std::array<Real, 3>& weights, const Value& a, const Val
 /// does; the error bound is pbrt's (6.8).
 template <class Real>
 inline void put_triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedGeometry<Real>& geometry,
-                                 const TracedTriangle<Real>& triangle, const Settings& settings,
-                                 Surface<Real>& surface) {
+                                 const Primitive& primitive, const TracedTriangle<Real>& triangle,
+                                 const Settings& settings, Surface<Real>& surface) {
   surface = {};
   surface.primitive = hit.primitive;
   const auto& w = hit.weights;
@@ -68,7 +68,8 @@ inline void put_triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit, con
   surface.shading_normal = surface.geometric_normal;
   surface.back_face = dot(ray.direction, surface.geometric_normal) > 0;
   if (triangle.attributes < 0) return;
-  const auto& attributes = geometry.attributes[static_cast<std::size_t>(triangle.attributes)];
+  TriangleAttributes<Real> placed_ones;
+  const TriangleAttributes<Real>& attributes = attributes_of(geometry, primitive, triangle, placed_ones);
   if (attributes.has_normals && settings.normals == Normals::vertex) {
     const Vec3<Real> normal = blend(w, attributes.normals[0], attributes.normals[1], attributes.normals[2]);
     const Vec3<Real> unit = normalised(normal);
@@ -144,7 +145,7 @@ inline Surface<Real> solid_surface(const Ray<Real>& ray, const Hit<Real>& hit, c
 /// What a hit shows: of CSG objects the part stands where others have the triangle.
 template <class Real>
 inline PixelId id_of(const TracedGeometry<Real>& geometry, const Hit<Real>& hit) {
-  const Primitive& primitive = geometry.primitives[hit.primitive];
+  const Primitive primitive = primitive_of(geometry, hit.primitive);
   PixelId id = primitive.id;
   if (primitive.kind == PrimitiveKind::solid) id.triangle = static_cast<std::int32_t>(detail_part(hit.detail));
   return id;
@@ -155,16 +156,19 @@ template <class Real>
 inline void put_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TraceInputs<Real>& inputs,
                         Surface<Real>& surface) {
   const TracedGeometry<Real>& geometry = *inputs.geometry;
-  const Primitive& primitive = geometry.primitives[hit.primitive];
+  const Primitive primitive = primitive_of(geometry, hit.primitive);
   switch (primitive.kind) {
   case PrimitiveKind::sphere:
     surface = sphere_surface(ray, hit, geometry.spheres[primitive.shape]);
     surface.material = primitive.material;
     break;
-  case PrimitiveKind::triangle:
-    put_triangle_surface(ray, hit, geometry, geometry.triangles[primitive.shape], inputs.settings, surface);
+  case PrimitiveKind::triangle: {
+    TracedTriangle<Real> placed;
+    put_triangle_surface(ray, hit, geometry, primitive, triangle_of(geometry, primitive, placed), inputs.settings,
+                         surface);
     surface.material = primitive.material;
     break;
+  }
   case PrimitiveKind::solid:
     surface = solid_surface(ray, hit, geometry, geometry.solids[primitive.shape]);
     break;

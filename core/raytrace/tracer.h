@@ -279,7 +279,7 @@ class Tracer {
 
   /// Has the surface nothing behind it that light could run through? Then it does not bend light.
   bool is_flat(const Surface<Real>& surface) const {
-    const Primitive& primitive = inputs_.geometry->primitives[surface.primitive];
+    const Primitive primitive = primitive_of(*inputs_.geometry, surface.primitive);
     if (primitive.kind != PrimitiveKind::solid) return false;
     const TracedSolid& solid = inputs_.geometry->solids[primitive.shape];
     const FormKind kind = inputs_.geometry->forms[solid.first_form].kind;

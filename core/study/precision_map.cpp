@@ -54,7 +54,7 @@ class GapFinder {
     Ray<double> ray = tracer.eye_ray(column, row, inputs_.viewport.sample);
     const std::optional<Hit<double>> first = next(intersector, ray);
     if (!first) return infinity;
-    const PrimitiveKind kind = inputs_.geometry->primitives[first->primitive].kind;
+    const PrimitiveKind kind = primitive_of(*inputs_.geometry, first->primitive).kind;
     if (kind == PrimitiveKind::triangle) {  // another one may lie in the very same place
       ray.start = first->primitive;
       ray.t_min = first->t * (1 - 1e-12);
@@ -84,7 +84,7 @@ class GapFinder {
       const Hit<double> hit = intersector.nearest(ray);
       if (!hit.found()) return {};
       const Surface<double> surface = surface_of(ray, hit, inputs_);
-      const bool closed = inputs_.geometry->primitives[hit.primitive].kind != PrimitiveKind::solid;
+      const bool closed = primitive_of(*inputs_.geometry, hit.primitive).kind != PrimitiveKind::solid;
       if (!culls_ || !closed || !surface.back_face) return hit;
       ray.t_min = hit.t;
     }

@@ -51,7 +51,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"sample-pattern", up_to(SamplePattern::r2)},
       {"self-hit", up_to(SelfHit::normal_bump)},
       {"epsilon-unit", up_to(EpsilonUnit::distance)},
-      {"accelerator", EmbreeTriangles::available() ? up_to(Accelerator::embree) : up_to(Accelerator::octree)},
+      {"accelerator", EmbreeTriangles::available() ? up_to(Accelerator::embree) : up_to(Accelerator::two_level)},
       {"slab-test", up_to(SlabTest::naive)},
       {"triangle-test", up_to(TriangleTest::cross_products)},
       {"sphere-test", up_to(SphereTest::quadratic)},
@@ -182,6 +182,31 @@ TEST(OptionTable, RefusesWhatIsOutOfRange) {
     }
   }
   EXPECT_EQ(settings, Settings{});
+}
+
+TEST(OptionTable, AValueThatCannotActSaysWhy) {
+  const Option& accelerator = *find_option("accelerator");
+  const Option& slab_test = *find_option("slab-test");
+  SceneTraits traits;
+  traits.triangles = true;
+  Settings settings;
+  for (const Choice& choice : accelerator.choices) EXPECT_FALSE(inactive_choice_reason(choice, settings, traits));
+  settings.precision = Precision::float64;
+  for (const Choice& choice : accelerator.choices)
+    EXPECT_EQ(inactive_choice_reason(choice, settings, traits).has_value(), choice.key == "embree") << choice.key;
+  EXPECT_FALSE(inactive_value_reason(accelerator, settings, traits));
+  settings.renderer = Renderer::textbook;
+  EXPECT_TRUE(inactive_reason(accelerator, settings, traits));
+  settings.renderer = Renderer::ray_tracer;
+  if (!EmbreeTriangles::available()) return;
+  settings.accelerator = Accelerator::embree;
+  EXPECT_TRUE(inactive_value_reason(accelerator, settings, traits));
+  EXPECT_FALSE(inactive_reason(slab_test, settings, traits)) << "the tree of boxes serves";
+  settings.precision = Precision::float32;
+  EXPECT_FALSE(inactive_value_reason(accelerator, settings, traits));
+  EXPECT_TRUE(inactive_reason(slab_test, settings, traits)) << "Embree has boxes of its own";
+  traits.spheres = true;
+  EXPECT_FALSE(inactive_reason(slab_test, settings, traits)) << "spheres stand in a tree of boxes";
 }
 
 TEST(OptionTable, ChangedOptionsRebuildTheSettings) {

@@ -23,7 +23,7 @@ std::string key_of(const PixelId& id) { return fmt::format("{}/{}", id.object, i
 /// What the event is about: events with equal keys can be partners.
 std::string key_of(const EventData& data) {
   if (const auto* ray = std::get_if<RayEvent>(&data)) return fmt::format("ray {}", ray_kind_key(ray->kind));
-  if (const auto* node = std::get_if<NodeEvent>(&data)) return fmt::format("node {}", node->node);
+  if (const auto* node = std::get_if<NodeEvent>(&data)) return fmt::format("node {}/{}", node->object, node->node);
   if (const auto* light = std::get_if<LightEvent>(&data)) return fmt::format("light {}", light->light);
   if (std::holds_alternative<HitEvent>(data) || std::holds_alternative<MissEvent>(data)) return "hit";
   if (const auto* test = std::get_if<SphereTestEvent>(&data)) return "test " + key_of(test->id);

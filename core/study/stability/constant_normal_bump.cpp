@@ -34,7 +34,7 @@ Rates rates_at(double distance, const StabilityRun& run) {
     const auto hit = triangle_watertight<float>(ray.origin, Shear<float>(ray.direction), triangle, TriangleGuard::none);
     if (hit.verdict != TriangleVerdict::inside) continue;
     Surface<float> surface;
-    put_triangle_surface<float>(ray, {0, hit.t, hit.weights}, geometry, triangle, settings, surface);
+    put_triangle_surface<float>(ray, {0, hit.t, hit.weights}, geometry, {}, triangle, settings, surface);
     const Vec3f& n = surface.geometric_normal;
     const Vec3f facing = surface.back_face ? -n : n;
     const Vec3f along_ray = ray.origin + ray.direction * hit.t;
