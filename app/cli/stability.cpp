@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -11,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "image/file.h"
 #include "study/stability/pictures.h"
+#include "study/stability_study.h"
 
 namespace ps::cli {
 namespace {
@@ -20,6 +22,7 @@ struct StabilityArguments {
   std::string output, strip;
   std::uint32_t seed = 1;
   double effort = 1;
+  bool resume = false;
 };
 
 void print_rows(const StabilityExperiment& experiment, const std::vector<StabilityRow>& rows) {
@@ -56,13 +59,21 @@ int run_stability(const StabilityArguments& arguments) {
   const Machine machine = this_machine();
   fmt::print("pixelscope {}, {}, {}, {} threads, seed {}\n\n", machine.version, machine.processor, machine.simd,
              machine.threads, arguments.seed);
-  for (const StabilityExperiment* experiment : chosen) {
-    const std::vector<StabilityRow> rows =
-        experiment->measure({arguments.seed, &interruptible_progress(), arguments.effort});
-    write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", experiment->key),
-                          stability_csv(rows));
-    print_rows(*experiment, rows);
-  }
+  StabilityRequest request;
+  for (const StabilityExperiment* experiment : chosen) request.keys.emplace_back(experiment->key);
+  request.seed = arguments.seed;
+  request.effort = arguments.effort;
+  request.folder = arguments.output;
+  request.kept = arguments.resume ? StabilityRequest::Kept::take : StabilityRequest::Kept::measure_again;
+  StudyControl control;
+  forward_interrupts(control.progress());
+  run_stability(request, control, [&](const MeasuredExperiment& measured, const StudyStatus&) {
+    if (!measured.complete) return;
+    write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
+                          stability_csv(measured.rows));
+    print_rows(find_stability_experiment(measured.key), measured.rows);
+    std::fflush(stdout);
+  });
   return 0;
 }
 
@@ -74,7 +85,9 @@ void add_stability_command(CLI::App& app, Action& chosen) {
   std::string names;
   for (const StabilityExperiment& experiment : stability_experiments()) names += fmt::format(" {}", experiment.key);
   command->add_option("NAME", arguments->names, "experiments, all without one:" + names);
-  command->add_option("--out", arguments->output, "folder for NAME.csv");
+  command->add_option("--out", arguments->output, "folder for NAME.csv, and for each row as it arrives");
+  command->add_flag("--resume", arguments->resume,
+                    "do not measure again what the folder holds of this seed and effort");
   command->add_option("--strip", arguments->strip, "the pictures over the knob of one experiment, as one file");
   command->add_option("--effort", arguments->effort, "share of the full number of rays, triangles and pixels")
       ->check(CLI::Range(0.001, 10.0));

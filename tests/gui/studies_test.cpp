@@ -160,6 +160,35 @@ TEST(Studies, StabilityHasTheCurvesOfTheCommandLine) {
   EXPECT_EQ(result.errors, "");
 }
 
+TEST(Studies, StabilityIsPausedStoppedAndTakenUpByTheNextStart) {
+  const auto folder = ps::fresh_output_folder("gui-stability-kept");
+  const std::string state = "env XDG_STATE_HOME=" + std::filesystem::absolute(folder / "state").string();
+  const std::string begin = "wait idle\nclick bottom/stability\nclick stability/fill\nwait idle\n";
+  const std::string one = "click stability/srgb-averaging\nwait until stability/running off\n"
+                          "expect stability/shown srgb-averaging\n";
+  const auto first = folder / "first.script", second = folder / "second.script";
+  write_file(first, begin + one +
+                        "click stability/all\nwait until stability/status contains \" of 65 \"\n"
+                        "click stability/pause\nexpect stability/paused on\nexpect stability/pause \"Go on\"\n"
+                        "wait idle\nexpect stability/status contains \"Paused after\"\n"
+                        "click stability/pause\nexpect stability/paused off\n"
+                        "click stability/cancel\nwait until stability/running off\n"
+                        "expect stability/measure Resume\nexpect stability/measured < 65\n"
+                        "expect stability/status contains \"Resume goes on\"\n"
+                        "print stability/row/3/naive\nquit\n");
+  write_file(second, begin + "expect stability/measured > 0\nclick stability/srgb-averaging\n"
+                             "expect stability/running off\nexpect stability/shown srgb-averaging\n"
+                             "print stability/row/3/naive\nquit\n");
+  std::vector<std::string> printed;
+  for (const auto& script : {first, second}) {
+    const auto result =
+        ps::test::run_window("--window-size 1280x800 cgfs/reflections --size 90x90 --script " + script.string(), state);
+    EXPECT_EQ(result.status, 0) << result.errors;
+    printed.push_back(result.output);
+  }
+  EXPECT_EQ(printed[0], printed[1]);
+}
+
 TEST(Studies, ResultsAreKeptFromOneStartToTheNext) {
   const auto folder = ps::fresh_output_folder("gui-chart-kept");
   const std::string state = "env XDG_STATE_HOME=" + std::filesystem::absolute(folder / "state").string();

@@ -24,22 +24,42 @@ const StabilityExperiment& selected(const StabilityTabState& state) {
   return stability_experiments().front();
 }
 
-void begin(StabilityTabState& state, const StabilityExperiment& experiment) {
-  state.running = experiment.key;
-  state.study.start([&experiment](StudyControl& control, const StabilityStudy::Publish& publish) {
-    auto found = std::make_shared<StabilityFound>();
-    found->key = experiment.key;
-    StabilityRun run;
-    run.progress = &control.progress();
-    found->rows = experiment.measure(run);
-    publish(found, {1, 1, 0});
+bool complete(const StabilityTabState& state, std::string_view key) {
+  const auto found = state.measured.find(key);
+  return found != state.measured.end() && found->second.complete;
+}
+
+/// Begins or goes on with experiments, whose results are kept in the folder.
+void begin(StabilityTabState& state, std::vector<std::string> keys, StabilityRequest::Kept kept) {
+  StabilityRequest request;
+  request.keys = state.asked = std::move(keys);
+  request.folder = state.folder;
+  request.kept = kept;
+  state.study.start([request](StudyControl& control, const StabilityStudy::Publish& publish) {
+    auto newest = std::make_shared<const StabilityFound>();
+    run_stability(request, control, [&](const MeasuredExperiment& experiment, const StudyStatus& status) {
+      auto next = std::make_shared<StabilityFound>(*newest);
+      next->measured.insert_or_assign(experiment.key, experiment);
+      next->now = experiment.complete ? "" : experiment.key;
+      newest = next;
+      publish(newest, status);
+    });
   });
+}
+
+void look_into_folder(StabilityTabState& state) {
+  if (std::exchange(state.looked, true)) return;
+  StabilityRequest request;
+  request.folder = state.folder;
+  for (MeasuredExperiment& experiment : read_stability(request))
+    if (experiment.complete) state.measured.insert_or_assign(experiment.key, std::move(experiment));
 }
 
 void select(StabilityTabState& state, const StabilityExperiment& experiment) {
   state.selected = experiment.key;
   state.series.clear();
-  if (!state.measured.contains(experiment.key) && !state.study.running()) begin(state, experiment);
+  if (!complete(state, experiment.key) && !state.study.running())
+    begin(state, {std::string(experiment.key)}, StabilityRequest::Kept::take);
 }
 
 /// "6.1 / 0": the worst of the naive method in the first series, with the robust one at the same place.
@@ -61,10 +81,10 @@ void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
   if (shown || ImGui::IsItemHovered())
     list.AddRectFilled(min, max, colour_u32(shown ? palette().selection : palette().field_hover), px(3));
   if (shown) list.AddRectFilled(min, {min.x + px(3), max.y}, colour_u32(palette().text));
-  const auto found = state.measured.find(experiment.key);
-  const std::string note = state.running == experiment.key && state.study.running() ? "..."
-                           : found != state.measured.end()                          ? worst_text(found->second)
-                                                                                    : "";
+  const std::string note = state.study.running() && state.taken && state.taken->now == experiment.key ? "..."
+                           : complete(state, experiment.key)
+                               ? worst_text(state.measured.find(experiment.key)->second.rows)
+                               : "";
   float note_width = 0;
   {
     const FontScope small(Face::small);
@@ -86,23 +106,83 @@ bool listed(const StabilityExperiment& experiment, const std::string& search) {
   return search.empty();
 }
 
+/// Those that were asked for last and are not complete.
+std::vector<std::string> left_over(const StabilityTabState& state) {
+  std::vector<std::string> keys;
+  for (const std::string& key : state.asked)
+    if (!complete(state, key)) keys.push_back(key);
+  return keys;
+}
+
 void run_buttons(StabilityTabState& state) {
   if (state.study.running()) {
-    if (button("cancel", "Cancel")) {
-      state.waiting.clear();
+    const bool paused = state.study.state() == StudyState::paused;
+    if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(64)}))
+      state.study.set_paused(!paused);
+    ImGui::SameLine(0, px(3));
+    if (button("cancel", "Stop", Emphasis::plain,
+               {.tooltip = "What is measured is kept; the study can be resumed.", .width = px(50)}))
       state.study.cancel();
-    }
     return;
   }
   const StabilityExperiment& experiment = selected(state);
-  if (button("measure", state.measured.contains(experiment.key) ? "Again" : "Measure", Emphasis::primary,
-             {.width = px(82)}))
-    begin(state, experiment);
+  const std::vector<std::string> left = left_over(state);
+  const bool done = complete(state, experiment.key);
+  const char* word = !left.empty() ? "Resume" : done ? "Again" : "Measure";
+  if (button("measure", word, Emphasis::primary, {.width = px(82)})) {
+    if (!left.empty())
+      begin(state, state.asked, StabilityRequest::Kept::take);
+    else
+      begin(state, {std::string(experiment.key)}, StabilityRequest::Kept::measure_again);
+  }
   same_line_if_room(button_width("All"), px(4));
   if (!button("all", "All", Emphasis::quiet, {.tooltip = "Measures every experiment that is not measured yet."}))
     return;
-  for (const StabilityExperiment& each : stability_experiments())
-    if (!state.measured.contains(each.key)) state.waiting.emplace_back(each.key);
+  std::vector<std::string> all;
+  for (const StabilityExperiment& each : stability_experiments()) all.emplace_back(each.key);
+  begin(state, std::move(all), StabilityRequest::Kept::take);
+}
+
+/// One line: what is going on, or how much is there.
+std::string state_line(const StabilityTabState& state) {
+  const StudyStatus status = state.study.status();
+  switch (state.study.state()) {
+  case StudyState::running:
+    return "Measuring: " + status_text(status, "experiments");
+  case StudyState::paused:
+    return "Paused after " + status_text(status, "experiments");
+  case StudyState::cancelled:
+    if (!left_over(state).empty())
+      return fmt::format("Stopped after {} of {} experiments; Resume goes on from there.", status.done, status.total);
+    break;
+  case StudyState::failed:
+    return "Failed: " + state.study.message();
+  case StudyState::done:
+  case StudyState::none:
+    break;
+  }
+  const auto there = std::count_if(state.measured.begin(), state.measured.end(),
+                                   [](const auto& entry) { return entry.second.complete; });
+  return fmt::format("{} of {} experiments measured", there, stability_experiments().size());
+}
+
+void progress_line(const StabilityTabState& state) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string text = state_line(state);
+  {
+    const FontScope small(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+  }
+  controls().record("status", text);
+  const StudyStatus status = state.study.status();
+  if (!state.study.running() || status.total == 0) return;
+  auto& list = *ImGui::GetWindowDrawList();
+  const float y = ImGui::GetItemRectMax().y, share = static_cast<float>(status.done) / static_cast<float>(status.total);
+  list.AddRectFilled({at.x, y}, {at.x + width, y + px(2)}, colour_u32(palette().line));
+  list.AddRectFilled({at.x, y}, {at.x + width * share, y + px(2)}, colour_u32(palette().text_quiet));
 }
 
 void experiment_choice(StabilityTabState& state) {
@@ -171,10 +251,13 @@ void curves_area(StabilityTabState& state, const StabilityExperiment& experiment
   const bool over = ImGui::IsItemHovered();
   auto& list = *ImGui::GetWindowDrawList();
   const auto found = state.measured.find(experiment.key);
-  if (found == state.measured.end()) {
+  if (found == state.measured.end() || found->second.rows.empty()) {
     list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
-    const bool now = state.study.running() && state.running == experiment.key;
-    draw_text(area.min, area.max, now ? "Measuring." : "Not measured yet: press Measure.", palette().text_quiet, 0.5f);
+    const bool now = state.taken && state.taken->now == experiment.key;
+    const char* text = !state.study.running() ? "Not measured yet: press Measure."
+                       : now                  ? "Measuring."
+                                              : "Not measured yet: others are being measured.";
+    draw_text(area.min, area.max, text, palette().text_quiet, 0.5f);
     return;
   }
   Curves curves;
@@ -182,7 +265,7 @@ void curves_area(StabilityTabState& state, const StabilityExperiment& experiment
   curves.naive = experiment.naive;
   curves.robust = experiment.robust;
   curves.safe = experiment.window;
-  for (const StabilityRow& row : found->second)
+  for (const StabilityRow& row : found->second.rows)
     if (row.series == state.series) curves.rows.push_back(row);
   if (curves.rows.empty()) return;
   curves.unit = curves.rows.front().unit;
@@ -201,8 +284,9 @@ void shown_experiment(StabilityTabState& state) {
   const StabilityExperiment& experiment = selected(state);
   const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
   if (!low) explanation(experiment);
-  if (const auto found = state.measured.find(experiment.key); found != state.measured.end() && !found->second.empty())
-    series_choice(state, found->second);
+  if (const auto found = state.measured.find(experiment.key);
+      found != state.measured.end() && !found->second.rows.empty())
+    series_choice(state, found->second.rows);
   const bool strip = experiment.picture && !experiment.frames.empty();
   const float room = ImGui::GetContentRegionAvail().y;
   curves_area(state, experiment, std::max(strip && !low ? room * curves_share : room, px(120)));
@@ -213,11 +297,12 @@ void shown_experiment(StabilityTabState& state) {
 }  // namespace
 
 void show_experiment(StabilityTabState& state, const std::string& key) {
+  look_into_folder(state);
   select(state, find_stability_experiment(key));
 }
 
 bool stability_busy(const StabilityTabState& state) {
-  return state.study.running() || !state.waiting.empty() || state.opening.running() || state.strip.study.running();
+  return state.study.state() == StudyState::running || state.opening.running() || state.strip.study.running();
 }
 
 void update_stability(Session& session, StabilityTabState& state, const std::filesystem::path& folder) {
@@ -232,16 +317,13 @@ void update_stability(Session& session, StabilityTabState& state, const std::fil
   const auto found = state.study.found();
   if (found && found != state.taken) {
     state.taken = found;
-    state.measured[found->key] = found->rows;
+    for (const auto& [key, experiment] : found->measured) state.measured.insert_or_assign(key, experiment);
   }
-  if (state.study.running() || state.waiting.empty()) return;
-  const std::string next = state.waiting.front();
-  state.waiting.erase(state.waiting.begin());
-  begin(state, find_stability_experiment(next));
 }
 
 bool stability_tab(Session&, StabilityTabState& state, bool filled) {
   const NameScope scope("stability");
+  look_into_folder(state);
   const bool wide = ImGui::GetContentRegionAvail().x >= px(narrow);
   if (!wide) {
     experiment_choice(state);
@@ -250,6 +332,7 @@ bool stability_tab(Session&, StabilityTabState& state, bool filled) {
   run_buttons(state);
   same_line_if_room(button_width("Fill"), px(8));
   const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Gives this the whole window (Esc)."});
+  progress_line(state);
   if (wide) {
     ImGui::BeginChild("list", {px(list_width), 0});
     search_box("search", state.search, "Find an experiment");
@@ -277,13 +360,18 @@ void publish_stability(const StabilityTabState& state) {
   Values& out = values();
   out.publish("stability/running", state.study.running());
   out.publish("stability/shown", selected(state).key);
-  out.publish("stability/measured", static_cast<int>(state.measured.size()));
+  out.publish("stability/paused", state.study.state() == StudyState::paused);
+  const auto there = std::count_if(state.measured.begin(), state.measured.end(),
+                                   [](const auto& entry) { return entry.second.complete; });
+  out.publish("stability/measured", static_cast<int>(there));
   const auto found = state.measured.find(selected(state).key);
   if (found == state.measured.end()) return;
-  for (std::size_t i = 0; i < found->second.size(); ++i) {
+  const std::vector<StabilityRow>& rows = found->second.rows;
+  out.publish("stability/rows", static_cast<int>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string name = fmt::format("stability/row/{}/", i);
-    out.publish(name + "naive", found->second[i].naive);
-    out.publish(name + "robust", found->second[i].robust);
+    out.publish(name + "naive", rows[i].naive);
+    out.publish(name + "robust", rows[i].robust);
   }
 }
 

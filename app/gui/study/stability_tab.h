@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,13 +11,14 @@
 #include "gui/study/curve_plot.h"
 #include "gui/study/film_strip_view.h"
 #include "gui/study/stability_opening.h"
+#include "study/stability_study.h"
 
 namespace ps::gui {
 
-/// The measured curves of one experiment.
+/// What the study that was started last has measured so far, and what it found on disk.
 struct StabilityFound {
-  std::string key;
-  std::vector<StabilityRow> rows;
+  std::map<std::string, MeasuredExperiment, std::less<>> measured;  ///< by key
+  std::string now;                                                  ///< key of the one that is being measured
 };
 using StabilityStudy = BackgroundStudy<StabilityFound>;
 
@@ -27,11 +29,12 @@ struct StabilityTabState {
   std::string selected;  ///< key of the experiment that is shown; empty = the first
   std::string search;    ///< in the list
   std::string series;    ///< of it; empty = the first
-  std::map<std::string, std::vector<StabilityRow>, std::less<>> measured;  ///< by key
-  std::string running;                                                     ///< key
-  std::vector<std::string> waiting;                                        ///< keys that follow
-  std::shared_ptr<const StabilityFound> taken;                             ///< what was taken up last
-  std::shared_ptr<const StabilityOpening> opened;                          ///< the point that was shown last
+  std::map<std::string, MeasuredExperiment, std::less<>> measured;  ///< by key; one of them may be a part
+  std::vector<std::string> asked;                                   ///< keys of the study that was started last
+  std::shared_ptr<const StabilityFound> taken;                      ///< what was taken up last
+  std::shared_ptr<const StabilityOpening> opened;                   ///< the point that was shown last
+  std::filesystem::path folder;                                     ///< where results are kept as they arrive
+  bool looked = false;                                              ///< into that folder
   FilmStripState strip;
 
   StabilityStudy study;
@@ -41,7 +44,7 @@ struct StabilityTabState {
 /// Experiments where methods fail, naive beside robust. `filled`: it has the whole window; answers whether that shall
 /// change.
 bool stability_tab(Session& session, StabilityTabState& state, bool filled);
-/// Takes up what has been measured and starts what waits; once per frame. `folder` is for scenes of points that are
+/// Takes up what has been measured; once per frame. `folder` is for scenes of points that are
 /// opened.
 void update_stability(Session& session, StabilityTabState& state, const std::filesystem::path& folder);
 /// Shows an experiment by its key, and measures it unless that was done.

@@ -16,12 +16,15 @@ bool rendering(Session& session) {
 }  // namespace
 
 Studies::Studies(const std::function<void()>& wake, bool remember)
-    : folder_(remember), chart_(wake), stability_(wake), needs_(wake), why_(wake), unsafe_(wake) {}
+    : folder_(remember), chart_(wake), stability_(wake), needs_(wake), why_(wake), unsafe_(wake) {
+  stability_.folder = folder_.of("stability");
+}
 
 void Studies::update(Session& session) {
   const bool held = rendering(session);
   chart_.study.set_held(held);
   needs_.study.set_held(held);
+  stability_.study.set_held(held);
   why_.causes.set_held(held);
   update_chart(session, chart_);
   update_stability(session, stability_, folder_.scenes());
@@ -57,7 +60,8 @@ std::string Studies::status() const {
   }
   if (needs_.study.state() == StudyState::running)
     return fmt::format("Needs: {} pictures tried", needs_.study.status().done);
-  if (stability_.study.running()) return "Stability: measuring " + stability_.running;
+  if (stability_.study.state() == StudyState::running)
+    return "Stability: " + status_text(stability_.study.status(), "experiments");
   if (stability_.opening.running()) return "Stability: opening a point";
   if (why_.causes.running()) return "Causes: drawing pictures between A and B";
   if (why_.precision.running()) return "Precision: rendering in double";

@@ -57,7 +57,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   jitter.samples_per_pixel = 16;
   jitter.sample_pattern = SamplePattern::jitter;
   const Result robust = measure_one(jitter);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double levels : {128.0, 64.0, 16.0, 4.0, 1.0}) {
     Settings adaptive = jitter;
     adaptive.adaptive_sampling = true;

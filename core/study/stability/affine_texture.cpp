@@ -29,8 +29,8 @@ double rmse(int cells, Interpolation interpolation) {
   return std::sqrt(sum / samples);
 }
 
-std::vector<StabilityRow> measure(const StabilityRun&) {
-  std::vector<StabilityRow> rows;
+std::vector<StabilityRow> measure(const StabilityRun& run) {
+  Rows rows(run);
   for (const int cells : {1, 2, 4, 8, 16, 32, 64, 128})
     rows.push_back({static_cast<double>(cells), "floor from z = 1.5 to 9.5", rmse(cells, Interpolation::affine),
                     rmse(cells, Interpolation::perspective), "texels of 512 (RMSE)"});

@@ -19,7 +19,7 @@ std::vector<StabilityRow> measure_contraction(const StabilityRun& run) {
     return crack_rates(AimAt::edge, hits, run).misses;
   };
   const FlagBuild plain = plain_build(), fused = contracted_build();
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   if (!fused.available()) return rows;
   const double product_misses = crack_rates(AimAt::edge, watertight_hits, run).misses;
   rows.push_back({1, "watertight (Woop)", misses(fused.watertight), misses(plain.watertight), "misses per million"});
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> picture_of(const FlagBuild& build) {
 
 std::vector<StabilityRow> measure_flags(const StabilityRun& run) {
   const std::vector<std::uint8_t> plain = picture_of(plain_build());
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   int knob = 0;
   for (const FlagBuild& build :
        {unoptimised_build(), contracted_build(), fast_build(), fast_contracted_build(), x87_build()}) {

@@ -53,7 +53,7 @@ Rates rates_at(double distance, const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double distance : {0.0, 1e3, 1e4, 1e5}) {
     const Rates rates = rates_at(distance, run);
     const double robust = percent(rates.robust, rates.rays);

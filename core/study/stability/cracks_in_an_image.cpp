@@ -53,7 +53,7 @@ double uncovered(const Scene& scene, int size, TriangleTest test, Precision prec
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
   const Scene scene = inside_of_sphere();
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int size : {run.side(2048, 512), run.side(2049, 513)})
     for (const Precision precision : {Precision::float32, Precision::float64})
       rows.push_back({static_cast<double>(size), precision == Precision::float32 ? "float" : "double",

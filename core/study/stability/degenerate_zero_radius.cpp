@@ -36,7 +36,7 @@ bool loads(std::string_view radius) {
   }
 }
 
-std::vector<StabilityRow> measure(const StabilityRun&) {
+std::vector<StabilityRow> measure(const StabilityRun& run) {
   constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   struct Case {
     const char* name;
@@ -44,7 +44,7 @@ std::vector<StabilityRow> measure(const StabilityRun&) {
     TracedSphere<float> sphere;
   };
   const Vec3f ahead(0, 0, 1);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const Case& c : {Case{"radius -1", ahead, {{0, 0, 5}, -1}}, Case{"radius NaN", ahead, {{0, 0, 5}, nan}},
                         Case{"radius infinite", ahead, {{0, 0, 5}, inf}}, Case{"direction 0", Vec3f(0), {{0, 0, 5}, 1}},
                         Case{"centre at 1e20", ahead, {{0, 0, 1e20f}, 1}}, Case{"a ball ahead", ahead, {{0, 0, 5}, 1}}})

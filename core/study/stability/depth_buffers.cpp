@@ -53,7 +53,7 @@ double smallest_gap(const DepthCode& how, double z, const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_formats(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   struct Format {
     const char* name;
     DepthCode code;
@@ -75,7 +75,7 @@ std::vector<StabilityRow> measure_formats(const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_near(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double near : {1.0, 0.1, 0.01, 0.001})
     rows.push_back({near, "z = 1000",
                     smallest_gap(code(DepthFormat::unorm, 24, false, DepthValue::inverse_z, near), 1000, run),
@@ -84,7 +84,7 @@ std::vector<StabilityRow> measure_near(const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_linear(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double z : {10.0, 100.0, 1000.0, 9000.0})
     rows.push_back({z, "gap 0.01", confused(code(DepthFormat::unorm, 16, false, DepthValue::z), z, 0.01, run),
                     confused(code(DepthFormat::unorm, 24, false, DepthValue::z), z, 0.01, run), "% of pixels wrong"});

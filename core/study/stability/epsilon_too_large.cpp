@@ -56,7 +56,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   Settings robust = guarded(-1);
   robust.precision = Precision::float32;
   const Frame offset = shadows_of(scene, robust, run);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double epsilon : {1e-3, 1e-2, 0.05, 0.1, 0.2, 0.3, 0.5}) {
     const Frame frame = shadows_of(scene, guarded(epsilon), run);
     for (const int light : {point_light, sun})

@@ -36,7 +36,7 @@ double shortest_shadow(double length, EpsilonUnit unit, const StabilityRun& run)
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double length : {0.1, 1.0, 3.5, 5.744562646538029, 100.0})
     rows.push_back({length, "shadow rays", shortest_shadow(length, EpsilonUnit::ray_parameter, run),
                     shortest_shadow(length, EpsilonUnit::distance, run), "units between board and wall"});

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 
 #include "base/progress.h"
 #include "options/settings.h"
+#include "study/control.h"
 
 namespace ps {
 
@@ -25,9 +27,12 @@ struct StabilityRow {
 /// What an experiment may use: random numbers come from the seed alone, so a run can be repeated.
 struct StabilityRun {
   std::uint32_t seed = 1;
-  Progress* progress = nullptr;  ///< asked between knobs; may stop the experiment with Cancelled
-  double effort = 1;             ///< share of the full number of rays, triangles or pixels
+  Progress* progress = nullptr;                        ///< asked between knobs; may stop the experiment with Cancelled
+  double effort = 1;                                   ///< share of the full number of rays, triangles or pixels
+  StudyControl* control = nullptr;                     ///< asked as well; the experiment waits while it is paused
+  std::function<void(const StabilityRow&)> arrived{};  ///< told each row when it is measured
   void check() const {
+    if (control) control->wait_here();
     if (progress) progress->check();
   }
   /// So many of `full` are tried, at least `least`.

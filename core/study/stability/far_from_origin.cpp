@@ -48,7 +48,7 @@ Error error_at(double distance, bool relative, const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double distance : {0.0, 1e3, 1e4, 1e5, 1e6, 1e7}) {
     const Error naive = error_at(distance, false, run), robust = error_at(distance, true, run);
     rows.push_back({distance, "rms", naive.rms, robust.rms, "px"});

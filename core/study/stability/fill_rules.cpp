@@ -58,7 +58,7 @@ FlatMesh rectangles() {
 
 /// 655 x 655 pixels, as 7,200 triangles with corners on half pixels, or as squares whose sides run through samples.
 std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const bool squares : {false, true}) {
     run.check();
     Random random(run.seed);
@@ -78,7 +78,7 @@ std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_int32(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int cells : {16, 8, 6, 4, 3, 2}) {
     run.check();
     Random random(run.seed);
@@ -109,7 +109,7 @@ void book_triangle(std::array<Vec2d, 3> p, int side, std::vector<int>& times) {
 }
 
 std::vector<StabilityRow> measure_inclusive(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double size : {100.0, 50.0, 21.0, 10.0, 5.0, 3.0}) {
     run.check();
     Random random(run.seed);

@@ -93,7 +93,7 @@ class Grid {
 };
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int side : {4, 16, 64}) {
     run.check();
     Random random(run.seed);

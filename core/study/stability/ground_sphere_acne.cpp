@@ -69,7 +69,7 @@ static std::vector<StabilityRow> measure_ground_sphere_acne(const StabilityRun& 
                                 {"radius 5000, float, light 0.1 above", 5000, -0.9, Precision::float32},
                                 {"radius 100000, float", 1e5, 1, Precision::float32},
                                 {"radius 5000, double", 5000, 1, Precision::float64}};
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const Series& series : all) {
     run.check();
     const Scene scene = ground_under_light(series.radius, series.light_y);

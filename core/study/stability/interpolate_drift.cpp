@@ -8,7 +8,7 @@ namespace ps::stability {
 /// floats are 2^-14 px apart: its slope of 4.49 such steps is rounded down at every addition.
 static std::vector<StabilityRow> measure_interpolate_drift(const StabilityRun& run) {
   constexpr double step = 4.49 * 0x1p-14;
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int n : {100, 600, 1000, 10000, 100000, 1000000}) {
     run.check();
     const double truth = 512 + step * n;

@@ -8,7 +8,7 @@ namespace ps::stability {
 /// An edge from depth 1 to depth r, looked at along its whole length on the screen: z mixed as it is against 1/z mixed.
 static std::vector<StabilityRow> measure_inverse_depth(const StabilityRun& run) {
   constexpr int places = 100000;
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double ratio : {1.1, 2.0, 5.0, 10.0, 100.0, 1000.0}) {
     run.check();
     double naive = 0, robust = 0;

@@ -18,7 +18,7 @@ Vec3f right_of(const Vec3f& eye, const Vec3f& target, bool pick_another) {
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double angle : {1.0, 0.1, 1e-2, 2e-3, 1e-4, 1e-5, 1e-6, 1e-7, 0.0}) {
     run.check();
     Random random(run.seed);

@@ -24,7 +24,7 @@ bool accepting(const Vec3f& origin, const Vec3f& direction, const TracedTriangle
   return result.verdict == TriangleVerdict::inside && result.t > 0;
 }
 
-std::vector<StabilityRow> measure(const StabilityRun&) {
+std::vector<StabilityRow> measure(const StabilityRun& run) {
   constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   struct Case {
     const char* name;
@@ -32,7 +32,7 @@ std::vector<StabilityRow> measure(const StabilityRun&) {
     TracedTriangle<float> triangle;
   };
   const Vec3f ahead(0, 0, 1), a(-1, -1, 5), b(1, -1, 5), c(0, 1, 5), all_nan(nan);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const Case& k :
        {Case{"NaN vertex", ahead, {a, b, {nan, 1, 5}}}, Case{"all NaN", ahead, {all_nan, all_nan, all_nan}},
         Case{"infinite vertex", ahead, {a, b, {0, inf, 5}}}, Case{"NaN direction", {0, 0, nan}, {a, b, c}},

@@ -76,7 +76,7 @@ double wrong_share(const Triangle& triangle, Way way) {
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double z : {3.0, 1.0, 0.6, 0.2, -0.2, -1.0, -3.0, -10.0}) {
     run.check();
     const Triangle triangle = with_apex(z);

@@ -12,7 +12,7 @@ namespace ps::stability {
 /// normal of the transformed plane, whose direction in the plane is known.
 static std::vector<StabilityRow> measure_normal_under_scale(const StabilityRun& run) {
   constexpr double degrees = 57.29577951308232;
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double scale : {1.0, 1.5, 2.0, 5.0, 10.0, 100.0}) {
     run.check();
     Transform transform;

@@ -100,7 +100,7 @@ std::vector<std::size_t> sorted(const std::vector<Sheet>& sheets, SortBy by) {
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   const std::vector<Sheet> three = bars();
   double best = 100, worst = 0;
   std::array<std::size_t, 3> order{0, 1, 2};

@@ -49,7 +49,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   Settings offset_double = offset;
   offset_double.precision = Precision::float64;
   const Apart robust = apart(levels(offset), levels(offset_double));
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   const Image<Rgb8> truth = levels(book(Precision::float64, 1e-3));
   for (const double epsilon : {1e-3, 1e-2, 1e-1}) {
     const Image<Rgb8> wide = levels(book(Precision::float64, epsilon));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include <fmt/format.h>
@@ -91,29 +92,34 @@ Errors errors_of(Method method, double distance, const StabilityRun& run) {
   return errors;
 }
 
-std::vector<StabilityRow> compare(Method naive, Method robust, const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+/// Adds both methods to the rows; `about` is added to the names of the series.
+void compare(Rows& rows, Method naive, std::optional<Method> robust, const std::string& about,
+             const StabilityRun& run) {
   const double rays = run.count(200000);
   for (const double distance : {3.0, 100.0, 1000.0, 2000.0, 4100.0, 1e5, 1e6}) {
-    const Errors a = errors_of(naive, distance, run), b = errors_of(robust, distance, run);
-    rows.push_back({distance, "hit or miss", percent(a.wrong, rays), percent(b.wrong, rays), "% of rays wrong"});
-    rows.push_back({distance, "place", a.off_surface(), b.off_surface(), "radii off the surface (rms)"});
+    const Errors a = errors_of(naive, distance, run);
+    double wrong = std::nan(""), off = std::nan("");
+    if (robust) {
+      const Errors b = errors_of(*robust, distance, run);
+      wrong = percent(b.wrong, rays);
+      off = b.off_surface();
+    }
+    rows.push_back({distance, "hit or miss" + about, percent(a.wrong, rays), wrong, "% of rays wrong"});
+    rows.push_back({distance, "place" + about, a.off_surface(), off, "radii off the surface (rms)"});
   }
-  return rows;
 }
 
 std::vector<StabilityRow> measure_ray_sphere_cancellation(const StabilityRun& run) {
-  std::vector<StabilityRow> rows = compare(Method::textbook, Method::remainder, run);
-  for (StabilityRow row : compare(Method::textbook_double, Method::remainder, run)) {
-    row.series += ", textbook in double";
-    row.robust = std::nan("");
-    rows.push_back(row);
-  }
+  Rows rows(run);
+  compare(rows, Method::textbook, Method::remainder, "", run);
+  compare(rows, Method::textbook_double, {}, ", textbook in double", run);
   return rows;
 }
 
 std::vector<StabilityRow> measure_stable_q_alone(const StabilityRun& run) {
-  return compare(Method::stable_q, Method::remainder, run);
+  Rows rows(run);
+  compare(rows, Method::stable_q, Method::remainder, "", run);
+  return rows;
 }
 
 /// The ball fills the picture's middle at every distance: the lens is as long as it is far.

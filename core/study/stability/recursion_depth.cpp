@@ -31,7 +31,7 @@ static std::vector<StabilityRow> measure_recursion_depth(const StabilityRun& run
   };
   constexpr int enough = 8;
   const double robust = rmse(enough);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8})
     rows.push_back({static_cast<double>(depth), "book scene", rmse(depth), robust, "RMSE, levels of 255"});
   return rows;

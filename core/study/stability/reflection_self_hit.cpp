@@ -42,7 +42,7 @@ StabilityPicture picture_reflection_self_hit(double epsilon) {
 
 std::vector<StabilityRow> measure_reflection_self_hit(const StabilityRun& run) {
   const Scene scene = parse_scene(scene_text, "mirror ground", ".");
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     Settings robust = picture_reflection_self_hit(0).robust;
     robust.precision = precision;

@@ -9,7 +9,7 @@ namespace ps::stability {
 /// beyond the critical angle. Robust: that branch is total reflection.
 static std::vector<StabilityRow> measure_refraction_total_internal(const StabilityRun& run) {
   const int rays = run.count(1000000);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double index : {1.0, 1.1, 1.33, 1.5, 2.0, 2.4}) {
     run.check();
     std::mt19937 random(run.seed);

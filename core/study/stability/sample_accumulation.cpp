@@ -8,7 +8,7 @@ namespace ps::stability {
 /// Sum of n random samples in [0, 1) by a running float sum, against the same with Kahan's correction; the truth is
 /// summed in double.
 static std::vector<StabilityRow> measure_sample_accumulation(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int n : {1000, 100000, 10000000, 100000000}) {
     std::mt19937 random(run.seed);
     float plain = 0, corrected = 0, lost = 0;

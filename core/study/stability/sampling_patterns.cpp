@@ -73,7 +73,7 @@ std::vector<StabilityRow> measure_rate(const StabilityRun& run) {
     SamplePattern naive, robust;
     std::optional<double> angle;
   };
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const Pair& pair : {Pair{"any edge, random and jitter", SamplePattern::random, SamplePattern::jitter, {}},
                            Pair{"any edge, grid and Halton", SamplePattern::grid, SamplePattern::halton, {}},
                            Pair{"vertical edge, grid and Halton", SamplePattern::grid, SamplePattern::halton, 0.0},
@@ -108,7 +108,7 @@ double checker_error(SamplePattern pattern, int count, const StabilityRun& run) 
 }
 
 std::vector<StabilityRow> measure_moire(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int count : {1, 4, 16, 64, 256}) {
     run.check();
     rows.push_back({static_cast<double>(count), "8 x 8 squares in a pixel",
@@ -119,7 +119,7 @@ std::vector<StabilityRow> measure_moire(const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_disc(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double diameter : {0.1, 0.3, 0.5, 0.7, 1.0, 1.4}) {
     run.check();
     Random random(run.seed);
@@ -148,7 +148,7 @@ std::vector<StabilityRow> measure_disc(const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_bars(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int step : {2, 4, 8, 16})
     for (const int width : {1, 2, 4, 8}) {
       if (width >= step) continue;

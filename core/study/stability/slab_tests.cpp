@@ -61,7 +61,7 @@ bool meets(const Case& c) {
 }
 
 std::vector<StabilityRow> measure_false_miss(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int dimensions : {3, 2, 1}) {
     run.check();
     Random random(run.seed);
@@ -126,7 +126,7 @@ bool slabs(const Case& c, Sort sort, Combine combine) {
   return near <= far;
 }
 
-std::vector<StabilityRow> measure_nan_slab(const StabilityRun&) {
+std::vector<StabilityRow> measure_nan_slab(const StabilityRun& run) {
   const auto by_min_max = [](float& t0, float& t1) {
     const float low = std::min(t0, t1), high = std::max(t0, t1);
     t0 = low, t1 = high;
@@ -150,7 +150,7 @@ std::vector<StabilityRow> measure_nan_slab(const StabilityRun&) {
       if (t1 < far) far = t1;
     });
   };
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   const auto add = [&](double knob, const char* series, const PlaneRays& rays, const auto& combine) {
     rows.push_back({knob, series, missed(rays, combine), missed(rays, robust), "% of touched boxes missed"});
   };

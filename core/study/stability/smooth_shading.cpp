@@ -61,7 +61,7 @@ struct Cut {
 };
 
 std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const Cut& cut : {Cut{8, 4}, Cut{20, 10}, Cut{32, 16}, Cut{64, 32}, Cut{128, 64}, Cut{256, 128}}) {
     const Mesh mesh = make_uv_sphere({cut.slices, cut.stacks});
     for (const double exponent : {50.0, 500.0}) {
@@ -76,8 +76,8 @@ std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
   return rows;
 }
 
-std::vector<StabilityRow> measure_unnormalised(const StabilityRun&) {
-  std::vector<StabilityRow> rows;
+std::vector<StabilityRow> measure_unnormalised(const StabilityRun& run) {
+  Rows rows(run);
   for (const double degrees : {0.0, 5.0, 10.0, 20.0, 30.0, 60.0, 90.0}) {
     const double angle = degrees * pi / 180;
     const Vec3d a(0, 0, 1), b(std::sin(angle), 0, std::cos(angle)), middle = (a + b) * 0.5;
@@ -93,7 +93,7 @@ std::vector<StabilityRow> measure_unnormalised(const StabilityRun&) {
 /// ray therefore starts into the body. With the offset of Hanika the point is moved onto the smooth surface first; on a
 /// convex body that puts it outside every facet.
 std::vector<StabilityRow> measure_terminator(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const Cut& cut : {Cut{12, 6}, Cut{20, 10}, Cut{64, 32}, Cut{256, 128}}) {
     run.check();
     const Mesh mesh = make_uv_sphere({cut.slices, cut.stacks});
@@ -142,8 +142,8 @@ std::vector<StabilityRow> measure_terminator(const StabilityRun& run) {
   return rows;
 }
 
-std::vector<StabilityRow> measure_silhouette(const StabilityRun&) {
-  std::vector<StabilityRow> rows;
+std::vector<StabilityRow> measure_silhouette(const StabilityRun& run) {
+  Rows rows(run);
   for (const double radius : {10.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
     const auto deviation = [&](int segments) {  // measured along one chord
       double worst = 0;

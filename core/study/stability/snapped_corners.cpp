@@ -30,7 +30,7 @@ std::vector<int> owners(const FlatMesh& mesh, int side, int bits) {
 
 std::vector<StabilityRow> measure_bits(const StabilityRun& run) {
   constexpr int finest = 18, side = 520;
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double edge : {171.0, 17.7, 5.2, 2.6, 1.3}) {
     run.check();
     Random random(run.seed);
@@ -88,7 +88,7 @@ std::vector<StabilityRow> measure_agreement(const StabilityRun& run) {
   raster.renderer = Renderer::rasterizer;
   raster.subpixel_bits = 12;
   const double robust = differing(ids(raster));
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int bits : {0, 2, 4, 8, 12}) {
     raster.subpixel_bits = bits;
     rows.push_back(

@@ -17,7 +17,7 @@ double level_of(double linear) {
 /// light.
 static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run) {
   run.check();
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double percent : {1.0, 5.0, 10.0, 24.0, 25.0, 50.0, 75.0, 90.0, 99.0}) {
     const double right = level_of(percent / 100);
     const double mean_of_levels = 255 * percent / 100;

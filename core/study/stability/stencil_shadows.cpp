@@ -56,7 +56,7 @@ double wrong_share(const Scene& scene, Shadows shadows, double near, const Stabi
 }
 
 std::vector<StabilityRow> measure_inside(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const double z : {-8.0, -6.0, -4.0, -3.0, -1.5, 0.0}) {
     const Scene scene = parse_scene(roof_text(z), "roof", ".");
     rows.push_back({z, "under a roof of 4 x 4", wrong_share(scene, Shadows::stencil_depth_pass, 0.05, run),
@@ -66,7 +66,7 @@ std::vector<StabilityRow> measure_inside(const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_near(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   const Scene scene = parse_scene(roof_text(-2.05), "roof", ".");
   for (const double near : {0.01, 0.03, 0.1, 0.3, 0.6})
     rows.push_back({near, "camera 0.05 before the shadow", wrong_share(scene, Shadows::stencil_depth_pass, near, run),
@@ -110,7 +110,7 @@ double lit_share(int boards, int bits, const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_wrap(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int boards : {1, 8, 15, 16, 17, 32})
     rows.push_back({static_cast<double>(boards), "4 bits", lit_share(boards, 4, run), lit_share(boards, 16, run),
                     "% of shadow pixels lit"});

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "render/render.h"
 #include "study/stability/experiments.h"
@@ -36,6 +38,22 @@ class Random {
 
  private:
   std::mt19937_64 bits_;
+};
+
+/// What an experiment has measured so far; whoever watches the run is told of each row.
+class Rows {
+ public:
+  explicit Rows(const StabilityRun& run) : run_(run) {}
+  void push_back(StabilityRow row) {
+    if (run_.arrived) run_.arrived(row);
+    rows_.push_back(std::move(row));
+    run_.check();
+  }
+  operator std::vector<StabilityRow>() const { return rows_; }
+
+ private:
+  const StabilityRun& run_;
+  std::vector<StabilityRow> rows_;
 };
 
 inline Frame picture_of(const Scene& scene, const View& view, const Settings& settings, Channel channels,

@@ -50,8 +50,8 @@ double wrong_share(const Vec3d& eye, const Volume& volume) {
   return percent(wrong, floor);
 }
 
-std::vector<StabilityRow> measure(const StabilityRun&) {
-  std::vector<StabilityRow> rows;
+std::vector<StabilityRow> measure(const StabilityRun& run) {
+  Rows rows(run);
   const Vec3d outside(0.2, 0.3, -5), inside(0.2, 0.3, -1.4);
   const auto add = [&](double knob, const char* series, const Vec3d& eye, const Volume& volume) {
     rows.push_back({knob, series, wrong_share(eye, volume), wrong_share(eye, {}), "% of floor pixels wrong"});
