@@ -174,7 +174,9 @@ std::span<const NamedSweep> named_sweeps() {
       {"precision-and-tests", "Precision and tests", {"precision", "sphere-test", "self-hit"}},
       {"snapping", "Sub-pixel bits", {"renderer=rasterizer", "subpixel-bits=0,2,4,6,8,10,12"}},
       {"samples", "Samples per pixel", {"samples-per-pixel=1,4,16,64"}},
-      {"shadow-methods", "Shadow methods", {"renderer=rasterizer", "shadows", "shadow-map-size", "shadow-filter"}},
+      {"shadow-methods",
+       "Shadow methods",
+       {"renderer=rasterizer", "shadows", "shadow-map-size=16,64,256,1024,4096", "shadow-filter"}},
       {"coverage-strategies", "Coverage strategies", {"renderer=rasterizer", "coverage"}},
   };
   static const std::vector<NamedSweep> usable = [] {

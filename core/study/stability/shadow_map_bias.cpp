@@ -86,8 +86,8 @@ double contact_lost(const Scene& scene, const ShadowMap& map, const ShadowCompar
 }
 
 std::vector<StabilityRow> measure_acne(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
-  for (const int size : {256, 1024, 2048})
+  Rows rows(run);
+  for (const int size : {256, 1024, 4096})
     for (const double elevation : {60.0, 30.0, 10.0}) {
       const Scene scene = ball_on_floor(elevation);
       const ShadowMap map = map_of(scene, size, run);
@@ -107,7 +107,7 @@ std::vector<StabilityRow> measure_acne(const StabilityRun& run) {
 std::vector<StabilityRow> measure_filter(const StabilityRun& run) {
   const Scene scene = ball_on_floor(30);
   const ShadowMap map = map_of(scene, 512, run);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int taps : {1, 3, 5, 7})
     rows.push_back({static_cast<double>(taps), "sun at 30 degrees", acne(scene, map, {0, 1, taps}, run),
                     acne(scene, map, {0, taps / 2 + 0.6, taps}, run), "% of lit floor dark"});
@@ -115,9 +115,9 @@ std::vector<StabilityRow> measure_filter(const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_peter_panning(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   const Scene scene = ball_on_floor(10);
-  for (const int size : {256, 1024, 2048}) {
+  for (const int size : {256, 1024, 4096}) {
     const ShadowMap map = map_of(scene, size, run);
     const double robust = contact_lost(scene, map, {0, 0.52, 1}, run);
     for (const double bias : {0.01, 0.05, 0.1, 0.2, 0.4})
