@@ -57,35 +57,49 @@ struct TexturePlace {
   Vec2<Real> of_surface{0, 0};
 };
 
+/// What is the same wherever a fragment reads a texture: all but the place.
+template <class Real>
+struct FragmentLookup {
+  const MipChain& chain;
+  TextureLookup<Real> lookup;
+  AnisotropicFootprint<Real> footprint;
+
+  TextureSample<Real> read(const Vec2<Real>& uv, TexelNotes notes = nullptr) const {
+    return footprint.taps > 1 ? sample_anisotropic(chain, uv, lookup, footprint, notes)
+                              : sample_texture(chain, uv, lookup, notes);
+  }
+};
+
+template <class Real>
+FragmentLookup<Real> fragment_lookup(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
+                                     const Fragment<Real>& fragment, int index, const Vec2<Real>& uv_of_surface) {
+  const MipChain& chain = (*pass.textures)[static_cast<std::size_t>(index)];
+  FragmentLookup<Real> how{chain, {pass.settings.texture_filter, pass.settings.texture_wrap, 0}, {}};
+  if (how.lookup.filter == TextureFilter::trilinear || how.lookup.filter == TextureFilter::mipmap) {
+    const TextureDerivatives<Real> derivatives = uv_derivatives(pass, setup, fragment, uv_of_surface, *chain.base);
+    const Real bias = static_cast<Real>(pass.settings.mip_bias);
+    const Vec2<Real> size(static_cast<Real>(chain.base->width()), static_cast<Real>(chain.base->height()));
+    how.lookup.level = mip_level(derivatives, bias);
+    if (pass.settings.anisotropy > 1)
+      how.footprint = anisotropic_footprint(derivatives, size, pass.settings.anisotropy, bias);
+  }
+  return how;
+}
+
 /// A texture at the fragment (CGFS ch. 14): its colour, or what else it holds.
 template <class Real, class Recorder>
 TextureSample<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
                                  const Fragment<Real>& fragment, int index, const TexturePlace<Real>& place,
                                  Recorder& recorder) {
-  const Vec2<Real>& uv = place.uv;
-  const MipChain& chain = (*pass.textures)[static_cast<std::size_t>(index)];
-  TextureLookup<Real> lookup{pass.settings.texture_filter, pass.settings.texture_wrap, 0};
-  AnisotropicFootprint<Real> footprint;
-  if (lookup.filter == TextureFilter::trilinear || lookup.filter == TextureFilter::mipmap) {
-    const TextureDerivatives<Real> derivatives = uv_derivatives(pass, setup, fragment, place.of_surface, *chain.base);
-    const Real bias = static_cast<Real>(pass.settings.mip_bias);
-    const Vec2<Real> size(static_cast<Real>(chain.base->width()), static_cast<Real>(chain.base->height()));
-    lookup.level = mip_level(derivatives, bias);
-    if (pass.settings.anisotropy > 1)
-      footprint = anisotropic_footprint(derivatives, size, pass.settings.anisotropy, bias);
-  }
-  const auto read = [&](TexelNotes notes) {
-    return footprint.taps > 1 ? sample_anisotropic(chain, uv, lookup, footprint, notes)
-                              : sample_texture(chain, uv, lookup, notes);
-  };
-  const TextureSample<Real> sample = read(nullptr);
+  const FragmentLookup<Real> how = fragment_lookup(pass, setup, fragment, index, place.of_surface);
+  const TextureSample<Real> sample = how.read(place.uv);
   recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
   recorder.event([&] {
     TextureEvent event;
     event.texture = index;
-    event.uv = Vec2d(uv);
-    event.level = static_cast<double>(footprint.taps > 1 ? footprint.level : lookup.level);
-    event.result = Vec3d(read(&event.texels).colour);
+    event.uv = Vec2d(place.uv);
+    event.level = static_cast<double>(how.footprint.taps > 1 ? how.footprint.level : how.lookup.level);
+    event.result = Vec3d(how.read(place.uv, &event.texels).colour);
     return event;
   });
   return sample;
@@ -127,9 +141,9 @@ Vec2<Real> relief_uv(const Pass<Real>& pass, const TriangleSetup<Real>& setup, c
   const Vec3<Real> to_eye = pass.to_eye(interpolate3(pass, setup, fragment, layout.position));
   const auto shift = relief_shift(normal, frame, to_eye, material.relief_depth, pass.settings.parallax);
   if (!shift) return uv;
-  Silent silent;  // the heights are told together
+  const FragmentLookup<Real> how = fragment_lookup(pass, setup, fragment, material.height_map, uv);
   const auto depth_at = [&](const Vec2<Real>& at) {
-    const auto sample = read_texture(pass, setup, fragment, material.height_map, TexturePlace<Real>{at, uv}, silent);
+    const TextureSample<Real> sample = how.read(at);
     recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
     return Real(1) - sample.colour.x;
   };
