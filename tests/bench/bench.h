@@ -18,6 +18,7 @@ struct Job {
   /// is amount / second. 0: the result is milliseconds per call.
   double amount = 0;
   std::string note;  ///< printed behind the row: settings, counts
+  double size = 0;   ///< of a point on a curve: what grows from one bench to the next
 };
 
 struct Bench {
@@ -39,6 +40,7 @@ struct Row {
   double ours = 0, ours_q1 = 0, ours_q3 = 0;
   double yardstick = 0, yardstick_q1 = 0, yardstick_q3 = 0;  ///< 0 without a yardstick
   double ratio = 0;                                          ///< above 1: ours is faster; 0 without a yardstick
+  double size = 0, milliseconds = 0;                         ///< of one call, on curves; else 0
 };
 
 /// All benches, from table.cpp.

@@ -16,7 +16,9 @@ struct CurvePicture {
   Prepared prepared;
 };
 
-Job curve_job(int triangles, int width, int height) {
+enum class Grows { triangles, pixels };
+
+Job curve_job(int triangles, int width, int height, Grows what) {
   const std::shared_ptr<const Mesh> mesh = sphere_of(triangles);
   const auto picture = std::make_shared<CurvePicture>();
   picture->scene = mesh_scene(mesh);
@@ -29,6 +31,14 @@ Job curve_job(int triangles, int width, int height) {
     render(picture->scene, picture->view, picture->settings, {}, picture->prepared, progress);
   };
   job.note = fmt::format("{} triangles", mesh->triangles.size());
+  switch (what) {
+  case Grows::triangles:
+    job.size = static_cast<double>(mesh->triangles.size());
+    break;
+  case Grows::pixels:
+    job.size = static_cast<double>(width) * height;
+    break;
+  }
   return job;
 }
 
@@ -46,10 +56,10 @@ Benches fragments_curve_benches() {
   for (const auto& [name, count] :
        {Triangles{"1k", 1000}, {"10k", 10000}, {"100k", 100000}, {"1M", 1000000}, {"4M", 4000000}})
     benches.push_back({fmt::format("curve/fragments/triangles/{}", name), "ms", "",
-                       [count = count] { return curve_job(count, 640, 480); }});
+                       [count = count] { return curve_job(count, 640, 480, Grows::triangles); }});
   for (const auto& [width, height] : {Size{320, 240}, {640, 480}, {1280, 960}, {2560, 1920}})
     benches.push_back({fmt::format("curve/fragments/pixels/{}x{}", width, height), "ms", "",
-                       [width = width, height = height] { return curve_job(10000, width, height); }});
+                       [width = width, height = height] { return curve_job(10000, width, height, Grows::pixels); }});
   return benches;
 }
 

@@ -1,8 +1,9 @@
-// pixelscope-bench [FILTER] [--json FILE] [--list] [--repeats N] [--budget SECONDS]
+// pixelscope-bench [FILTER] [--json FILE] [--list] [--repeats N] [--budget SECONDS] [--processor-time]
 
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <ctime>
 #include <exception>
 
 #include "base/check.h"
@@ -16,8 +17,11 @@ bool chosen(const Bench& bench, const std::string& filter) {
   return bench.name.find(filter) != std::string::npos || bench.yardstick_name.find(filter) != std::string::npos;
 }
 
+/// Seconds that all threads together have worked. Says how much work there is, also beside other programs.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 /// Whether all benches that match did the work they should.
-bool run(const std::string& filter, const MeasureOptions& options, std::vector<Row>& rows) {
+bool run(const std::string& filter, const MeasureOptions& options, const ps::Clock& clock, std::vector<Row>& rows) {
   bool agreed = true;
   for (const Bench& bench : all_benches()) {
     if (!chosen(bench, filter)) continue;
@@ -27,7 +31,7 @@ bool run(const std::string& filter, const MeasureOptions& options, std::vector<R
       agreed = false;
       continue;
     }
-    rows.push_back(make_row(bench, job, measure(job.ours, job.yardstick, options)));
+    rows.push_back(make_row(bench, job, measure(job.ours, job.yardstick, options, clock)));
     print_row(rows.back());
   }
   return agreed;
@@ -38,13 +42,14 @@ bool run(const std::string& filter, const MeasureOptions& options, std::vector<R
 int main(int argc, char** argv) {
   CLI::App app("Times Pixelscope beside other programs that do the same work.", "pixelscope-bench");
   std::string filter, json;
-  bool list = false;
+  bool list = false, processor_time = false;
   MeasureOptions options;
   app.add_option("filter", filter, "only benches whose name or yardstick contains this");
   app.add_option("--json", json, "write the results to this file");
   app.add_flag("--list", list, "print the names of the benches and end");
   app.add_option("--repeats", options.repeats, "runs of each side")->check(CLI::Range(1, 1000));
   app.add_option("--budget", options.budget, "seconds for one bench")->check(CLI::Range(0.0, 3600.0));
+  app.add_flag("--processor-time", processor_time, "measure the processor time of all threads instead of time");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -61,8 +66,8 @@ int main(int argc, char** argv) {
     }
     const ps::Machine machine = ps::this_machine();
     std::vector<Row> rows;
-    print_header(machine, options);
-    const bool agreed = run(filter, options, rows);
+    print_header(machine, options, processor_time ? "processor time of all threads" : "time");
+    const bool agreed = run(filter, options, processor_time ? processor_seconds : ps::steady_seconds, rows);
     print_summary(rows);
     if (!json.empty()) write_json(json, rows, machine);
     return agreed ? 0 : 1;

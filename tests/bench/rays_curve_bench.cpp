@@ -25,6 +25,7 @@ Job curve_job(int triangles) {
   Job job;
   job.ours = [subject] { subject->ours.nearest(subject->rays, subject->hits); };
   job.amount = static_cast<double>(subject->rays.size()) * 1e-6;
+  job.size = static_cast<double>(mesh->triangles.size());
   job.note =
       fmt::format("{} triangles, {:.0f} bytes for each", mesh->triangles.size(), subject->ours.bytes_per_triangle());
   return job;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -26,13 +27,15 @@ Row make_row(const Bench& bench, const Job& job, const Timing& timing) {
     row.yardstick_q3 = std::max(value(timing.yardstick.q1), value(timing.yardstick.q3));
     row.ratio = timing.yardstick.median / timing.ours.median;
   }
+  row.size = job.size;
+  row.milliseconds = timing.ours.median;
   return row;
 }
 
-void print_header(const Machine& machine, const MeasureOptions& options) {
-  fmt::print("Pixelscope {}, {}, SIMD {}, {} threads; medians of up to {} runs, quartiles in brackets; "
+void print_header(const Machine& machine, const MeasureOptions& options, const std::string& time) {
+  fmt::print("Pixelscope {}, {}, SIMD {}, {} threads; {}, medians of up to {} runs, quartiles in brackets; "
              "ratio above 1 = ours is faster\n",
-             machine.version, machine.processor, machine.simd, machine.threads, options.repeats);
+             machine.version, machine.processor, machine.simd, machine.threads, time, options.repeats);
   fmt::print("{:<44} {:>7} {:>28} {:>28} {:>6}  {}\n", "name", "unit", "ours", "yardstick", "ratio", "");
 }
 
@@ -49,6 +52,24 @@ void print_row(const Row& row) {
   std::fflush(stdout);
 }
 
+namespace {
+
+/// Between one point of a curve and the next, the power of what grows that the time follows: 1 = linear.
+void print_curves(const std::vector<Row>& rows) {
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    const auto curve_of = [](const Row& row) { return row.size > 0 ? row.name.substr(0, row.name.rfind('/')) : ""; };
+    const std::string curve = curve_of(rows[i]);
+    if (curve.empty() || (i > 0 && curve_of(rows[i - 1]) == curve)) continue;
+    fmt::print("{}: from point to point the time grows with the power", curve);
+    for (std::size_t k = i; k + 1 < rows.size() && curve_of(rows[k + 1]) == curve; ++k)
+      fmt::print(" {:.2f}",
+                 std::log(rows[k + 1].milliseconds / rows[k].milliseconds) / std::log(rows[k + 1].size / rows[k].size));
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
+
 void print_summary(const std::vector<Row>& rows) {
   std::map<std::string, std::vector<double>> ratios;
   for (const Row& row : rows)
@@ -56,6 +77,7 @@ void print_summary(const std::vector<Row>& rows) {
   for (const auto& [yardstick, all] : ratios)
     fmt::print("{}: geometric mean of {} ratios {:.2f}, smallest {:.2f}\n", yardstick, all.size(), geometric_mean(all),
                *std::min_element(all.begin(), all.end()));
+  print_curves(rows);
 }
 
 void write_json(const std::filesystem::path& path, const std::vector<Row>& rows, const Machine& machine) {

@@ -3,6 +3,7 @@
 namespace ps::bench {
 
 // One line for each file of benches; they are listed by hand so that nothing depends on the linker.
+Benches clear_resolve_benches();
 Benches coverage_benches();
 Benches gains_benches();
 Benches headline_benches();
@@ -22,6 +23,7 @@ Benches llvmpipe_benches();
 Benches all_benches() {
   Benches all;
   append(all, memory_benches());
+  append(all, clear_resolve_benches());
   append(all, recorder_benches());
   append(all, packets_benches());
   append(all, pictures_benches());
