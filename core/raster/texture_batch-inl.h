@@ -76,9 +76,9 @@ HWY_INLINE VI texel_index(const Level& level, VI x, VI y) {
   return hn::Add(level.first, hn::ShiftLeft<2>(hn::Add(hn::Mul(y, stride), x)));
 }
 
-// Texels are read one fragment after another, all their channels at once: a gather of single channels takes longer.
+// A texel's channels are read at once, for gathering single channels takes longer; and several fragments are mixed at
+// once, a quarter of a vector for each: those of lanes k, k + 4, and so on.
 using Four = hn::FixedTag<float, 4>;
-using Texel = hn::Vec<Four>;
 constexpr std::size_t most_lanes = hn::MaxLanes(D());
 
 /// The first three numbers that make(i) gives for each lane i. Lanes without a fragment get something too: their
@@ -86,6 +86,13 @@ constexpr std::size_t most_lanes = hn::MaxLanes(D());
 template <class Make>
 HWY_INLINE Colour by_channels(Make&& make) {
   const auto colour = ps::HWY_NAMESPACE::four_vectors(make);
+  return {colour.first, colour.second, colour.third};
+}
+
+/// The same where make(k) gives them for lanes k, k + 4, ... at once.
+template <class Make>
+HWY_INLINE Colour by_quarters(Make&& make) {
+  const auto colour = ps::HWY_NAMESPACE::four_vectors_of_quarters(make);
   return {colour.first, colour.second, colour.third};
 }
 
@@ -116,14 +123,14 @@ HWY_INLINE Pair texel_pair(V t, VI size) {
 
 /// A weight and what it leaves to one, for each fragment.
 struct Weights {
-  HWY_ALIGN float f[most_lanes];
-  HWY_ALIGN float rest[most_lanes];
+  V f, rest;
   HWY_INLINE void set(V value) {
-    hn::Store(value, D(), f);
-    hn::Store(hn::Sub(number(1), value), D(), rest);
+    f = value;
+    rest = hn::Sub(number(1), value);
   }
-  HWY_INLINE Texel mix(Texel a, Texel b, std::size_t i) const {
-    return hn::Add(hn::Mul(a, hn::Set(Four(), rest[i])), hn::Mul(b, hn::Set(Four(), f[i])));
+  template <int k>
+  HWY_INLINE V mix(V a, V b) const {
+    return hn::Add(hn::Mul(a, hn::Broadcast<k>(rest)), hn::Mul(b, hn::Broadcast<k>(f)));
   }
 };
 
@@ -148,22 +155,18 @@ struct Bilinear {
     x.set(u.f);
     y.set(v.f);
   }
-  HWY_INLINE Texel read(const float* texels, std::size_t i) const {
-#if HWY_MAX_BYTES >= 32
-    // Both texels of a row in one vector.
-    const hn::FixedTag<float, 8> two;
-    const auto weights = hn::Combine(two, hn::Set(Four(), x.f[i]), hn::Set(Four(), x.rest[i]));
-    const auto row = [&](std::int32_t index) HWY_ATTR {
-      const auto both = hn::Mul(hn::LoadU(two, texels + index), weights);
-      return hn::Add(hn::LowerHalf(Four(), both), hn::UpperHalf(Four(), both));
-    };
-    return y.mix(row(upper[i]), row(lower[i]), i);
-#else
-    const auto row = [&](std::int32_t index) HWY_ATTR {
-      return x.mix(hn::LoadU(Four(), texels + index), hn::LoadU(Four(), texels + index + 4), i);
-    };
-    return y.mix(row(upper[i]), row(lower[i]), i);
-#endif
+  /// The colours of lanes k, k + 4, ...
+  template <int k>
+  HWY_INLINE V read(const float* texels) const {
+    return y.mix<k>(mix_row<k>(texels, upper), mix_row<k>(texels, lower));
+  }
+
+ private:
+  template <int k>
+  HWY_INLINE V mix_row(const float* texels, const std::int32_t* index) const {
+    const auto left = [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), texels + index[i]); };
+    const auto right = [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), texels + index[i] + 4); };
+    return x.mix<k>(ps::HWY_NAMESPACE::every_fourth(left, k), ps::HWY_NAMESPACE::every_fourth(right, k));
   }
 };
 
@@ -226,32 +229,33 @@ static HWY_NOINLINE Colour sample(const BatchTexture& how, const Steps& steps, V
   const V t_u = wrap_coordinate(u, how.wrap);
   const V t_v = wrap_coordinate(v, how.wrap);
   Bilinear near;
+  const auto of_near = [&](auto k) HWY_ATTR { return near.read<k>(all); };
   if (how.filter == TextureFilter::bilinear) {
     near.set(level_of(texture, std::size_t{0}), t_u, t_v, how.wrap);
-    return by_channels([&](std::size_t i) HWY_ATTR { return near.read(all, i); });
+    return by_quarters(of_near);
   }
   const V level = clamp_level(mip_level(how, steps, u, v, z), texture);
   if (how.filter == TextureFilter::mipmap) {
     near.set(level_of(texture, hn::ConvertTo(di, hn::Add(level, number(0.5f)))), t_u, t_v, how.wrap);
-    return by_channels([&](std::size_t i) HWY_ATTR { return near.read(all, i); });
+    return by_quarters(of_near);
   }
   const VI fine = hn::ConvertTo(di, level);
   near.set(level_of(texture, fine), t_u, t_v, how.wrap);
-  const V share = hn::Sub(level, hn::ConvertTo(d, fine));
-  const M mixed = hn::And(hn::Gt(share, hn::Zero(d)), seen);
-  if (hn::AllFalse(d, mixed)) return by_channels([&](std::size_t i) HWY_ATTR { return near.read(all, i); });
+  Weights between;
+  between.set(hn::Sub(level, hn::ConvertTo(d, fine)));
+  const M mixed = hn::And(hn::Gt(between.f, hn::Zero(d)), seen);
+  if (hn::AllFalse(d, mixed)) return by_quarters(of_near);
   const std::uint64_t both = hn::CountTrue(d, mixed);
   texels += 4 * both;
-  Weights between;
-  between.set(share);
   const VI coarse = hn::Min(hn::Add(fine, hn::Set(di, 1)), hn::Set(di, texture.levels - 1));
   Bilinear far;
   far.set(level_of(texture, coarse), t_u, t_v, how.wrap);
   if (both == count)
-    return by_channels([&](std::size_t i) HWY_ATTR { return between.mix(near.read(all, i), far.read(all, i), i); });
-  return by_channels([&](std::size_t i) HWY_ATTR {
-    const Texel texel = near.read(all, i);
-    return between.f[i] > 0 ? between.mix(texel, far.read(all, i), i) : texel;
+    return by_quarters([&](auto k) HWY_ATTR { return between.mix<k>(near.read<k>(all), far.read<k>(all)); });
+  return by_quarters([&](auto k) HWY_ATTR {
+    const V texel = near.read<k>(all);
+    const M is_mixed = hn::Gt(hn::Broadcast<k>(between.f), hn::Zero(D()));
+    return hn::IfThenElse(is_mixed, between.mix<k>(texel, far.read<k>(all)), texel);
   });
 }
 
