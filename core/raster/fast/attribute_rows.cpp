@@ -87,17 +87,31 @@ std::array<std::array<float, 3>, 2> weight_steps(const std::array<std::array<std
   return changes;
 }
 
+/// Samples that mostly show one triangle, or nothing.
+constexpr std::size_t run = 16;
+static_assert(TileFragments::samples % run == 0);
+
+bool all_are(std::uint32_t id, const std::uint32_t* ids) {
+  std::uint32_t different = 0;
+  for (std::size_t i = 0; i < run; ++i) different |= ids[i] ^ id;
+  return different == 0;
+}
+
 }  // namespace
 
 void AttributeRows::start(const TileFragments& tile) {
   tile_ = &tile;
   begin_.assign(tile.triangle_count, missing);
   used_ = 0;
+  if (tile.triangle_count == 0) return;
   std::uint32_t last = TileFragments::none;
-  for (const std::uint32_t id : tile.id) {
-    if (id == last) continue;
-    last = id;
-    if (id != TileFragments::none) begin_[id] = seen;
+  for (std::size_t first = 0; first < TileFragments::samples; first += run) {
+    if (all_are(last, tile.id.data() + first)) continue;
+    for (std::size_t i = first; i < first + run; ++i) {
+      if (tile.id[i] == last) continue;
+      last = tile.id[i];
+      if (last != TileFragments::none) begin_[last] = seen;
+    }
   }
   constexpr std::uint32_t ahead = 8;
   Origin before{TileFragments::none, 0, 0};
