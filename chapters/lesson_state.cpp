@@ -71,6 +71,7 @@ Document state_document(const LessonState& state, const Document& now) {
   document.picked = state.picked;
   document.compare = state.compare;
   document.layout = now.layout;
+  document.story = carried_over(now.story, same_scene);
   return document;
 }
 

@@ -19,7 +19,7 @@ bool same_scene(const Scene& x, const Scene& y) {
 bool operator==(const Document& x, const Document& y) {
   return x.scene_name == y.scene_name && same_scene(x.base, y.base) && x.edits == y.edits && x.view == y.view &&
          x.a == y.a && x.b == y.b && x.pixel == y.pixel && x.picked == y.picked && x.event == y.event &&
-         x.compare == y.compare && x.split == y.split && x.difference_gain == y.difference_gain &&
+         x.story == y.story && x.compare == y.compare && x.split == y.split && x.difference_gain == y.difference_gain &&
          x.layout == y.layout && x.lesson == y.lesson && x.step == y.step;
 }
 

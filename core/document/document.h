@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "document/story_view.h"
 #include "options/settings.h"
 #include "render/channel_picture.h"
 #include "render/view.h"
@@ -44,6 +45,7 @@ struct Layout {
   double left = 0, right = 0, bottom = 0.36;  ///< bottom: 0 = folded
   bool panels = true;                         ///< false: only the pictures
   std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
+  std::string filled;  ///< the region that has the window for itself: "left", "lesson", "right", "bottom"; "" = none
   bool operator==(const Layout&) const = default;
 };
 
@@ -60,6 +62,7 @@ struct Document {
   Vec2i pixel{-1, -1};    ///< the picked pixel, array position; (-1, -1) = none
   Side picked = Side::a;  ///< whose story is told
   int event = -1;         ///< the selected event of that story; -1 = none
+  StoryView story;        ///< what its views show
   CompareMode compare = CompareMode::side_by_side;
   double split = 0.5;          ///< where the divider stands, share of the picture's width
   double difference_gain = 1;  ///< factor by which differences are shown

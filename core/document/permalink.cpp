@@ -7,13 +7,13 @@
 
 #include "base/check.h"
 #include "document/number_list.h"
+#include "document/permalink_field.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 
 namespace ps {
-namespace {
 
-constexpr std::array<std::string_view, 5> compare_keys{"side-by-side", "split", "difference", "only-a", "only-b"};
+namespace detail {
 
 double parse_in_range(std::string_view text, double low, double high, std::string_view what) {
   const double value = parse_number_list(text, 1, what).front();
@@ -29,22 +29,26 @@ int parse_whole(std::string_view text, int low, int high, std::string_view what)
   return static_cast<int>(value);
 }
 
-/// One thing that a permalink can hold. `text` gives nothing while the document has the default.
-struct Field {
-  std::string_view key;
-  std::optional<std::string> (*text)(const Document&);
-  void (*parse)(Document&, std::string_view);
-};
+std::optional<std::string> number_unless(double value, double standard) {
+  return value == standard ? std::nullopt : std::optional(fmt::format("{}", value));
+}
 
+std::optional<std::string> text_unless(const std::string& value, const std::string& standard) {
+  return value == standard ? std::nullopt : std::optional(value);
+}
+
+}  // namespace detail
+
+namespace {
+
+using detail::number_unless;
+using detail::parse_in_range;
+using detail::parse_whole;
+using detail::text_unless;
+using Field = detail::PermalinkField;
 using Text = std::optional<std::string>;
 
-Text number_unless(double value, double standard) {
-  return value == standard ? Text{} : Text{fmt::format("{}", value)};
-}
-
-Text text_unless(const std::string& value, const std::string& standard) {
-  return value == standard ? Text{} : Text{value};
-}
+constexpr std::array<std::string_view, 5> compare_keys{"side-by-side", "split", "difference", "only-a", "only-b"};
 
 Text show_text(ShownChannel show) {
   return show == ShownChannel{} ? Text{} : Text{std::string(shown_channel(show).key)};
@@ -116,6 +120,12 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.layout.right_tab = t; }},
       {"bottom-tab", [](const Document& d) { return text_unless(d.layout.bottom_tab, Layout{}.bottom_tab); },
        [](Document& d, std::string_view t) { d.layout.bottom_tab = t; }},
+      {"filled", [](const Document& d) { return text_unless(d.layout.filled, ""); },
+       [](Document& d, std::string_view t) {
+         if (t != "left" && t != "lesson" && t != "right" && t != "bottom")
+           throw InputError(fmt::format("filled: found '{}', expected left, lesson, right or bottom", t));
+         d.layout.filled = t;
+       }},
       {"lesson", [](const Document& d) { return text_unless(d.lesson, ""); },
        [](Document& d, std::string_view t) { d.lesson = t; }},
       {"step", [](const Document& d) { return d.step == 0 ? Text{} : Text{fmt::format("{}", d.step)}; },
@@ -132,6 +142,8 @@ void parse_field(Document& document, const std::string& key, const std::string& 
     return;
   }
   for (const Field& field : document_fields())
+    if (field.key == key) return field.parse(document, value);
+  for (const Field& field : detail::story_fields())
     if (field.key == key) return field.parse(document, value);
   throw InputError(fmt::format("permalink: unknown part '{}'", key));
 }
@@ -150,6 +162,8 @@ std::string permalink(const Document& document) {
     link += fmt::format("{}{}={}", link.empty() ? "" : "&", percent_escape(key), percent_escape(value));
   };
   for (const Field& field : document_fields())
+    if (const auto text = field.text(document)) add(field.key, *text);
+  for (const Field& field : detail::story_fields())
     if (const auto text = field.text(document)) add(field.key, *text);
   for (const SceneEdit& edit : document.edits) add("edit." + edit.path, edit.value);
   for (const Side side : {Side::a, Side::b})

@@ -37,6 +37,26 @@ double any_coordinate() { return *rc::gen::inRange(-1'000'000'000, 1'000'000'000
 
 Vec3d any_vector() { return {any_coordinate(), any_coordinate(), any_coordinate()}; }
 
+StoryView any_story_view() {
+  StoryView view;
+  view.outside.preset = static_cast<SpacePreset>(*rc::gen::inRange(0, 4));
+  if (*rc::gen::arbitrary<bool>())
+    view.outside.orbit = SpaceOrbit{any_vector(), any_coordinate(), any_coordinate(), 0.01 + any_share()};
+  // Through the camera there is no preset to speak of.
+  view.outside.through_camera = view.outside.preset == SpacePreset::outside && *rc::gen::arbitrary<bool>();
+  view.outside.switched = *rc::gen::arbitrary<std::string>();
+  view.outside.least_contribution = any_share();
+  view.outside.deepest_level = any_share() * 20;
+  view.until_event = *rc::gen::arbitrary<bool>();
+  view.listing_instance = *rc::gen::inRange(-1, 5000);
+  if (*rc::gen::arbitrary<bool>()) view.sample = Vec2d(any_coordinate(), any_coordinate());
+  view.micro_triangle = *rc::gen::inRange(-1, 500);
+  if (*rc::gen::arbitrary<bool>()) view.vertex = VertexId{*rc::gen::inRange(0, 99), *rc::gen::inRange(0, 9999)};
+  if (*rc::gen::arbitrary<bool>()) view.vertex_edits.order = ModelOrder::move_then_turn;
+  if (*rc::gen::arbitrary<bool>()) view.vertex_edits.near = any_coordinate();
+  return view;
+}
+
 Document any_document() {
   Document d;
   d.scene_name = *rc::gen::arbitrary<std::string>();
@@ -59,6 +79,8 @@ Document any_document() {
   if (*rc::gen::arbitrary<bool>()) d.pixel = {*rc::gen::inRange(0, 9999), *rc::gen::inRange(0, 9999)};
   d.picked = *rc::gen::element(Side::a, Side::b);
   d.event = *rc::gen::inRange(-1, 5000);
+  d.story = any_story_view();
+  d.layout.filled = *rc::gen::element(std::string(), std::string("left"), std::string("right"), std::string("bottom"));
   d.compare = static_cast<CompareMode>(*rc::gen::inRange(0, 5));
   d.split = any_share();
   d.difference_gain = any_share() * 100;

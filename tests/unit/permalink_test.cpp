@@ -55,6 +55,17 @@ TEST(Permalink, BadTextIsAnInputError) {
                           "camera=1,2",
                           "scene=%4",
                           "b.reflection-depth=65",
+                          "look=below",
+                          "orbit=0,0,0,1,1",
+                          "orbit=0,0,0,1,1,0",
+                          "until=end",
+                          "instance=-1",
+                          "sample=0.5",
+                          "vertex=-1,2",
+                          "vertex-order=turn-then-move",
+                          "vertex-near=x",
+                          "least=2",
+                          "filled=top",
                           "=",
                           "&"})
     EXPECT_THROW(parse_permalink(bad), InputError) << bad;

@@ -51,6 +51,11 @@ void read_layout(const std::string& text, Layout& layout) {
   }
 }
 
+/// Whether no permalink says how the window is divided.
+bool nothing_linked(const AppOptions& options) {
+  return options.permalink.empty() && (options.scene.empty() || !permalink_in_file(options.scene));
+}
+
 std::filesystem::path autosave_folder(const AppOptions& options) {
   return options.remember ? StateFile::default_path().parent_path() : std::filesystem::path();
 }
@@ -103,7 +108,7 @@ App::App(Shell& shell, const AppOptions& options, Document document)
       // What cannot be read back is no use to anyone.
     }
   }
-  read_layout(shell.remembered(layout_key), document.layout);
+  if (nothing_linked(options)) read_layout(shell.remembered(layout_key), document.layout);
   session_.start(std::move(document));
   if (!options.lesson.empty()) go_to_step(session_, options.lesson, 0);
   space_.save = [this] { files_.ask(FilePurpose::save_space, "space.svg"); };
@@ -155,8 +160,8 @@ void App::close_on_escape() {
     session_.set_region({});
     return;
   }
-  if (!filling_.empty()) {
-    filling_.clear();
+  if (!filling().empty()) {
+    fill({});
     return;
   }
   if (history_.open) {
@@ -181,9 +186,12 @@ void App::draw() {
   mirror_screen(session_, pixel_panel_, mirror_);
   listing_.worker.take_news();
   const Layout& shares = session_.document().layout;
+  const StoryPanels story_panels{pixel_panel_, space_, microscope_, listing_, vertex_};
+  mirror_story(session_, story_panels, mirror_, story_mirror_);
   update_vertex(session_, vertex_, shares.panels && shares.bottom > 0 && shares.bottom_tab == "vertex");
   space_.vertex = vertex_.chain;
   update_space(session_, space_);
+  restore_play(session_, story_panels, mirror_, story_mirror_);
   studies_.update(session_);
   update_pixels(session_, pixels_, pictures_);
 
@@ -235,21 +243,22 @@ void App::region_heading(const char* name, const char* heading) {
   const FontScope font(Face::bold);
   ImGui::InvisibleButton("heading", {std::max(ImGui::GetContentRegionAvail().x, 1.f), ImGui::GetTextLineHeight()});
   const bool hovered = ImGui::IsItemHovered();
-  controls().record(std::string("region/") + name, filling_ == name ? "fills the window" : heading);
-  if (hovered && ImGui::IsMouseDoubleClicked(0)) filling_ = filling_ == name ? "" : name;
+  controls().record(std::string("region/") + name, filling() == name ? "fills the window" : heading);
+  if (hovered && ImGui::IsMouseDoubleClicked(0)) fill(filling() == name ? "" : name);
   ImGui::GetWindowDrawList()->AddText(at, colour_u32(hovered ? palette().text : palette().text_quiet), heading);
   const FontScope body(Face::body);
-  tooltip(filling_ == name ? "Double-click or Esc: back to the pictures." : "Double-click: fill the window with this.");
+  tooltip(filling() == name ? "Double-click or Esc: back to the pictures."
+                            : "Double-click: fill the window with this.");
 }
 
 void App::layout(const Area& area) {
   Layout shares = session_.document().layout;
   const float margin = px(6);
   const float width = area.width(), height = area.height();
-  if (!filling_.empty()) {
-    if (filling_ == "right")
+  if (!filling().empty()) {
+    if (filling() == "right")
       right_region(area);
-    else if (filling_ == "bottom")
+    else if (filling() == "bottom")
       bottom_region(area);
     else
       left_region(area);
@@ -350,7 +359,7 @@ void App::right_region(const Area& area) {
 }
 
 void App::bottom_region(const Area& area) {
-  if (!(filling_ == "bottom" || session_.document().layout.bottom > 0)) {
+  if (!(filling() == "bottom" || session_.document().layout.bottom > 0)) {
     bool open = false;
     begin_region("bottom", area);
     section("bottom/open", "SPACE, LISTING, CHART, NEEDS and others", open);
@@ -387,7 +396,7 @@ void App::bottom_region(const Area& area) {
 }
 
 void App::bottom_tab(const std::string& tab) {
-  const bool filled = filling_ == "bottom";
+  const bool filled = filling() == "bottom";
   bool fill_or_not = false;
   const bool story = tab == "space" || tab == "microscope" || tab == "listing";
   if (story && prediction_pending(session_, predict_))
@@ -415,14 +424,18 @@ void App::bottom_tab(const std::string& tab) {
                             session_.say(Message::Kind::information, "The command is on the clipboard.");
                           }},
                      filled);
-  if (fill_or_not) filling_ = filled ? "" : "bottom";
+  if (fill_or_not) fill(filled ? "" : "bottom");
+}
+
+void App::fill(const std::string& region) {
+  session_.navigate([&](Document& document) { document.layout.filled = region; });
 }
 
 /// Opens or shuts the region as its title asks.
 void App::toggle_bottom(bool open) {
-  const bool was_open = filling_ == "bottom" || session_.document().layout.bottom > 0;
+  const bool was_open = filling() == "bottom" || session_.document().layout.bottom > 0;
   if (open == was_open) return;
-  if (filling_ == "bottom") filling_.clear();
+  if (filling() == "bottom") fill({});
   session_.navigate([&](Document& document) { document.layout.bottom = open ? opened_share : 0; });
   remember_layout();
 }

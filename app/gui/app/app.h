@@ -20,6 +20,7 @@
 #include "gui/app/session.h"
 #include "gui/app/space_panel.h"
 #include "gui/app/status_bar.h"
+#include "gui/app/story_mirror.h"
 #include "gui/app/vertex_panel.h"
 #include "gui/shell/content.h"
 #include "gui/shell/shell.h"
@@ -97,6 +98,9 @@ class App final : public Content {
   void bottom_tab(const std::string& tab);
   void publish();
   void remember_layout();
+  /// The region that fills the window; empty = none.
+  const std::string& filling() const { return session_.document().layout.filled; }
+  void fill(const std::string& region);
 
   Shell& shell_;
   Session session_;
@@ -110,12 +114,12 @@ class App final : public Content {
   VertexPanelState vertex_;
   PredictState predict_;
   ScreenMirror mirror_;
+  StoryMirror story_mirror_;
   HistoryPanelState history_;
   StatusBarState status_bar_;
   FileDialog files_;
   Studies studies_;
   LessonShelf lessons_;
-  std::string filling_;  ///< the region that fills the window; empty = none
   bool about_open_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
   Autosave autosave_;

@@ -44,18 +44,22 @@ void take_up(ListingPanelState& state, const std::shared_ptr<const PixelStory>& 
     }
   }
   state.view.emplace(*story->listing, *state.text);
+  if (state.stepped_pixel == story->pixel && state.stepped_to >= 0 &&
+      static_cast<std::size_t>(state.stepped_to) < story->listing->instances.size())
+    state.view->focus(state.stepped_to);
   state.rows = state.view->rows();
 }
 
 std::string levels_text(const std::array<int, 3>& c) { return fmt::format("{} {} {}", c[0], c[1], c[2]); }
 
-bool toolbar(Session& session, const ListingPanelState& state, Side side, bool filled) {
+bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled) {
   const Option* option = find_option("listing");
   int index = session.settings(side).listing;
   if (drop_down("which", option->choices, index, px(choice_width),
                 {.tooltip = "Which lesson's routine is shown.", .disabled = {}})) {
     Settings settings = session.settings(side);
     settings.listing = index;
+    state.stepped_to = -1;
     session.set_settings(side, settings, fmt::format("{}: another listing", letter_of(side)));
   }
   const bool shown = session.settings(side).renderer == Renderer::textbook;
@@ -253,6 +257,8 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   const auto stepped = code(state.rows, ink_of(side), std::exchange(state.reveal, false));
   if (stepped) {
     state.view->step(stepped->row, stepped->by);
+    state.stepped_pixel = *pixel;
+    state.stepped_to = state.view->focus();
     state.rows = state.view->rows();
   }
   return fill;

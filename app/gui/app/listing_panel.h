@@ -21,6 +21,9 @@ struct ListingPanelState {
   std::optional<ListingView> view;
   bool reveal = false;           ///< a listing came new: show where it begins to tell
   std::vector<ListingRow> rows;  ///< of the view
+  /// The run of a loop that was stepped to, of the pixel that was picked then; -1 = none.
+  Vec2i stepped_pixel{-1, -1};
+  int stepped_to = -1;
 };
 
 /// A lesson's routine with the values that its lines had for the picked pixel. `filled`: it has the whole window;

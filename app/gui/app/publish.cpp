@@ -160,13 +160,18 @@ void App::publish() {
   out.publish("space/boxes", space_.boxes);
   out.publish("space/steps", static_cast<int>(space_.model.steps.size()));
   out.publish("space/playing", space_.play.running);
+  out.publish("space/up-to", space_.play.up_to);
+  out.publish("space/orbit", space_.orbit ? fmt::format("{:.6g} {:.6g} {:.6g}", space_.orbit->yaw, space_.orbit->pitch,
+                                                        space_.orbit->distance)
+                                          : "none");
+  out.publish("listing/focus", listing_.view ? listing_.view->focus() : -1);
   out.publish("listing/folder", listing_.told && listing_.told->listing ? listing_.told->listing->listing.folder : "");
   out.publish("listing/values",
               listing_.told && listing_.told->listing ? static_cast<int>(listing_.told->listing->watches.size()) : 0);
   out.publish("predict/points", predict_.points);
   out.publish("predict/asked", predict_.asked);
   out.publish("vertex", vertex_.vertex ? fmt::format("{},{}", vertex_.vertex->object, vertex_.vertex->vertex) : "none");
-  out.publish("space/filled", filling_ == "bottom");
+  out.publish("space/filled", filling() == "bottom");
   studies_.publish();
 }
 

@@ -32,6 +32,7 @@ void keep_place(const Document& from, Document& to) {
   to.pixel = from.pixel;
   to.picked = from.picked;
   to.event = from.event;
+  to.story = from.scene_name == to.scene_name ? from.story : carried_over(from.story, false);
   to.compare = from.compare;
   to.split = from.split;
   to.difference_gain = from.difference_gain;
@@ -275,7 +276,10 @@ void Session::take_up(Document document, Reason reason) {
   case Reason::open:
   case Reason::permalink:  // tells how the window is divided, too
     region_.reset();
-    if (has_scene() && reason == Reason::open) document.layout = document_.layout;
+    if (has_scene() && reason == Reason::open) {
+      document.layout = document_.layout;
+      document.story = carried_over(document_.story, false);
+    }
     std::erase_if(messages_, [](const Message& message) { return message.kind != Message::Kind::error; });
     note_recent(document.scene_name);
     break;

@@ -262,10 +262,6 @@ void update_space(Session& session, SpacePanelState& state) {
   const auto story = session.story(side);
   const Scene& scene = session.scene();
   const std::array revisions{scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
-  if (session.document().scene_name != state.scene_name) {
-    state.scene_name = session.document().scene_name;
-    set_preset(state, SpacePreset::outside);
-  }
   if (story == state.told && revisions == state.revisions && session.view() == state.view &&
       session.settings(side) == state.settings && same_vertex(state.vertex, state.followed))
     return;

@@ -38,7 +38,6 @@ struct SpacePanelState {
   // The model and what it was made from.
   std::shared_ptr<const PixelStory> told;
   std::array<std::uint64_t, 3> revisions{};
-  std::string scene_name;
   View view;
   Camera base;  ///< whose axes the orbit turns about
   Settings settings;

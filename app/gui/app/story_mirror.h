@@ -1,0 +1,33 @@
+#pragma once
+#include "gui/app/listing_panel.h"
+#include "gui/app/microscope_panel.h"
+#include "gui/app/pixel_panel.h"
+#include "gui/app/screen_state.h"
+#include "gui/app/space_panel.h"
+#include "gui/app/vertex_panel.h"
+
+namespace ps::gui {
+
+/// The panels that tell a pixel's story; all must outlive it.
+struct StoryPanels {
+  PixelPanelState& pixel;
+  SpacePanelState& space;
+  MicroscopePanelState& microscope;
+  ListingPanelState& listing;
+  VertexPanelState& vertex;
+};
+
+/// What of these panels belongs to the document, as it was when the two were last alike.
+struct StoryMirror {
+  StoryView shown;
+  bool resumes = false;  ///< the playing is to go on from the selected event, once that is there
+};
+
+/// Keeps the document's StoryView the same as what the panels show, whichever of the two changed. After mirror_screen()
+/// and before the panels look at the scene.
+void mirror_story(Session& session, const StoryPanels& panels, const ScreenMirror& screen, StoryMirror& mirror);
+
+/// Goes on with a playing that a permalink tells of, when its story and its event have come. After update_space().
+void restore_play(const Session& session, const StoryPanels& panels, const ScreenMirror& screen, StoryMirror& mirror);
+
+}  // namespace ps::gui

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "document/document.h"
+
+namespace ps::detail {
+
+/// One thing that a permalink can hold. `text` gives nothing while the document has the default; `parse` throws
+/// InputError for what `text` would not give.
+struct PermalinkField {
+  std::string_view key;
+  std::optional<std::string> (*text)(const Document&);
+  void (*parse)(Document&, std::string_view);
+};
+
+/// The parts about the views of the pixel's story.
+std::span<const PermalinkField> story_fields();
+
+/// A number between two bounds, both allowed; else InputError, which names it as `what`.
+double parse_in_range(std::string_view text, double low, double high, std::string_view what);
+int parse_whole(std::string_view text, int low, int high, std::string_view what);
+
+/// The number, or nothing where it is the default.
+std::optional<std::string> number_unless(double value, double standard);
+std::optional<std::string> text_unless(const std::string& value, const std::string& standard);
+
+}  // namespace ps::detail

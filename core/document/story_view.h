@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "inspect/space_orbit.h"
+#include "inspect/vertex_chain.h"
+
+namespace ps {
+
+/// The scene from outside: from where it is seen, and what of the story is drawn in it.
+struct OutsideView {
+  SpacePreset preset = SpacePreset::outside;
+  std::optional<SpaceOrbit> orbit;  ///< instead of the preset; turned by hand
+  bool through_camera = false;      ///< instead of both
+  std::string switched;             ///< keys of the groups that are not as at first, separated by commas
+  double least_contribution = 0;    ///< rays that bring a smaller share of the pixel's colour are left out
+  double deepest_level = 3;         ///< of the accelerator's boxes
+  bool operator==(const OutsideView&) const = default;
+};
+
+/// What the views of a pixel's story show beside the selected event. Belongs to the picked pixel and its side.
+struct StoryView {
+  OutsideView outside;
+  bool until_event = false;        ///< the story is gone through: nothing after the selected event is drawn
+  int listing_instance = -1;       ///< the run of a loop that was chosen in the listing; -1 = none was
+  std::optional<Vec2d> sample;     ///< the microscope's point, in pixels from the pixel's top left corner
+  int micro_triangle = -1;         ///< whose numbers the microscope shows; -1 = the one in front
+  std::optional<VertexId> vertex;  ///< that is kept; empty = the one next to the picked pixel
+  VertexEdits vertex_edits;        ///< steps of its way that are tried out
+  bool operator==(const StoryView&) const = default;
+};
+
+/// What stays of it when another document takes the place of the one that it belongs to: in the same scene all of the
+/// view from outside and the kept vertex, else only what is drawn and what not.
+StoryView carried_over(const StoryView& before, bool same_scene);
+
+}  // namespace ps
