@@ -10,6 +10,7 @@
 #include "render/render.h"
 #include "textbook/book_canvas.h"
 #include "textbook/book_scene.h"
+#include "textbook/tell_listing.h"
 #include "textbook/trace_listing.h"
 
 namespace ps {
@@ -76,8 +77,10 @@ PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings
   story.verdict = lines.empty() ? fmt::format("no line of the listing of {} reached this pixel", listing.source)
                                 : fmt::format("the listing of {} gave this pixel its colour: {} values on {} lines",
                                               listing.source, trace->watches.size(), lines.size());
+  story.events = tell_listing(book_scene(scene, view, settings), *trace);
   story.events.push_back({-1, EventData(PixelEvent{story.linear, story.display})});
-  story.ledger.push_back({0, fmt::format("as the listing of {} computes it", listing.source), story.linear, 0});
+  story.ledger.push_back({0, fmt::format("as the listing of {} computes it", listing.source), story.linear,
+                          static_cast<int>(story.events.size()) - 1});
   story.listing = std::move(trace);
   return story;
 }

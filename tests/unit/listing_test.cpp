@@ -1,6 +1,7 @@
 // The textbook listings and how they are shown with the values of a pixel.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "options/option.h"
@@ -9,6 +10,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/run_cli.h"
+#include "textbook/book_math.h"
 #include "textbook/listing_view.h"
 
 namespace ps {
@@ -100,6 +102,83 @@ TEST(Listing, TraceGivesTheColourOfThePicture) {
         EXPECT_EQ(story.linear, frame.colour_double.at(x, y)) << name << " " << x << "," << y;
         EXPECT_FALSE(story.verdict.empty());
       }
+  }
+}
+
+/// The colour that the last surface, mirror, fragment or line of a story says the pixel has.
+Vec3d last_colour(const PixelStory& story) {
+  Vec3d colour(NAN);
+  for (const Event& event : story.events) {
+    if (const auto* miss = std::get_if<MissEvent>(&event.data)) colour = miss->background;
+    if (const auto* shade = std::get_if<ShadeEvent>(&event.data)) colour = shade->local;
+    if (const auto* mirror = std::get_if<ReflectionEvent>(&event.data)) colour = mirror->result;
+    if (const auto* write = std::get_if<WriteEvent>(&event.data)) colour = write->after;
+    if (const auto* line = std::get_if<LineEvent>(&event.data)) colour = line->colour;
+  }
+  return colour;
+}
+
+/// A listing's steps, told in the events of the renderers, come to the colour that it put into the canvas.
+TEST(Listing, EventsEndInItsColour) {
+  for (const char* name : {"cgfs/spheres", "cgfs/lights", "cgfs/shadows", "cgfs/reflections", "cgfs/lines",
+                           "cgfs/triangles", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
+    const Scene scene = load_scene(name);
+    const Settings settings = textbook(scene);
+    const View view{scene.camera, 120, 100};
+    Prepared prepared;
+    Progress progress;
+    int told = 0;
+    for (int y = 2; y < 100; y += 17)
+      for (int x = 4; x < 120; x += 7) {
+        const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
+        if (story.events.size() < 2) continue;  // nothing reached the pixel
+        ++told;
+        EXPECT_LT(length(last_colour(story) - story.linear), 1e-9) << name << " " << x << "," << y;
+        for (std::size_t i = 0; i < story.events.size(); ++i) EXPECT_LT(story.events[i].parent, static_cast<int>(i));
+      }
+    EXPECT_GT(told, 0) << name;
+  }
+}
+
+/// The same numbers as the ray tracer's own story, which knows nothing of listings.
+TEST(Listing, EventsAreThoseOfTheRayTracer) {
+  const Scene scene = load_scene("cgfs/reflections");
+  Settings settings = settings_for(scene);
+  settings.precision = Precision::float64;
+  settings.sample_position = SamplePosition::corner;
+  settings.self_hit = SelfHit::epsilon;
+  settings.sphere_test = SphereTest::quadratic;
+  const View view{scene.camera, scene.canvas_width, scene.canvas_height};
+  Prepared prepared;
+  Progress progress;
+  for (const Vec2i pixel : {Vec2i{300, 420}, Vec2i{180, 330}, Vec2i{430, 320}, Vec2i{300, 550}}) {
+    settings.renderer = Renderer::ray_tracer;
+    const PixelStory traced = inspect(scene, view, settings, pixel, prepared, progress);
+    settings.renderer = Renderer::textbook;
+    const PixelStory listed = inspect(scene, view, settings, pixel, prepared, progress);
+    std::vector<HitEvent> hits_traced, hits_listed;
+    std::vector<LightEvent> lights_traced, lights_listed;
+    const auto gather = [](const PixelStory& story, auto& hits, auto& lights) {
+      for (const Event& event : story.events) {
+        if (const auto* hit = std::get_if<HitEvent>(&event.data)) hits.push_back(*hit);
+        if (const auto* light = std::get_if<LightEvent>(&event.data)) lights.push_back(*light);
+      }
+    };
+    gather(traced, hits_traced, lights_traced);
+    gather(listed, hits_listed, lights_listed);
+    ASSERT_EQ(hits_listed.size(), hits_traced.size());
+    ASSERT_EQ(lights_listed.size(), lights_traced.size());
+    for (std::size_t i = 0; i < hits_traced.size(); ++i) {
+      EXPECT_EQ(hits_listed[i].id, hits_traced[i].id);
+      EXPECT_NEAR(hits_listed[i].t, hits_traced[i].t, 1e-9);
+      EXPECT_LT(length(hits_listed[i].shading_normal - hits_traced[i].shading_normal), 1e-9);
+    }
+    for (std::size_t i = 0; i < lights_traced.size(); ++i) {
+      EXPECT_NEAR(lights_listed[i].diffuse, lights_traced[i].diffuse, 1e-9);
+      EXPECT_NEAR(lights_listed[i].specular, lights_traced[i].specular, 1e-9);
+      EXPECT_EQ(lights_listed[i].blocker.has_value(), lights_traced[i].blocker.has_value());
+      EXPECT_EQ(lights_listed[i].below_horizon, lights_traced[i].below_horizon);
+    }
   }
 }
 

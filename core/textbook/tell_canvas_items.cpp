@@ -1,0 +1,91 @@
+// The listings of CGFS ch. 6 and 7 in a rasterizer's events.
+#include <cmath>
+
+#include "textbook/tell_parts.h"
+
+namespace ps::textbook {
+namespace {
+
+class CanvasTeller {
+ public:
+  CanvasTeller(const BookScene& book, const WatchReader& reader, PixelRecorder& recorder)
+      : book_(book), reader_(reader), recorder_(recorder), colour_(book.background / 255.0) {}
+
+  void tell() {
+    for (const int pixel : reader_.all("pixel"))
+      if (const int line = reader_.around(pixel, "line from"); line >= 0)
+        tell_line(line);
+      else if (reader_.last<Vec2d>(pixel, "outline at"))
+        tell_outline(pixel);
+      else
+        tell_filled(pixel);
+  }
+
+ private:
+  Vec2d from_top_left(const Vec2d& p) const {
+    const int middle = book_.width / 2;
+    return {p.x + middle, book_.height - book_.height / 2 - p.y};
+  }
+
+  void tell_line(int line) {
+    const Vec2d from = std::get<Vec2d>(reader_.value_of(line));
+    const CanvasLine* drawn = nullptr;
+    for (const CanvasItem& item : *book_.scene.canvas_items)
+      if (const auto* one = std::get_if<CanvasLine>(&item);
+          one && one->points[0] == from && one->points[1] == reader_.last<Vec2d>(line, "to").value_or(one->points[1]))
+        drawn = one;
+    if (!drawn) return;
+    colour_ = drawn->colour;
+    recorder_.event([&] {
+      return LineEvent{{}, from_top_left(drawn->points[0]), from_top_left(drawn->points[1]), 0, colour_};
+    });
+  }
+
+  const CanvasTriangle* triangle_of(int pixel) const {
+    const int triangle = reader_.around(pixel, "triangle with corner");
+    if (triangle < 0) return nullptr;
+    const CanvasTriangle* found = nullptr;
+    for (const CanvasItem& item : *book_.scene.canvas_items)
+      if (const auto* one = std::get_if<CanvasTriangle>(&item);
+          one && Vec2d(std::trunc(one->points[0].x), std::trunc(one->points[0].y)) ==
+                     std::get<Vec2d>(reader_.value_of(triangle)))
+        found = one;
+    return found;
+  }
+
+  /// Which of the three sides it is the listing does not say: told as the first.
+  void tell_outline(int pixel) {
+    const CanvasTriangle* triangle = triangle_of(pixel);
+    if (!triangle || !triangle->outline) return;
+    colour_ = *triangle->outline;
+    recorder_.event([&] {
+      return LineEvent{{}, from_top_left(triangle->points[0]), from_top_left(triangle->points[1]), 0, colour_};
+    });
+  }
+
+  void tell_filled(int pixel) {
+    const CanvasTriangle* triangle = triangle_of(pixel);
+    if (!triangle) return;
+    FragmentEvent event;
+    for (std::size_t k = 0; k < 3; ++k)
+      event.corners[k] = from_top_left({std::trunc(triangle->points[k].x), std::trunc(triangle->points[k].y)});
+    recorder_.begin([&] { return event; });
+    const Vec3d colour = reader_.last<Vec3d>(pixel, "colour").value_or(Vec3d(0)) / 255.0;
+    recorder_.event([&] { return WriteEvent{{}, colour_, colour, colour}; });
+    recorder_.end();
+    colour_ = colour;
+  }
+
+  const BookScene& book_;
+  const WatchReader& reader_;
+  PixelRecorder& recorder_;
+  Vec3d colour_;  // of the pixel so far
+};
+
+}  // namespace
+
+void tell_canvas_items(const BookScene& book, const WatchReader& reader, PixelRecorder& recorder) {
+  CanvasTeller(book, reader, recorder).tell();
+}
+
+}  // namespace ps::textbook
