@@ -129,6 +129,7 @@ struct Describer {
     return text;
   }
   std::string operator()(const FragmentEvent& e) const {
+    if (e.id.object < 0) return "a triangle on the canvas covers the pixel";
     std::string text = fmt::format("{} covers the pixel at z = {}", primitive_name(scene, e.id), number_text(e.z));
     if (const std::string behind = behind_camera_text(e); !behind.empty()) text += fmt::format(" ({})", behind);
     switch (e.depth) {

@@ -9,6 +9,7 @@
 #include "inspect/event_fields.h"
 #include "inspect/parting/align_parts.h"
 #include "inspect/reason_text.h"
+#include "textbook/tell_listing.h"
 
 namespace ps {
 namespace {
@@ -33,6 +34,9 @@ std::string key_of(const EventData& data) {
   if (const auto* reject = std::get_if<RejectEvent>(&data)) return "triangle " + key_of(reject->id);
   return std::string(event_kind(data));
 }
+
+/// A listing takes the steps of one of the other renderers.
+Renderer steps_of(const PixelStory& story) { return story.listing ? way_of(story.listing->listing) : story.renderer; }
 
 class Aligner {
  public:
@@ -82,8 +86,9 @@ class Aligner {
 
 std::vector<AlignedRow> align_stories(const PixelStory& a, const PixelStory& b, const Scene& scene) {
   const EventTree tree_a(a), tree_b(b);
-  if (a.renderer != b.renderer) {
-    const bool ray_first = a.renderer == Renderer::ray_tracer;
+  const Renderer way_a = steps_of(a), way_b = steps_of(b);
+  if (way_a != way_b) {
+    const bool ray_first = way_a == Renderer::ray_tracer;
     auto rows = parting::align_ray_and_fragment(ray_first ? tree_a : tree_b, ray_first ? tree_b : tree_a, scene);
     if (!ray_first)
       for (AlignedRow& row : rows) std::swap(row.a, row.b);

@@ -21,6 +21,28 @@ bool through_an_edge(const std::array<double, 3>& edges) {
   return std::any_of(edges.begin(), edges.end(), [](double e) { return e == 0; });
 }
 
+/// A listing tells only of triangles that reach the pixel: why it has nothing of the one that won in the other story.
+template <class Says>
+Parting left_out_by_listing(const Comparison& c, const Sighting& winner, const StorySide& won, const Says& says,
+                            std::string_view letter) {
+  const std::string name = primitive_name(c.scene, winner.id);
+  const auto* fragment = event_at<FragmentEvent>(won.story, winner.seen);
+  if (fragment && fragment->back_face)
+    return says(PartingCause::culling, fmt::format("The listing of {} drops the back of {}", letter, name),
+                {"backface-culling"});
+  if (is_tessellated(c.scene, winner.id))
+    return says(PartingCause::coverage, fmt::format("The listing of {} draws models only, and so not {}", letter, name),
+                {});
+  if (differs(c, "draw"))
+    return says(PartingCause::coverage,
+                fmt::format("The listing of {} draws no more of {} than its edges", letter, name), {"draw"});
+  return says(PartingCause::coverage,
+              fmt::format("The rows of the listing of {}, which drops the fractions of the corners' places, do not "
+                          "reach this pixel with {}",
+                          letter, name),
+              {"subpixel-bits", "sample-position"});
+}
+
 /// Why the triangle that won on the side `won` is not what `lost` shows. `letter` names the side that lost it.
 std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const Sighting& winner,
                                 const StorySide& lost, std::string_view letter) {
@@ -61,6 +83,7 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
                 {"subpixel-bits", "coverage", "edge-arithmetic", "sample-position", "fill-rule"});
   }
   if (fate.event < 0) {
+    if (lost.story.listing) return left_out_by_listing(c, winner, won, says, letter);
     if (differs(c, "clipping") || differs(c, "near") || differs(c, "far"))
       return says(PartingCause::clipping, fmt::format("{} has no part of {} left here after clipping", letter, name),
                   {"clipping", "near", "far"});

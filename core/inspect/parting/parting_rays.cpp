@@ -4,6 +4,7 @@
 #include "inspect/number_text.h"
 #include "inspect/parting/parting_parts.h"
 #include "inspect/reason_text.h"
+#include "scene/scene.h"
 
 namespace ps::parting {
 namespace {
@@ -50,6 +51,12 @@ bool starts_on(const PixelStory& story, const Sighting& sighting) {
   return step < 1e-2 * scale;
 }
 
+bool is_no_sphere(const Scene& scene, const PixelId& id) {
+  const auto& objects = scene.geometry->objects;
+  return id.object >= 0 && static_cast<std::size_t>(id.object) < objects.size() &&
+         !std::holds_alternative<Sphere>(objects[static_cast<std::size_t>(id.object)].shape);
+}
+
 constexpr std::string_view epsilon_keys[] = {"self-hit", "shadow-epsilon", "reflection-epsilon", "epsilon-unit"};
 
 }  // namespace
@@ -74,6 +81,9 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
   const StorySide& other = nearer_a ? c.b : c.a;
   const Tested tested = test_of(other.story, nearer_a ? b.ray : a.ray, winner.id);
   const std::string_view loser = nearer_a ? "B" : "A";
+  if (!tested.outcome && other.story.listing && is_no_sphere(c.scene, winner.id))
+    return says(PartingCause::visibility,
+                fmt::format("{}: the listing of {} knows spheres and nothing else", saw, loser), {});
   if (!tested.outcome)
     return says(differs(c, "accelerator") || differs(c, "slab-test") ? PartingCause::precision
                                                                      : PartingCause::unexplained,

@@ -25,6 +25,19 @@ bool same_surface(const Comparison& c, const Sighting& a, const Sighting& b) {
   return a.id == b.id;
 }
 
+/// A listing and the rasterizer have the same triangle in front, but not at the same place of it.
+std::optional<Parting> part_at_place(const Comparison& c, const Sighting& a, const Sighting& b) {
+  const auto depth_a = seen_depth(c.a.story, a), depth_b = seen_depth(c.b.story, b);
+  if (!c.with_listing() || !c.both_fragments() || !depth_a || !depth_b || c.same(*depth_a, *depth_b))
+    return std::nullopt;
+  const std::string where = fmt::format("Both draw {}, A at z = {} and B at z = {}", primitive_name(c.scene, a.id),
+                                        number_text(*depth_a), number_text(*depth_b));
+  if (differs(c, "sample-position"))
+    return Parting{PartingCause::eye_ray, where + because(c, {"sample-position"}) + ".", a.seen, b.seen};
+  return Parting{PartingCause::coverage, where + ": the listing drops the fractions of the corners' places.", a.seen,
+                 b.seen};
+}
+
 }  // namespace
 
 std::optional<Parting> part_at_winner(const Comparison& c, const Sighting& a, const Sighting& b) {
@@ -35,6 +48,7 @@ std::optional<Parting> part_at_winner(const Comparison& c, const Sighting& a, co
 }
 
 std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, const Sighting& b) {
+  if (auto found = part_at_place(c, a, b)) return found;
   const auto depth_a = seen_depth(c.a.story, a), depth_b = seen_depth(c.b.story, b);
   if (!c.both_rays() || !depth_a || !depth_b || c.same(*depth_a, *depth_b)) return std::nullopt;
   const auto root_a = root_taken(c.a.story, a), root_b = root_taken(c.b.story, b);
