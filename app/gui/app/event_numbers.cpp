@@ -32,11 +32,19 @@ std::string column_text(double value) {
   return size < 1 ? fmt::format("{:.1e}", value) : fmt::format("{:.5g}", value);
 }
 
+/// What a field of that name had, or nothing where it reads the same.
+std::string value_then(const std::vector<FieldText>& before, const FieldText& now) {
+  for (const FieldText& old : before)
+    if (old.name == now.name) return old.exact == now.exact ? std::string() : old.value + " →";
+  return {};
+}
+
 }  // namespace
 
-void event_numbers(const Event& event, const Scene& scene) {
+void event_numbers(const Event& event, const Scene& scene, const Event* before) {
   const auto fields = event_fields(event.data);
-  const auto texts = event_table(event, scene);                            // the same fields in words
+  const auto texts = event_table(event, scene);  // the same fields in words
+  const auto then = before ? event_table(*before, scene) : std::vector<FieldText>{};
   const float left = px(6), room = ImGui::GetContentRegionMax().x - left;  // the tree's indent would cost too much room
   float names = 0;
   {
@@ -47,6 +55,14 @@ void event_numbers(const Event& event, const Scene& scene) {
   const float column = ImGui::CalcTextSize("-0.0000").x + px(5);
   names = std::min(names + px(8), std::max(room - column * static_cast<float>(columns), px(40)));
   for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (const std::string old = value_then(then, texts[i]); !old.empty()) {
+      ImGui::SetCursorPosX(left + names);
+      ImGui::PushStyleColor(ImGuiCol_Text, palette().wrong_text);
+      ImGui::PushTextWrapPos(0);
+      ImGui::TextUnformatted(old.c_str());
+      ImGui::PopTextWrapPos();
+      ImGui::PopStyleColor();
+    }
     {
       const FontScope small(Face::small);
       ImGui::SetCursorPosX(left);

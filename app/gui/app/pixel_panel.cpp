@@ -83,15 +83,12 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   const std::string name = prefix(side);
   verdict(story, side);
   ImGui::Spacing();
-  if (const int clicked = pin_view(session, state.pin, side, session.story(side)); clicked >= 0) {
-    cursor.selected = clicked;
-    cursor.reveal = true;
-    state.events_open = true;
-  }
+  const PinnedStory* pinned = pinned_story(session, state.pin, side, session.story(side));
+  pin_view(session, state.pin, side, session.story(side));
   if (section("events", "What happened", state.events_open, event_count(story)))
-    story_tree_view(name, story, session.scene(), cursor);
+    story_tree_view(name, story, session.scene(), cursor, pinned);
   if (section("sum", "The colour as a sum", state.sum_open)) {
-    if (const int clicked = ledger_view(name, story, cursor.selected); clicked >= 0) {
+    if (const int clicked = ledger_view(name, story, cursor.selected, pinned); clicked >= 0) {
       cursor.selected = clicked;
       cursor.reveal = true;
       state.events_open = true;

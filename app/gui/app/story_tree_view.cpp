@@ -6,6 +6,7 @@
 
 #include "gui/app/event_icon.h"
 #include "gui/app/event_numbers.h"
+#include "gui/app/pin_view.h"
 #include "gui/app/story_rows.h"
 #include "gui/widgets/widgets.h"
 #include "inspect/describe.h"
@@ -21,13 +22,34 @@ struct TreeDrawing {
   const PixelStory& story;
   const Scene& scene;
   StoryCursor& cursor;
+  const PinnedStory* pinned;
   std::vector<int> ends;
   int first = 0, last = 0;  // the page, half-open
 
   const Event& event(int index) const { return story.events[static_cast<std::size_t>(index)]; }
   int end(int index) const { return ends[static_cast<std::size_t>(index)]; }
 
-  void numbers(int index) const { event_numbers(event(index), scene); }
+  /// The event as it was when the pixel was pinned; nullptr if it is new or nothing is pinned.
+  const Event* then(int index) const {
+    const int before = pinned ? pinned->step_of(index).before : -1;
+    return before < 0 ? nullptr : &pinned->before->events[static_cast<std::size_t>(before)];
+  }
+  void numbers(int index) const { event_numbers(event(index), scene, then(index)); }
+
+  /// What has changed about an event since the pin, in the words of then.
+  void was(int index) const {
+    if (!pinned || !pinned->step_of(index).changed) return;
+    const Event* old = then(index);
+    const std::string before = old ? describe(*old, scene) : std::string();
+    if (old && before == describe(event(index), scene)) return;
+    const FontScope font(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().wrong_text);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing());
+    ImGui::PushTextWrapPos(0);
+    value_text(fmt::format("{}/was/{}", name, index), old ? before + " →" : "new");
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
 
   /// One row with its icon; answers what became of it. `rows` names it among the controls.
   TreeRow row(int index, const std::string& text, TreeKind kind, bool open, EventWeight weight) {
@@ -97,6 +119,7 @@ struct TreeDrawing {
       ImGui::SetScrollHereY(0.3f);
       cursor.reveal = false;
     }
+    was(index);
     if (cursor.selected == index) {
       ImGui::Indent(ImGui::GetTreeNodeToLabelSpacing());
       numbers(index);
@@ -125,14 +148,15 @@ void page_row(const std::string& name, StoryCursor& cursor, int pages, int count
 
 }  // namespace
 
-void story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene, StoryCursor& cursor) {
+void story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene, StoryCursor& cursor,
+                     const PinnedStory* pinned) {
   const int count = static_cast<int>(story.events.size());
   const int pages = std::max(1, (count + events_per_page - 1) / events_per_page);
   if (cursor.selected >= count) cursor.selected = -1;
   if (cursor.reveal && cursor.selected >= 0) cursor.page = cursor.selected / events_per_page;
   cursor.page = std::clamp(cursor.page, 0, pages - 1);
   if (pages > 1) page_row(name, cursor, pages, count);
-  TreeDrawing drawing{name, story, scene, cursor, subtree_ends(story.events)};
+  TreeDrawing drawing{name, story, scene, cursor, pinned, subtree_ends(story.events)};
   drawing.first = cursor.page * events_per_page;
   drawing.last = drawing.first + events_per_page;
   ImGui::PushID(name.c_str());

@@ -16,8 +16,12 @@ struct StoryCursor {
 
 inline constexpr int events_per_page = 200;
 
-/// The events as a tree with their numbers; `name` goes before the names of its rows.
-void story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene, StoryCursor& cursor);
+struct PinnedStory;
+
+/// The events as a tree with their numbers; `name` goes before the names of its rows. With `pinned`, what an event was
+/// then stands below its row, and its old numbers above the new ones.
+void story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene, StoryCursor& cursor,
+                     const PinnedStory* pinned = nullptr);
 
 /// The whole story as text, one event a line, for the clipboard.
 std::string story_text(const PixelStory& story, const Scene& scene);
