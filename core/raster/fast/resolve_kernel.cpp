@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 
 #include "options/simd_choice.h"
 #include "raster/fast/resolve.h"
@@ -207,54 +208,130 @@ class FewTriangles {
   Weights weights_;
 };
 
-/// Fragments of many triangles: four scalars of one fragment at a time, the same operations.
+/// The weights of fragments of many triangles, all lanes at once but for those of triangles in 64-bit numbers.
+class GatheredWeights {
+ public:
+  HWY_INLINE GatheredWeights(const ResolveTask& task, const Fragments& fragments, const Share* shares,
+                             std::size_t count) {
+    static constexpr FastTriangle no_triangle{};
+    static constexpr FastFragment no_fragment{};
+    std::array<const FastTriangle*, most_lanes> triangles;
+    std::array<const FastFragment*, most_lanes> tiny;
+    triangles.fill(&no_triangle);
+    tiny.fill(&no_fragment);
+    std::uint64_t of_triangles = 0, of_tiny = 0, rest = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+      const TileTriangle& triangle = task.tile.triangles[shares[s].id];
+      const bool general = triangle.triangle && triangle.triangle->is_general();
+      (general ? rest : triangle.triangle ? of_triangles : of_tiny) |= shares[s].lanes;
+      if (general) continue;
+      for (std::uint64_t lanes = shares[s].lanes; lanes != 0; lanes &= lanes - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+        if (triangle.triangle)
+          triangles[i] = triangle.triangle;
+        else
+          tiny[i] = triangle.fragment;
+      }
+    }
+    const V zero = hn::Zero(D());
+    weights = {zero, zero, zero};
+    if (of_tiny != 0) {
+      const auto four = ps::HWY_NAMESPACE::four_vectors(
+          [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), tiny[i]->weights.data()); });
+      weights = {four.first, four.second, four.third};
+    }
+    if (of_triangles != 0) add_triangles(triangles, fragments, mask_of(of_triangles));
+    if (rest != 0) add_rest(task, fragments, shares, count);
+  }
+  Weights weights;
+
+ private:
+  HWY_INLINE void add_triangles(const std::array<const FastTriangle*, most_lanes>& triangles,
+                                const Fragments& fragments, M mask) {
+    const D d;
+    const DI di;
+    const auto numbers = [&](std::size_t at) HWY_ATTR {
+      return ps::HWY_NAMESPACE::four_vectors(
+          [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), reinterpret_cast<const float*>(triangles[i]) + at); });
+    };
+    const auto values = numbers(0), steps = numbers(4), box = numbers(12);
+    const VI corner = hn::BitCast(di, box.first), low = hn::Set(di, 0xffff);
+    const VI dx = hn::Sub(hn::Load(di, fragments.column.data()), hn::And(corner, low));
+    const VI dy = hn::Sub(hn::Load(di, fragments.row.data()), hn::And(hn::ShiftRight<16>(corner), low));
+    const auto value = [&](V first, V step_x, V step_y) HWY_ATTR {
+      return hn::Add(hn::Add(hn::BitCast(di, first), hn::Mul(hn::BitCast(di, step_x), dx)),
+                     hn::Mul(hn::BitCast(di, step_y), dy));
+    };
+    const VI first = value(values.first, steps.first, steps.third);
+    const VI second = value(values.second, steps.second, steps.fourth);
+    const VI third = hn::Sub(hn::Sub(hn::BitCast(di, values.third), first), second);
+    const std::array<VI, 3> all{first, second, third};
+    for (std::size_t k = 0; k < 3; ++k)
+      weights[k] = hn::IfThenElse(mask, hn::Mul(hn::ConvertTo(d, all[k]), values.fourth), weights[k]);
+  }
+  HWY_NOINLINE void add_rest(const ResolveTask& task, const Fragments& fragments, const Share* shares,
+                             std::size_t count) {
+    const D d;
+    HWY_ALIGN float numbers[3][most_lanes];
+    for (std::size_t k = 0; k < 3; ++k) hn::Store(weights[k], d, numbers[k]);
+    for (std::size_t s = 0; s < count; ++s) {
+      const TileTriangle& triangle = task.tile.triangles[shares[s].id];
+      if (!triangle.triangle || !triangle.triangle->is_general()) continue;
+      for (std::uint64_t lanes = shares[s].lanes; lanes != 0; lanes &= lanes - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+        const std::array<float, 3> single = weights_at(triangle, fragments.column[i], fragments.row[i]);
+        for (std::size_t k = 0; k < 3; ++k) numbers[k][i] = single[k];
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) weights[k] = hn::Load(d, numbers[k]);
+  }
+};
+static_assert(offsetof(FastTriangle, value) == 0 && offsetof(FastTriangle, step_x) == 16 &&
+              offsetof(FastTriangle, corner) == 48 && offsetof(FastFragment, weights) == 8);
+
+/// Fragments of many triangles: four scalars of each are read at once, and several fragments interpolated together.
 class ManyTriangles {
  public:
   HWY_INLINE ManyTriangles(ResolveTask& task, const BatchShading& shading, const Fragments& fragments,
                            const Share* shares, std::size_t count)
-      : stride_(shading.stride) {
-    hn::Store(fragments.z, D(), z_);
+      : stride_(shading.stride), z_(fragments.z), weights_(GatheredWeights(task, fragments, shares, count).weights) {
     begin_.fill(task.rows.row_of(shares[0].id));
-    weights_ = {};
     for (std::size_t s = 0; s < count; ++s) {
-      const TileTriangle& triangle = task.tile.triangles[shares[s].id];
       const std::uint32_t begin = task.rows.row_of(shares[s].id);
-      for (std::uint64_t lanes = shares[s].lanes; lanes != 0; lanes &= lanes - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
-        begin_[i] = begin;
-        const std::array<float, 3> weights = weights_at(triangle, fragments.column[i], fragments.row[i]);
-        for (std::size_t k = 0; k < 3; ++k) weights_[k][i] = weights[k];
-      }
+      for (std::uint64_t lanes = shares[s].lanes; lanes != 0; lanes &= lanes - 1)
+        begin_[static_cast<std::size_t>(std::countr_zero(lanes))] = begin;
     }
     numbers_ = task.rows.numbers();
   }
   HWY_INLINE V3 vector(int slot) const {
-    const Four four;
-    return transposed([&](std::size_t i) HWY_ATTR {
-      const float* a = numbers_ + begin_[i] + slot;
-      const auto part = [&](std::ptrdiff_t k) HWY_ATTR {
-        return hn::Mul(hn::Set(four, weights_[static_cast<std::size_t>(k)][i]), hn::LoadU(four, a + k * stride_));
+    const auto four = ps::HWY_NAMESPACE::four_vectors_of_quarters([&](auto k) HWY_ATTR {
+      const auto part = [&](std::size_t corner) HWY_ATTR {
+        return hn::Mul(hn::Broadcast<k>(weights_[corner]),
+                       numbers<k>(slot + static_cast<std::ptrdiff_t>(corner) * stride_));
       };
-      return hn::Mul(hn::Add(hn::Add(part(0), part(1)), part(2)), hn::Set(four, z_[i]));
+      return hn::Mul(hn::Add(hn::Add(part(0), part(1)), part(2)), hn::Broadcast<k>(z_));
     });
+    return {four.first, four.second, four.third};
   }
   HWY_INLINE V3 pair(int slot) const { return vector(slot); }
   HWY_INLINE V3 constant(int at) const {
-    return transposed([&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), numbers_ + begin_[i] + at); });
+    const auto four = ps::HWY_NAMESPACE::four_vectors_of_quarters([&](auto k) HWY_ATTR { return numbers<k>(at); });
+    return {four.first, four.second, four.third};
   }
 
  private:
-  template <class Make>
-  static HWY_INLINE V3 transposed(Make&& make) {
-    const texture::Colour three = texture::by_channels(make);
-    return {three.red, three.green, three.blue};
+  /// Four numbers of each of lanes k, k + 4, ...
+  template <int k>
+  HWY_INLINE V numbers(std::ptrdiff_t at) const {
+    return ps::HWY_NAMESPACE::every_fourth(
+        [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), numbers_ + begin_[i] + at); }, k);
   }
 
   std::ptrdiff_t stride_;
   const float* numbers_ = nullptr;
   std::array<std::size_t, most_lanes> begin_;
-  std::array<std::array<float, most_lanes>, 3> weights_;
-  HWY_ALIGN float z_[most_lanes];
+  V z_;
+  Weights weights_;
 };
 
 /// The colours of `count` shares of one surface.
