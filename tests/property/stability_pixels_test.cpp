@@ -17,7 +17,9 @@ double noise(double per_million, double edges) { return 3 * std::sqrt(per_millio
 
 TEST(StabilityCoverage, FillRule) {
   const Curve curve("fill-rule-easy");
-  // 2,953 elsewhere; how many samples lie on edges depends on the mesh, that all of them go wrong does not.
+  // 2,953 elsewhere, 6,462 and 7,713 here. How many samples lie on edges is a property of the mesh, which is not
+  // described: 60 x 60 cells moved by 10 to 45 % of a cell and snapped to half pixels give 12,800 to 6,400. That all of
+  // them go wrong, and in one way, does not depend on it.
   EXPECT_GT(curve.naive("corners on half pixels, >= 0, doubles", 0), 2000);
   EXPECT_GT(curve.naive("corners on half pixels, > 0, holes", 1), 2000);
   EXPECT_EQ(curve.naive("corners on half pixels, >= 0, holes", 0), 0);
@@ -31,10 +33,14 @@ TEST(StabilityCoverage, EdgesThroughASample) {
   for (const auto& [length, rate] : std::map<double, double>{{10, 1800}, {100, 19665}, {1000, 131100}})
     for (const char* what : {"float, own order, holes", "float, own order, doubles"})
       curve.expect_naive(what, length, rate, noise(rate, 20000));
-  curve.expect_naive("float, stepped, holes", 1000, 182640);
   EXPECT_EQ(curve.naive("float, A x + B y + C, holes", 1000), 0);
-  // 43,310 elsewhere: it is the far corners' edges that fail, so their distance decides.
-  EXPECT_GT(curve.naive("float, A x + B y + C at 16,000 px, holes", 10), 5000);
+  curve.expect_naive("float, A x + B y + C at 16,000 px, holes", 10, 43310, noise(43310, 20000));
+  EXPECT_EQ(curve.naive("float, A x + B y + C at 16,000 px, doubles", 10), 0);
+  for (const auto& [length, rates] : std::map<double, std::pair<double, double>>{
+           {10, {10865, 5745}}, {100, {156400, 156870}}, {1000, {182640, 181790}}}) {
+    curve.expect_naive("float, stepped, holes", length, rates.first, noise(rates.first, 20000));
+    curve.expect_naive("float, stepped, doubles", length, rates.second, noise(rates.second, 20000));
+  }
   curve.expect_all_robust_zero();
 }
 
@@ -64,13 +70,12 @@ TEST(StabilityCoverage, SubPixelBits) {
 
 TEST(StabilityCoverage, RaysAndFragments) {
   const Curve curve("ray-vs-raster-agreement");
-  // One step of bits after another divides the disagreement by four; 12 bits leave none.
-  EXPECT_GT(curve.naive("both renderers", 0), 1000);
-  EXPECT_NEAR(curve.naive("both renderers", 0) / curve.naive("both renderers", 2), 3.4, 1.2);
-  EXPECT_NEAR(curve.naive("both renderers", 2) / curve.naive("both renderers", 4), 3.6, 1.5);
-  EXPECT_LE(curve.naive("both renderers", 8), 40);
-  EXPECT_LE(curve.naive("both renderers", 12), 3);
-  EXPECT_GT(curve.naive("half a pixel apart", 8), 1.5 * curve.naive("both renderers", 0));
+  // Counts of single pixels: three standard deviations of theirs and ours.
+  for (const auto& [bits, pixels] : std::map<double, double>{{0, 3003}, {2, 894}, {4, 248}, {8, 14}})
+    curve.expect_naive("both renderers", bits, pixels, 3 * std::sqrt(2 * pixels));
+  // 0 elsewhere; one pixel of ours has an edge nearer to its centre than half a step of 12 bits.
+  EXPECT_LE(curve.naive("both renderers", 12), 1);
+  curve.expect_naive("half a pixel apart", 8, 9137);
 }
 
 TEST(StabilityCoverage, InclusiveScanlines) {
@@ -156,7 +161,9 @@ TEST(StabilityShadows, FilterWithTheBiasOfOneTap) {
 TEST(StabilityShadows, PeterPanning) {
   const Curve curve("peter-panning");
   curve.expect_naive("1024 texels, sun at 10 degrees", 0.2, 23.7);
-  EXPECT_LT(curve.robust("1024 texels, sun at 10 degrees", 0.2), 5) << "0.8 elsewhere";
+  // 0.8 elsewhere at 1024 texels and 9.9 at 256; ours 3.98 and 0.82. The contact is one texel wide: what is lost
+  // depends on where the ball falls between texels.
+  EXPECT_LT(curve.robust("1024 texels, sun at 10 degrees", 0.2), 5);
 }
 
 TEST(StabilityShadows, CameraInsideAVolume) {
@@ -194,10 +201,14 @@ TEST(StabilityShadows, StencilCountsWrap) {
 
 TEST(StabilityShading, GouraudHighlights) {
   const Curve curve("gouraud-highlight");
-  for (const auto& [triangles, mean] : std::map<double, double>{{960, .65}, {3968, .86}, {16128, .96}})
+  for (const auto& [triangles, mean] : std::map<double, double>{{960, .65}, {3968, .86}, {16128, .96}, {65024, .985}})
     curve.expect_naive("exponent 50, mean", triangles, mean);
-  EXPECT_LT(curve.naive("exponent 50, mean", 360), .45) << "0.21 over 20 lights elsewhere";
-  EXPECT_LT(curve.naive("exponent 500, mean", 360), 0.1);
+  // The given figures are means over 20 lights. What is kept of a peak under one light scatters by 0.26 where it is a
+  // third on the average, and by 0.14 where it is a twentieth.
+  curve.expect_naive("exponent 50, mean", 360, .21, 3 * .26 / std::sqrt(20));
+  curve.expect_naive("exponent 500, mean", 360, .003, 3 * .14 / std::sqrt(20));
+  for (const auto& [triangles, mean] : std::map<double, double>{{3968, .37}, {65024, .87}})
+    curve.expect_naive("exponent 500, mean", triangles, mean);
   EXPECT_GT(curve.robust("exponent 50, mean", 360), 0.99);
 }
 
@@ -290,8 +301,11 @@ TEST(StabilitySampling, MipLevels) {
   curve.expect_naive("nearest, far quarter", 0, 113);
   curve.expect_naive("bilinear, far quarter", 0, 105);
   curve.expect_naive("trilinear, bias, far quarter", 0, 36);
-  // 4.9 elsewhere; how taps are spread along a footprint differs.
-  EXPECT_LT(curve.naive("anisotropic, taps, far quarter", 16), 10);
+  for (const auto& [bias, error] : std::map<double, double>{{-2, 31.9}, {-1, 22.3}, {-.5, 19.7}, {0, 22.4}, {1, 40.5}})
+    curve.expect_naive("trilinear, bias", bias, error);
+  for (const auto& [taps, error] : std::map<double, double>{{2, 14.1}, {4, 8.2}, {8, 5.4}, {16, 4.4}})
+    curve.expect_naive("anisotropic, taps", taps, error);
+  curve.expect_naive("anisotropic, taps, far quarter", 16, 4.9);
   EXPECT_LT(curve.naive("trilinear, bias", -0.5), curve.naive("trilinear, bias", 0)) << "the best bias is not 0";
 }
 

@@ -39,12 +39,10 @@ TEST(StabilityRays, EpsilonUnit) {
 TEST(StabilityRays, AcneFarFromTheOrigin) {
   const Curve curve("world-offset-sphere-acne", 1);
   curve.expect_naive("epsilon 0.001", 10, 0);
-  for (const auto& [distance, share] : std::map<double, double>{{1e5, 20.2}, {1e6, 45.6}})
+  for (const auto& [distance, share] : std::map<double, double>{{1e3, .03}, {1e4, .96}, {1e5, 20.2}, {1e6, 45.6}})
     curve.expect_naive("epsilon 0.001", distance, share);
-  // 0.96 elsewhere: so few that it depends on how low the light stands.
-  EXPECT_GT(curve.naive("epsilon 0.001", 1e4), 0.3);
-  EXPECT_LT(curve.naive("epsilon 0.001", 1e4), 3);
-  curve.expect_naive("epsilon 0.01", 1e6, 13.6);
+  for (const auto& [distance, share] : std::map<double, double>{{1e5, .49}, {1e6, 13.6}})
+    curve.expect_naive("epsilon 0.01", distance, share);
   curve.expect_all_robust_zero();
 }
 
@@ -84,11 +82,12 @@ TEST(StabilityRays, PlueckerAtVertices) {
 
 TEST(StabilityRays, DeterminantEpsilon) {
   const Curve curve("absolute-det-epsilon");
-  // Which share of the triangles is below the threshold depends on how the sphere is cut: here they are of one size.
-  curve.expect_naive("epsilon 1e-7", 2, 0);
-  curve.expect_naive("epsilon 1e-7", 0.01, 100);
-  curve.expect_naive("epsilon 1e-8", 0.001, 100);
-  EXPECT_GT(curve.naive("epsilon 1e-7", 0.02), 15);
+  for (const auto& [radius, share] : std::map<double, double>{{.05, 15.7}, {.02, 55}, {.01, 100}})
+    curve.expect_naive("epsilon 1e-7", radius, share);
+  for (const auto& [radius, share] : std::map<double, double>{{.01, 25}, {.001, 100}})
+    curve.expect_naive("epsilon 1e-8", radius, share);
+  // Nothing is below the threshold then: what is left are the cracks along edges.
+  curve.expect_naive("epsilon 1e-7", 2, 10.7551);
   curve.expect_all_robust_zero();
 }
 
@@ -130,7 +129,10 @@ TEST(StabilityRays, SlabTest) {
 
 TEST(StabilityRays, HolesInATree) {
   const Curve curve("bvh-holes");
-  curve.expect_naive("rays at vertices", 0, 11650);
+  for (const auto& [distance, misses] : std::map<double, double>{{0, 11650}, {1e3, 11313}, {1e5, 10390}})
+    curve.expect_naive("rays at vertices", distance, misses, noise(misses, 40000));
+  curve.expect_naive("cost", 0, 74.0);
+  curve.expect_robust("cost", 0, 74.9);
   for (const double distance : {0.0, 1e3, 1e5}) {
     EXPECT_EQ(curve.robust("rays at vertices", distance), 0);
     EXPECT_LT(curve.robust("cost", distance), 1.05 * curve.naive("cost", distance)) << "1.2 % more nodes elsewhere";
@@ -163,14 +165,15 @@ TEST(StabilityRays, GridBorders) {
 TEST(StabilityRays, NaNVertex) {
   const Curve curve("nan-vertex");
   EXPECT_EQ(curve.naive("tree of halves", 0), 0);
-  EXPECT_GT(curve.naive("tree of halves", 1), 20) << "62.3 elsewhere; what is lost is what came before the NaN";
+  curve.expect_naive("tree of halves", 1, 62.3);
   curve.expect_all_robust_zero();
 }
 
 TEST(StabilityRays, InfiniteVertex) {
   const Curve curve("infinite-vertex");
   const std::string series = "one vertex of 1,602";
-  // 3.8 times as many nodes elsewhere; our builder gives up and tests everything.
+  // 3.8 times as many nodes elsewhere, 123.3 for 32.5. Ours are 154 times as many: where areas overflow no cut is
+  // cheaper than none, so the builder leaves one leaf of all 3,200 triangles. Files with such numbers are refused.
   EXPECT_GT(curve.naive(series, static_cast<double>(1e38f)), 3.8 * curve.robust(series, static_cast<double>(1e38f)));
   EXPECT_LT(curve.naive(series, static_cast<double>(1e18f)), 1.5 * curve.robust(series, static_cast<double>(1e18f)));
 }

@@ -5,7 +5,8 @@
 
 namespace ps::stability {
 
-Aim::Aim(const ClosedSphere& mesh, std::uint32_t seed) : mesh_(mesh), around_(mesh.vertices.size()), random_(seed) {
+Aim::Aim(const ClosedSphere& mesh, std::uint32_t seed, double reach)
+    : mesh_(mesh), around_(mesh.vertices.size()), random_(seed), reach_(reach) {
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
     for (const std::uint32_t vertex : mesh.triangles[i]) around_[vertex].push_back(i);
 }
@@ -23,7 +24,7 @@ AimedRay Aim::next(AimAt what) {
 }
 
 AimedRay Aim::towards(const Vec3d& target, std::initializer_list<std::uint32_t> vertices) {
-  const Vec3f from(random_.in_cube(0.5));
+  const Vec3f from(random_.in_cube(reach_));
   AimedRay ray{from, Vec3f(target - Vec3d(from)), {}};
   for (const std::uint32_t vertex : vertices)
     for (const std::uint32_t triangle : around_[vertex])

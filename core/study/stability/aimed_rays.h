@@ -15,10 +15,11 @@ struct AimedRay {
 
 enum class AimAt { edge, vertex };
 
-/// Rays that random directions would never find: three in a million go so near to an edge.
+/// Rays that random directions would never find: three in a million go so near to an edge. They start in a cube of side
+/// 2 `reach` in the middle.
 class Aim {
  public:
-  Aim(const ClosedSphere& mesh, std::uint32_t seed);
+  Aim(const ClosedSphere& mesh, std::uint32_t seed, double reach = 0.5);
   AimedRay next(AimAt what);
 
  private:
@@ -26,6 +27,7 @@ class Aim {
   const ClosedSphere& mesh_;
   std::vector<std::vector<std::uint32_t>> around_;
   Random random_;
+  double reach_;
 };
 
 using TriangleHits = std::function<bool(const AimedRay&, const TracedTriangle<float>&)>;

@@ -42,7 +42,7 @@ double escaping(MinForm form, std::size_t bad_vertices, const StabilityRun& run)
 }
 
 std::vector<StabilityRow> measure_nan(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const std::size_t bad : {std::size_t{0}, std::size_t{1}, std::size_t{3}})
     rows.push_back({static_cast<double>(bad), "tree of halves", escaping(MinForm::new_first, bad, run),
                     escaping(MinForm::accumulated_first, bad, run), "% of rays lost"});
@@ -79,7 +79,7 @@ double work_per_ray(float bad_value, const StabilityRun& run) {
 
 std::vector<StabilityRow> measure_infinite(const StabilityRun& run) {
   const double without = work_per_ray(0, run);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const float value : {1e3f, 1e18f, 1e38f, std::numeric_limits<float>::infinity()})
     rows.push_back({value, "one vertex of 1,602", work_per_ray(value, run), without, "nodes and triangles per ray"});
   return rows;

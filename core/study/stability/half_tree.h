@@ -24,7 +24,7 @@ inline void include(Box<float>& box, const Vec3f& point, MinForm form) {
     }
 }
 
-/// The simplest tree of boxes: triangles halved along each axis in turn, down to one a leaf; a box is taken around all
+/// The simplest tree of boxes: triangles halved along each axis in turn, down to two a leaf; a box is taken around all
 /// corners below it, one after another.
 class HalfTree {
  public:
@@ -46,7 +46,7 @@ class HalfTree {
       const Node& node = nodes_[index];
       if (!slab_test(ray, node.box, std::numeric_limits<float>::infinity()).hit()) continue;
       if (node.right == 0) {
-        visit(node.triangle);
+        for (std::size_t i = node.first; i < node.first + node.count; ++i) visit(order_[i]);
       } else {
         waiting.push_back(node.right);
         waiting.push_back(index + 1);
@@ -58,8 +58,8 @@ class HalfTree {
  private:
   struct Node {
     Box<float> box;
-    std::uint32_t triangle = 0;  // of a leaf
-    std::size_t right = 0;       // the left child follows its parent; 0 = a leaf
+    std::size_t first = 0, count = 0;  // of a leaf's triangles in order_
+    std::size_t right = 0;             // the left child follows its parent; 0 = a leaf
   };
 
   void build(std::size_t first, std::size_t count, int axis) {
@@ -68,8 +68,9 @@ class HalfTree {
     for (std::size_t i = first; i < first + count; ++i)
       for (const std::uint32_t corner : mesh_.triangles[order_[i]])
         include(nodes_[index].box, mesh_.vertices[corner], form_);
-    if (count == 1) {
-      nodes_[index].triangle = order_[first];
+    if (count <= most_in_leaf) {
+      nodes_[index].first = first;
+      nodes_[index].count = count;
       return;
     }
     const auto centre = [&](std::uint32_t i) {  // NaN sorts as 0
@@ -86,6 +87,7 @@ class HalfTree {
     build(first + count / 2, count - count / 2, (axis + 1) % 3);
   }
 
+  static constexpr std::size_t most_in_leaf = 2;
   const ClosedSphere& mesh_;
   MinForm form_;
   std::vector<std::uint32_t> order_;

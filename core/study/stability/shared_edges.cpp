@@ -80,8 +80,8 @@ Tally aim_edges(float length, float offset, Covers covers, const StabilityRun& r
     Vec2f b = sample + along * (length * (1 - split));
     const int nudge = trial % 3 - 1;
     if (nudge != 0) b.x = std::nextafter(b.x, nudge > 0 ? 1e9f : -1e9f);
-    const Vec2f left = sample + across * (length * static_cast<float>(random.between(0.4, 1.4)));
-    const Vec2f right = sample - across * (length * static_cast<float>(random.between(0.4, 1.4)));
+    const Vec2f left = sample + across * (length * static_cast<float>(random.between(0.4, 1)));
+    const Vec2f right = sample - across * (length * static_cast<float>(random.between(0.4, 1)));
     const auto any_order = [&](Corners c) {
       const std::size_t first = random.below(3);
       return Corners{c[first], c[(first + 1) % 3], c[(first + 2) % 3]};
@@ -99,7 +99,7 @@ std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
     const char* name;
     Covers naive, robust;
   };
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const Method& method : {Method{"float, own order", covers_relative, covers_canonical},
                                Method{"float, stepped", covers_stepped, covers_fixed},
                                Method{"float, A x + B y + C", covers_absolute, covers_fixed}})
@@ -118,7 +118,7 @@ std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
 /// Edges across a canvas, stepped in float from the corner of their box, against the same in double: of the rows looked
 /// at, how many pixels change sides.
 std::vector<StabilityRow> measure_drift(const StabilityRun& run) {
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int canvas : {1024, 4096, 16384}) {
     Random random(run.seed);
     double naive = 0, robust = 0, edge_pixels = 0;

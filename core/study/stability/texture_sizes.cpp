@@ -19,8 +19,15 @@ Vec2d floor_at(double column, double row) {
 
 struct Floor {
   MipChain chain;
-  std::vector<double> truth;  ///< levels
+  std::vector<double> truth;  ///< levels, of many bilinear lookups in each pixel
 };
+
+/// Squares along one axis, 1 and -1 in turns, mixed between the middles of neighbouring texels.
+double square_wave(double texel) {
+  const auto sign = [](double i) { return static_cast<std::int64_t>(std::floor(i / square)) % 2 == 0 ? 1.0 : -1.0; };
+  const double first = std::floor(texel - 0.5), share = texel - 0.5 - first;
+  return sign(first) * (1 - share) + sign(first + 1) * share;
+}
 
 Floor make_floor(const StabilityRun& run) {
   auto texels = std::make_shared<Image<Vec3f>>(texels_per_unit, texels_per_unit);
@@ -37,10 +44,8 @@ Floor make_floor(const StabilityRun& run) {
           // A shift of its own in each row of samples keeps the grid from beating with the squares.
           const double shift = std::fmod(j * 0.6180339887498949, 1.0);
           const Vec2d p = floor_at(column + (i + shift) / side, row + (j + 0.5) / side);
-          const auto cell = [](double v) {
-            return static_cast<std::int64_t>(std::floor(v * texels_per_unit / square));
-          };
-          sum += (cell(p.x) + cell(p.y)) % 2 == 0 ? 1 : 0;
+          // Bilinear filtering of a product is the product of both axes' linear ones.
+          sum += (1 + square_wave(p.x * texels_per_unit) * square_wave(p.y * texels_per_unit)) / 2;
         }
       floor.truth.push_back(255 * sum / (side * side));
     }
@@ -81,7 +86,7 @@ Error error_of(const Floor& floor, TextureFilter filter, double bias, int anisot
 std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
   const Floor floor = make_floor(run);
   const Error robust = error_of(floor, TextureFilter::trilinear, 0, 16);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   const auto add = [&](double knob, const std::string& name, const Error& naive) {
     rows.push_back({knob, name, naive.whole, robust.whole, "RMSE, levels"});
     rows.push_back({knob, name + ", far quarter", naive.far, robust.far, "RMSE, levels"});
@@ -132,7 +137,7 @@ std::vector<double> reduced(const std::vector<float>& values, int side) {
 std::vector<StabilityRow> measure_size(const StabilityRun& run) {
   const std::vector<float> values = master(run.seed);
   const std::vector<double> truth = reduced(values, screen);
-  std::vector<StabilityRow> rows;
+  Rows rows(run);
   for (const int side : {16, 64, 128, 256, 512, 1024, 2048}) {
     run.check();
     const std::vector<double> texels = reduced(values, side);
