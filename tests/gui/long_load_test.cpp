@@ -22,8 +22,8 @@ void write_sheet(const std::filesystem::path& path, int side) {
     }
 }
 
-/// A scene of many times the same sheet, under names of their own so that each is read anew: reading takes several times
-/// as long as the script below needs to stop it, on any machine.
+/// A scene of many times the same sheet, under names of their own so that each is read anew: reading takes several
+/// times as long as the script below needs to stop it, on any machine.
 std::filesystem::path write_slow_scene(const std::filesystem::path& folder) {
   write_sheet(folder / "sheet.obj", 700);
   std::ofstream scene(folder / "sheets.scene");

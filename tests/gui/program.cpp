@@ -31,7 +31,7 @@ WindowRun run_window(const std::string& arguments, const std::string& before) {
 }
 
 WindowRun play(const std::string& commands, const std::filesystem::path& folder, const std::string& size,
-                   const std::string& arguments) {
+               const std::string& arguments) {
   const auto script = folder / "script.script";
   std::ofstream(script) << commands;
   return run_window("--window-size " + size + " --script " + script.string() + " " + arguments);

@@ -16,7 +16,7 @@ WindowRun run_window(const std::string& arguments, const std::string& before = {
 
 /// Writes `commands` into FOLDER/script.script and plays it in a window of the given size ("1024x768").
 WindowRun play(const std::string& commands, const std::filesystem::path& folder, const std::string& size,
-                   const std::string& arguments = {});
+               const std::string& arguments = {});
 
 std::string read_file(const std::filesystem::path& path);
 
