@@ -18,7 +18,7 @@ double nice_step(double span) {
   return 10 * power;
 }
 
-std::vector<Tick> linear_ticks(const Axis& axis) {
+std::vector<Tick> linear_ticks(const PlotAxis& axis) {
   std::vector<Tick> ticks;
   const double step = nice_step(axis.high - axis.low);
   for (double k = std::ceil(axis.low / step); k * step <= axis.high * (1 + 1e-12) + 1e-300; ++k)
@@ -26,7 +26,7 @@ std::vector<Tick> linear_ticks(const Axis& axis) {
   return ticks;
 }
 
-std::vector<Tick> log_ticks(const Axis& axis) {
+std::vector<Tick> log_ticks(const PlotAxis& axis) {
   std::vector<Tick> ticks;
   if (axis.zero_place) ticks.push_back({0, "0"});
   const double decades = std::log10(axis.high / axis.low);
@@ -47,7 +47,7 @@ std::vector<Tick> log_ticks(const Axis& axis) {
 
 }  // namespace
 
-double Axis::place(double value) const {
+double PlotAxis::place(double value) const {
   if (std::isnan(value)) return 0;
   if (scale == AxisScale::linear) return std::clamp((value - low) / (high - low), 0.0, 1.0);
   if (value <= 0) return zero_place ? zero_share / 2 : 0;
@@ -56,10 +56,12 @@ double Axis::place(double value) const {
   return std::clamp(start + (1 - start) * share, start, 1.0);
 }
 
-std::vector<Tick> Axis::ticks() const { return scale == AxisScale::linear ? linear_ticks(*this) : log_ticks(*this); }
+std::vector<Tick> PlotAxis::ticks() const {
+  return scale == AxisScale::linear ? linear_ticks(*this) : log_ticks(*this);
+}
 
-Axis fit_axis(const std::vector<double>& values, AxisScale scale) {
-  Axis axis;
+PlotAxis fit_axis(const std::vector<double>& values, AxisScale scale) {
+  PlotAxis axis;
   axis.scale = scale;
   double low = INFINITY, high = -INFINITY;
   for (const double value : values) {

@@ -14,7 +14,7 @@ struct Tick {
 
 /// One axis of a chart: maps values to [0, 1]. On a logarithmic axis, values that are zero or negative stand on a place
 /// of their own at the lower end, labelled "0" (an error of 0 is a result, and often the best).
-struct Axis {
+struct PlotAxis {
   AxisScale scale = AxisScale::linear;
   double low = 0, high = 1;
   bool zero_place = false;
@@ -25,7 +25,7 @@ struct Axis {
 };
 
 /// An axis that holds all finite values with some room at both ends.
-Axis fit_axis(const std::vector<double>& values, AxisScale scale);
+PlotAxis fit_axis(const std::vector<double>& values, AxisScale scale);
 
 /// Four significant digits without a useless tail: "0.001", "12.5", "1e-06".
 std::string tick_text(double value);

@@ -9,7 +9,7 @@ namespace ps {
 
 /// How a chart is drawn, in the window and in files alike.
 struct ChartAxes {
-  Axis time, error;
+  PlotAxis time, error;
   std::string error_title;  ///< "RMSE (levels of 255)"
 };
 /// Axes that hold all measured points. PSNR and SSIM grow upwards as they are: better is then up, not down.

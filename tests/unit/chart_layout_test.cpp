@@ -11,7 +11,7 @@ namespace {
 using namespace ps;
 
 TEST(Axis, KeepsOrderAndPutsDecadesAtEqualDistances) {
-  const Axis axis = fit_axis({0.01, 100, 3}, AxisScale::logarithmic);
+  const PlotAxis axis = fit_axis({0.01, 100, 3}, AxisScale::logarithmic);
   EXPECT_NEAR(axis.place(1) - axis.place(0.1), axis.place(10) - axis.place(1), 1e-12);
   EXPECT_GT(axis.place(0.01), 0);
   EXPECT_LT(axis.place(100), 1);
@@ -19,11 +19,11 @@ TEST(Axis, KeepsOrderAndPutsDecadesAtEqualDistances) {
 }
 
 TEST(Axis, ZeroHasAPlaceBelowTheSmallestValue) {
-  const Axis axis = fit_axis({0, 1e-3, 5}, AxisScale::logarithmic);
+  const PlotAxis axis = fit_axis({0, 1e-3, 5}, AxisScale::logarithmic);
   EXPECT_TRUE(axis.zero_place);
   EXPECT_LT(axis.place(0), axis.place(1e-3));
   EXPECT_EQ(axis.ticks().front().text, "0");
-  const Axis only_zero = fit_axis({0, 0}, AxisScale::logarithmic);
+  const PlotAxis only_zero = fit_axis({0, 0}, AxisScale::logarithmic);
   EXPECT_GE(only_zero.place(0), 0);
   EXPECT_TRUE(std::isfinite(fit_axis({}, AxisScale::linear).place(0.5)));
 }
@@ -31,7 +31,7 @@ TEST(Axis, ZeroHasAPlaceBelowTheSmallestValue) {
 TEST(Axis, TicksLieOnTheAxisInOrderAndSomeHaveText) {
   for (const auto& values : {std::vector<double>{0.5, 0.9}, {1, 1e6}, {3, 3}, {1e-9, 1e9}, {0.001, 0.02}})
     for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
-      const Axis axis = fit_axis(values, scale);
+      const PlotAxis axis = fit_axis(values, scale);
       const auto ticks = axis.ticks();
       int labelled = 0;
       for (std::size_t i = 0; i < ticks.size(); ++i) {

@@ -379,7 +379,7 @@ void App::bottom_region(const Area& area) {
       Choice{"needs", "NEEDS", "What this scene needs, and the cheapest settings that show it."},
       Choice{"why", "WHY", "Which option makes A and B differ, and what float gets wrong."},
       Choice{"timings", "TIMINGS", "Times of the stages and counts of the work, A beside B."},
-      Choice{"fold", "Fold", "Leaves the room to the pictures."}};
+      Choice{"fold", "↓", "Leaves the room to the pictures."}};
   int tab = 0;
   for (std::size_t i = 0; i + 1 < tabs.size(); ++i)  // all but the last are tabs
     if (tabs[i].key == session_.document().layout.bottom_tab) tab = static_cast<int>(i);

@@ -36,20 +36,22 @@ struct TreeDrawing {
   }
   void numbers(int index) const { event_numbers(event(index), scene, then(index)); }
 
-  /// What has changed about an event since the pin, in the words of then.
+  /// What an event was when the pixel was pinned, in the words of then, under the row that tells it now.
   void was(int index) const {
     if (!pinned || !pinned->step_of(index).changed) return;
     const Event* old = then(index);
-    const std::string before = old ? describe(*old, scene) : std::string();
-    if (old && before == describe(event(index), scene)) return;
+    if (!old) return;  // its row says that it is new
+    const std::string before = describe(*old, scene);
+    if (before == describe(event(index), scene)) return;
     const FontScope font(Face::small);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().wrong_text);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing());
     ImGui::PushTextWrapPos(0);
-    value_text(fmt::format("{}/was/{}", name, index), old ? before + " →" : "new");
+    value_text(fmt::format("{}/was/{}", name, index), "was: " + before);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
   }
+  bool is_new(int index) const { return pinned && pinned->step_of(index).changed && !then(index); }
 
   /// One row with its icon; answers what became of it. `rows` names it among the controls.
   TreeRow row(int index, const std::string& text, TreeKind kind, bool open, EventWeight weight) {
@@ -111,8 +113,8 @@ struct TreeDrawing {
     ImGui::PushID(index);
     const auto* ray = std::get_if<RayEvent>(&event(index).data);
     const bool shut = ray && ray->kind == RayKind::shadow;  // its outcome is told by its row and by its light
-    const auto result = row(index, row_text(story.events, ends, scene, index), leaf ? TreeKind::leaf : TreeKind::branch,
-                            !shut, event_weight(event(index)));
+    const std::string text = row_text(story.events, ends, scene, index) + (is_new(index) ? " (new)" : "");
+    const auto result = row(index, text, leaf ? TreeKind::leaf : TreeKind::branch, !shut, event_weight(event(index)));
     tooltip(describe(event(index), scene));
     if (result.clicked) cursor.selected = cursor.selected == index ? -1 : index;
     if (cursor.reveal && cursor.selected == index) {

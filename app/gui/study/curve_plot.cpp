@@ -15,7 +15,7 @@ namespace {
 
 constexpr double many_times = 40;  // values that differ by more than this want a logarithmic axis
 
-Axis axis_for(const std::vector<double>& values) {
+PlotAxis axis_for(const std::vector<double>& values) {
   double low = INFINITY, high = 0;
   bool negative = false;
   for (const double value : values) {
@@ -82,7 +82,7 @@ void draw_curve(ImDrawList& list, const Curves& curves, const PlotFrame& frame, 
 /// A band over the knobs where the naive method may be used, with its name.
 void draw_safe_window(ImDrawList& list, const Curves& curves, const PlotFrame& frame) {
   if (curves.safe.empty()) return;
-  const Axis& knob = frame.x;
+  const PlotAxis& knob = frame.x;
   const double low = std::max(curves.safe.low, knob.zero_place ? 0.0 : knob.low),
                high = std::min(curves.safe.high, knob.high);
   if (!(low <= high)) return;

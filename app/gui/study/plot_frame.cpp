@@ -72,7 +72,8 @@ ImVec2 PlotFrame::at(double x_value, double y_value) const {
           inner.max.y - inner.height() * static_cast<float>(y.place(y_value))};
 }
 
-PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const Axis& x, const Axis& y, const PlotTitles& titles) {
+PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const PlotAxis& x, const PlotAxis& y,
+                          const PlotTitles& titles) {
   const Pen pen{list, theme().font(Face::small)};
   float label_width = px(30);
   for (const Tick& tick : y.ticks()) label_width = std::max(label_width, pen.size_of(label_of(tick)).x);

@@ -11,7 +11,7 @@ namespace ps::gui {
 /// The inside of a plot: where values lie on the screen.
 struct PlotFrame {
   Area inner;
-  Axis x, y;
+  PlotAxis x, y;
   ImVec2 at(double x_value, double y_value) const;
 };
 
@@ -22,6 +22,7 @@ struct PlotTitles {
 
 /// Draws grid, tick labels and titles into an area and answers where the inside lies. Labels that would touch one
 /// another are left out.
-PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const Axis& x, const Axis& y, const PlotTitles& titles);
+PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const PlotAxis& x, const PlotAxis& y,
+                          const PlotTitles& titles);
 
 }  // namespace ps::gui

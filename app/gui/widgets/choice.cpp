@@ -135,12 +135,17 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
-  float wanted = 0;
-  for (const Choice& tab : tabs) wanted += text_width(tab.label) + px(22);
-  // Tabs that do not fit one row go on in the next: half a word says nothing.
-  const bool wraps = wanted > room;
-  const float margin = wraps ? px(14) : px(22);
+  const auto row_width = [&](float between) {
+    float sum = 0;
+    for (const Choice& tab : tabs) sum += text_width(tab.label) + between;
+    return sum;
+  };
   const float height = ImGui::GetFrameHeight() + px(4);
+  // Tabs that do not fit one row are written smaller, and go on in the next if need be: half a word says nothing.
+  const bool tight = row_width(px(22)) > room;
+  const FontScope font(tight ? Face::small : Face::body);
+  const float margin = tight ? px(8) : px(22);
+  const bool wraps = tight && row_width(margin) > room;
   ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (std::size_t i = 0; i < tabs.size(); ++i) {
