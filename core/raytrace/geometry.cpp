@@ -3,6 +3,9 @@
 #include <cmath>
 
 namespace ps {
+/// Whether each instance has triangles of its own, in the world, or shares those of its model.
+enum class MeshTriangles { unfolded, shared };
+
 namespace {
 
 /// Beyond all coordinates of a scene, and its square is a float.
@@ -153,8 +156,6 @@ void add_solid(std::int32_t object, const CsgNode& root, Sides sides, TracedGeom
   geometry.solid_boxes.push_back(traced_box<Real>(box));
 }
 
-enum class Meshes { unfolded, shared };
-
 /// Sets what is known of all primitives together.
 template <class Real>
 void measure_shared(TracedGeometry<Real>& geometry) {
@@ -175,9 +176,9 @@ void measure_shared(TracedGeometry<Real>& geometry) {
 }
 
 template <class Real>
-TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals, Meshes meshes) {
+TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals, MeshTriangles meshes) {
   TracedGeometry<Real> geometry;
-  const bool shared = meshes == Meshes::shared;
+  const bool shared = meshes == MeshTriangles::shared;
   if (shared) geometry.meshes = scene.geometry->meshes;
   const auto& objects = scene.geometry->objects;
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -260,7 +261,8 @@ template <class Real>
 std::shared_ptr<const TracedGeometry<Real>> traced_geometry(const Scene& scene, const Settings& settings,
                                                             Prepared& prepared) {
   Key key("traced geometry");
-  const Meshes meshes = settings.accelerator == Accelerator::two_level ? Meshes::shared : Meshes::unfolded;
+  const MeshTriangles meshes =
+      settings.accelerator == Accelerator::two_level ? MeshTriangles::shared : MeshTriangles::unfolded;
   key.add(scene.geometry.revision()).add(precision_key<Real>).add(settings.normal_transform).add(meshes);
   return prepared.get<TracedGeometry<Real>>(
       key, [&] { return build_geometry<Real>(scene, settings.normal_transform, meshes); });
