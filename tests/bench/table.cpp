@@ -7,6 +7,7 @@ Benches clear_resolve_benches();
 Benches coverage_benches();
 Benches gains_benches();
 Benches headline_benches();
+Benches inspect_benches();
 Benches memory_benches();
 Benches packets_benches();
 Benches pictures_benches();
@@ -30,6 +31,7 @@ Benches all_benches() {
   append(all, gains_benches());
   append(all, coverage_benches());
   append(all, headline_benches());
+  append(all, inspect_benches());
 #ifdef PIXELSCOPE_EMBREE
   append(all, embree_benches());
 #endif

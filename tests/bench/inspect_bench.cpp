@@ -1,0 +1,92 @@
+// How long a click waits: the story of a built-in scene's telling pixel by each renderer, its listing and its
+// microscope, and the same on a million triangles. What is kept between renders is there, as it is in the window.
+
+#include <fmt/core.h>
+
+#include <optional>
+
+#include "bench/bench.h"
+#include "bench/meshes.h"
+#include "inspect/microscope/microscope.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps::bench {
+namespace {
+
+struct Inspected {
+  Scene scene;
+  View view;
+  Settings settings;
+  Prepared prepared;
+  Vec2i pixel{0, 0};
+  Vec2d point{0, 0};
+};
+
+enum class Teller { story, microscope };
+
+Job teller_job(const std::shared_ptr<Inspected>& inspected, Renderer renderer, Teller teller) {
+  inspected->settings.renderer = renderer;
+  inspected->point = Vec2d(inspected->pixel) + 0.5;
+  Job job;
+  job.ours = [inspected, teller] {
+    Inspected& i = *inspected;
+    Progress progress;
+    switch (teller) {
+    case Teller::story:
+      inspect(i.scene, i.view, i.settings, i.pixel, i.prepared, progress);
+      break;
+    case Teller::microscope:
+      Microscope(i.scene, i.view, i.settings, i.pixel, i.prepared, progress).read(i.point, i.prepared, progress);
+      break;
+    }
+  };
+  job.note = fmt::format("pixel {},{} of {}x{}", inspected->pixel.x, inspected->pixel.y, inspected->view.width,
+                         inspected->view.height);
+  return job;
+}
+
+std::shared_ptr<Inspected> builtin_scene(const std::string& name) {
+  const auto inspected = std::make_shared<Inspected>();
+  inspected->scene = load_scene(name);
+  const Scene& scene = inspected->scene;
+  inspected->view = {scene.camera, scene.canvas_width, scene.canvas_height};
+  inspected->settings = settings_for(scene);
+  inspected->pixel =
+      scene.telling_pixel.x < 0 ? Vec2i{scene.canvas_width / 2, scene.canvas_height / 2} : scene.telling_pixel;
+  return inspected;
+}
+
+std::shared_ptr<Inspected> million_triangles() {
+  const auto inspected = std::make_shared<Inspected>();
+  const auto mesh = bench_mesh("1M");
+  inspected->scene = mesh_scene(mesh);
+  inspected->view = framed_view(*mesh, 1024, 768);
+  inspected->settings.near = 0.01;
+  inspected->pixel = {512, 384};
+  return inspected;
+}
+
+}  // namespace
+
+Benches inspect_benches() {
+  Benches benches;
+  const auto add = [&](const std::string& what, const std::string& scene, auto make, Renderer renderer, Teller teller) {
+    benches.push_back(
+        {fmt::format("inspect/{}/{}", what, scene), "ms", "", [=] { return teller_job(make(), renderer, teller); }});
+  };
+  const auto add_all = [&](const std::string& scene, auto make) {
+    add("traced", scene, make, Renderer::ray_tracer, Teller::story);
+    add("rasterized", scene, make, Renderer::rasterizer, Teller::story);
+    add("listing", scene, make, Renderer::textbook, Teller::story);
+    add("microscope-traced", scene, make, Renderer::ray_tracer, Teller::microscope);
+    add("microscope-rasterized", scene, make, Renderer::rasterizer, Teller::microscope);
+  };
+  for (const BuiltinScene& scene : builtin_scenes())
+    add_all(scene.name, [name = scene.name] { return builtin_scene(name); });
+  add_all("1M", million_triangles);
+  return benches;
+}
+
+}  // namespace ps::bench
