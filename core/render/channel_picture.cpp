@@ -1,11 +1,16 @@
 #include "render/channel_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
 
 #include "image/heat_colour.h"
 #include "render/channel_value.h"
 #include "render/display_frame.h"
+#include "render/precision_channels.h"
 
 namespace ps {
 namespace {
@@ -114,6 +119,44 @@ ChannelPicture nan_picture(const Frame& frame, const Settings& settings) {
   return {levels, keys({{magenta, "not a number"}, {orange, "infinite"}})};
 }
 
+/// A fault is one pixel among thousands: its colour stands out against the picture in dark grey, and its number is
+/// told.
+ChannelPicture precision_picture(const Frame& frame, const Settings& settings) {
+  const DisplayTransform transform = display_transform(settings);
+  std::array<std::size_t, precision_fault_count> counts{};
+  const auto levels = paint(frame, [&](int x, int y) {
+    const PrecisionFault fault = frame.precision.at(x, y);
+    ++counts[static_cast<std::size_t>(fault)];
+    if (fault != PrecisionFault::none) return precision_fault_colour(fault);
+    const Rgb8 shown = display_pixel(linear_at(frame, {x, y}), transform);
+    const auto dim = static_cast<std::uint8_t>((shown.r + shown.g + shown.b) / 9);
+    return Rgb8{dim, dim, dim};
+  });
+  ChannelLegend legend;
+  for (std::size_t i = 1; i <= precision_fault_count; ++i) {
+    const auto fault = static_cast<PrecisionFault>(i % precision_fault_count);  // "as in double" comes last
+    legend.entries.push_back({precision_fault_colour(fault), fmt::format("{}: {} px", precision_fault_label(fault),
+                                                                         counts[static_cast<std::size_t>(fault)])});
+  }
+  return {levels, legend};
+}
+
+ChannelPicture depth_gap_picture(const Frame& frame) {
+  ChannelPicture result;
+  std::size_t confused = 0;
+  result.levels = paint(frame, [&](int x, int y) {
+    const float gap = frame.depth_gap.at(x, y);
+    confused += gap < 1 ? 1 : 0;
+    return depth_gap_colour(gap);
+  });
+  result.legend = keys({{depth_gap_colour(0), fmt::format("below 1, the same depth: {} px", confused)},
+                        {depth_gap_colour(std::numeric_limits<float>::infinity()), "no second surface"}});
+  result.legend.heat = true;
+  result.legend.low = 1;
+  result.legend.high = most_depth_gap;
+  return result;
+}
+
 /// Unit vectors: (x, y, z) from -1 to 1 as red, green, blue (CGPP 15.4.1.2).
 ChannelPicture vector_picture(const Frame& frame, const Image<Vec3f>& vectors) {
   return {
@@ -176,6 +219,10 @@ ChannelPicture make_picture(const Frame& frame, ShownChannel channel, const Sett
             keys({{nothing_seen, "no map here"}})};
   case ShownChannel::nan:
     return nan_picture(frame, settings);
+  case ShownChannel::precision:
+    return precision_picture(frame, settings);
+  case ShownChannel::depth_gap:
+    return depth_gap_picture(frame);
   }
   return {};
 }

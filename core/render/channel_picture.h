@@ -30,7 +30,9 @@ enum class ShownChannel {
   nan,
   shadow_map,
   stencil,
-  environment
+  environment,
+  precision,
+  depth_gap
 };
 
 /// One row for each ShownChannel, in its order.

@@ -8,7 +8,7 @@
 namespace ps {
 namespace {
 
-const std::array<ShownChannelRow, 19> rows{{
+const std::array<ShownChannelRow, 21> rows{{
     {ShownChannel::colour, "colour", "Colour", "The picture itself.", Channel::none, ""},
     {ShownChannel::depth, "depth", "Depth", "Distance in front of the camera along its forward axis.", Channel::depth,
      "world units"},
@@ -42,6 +42,12 @@ const std::array<ShownChannelRow, 19> rows{{
      Channel::stencil, "volumes"},
     {ShownChannel::environment, "environment", "Environment map",
      "The cube map in which the first mirror looks up what it shows, unfolded.", Channel::environment, ""},
+    {ShownChannel::precision, "precision", "Precision",
+     "The picture against itself drawn in double: which pixels come out otherwise, and how. The rest is dimmed.",
+     Channel::precision | Channel::ids, ""},
+    {ShownChannel::depth_gap, "depth-gap", "Depth gap",
+     "How many units in the last place of the stored depth lie between the first and the second surface.",
+     Channel::depth_gap, "ulp of stored depth (log scale)"},
 }};
 
 }  // namespace

@@ -42,6 +42,8 @@ bool is_heat_map(ShownChannel channel) {
   case ShownChannel::direction:
   case ShownChannel::nan:
   case ShownChannel::environment:
+  case ShownChannel::precision:
+  case ShownChannel::depth_gap:
     return false;
   }
   return false;
@@ -80,6 +82,8 @@ std::optional<double> heat_value(const Frame& frame, ShownChannel channel, int x
   case ShownChannel::direction:
   case ShownChannel::nan:
   case ShownChannel::environment:
+  case ShownChannel::precision:
+  case ShownChannel::depth_gap:
     return {};
   }
   return {};
@@ -130,6 +134,13 @@ std::string channel_value_text(const Frame& frame, ShownChannel channel, const S
   case ShownChannel::environment: {
     const Vec3f c = frame.environment.at(x, y);
     return c.x < 0 ? "no map here" : triple(Vec3d(c));
+  }
+  case ShownChannel::precision:
+    return std::string(precision_fault_label(frame.precision.at(x, y)));
+  case ShownChannel::depth_gap: {
+    const float gap = frame.depth_gap.at(x, y);
+    if (std::isinf(gap)) return "no second surface";
+    return fmt::format("second surface {:.4g} ulp behind", gap);
   }
   case ShownChannel::shadow: {
     const auto lights = heat_value(frame, channel, x, y);

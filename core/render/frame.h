@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "image/image.h"
 #include "math/vec.h"
+#include "render/precision_fault.h"
 
 namespace ps {
 
@@ -31,6 +32,8 @@ enum class Channel : std::uint32_t {
   shadow_map = 1u << 12,   ///< the lights' shadow maps themselves, laid out over the picture's area
   stencil = 1u << 13,      ///< counts in the stencil buffers, added up over the lights
   environment = 1u << 14,  ///< the cube map of the first mirror, laid out over the picture's area
+  precision = 1u << 15,    ///< what comes out otherwise in double; needs ids
+  depth_gap = 1u << 16,    ///< between the first and the second surface, in units of the stored depth
 };
 constexpr Channel operator|(Channel a, Channel b) {
   return static_cast<Channel>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -74,6 +77,8 @@ struct Frame {
   Image<float> shadow_map;  ///< depth that a texel stores; +infinity = nothing, -1 = no map here
   Image<std::int32_t> stencil;
   Image<Vec3f> environment;  ///< linear; negative = no map here
+  Image<PrecisionFault> precision;
+  Image<float> depth_gap;  ///< see render/precision_channels.h
   Counters counters;
   std::vector<StageTime> times;
 

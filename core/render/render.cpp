@@ -2,12 +2,13 @@
 
 #include "base/check.h"
 #include "image/image.h"
+#include "render/precision_channels.h"
 
 namespace ps {
+namespace {
 
-Frame render(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
-             Prepared& prepared, Progress& progress) {
-  require_image_size(view.width, view.height, "picture");
+Frame render_as_set(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                    Prepared& prepared, Progress& progress) {
   switch (settings.renderer) {
   case Renderer::ray_tracer:
     return render_traced(scene, view, settings, request, prepared, progress);
@@ -17,6 +18,21 @@ Frame render(const Scene& scene, const View& view, const Settings& settings, con
     return render_textbook(scene, view, settings, request, prepared, progress);
   }
   return {};
+}
+
+}  // namespace
+
+Frame render(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+             Prepared& prepared, Progress& progress) {
+  require_image_size(view.width, view.height, "picture");
+  RenderRequest plain = request;
+  plain.channels = without(without(request.channels, Channel::precision), Channel::depth_gap);
+  Frame frame = render_as_set(scene, view, settings, plain, prepared, progress);
+  if (has(request.channels, Channel::precision))
+    compare_with_double(frame, scene, view, settings, request, prepared, progress);
+  if (has(request.channels, Channel::depth_gap))
+    find_depth_gaps(frame, scene, view, settings, request, prepared, progress);
+  return frame;
 }
 
 Frame render(const Scene& scene, const View& view, const Settings& settings) {

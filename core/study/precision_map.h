@@ -6,26 +6,10 @@
 
 namespace ps {
 
-/// What a pixel gets wrong because of its arithmetic, against the same pixel in double.
-enum class PrecisionFault {
-  none,
-  false_hit,     ///< shows something where double shows nothing
-  missed_hit,    ///< shows nothing where double shows something
-  wrong_winner,  ///< another object or triangle
-  shading        ///< the same surface in another colour, by more than one level
-};
-inline constexpr std::size_t precision_fault_count = 5;
-/// For people: "wrong winner".
-std::string_view precision_fault_label(PrecisionFault fault);
-Rgb8 precision_fault_colour(PrecisionFault fault);
-
 struct PrecisionMap {
   Image<PrecisionFault> faults;
   std::array<std::uint64_t, precision_fault_count> counts{};  ///< of pixels, by fault
-  /// How many units in the last place of the stored depth value lie between the first and the second surface along the
-  /// pixel's ray: 0 = the depth buffer cannot tell them apart. Infinity where there is no second surface. Surfaces that
-  /// back-face culling removes do not count. Spheres are the exact ones, as rays see them.
-  Image<float> gap;
+  Image<float> gap;                                           ///< see find_depth_gaps() in render/precision_channels.h
   std::uint64_t count(PrecisionFault fault) const { return counts[static_cast<std::size_t>(fault)]; }
 };
 

@@ -34,6 +34,11 @@ ps::Frame three_pixels() {
   frame.shadow_map = Image<float>(3, 1, -1);
   frame.stencil = Image<std::int32_t>(3, 1);
   frame.environment = Image<Vec3f>(3, 1, Vec3f(-1));
+  frame.precision = Image<ps::PrecisionFault>(3, 1, ps::PrecisionFault::none);
+  frame.depth_gap = Image<float>(3, 1, std::numeric_limits<float>::infinity());
+  frame.precision.at(1, 0) = ps::PrecisionFault::missed_hit;
+  frame.depth_gap.at(1, 0) = 0.5f;
+  frame.depth_gap.at(2, 0) = 4096;
   frame.shadow_map.at(1, 0) = 4;
   frame.shadow_map.at(2, 0) = std::numeric_limits<float>::infinity();
   frame.stencil.at(2, 0) = 3;
@@ -85,6 +90,8 @@ TEST(ChannelPicture, NeedsNoMoreThanItsRowSays) {
     if (!has(row.needs, ps::Channel::shadow_map)) frame.shadow_map = {};
     if (!has(row.needs, ps::Channel::stencil)) frame.stencil = {};
     if (!has(row.needs, ps::Channel::environment)) frame.environment = {};
+    if (!has(row.needs, ps::Channel::precision)) frame.precision = {};
+    if (!has(row.needs, ps::Channel::depth_gap)) frame.depth_gap = {};
     const auto result = ps::channel_picture(frame, row.channel, {});
     EXPECT_EQ(result.levels.width(), 3) << row.key;
     EXPECT_EQ(result.legend.title, row.label);
@@ -141,6 +148,24 @@ TEST(ChannelPicture, DirectionsWeightsAndIdsHaveTheirColours) {
   EXPECT_GT(back.r, back.b);
 }
 
+TEST(ChannelPicture, FaultsStandOutAndAreCounted) {
+  const auto frame = three_pixels();
+  const auto faults = ps::channel_picture(frame, ShownChannel::precision, {});
+  EXPECT_EQ(faults.levels.at(1, 0), ps::precision_fault_colour(ps::PrecisionFault::missed_hit));
+  for (const int x : {0, 2}) EXPECT_LE(faults.levels.at(x, 0).r, 85) << "what is right is dimmed";
+  ASSERT_EQ(faults.legend.entries.size(), 5u);
+  EXPECT_EQ(faults.legend.entries[1].meaning, "missed hit: 1 px");
+  EXPECT_EQ(faults.legend.entries[4].meaning, "as in double: 2 px");
+
+  const auto gaps = ps::channel_picture(frame, ShownChannel::depth_gap, {});
+  EXPECT_EQ(gaps.levels.at(0, 0), (Rgb8{255, 255, 255})) << "no second surface";
+  EXPECT_EQ(gaps.levels.at(1, 0), (Rgb8{220, 30, 30})) << "one depth for both";
+  EXPECT_EQ(gaps.levels.at(2, 0), ps::heat_colour(0.5)) << "half of 24 bits";
+  EXPECT_EQ(gaps.legend.low, 1);
+  EXPECT_EQ(gaps.legend.high, 16777216);
+  EXPECT_EQ(gaps.legend.entries[0].meaning, "below 1, the same depth: 1 px");
+}
+
 TEST(ChannelPicture, NanAndInfinityStandOut) {
   auto frame = three_pixels();
   frame.colour.at(0, 0).g = std::numeric_limits<float>::quiet_NaN();
@@ -164,6 +189,10 @@ TEST(ChannelPicture, ValuesReadAsText) {
   EXPECT_EQ(text(ShownChannel::shadow_map, 2), "sees nothing");
   EXPECT_EQ(text(ShownChannel::stencil, 2), "3");
   EXPECT_EQ(text(ShownChannel::environment, 0), "no map here");
+  EXPECT_EQ(text(ShownChannel::precision, 0), "as in double");
+  EXPECT_EQ(text(ShownChannel::precision, 1), "missed hit");
+  EXPECT_EQ(text(ShownChannel::depth_gap, 0), "no second surface");
+  EXPECT_EQ(text(ShownChannel::depth_gap, 1), "second surface 0.5 ulp behind");
   EXPECT_EQ(text(ShownChannel::shadow, 2), "blocked: light 1, 2");
   EXPECT_EQ(text(ShownChannel::tests, 0), "12");
   EXPECT_EQ(text(ShownChannel::samples, 0), "1");

@@ -26,9 +26,9 @@ void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area
   if (legend.heat) width = std::max({width, heat_width, width_of(low) + width_of(high) + margin});
   for (const auto& entry : legend.entries) width = std::max(width, swatch + margin + width_of(entry.meaning));
   const auto rows = static_cast<float>(1 + (legend.heat ? 2 : 0) + static_cast<int>(legend.entries.size()));
-  const ImVec2 max{area.min.x + margin * 3 + width, area.max.y - margin};
-  const ImVec2 min{area.min.x + margin, max.y - rows * line - margin};
-  if (min.y < area.min.y) return;
+  const ImVec2 min{area.min.x + margin, area.min.y + margin};  // along the lower edge stand notices
+  const ImVec2 max{area.min.x + margin * 3 + width, min.y + rows * line + margin};
+  if (max.y > area.max.y) return;
 
   const ImU32 text = colour_u32(palette().text);
   list.AddRectFilled(min, max, colour_u32(palette().panel, 0.92), px(4));

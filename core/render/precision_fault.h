@@ -1,0 +1,24 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "image/image.h"
+
+namespace ps {
+
+/// What a pixel gets wrong because of its arithmetic, against the same pixel in double.
+enum class PrecisionFault : std::uint8_t {
+  none,
+  false_hit,     ///< shows something where double shows nothing
+  missed_hit,    ///< shows nothing where double shows something
+  wrong_winner,  ///< another object or triangle
+  shading        ///< the same surface in another colour, by more than one level
+};
+inline constexpr std::size_t precision_fault_count = 5;
+/// For people: "wrong winner".
+std::string_view precision_fault_label(PrecisionFault fault);
+/// Told apart with any colour vision.
+Rgb8 precision_fault_colour(PrecisionFault fault);
+
+}  // namespace ps
