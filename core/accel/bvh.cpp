@@ -1,6 +1,7 @@
 #include "accel/bvh.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "accel/binned_split.h"
 
@@ -208,6 +209,11 @@ class BvhBuilder {
       bins.add(std::span(references).subspan(range.begin, range.count()), range.centroids, bins_for(range.count()));
       split = bins.best_split(range.count(), range.boxes, range.centroids);
     }
+    if (split.axis < 0 && range.count() > 4 * leaf && range.depth < bvh_max_depth - 1 &&
+        !std::isfinite(range.boxes.half_area())) {
+      for (const Range<Real>& child : halves(subtree, range)) fill(subtree, child);
+      return;
+    }
     if (split.axis < 0) {
       subtree.nodes[range.node] = {range.boxes.box(), range.begin, range.count()};
       for (std::uint32_t i = range.begin; i < range.end; ++i) bvh_.order[i] = references[i].primitive();
@@ -215,6 +221,23 @@ class BvhBuilder {
     }
     const std::array<Extent<Real>, 2> centroids = partition(subtree.side, range, split);
     for (const Range<Real>& child : children(subtree.nodes, range, split, centroids)) fill(subtree, child);
+  }
+
+  /// Where areas overflow, no cut costs less than another. Neighbours in a mesh mostly stand together in its list, so
+  /// that half of the list is better than a leaf of thousands.
+  std::array<Range<Real>, 2> halves(Subtree& subtree, const Range<Real>& range) {
+    const auto& references = references_[static_cast<std::size_t>(subtree.side)];
+    Split<Real> split;
+    split.left_count = range.count() / 2;
+    std::array<Extent<Real>, 2> centroids;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+      const bool left = i - range.begin < split.left_count;
+      (left ? split.left : split.right).include(references[i]);
+      Lanes4<Real> centroid;
+      references[i].centroid(centroid);
+      centroids[left ? 0 : 1].include(centroid);
+    }
+    return children(subtree.nodes, range, split, centroids);
   }
 
   std::array<Extent<Real>, 2> partition(int side, const Range<Real>& range, const Split<Real>& split) {
