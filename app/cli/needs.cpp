@@ -70,7 +70,8 @@ void print_text(const Document& document, const Needs& needs) {
   const std::string advice = changes(settings_for(document.base), needs.advice);
   fmt::print("advice     {}\n", advice.empty() ? "keep the settings" : advice);
   if (!needs.within_tolerance)
-    fmt::print("           even these settings differ from double by more than the tolerance\n");
+    fmt::print(
+        "           the settings as they are differ from the reference by more than the tolerance; these do not\n");
   fmt::print("error      {:.4g} of {:.4g} allowed (largest mean FLIP of a tile); as it is {:.4g}\n", needs.error,
              needs.tolerance, needs.default_error);
   fmt::print("time       {:.4g} ms, as it is {:.4g} ms\n", needs.time_ms, needs.default_time_ms);

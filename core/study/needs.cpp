@@ -43,7 +43,8 @@ class Search {
     needs_.default_work = start.work;
     needs_.within_tolerance = start.error <= request_.tolerance;
     measure_features(start);
-    const Tried found = needs_.within_tolerance ? descend(start) : start;
+    // Where the settings themselves stray too far, what costs less strays as well: the search comes from the truth.
+    const Tried found = descend(needs_.within_tolerance ? start : try_out(best));
     needs_.advice = found.settings;
     needs_.error = found.error;
     needs_.work = found.work;

@@ -79,12 +79,6 @@ void free_features(const Needs& needs) {
 
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   NeedsAdvice told;
-  if (!needs.within_tolerance) {
-    told.verdict = fmt::format("Nothing can be saved: even as they are, the settings differ from double by {}, more "
-                               "than the tolerance of {}.",
-                               short_number(needs.default_error), short_number(needs.tolerance));
-    return told;
-  }
   told.changes = changes_text(base, needs.advice);
   if (told.changes.empty()) {
     told.verdict = "The scene needs all of it: no setting can be made cheaper within the tolerance.";
@@ -93,8 +87,14 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   const double work = needs.default_work > 0
                           ? 100.0 * (1 - static_cast<double>(needs.work) / static_cast<double>(needs.default_work))
                           : 0;
-  told.verdict = fmt::format("{:.0f} % of the work can be saved; the worst place then differs by {} (allowed: {}).",
-                             work, short_number(needs.error), short_number(needs.tolerance));
+  if (needs.within_tolerance)
+    told.verdict = fmt::format("{:.0f} % of the work can be saved; the worst place then differs by {} (allowed: {}).",
+                               work, short_number(needs.error), short_number(needs.tolerance));
+  else
+    told.verdict = fmt::format("Too little as it is: the worst place differs by {} from the truth. The cheapest that "
+                               "keeps to {} differs by {}{}.",
+                               short_number(needs.default_error), short_number(needs.tolerance),
+                               short_number(needs.error), work > 0.5 ? ", with less work" : "");
   told.saving = fmt::format("{} ms instead of {} ms; {} instead of {} rays, tests, fragments and texels",
                             short_number(needs.time_ms), short_number(needs.default_time_ms), count_text(needs.work),
                             count_text(needs.default_work));
