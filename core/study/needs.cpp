@@ -36,6 +36,9 @@ class Search {
       best.shadows = Shadows::none;
     best.samples_per_pixel = request_.base.samples_per_pixel;
     best.sample_pattern = request_.base.sample_pattern;
+    // Bounces that no mirror makes are nothing to advise.
+    if (inactive_reason(*find_option("reflection-depth"), best, traits_))
+      best.reflection_depth = request_.base.reflection_depth;
     reference_ = picture_of(best).levels;
     needs_.tolerance = request_.tolerance;
     const Tried start = try_out(request_.base);
