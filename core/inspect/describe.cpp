@@ -136,8 +136,7 @@ struct Describer {
     case FragmentEvent::Depth::passed:
       return text + ": passed the depth test";
     case FragmentEvent::Depth::failed:
-      return text +
-             fmt::format(": failed depth, {} against {} stored", number_text(e.depth_new), number_text(e.depth_stored));
+      return text + fmt::format(": failed depth, {} stored", against_text(e.depth_new, e.depth_stored));
     case FragmentEvent::Depth::off:
       return text + ": depth test off";
     }

@@ -93,8 +93,8 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
   if (!fragment) return std::nullopt;
   if (fragment->depth == FragmentEvent::Depth::failed || fate.painted_over) {
     const std::string text = fragment->depth == FragmentEvent::Depth::failed
-                                 ? fmt::format("{} fails the depth test in {}, {} against {} stored", name, letter,
-                                               number_text(fragment->depth_new), number_text(fragment->depth_stored))
+                                 ? fmt::format("{} fails the depth test in {}, {} stored", name, letter,
+                                               against_text(fragment->depth_new, fragment->depth_stored))
                                  : fmt::format("{} is drawn in {} too, but painted over later", name, letter);
     const bool by_order = differs(c, "visibility");
     const bool other_triangles = differs(c, "tessellation") || c.a.story.renderer != c.b.story.renderer;
