@@ -79,6 +79,19 @@ struct Waiting {
   std::array<WideChild, WideBvh::most_waiting + wide_width> child;
 };
 
+/// For each set of places, bit i meaning place i: its places, the last first. What stands behind them means nothing.
+struct PlacesOfBits {
+  std::array<std::array<std::uint8_t, wide_width>, 256> places{};
+  constexpr PlacesOfBits() {
+    for (std::size_t bits = 0; bits < places.size(); ++bits) {
+      std::size_t count = 0;
+      for (std::uint8_t place = wide_width; place-- > 0;)
+        if ((bits >> place & 1u) != 0) places[bits][count++] = place;
+    }
+  }
+};
+inline constexpr PlacesOfBits far_to_near;
+
 /// Enters those children of a node that the ray meets before `limit`: the nearest, by the order for the ray's octant,
 /// becomes `next`, the others wait on top of the stack, the nearer the higher. False if there is none.
 HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit, Waiting& waiting, std::size_t& top,
@@ -97,20 +110,19 @@ HWY_INLINE bool enter_node(const WideNode& node, const BoxRay& ray, Boxes8 limit
       return true;
     }
     const auto order = hn::And(hn::ShiftRightSame(hn::Load(w, node.order), ray.octant_shift), hn::Set(w, 7u));
-    const auto places = hn::IndicesFromVec(d, order);
-    const auto first = hn::TableLookupLanes(span.first, places);
-    const auto last = hn::TableLookupLanes(span.last, places);
-    const auto child = hn::TableLookupLanes(hn::Load(w, node.child), hn::IndicesFromVec(w, order));
-    const auto chosen = hn::Le(first, last);
-    const auto near_first = hn::Compress(first, chosen);
-    const auto child_first = hn::Compress(child, hn::RebindMask(w, chosen));
-    next = hn::GetLane(child_first);
-    // The nearest stands first; on the stack it is last.
-    const auto count = static_cast<std::uint32_t>(hwy::PopCount(bits));
-    const auto turned = hn::And(hn::Sub(hn::Set(w, count - 1), hn::Iota(w, 0)), hn::Set(w, 7u));
-    hn::StoreU(hn::TableLookupLanes(near_first, hn::IndicesFromVec(d, turned)), d, waiting.near.data() + top);
-    hn::StoreU(hn::TableLookupLanes(child_first, hn::IndicesFromVec(w, turned)), w, waiting.child.data() + top);
-    top += count - 1;
+    // The boxes entered, by their place in the order from near to far; then their slots, the nearest last.
+    const auto chosen = hn::TableLookupLanes(hn::VecFromMask(d, entered), hn::IndicesFromVec(d, order));
+    std::uint8_t ordered[8] = {};
+    hn::StoreMaskBits(d, hn::MaskFromVec(chosen), ordered);
+    const hn::Rebind<std::uint8_t, Words> b;
+    const auto places = hn::PromoteTo(w, hn::LoadU(b, far_to_near.places[ordered[0]].data()));
+    const auto slots = hn::TableLookupLanes(order, hn::IndicesFromVec(w, places));
+    hn::StoreU(hn::TableLookupLanes(span.first, hn::IndicesFromVec(d, slots)), d, waiting.near.data() + top);
+    hn::StoreU(hn::TableLookupLanes(hn::Load(w, node.child), hn::IndicesFromVec(w, slots)), w,
+               waiting.child.data() + top);
+    const unsigned nearest = node.order[hwy::Num0BitsBelowLS1Bit_Nonzero32(ordered[0])] >> ray.octant_shift & 7u;
+    next = node.child[nearest];
+    top += hwy::PopCount(bits) - 1;
     return true;
   } else {
     HWY_ALIGN float first[wide_width], last[wide_width];
