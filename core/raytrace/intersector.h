@@ -21,8 +21,8 @@ class Intersector {
   Intersector(const TraceInputs<Real>& inputs, Recorder& recorder)
       : inputs_(inputs), geometry_(*inputs.geometry), recorder_(recorder) {}
 
-  Hit<Real> nearest(const Ray<Real>& ray) const { return search(ray, false); }
-  Hit<Real> any(const Ray<Real>& ray) const { return search(ray, true); }
+  Hit<Real> nearest(const Ray<Real>& ray) const { return find(ray, false); }
+  Hit<Real> any(const Ray<Real>& ray) const { return find(ray, true); }
   /// nearest() of each ray; faster for rays of neighbouring pixels.
   void nearest(std::span<const Ray<Real>> rays, std::span<Hit<Real>> hits) const {
     for (std::size_t first = 0; first < rays.size(); first += packet_width) {
@@ -64,6 +64,18 @@ class Intersector {
   void prepare(Query& query) const {
     query.a = dot(query.ray.direction, query.ray.direction);
     if (!geometry_.triangles.empty() || shares_meshes(geometry_)) query.shear = Shear<Real>(query.ray.direction);
+  }
+
+  /// search(), with a short way for triangles alone.
+  Hit<Real> find(const Ray<Real>& ray, bool any) const {
+    if constexpr (std::is_same_v<Real, float>)
+      if (inputs_.wide && inputs_.only_triangles && !recorder_.collects() && suits_wide(ray)) {
+        Hit<Real> best;
+        best.t = ray.t_max;
+        search_wide_triangles(ray, any, best);
+        return best;
+      }
+    return search(ray, any);
   }
 
   Hit<Real> search(const Ray<Real>& ray, bool any) const {
@@ -183,10 +195,13 @@ class Intersector {
       for_each_candidate(inputs_.wide->others, padded_slabs(query.ray), best.t, visit, recorder_);
       if (any && best.found()) return;
     }
-    const WideQuery wide{query.ray, padding(query.ray), inputs_.triangle_epsilon};
+    search_wide_triangles(query.ray, any, best);
+  }
+  void search_wide_triangles(const Ray<Real>& ray, bool any, Hit<Real>& best) const {
     const WideSearches& searches = inputs_.wide_searches;
     WideCount count;
-    (any ? searches.any : searches.nearest)(inputs_.wide->triangles, wide, best, count);
+    (any ? searches.any : searches.nearest)(inputs_.wide->triangles, {ray, padding(ray), inputs_.triangle_epsilon},
+                                            best, count);
     recorder_.count(Counter::node_visits, count.nodes);
     recorder_.count(Counter::triangle_tests, count.triangles);
   }

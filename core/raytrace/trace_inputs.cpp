@@ -22,6 +22,7 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
                                     Prepared& prepared) {
   TraceInputs<Real> inputs;
   inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
+  inputs.only_triangles = inputs.geometry->triangles.size() == inputs.geometry->primitives.size();
   if (uses_bvh<Real>(settings)) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
   inputs.simple = simple_accelerators<Real>(scene, *inputs.geometry, settings, prepared);
   for (const Material& material : *scene.materials)

@@ -22,6 +22,7 @@ struct TraceInputs {
   std::shared_ptr<const WideGeometry> wide;
   /// The SIMD form of testing everything; likewise.
   std::shared_ptr<const ListGeometry> list;
+  bool only_triangles = false;  ///< the scene holds nothing else
   WideSearches wide_searches;
   PacketSearches packet_searches;  ///< for rays of neighbouring pixels in `wide`
   std::vector<ShadingMaterial<Real>> materials;

@@ -25,29 +25,43 @@ inline constexpr std::size_t box_lanes = HWY_TARGET == HWY_SSE4 ? 4 : 8;
 /// of the reciprocal, of `from` and of t moves a plane by no more than 6 u times the largest coordinate (of boxes and
 /// origin), and WideQuery::pad is at least 32 u times that: a quarter more covers it.
 struct BoxRay {
+  /// x, y and z side by side, and a lane that means nothing.
+  using Axes = hn::Vec<hn::Full128<float>>;
+
   HWY_INLINE explicit BoxRay(const WideQuery& query) {
-    const Ray<float>& ray = query.ray;
-    const float x = ray.direction.x, y = ray.direction.y, z = ray.direction.z;
+    const hn::Full128<float> d;
+    const Vec3f& o = query.ray.origin;
+    const Vec3f& along = query.ray.direction;
+    const Axes direction = axes(along), origin = axes(o);
+    const Axes sign = hn::And(direction, hn::SignBit(d));
     // A component of (about) zero would make 0 * infinity. This little moves no point of the ray by more than `pad`.
-    const float least = 1e-20f * std::max(std::max(std::abs(x), std::abs(y)), std::abs(z));
-    const unsigned down_x = std::signbit(x), down_y = std::signbit(y), down_z = std::signbit(z);
-    octant_shift = 3 * static_cast<int>(down_x | down_y << 1 | down_z << 2);
-    plane_x = down_x * wide_width;
-    plane_y = (2 + down_y) * wide_width;
-    plane_z = (4 + down_z) * wide_width;
-    const float pad = 1.25f * query.pad;
-    set_axis(ray.origin.x, x, least, pad, inverse_x, near_x, far_x);
-    set_axis(ray.origin.y, y, least, pad, inverse_y, near_y, far_y);
-    set_axis(ray.origin.z, z, least, pad, inverse_z, near_z, far_z);
+    const float least = 1e-20f * std::max(std::max(std::abs(along.x), std::abs(along.y)), std::abs(along.z));
+    const Axes size = hn::Max(hn::Abs(direction), hn::Set(d, least));
+    const Axes inverse = hn::Or(hn::Div(hn::Set(d, 1.0f), size), sign);
+    const Axes grown = hn::Or(hn::Set(d, 1.25f * query.pad), sign);
+    const Axes near = hn::Mul(hn::Add(origin, grown), inverse), far = hn::Mul(hn::Sub(origin, grown), inverse);
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::MaskFromVec(direction), bytes);
+    const unsigned down = bytes[0] & 7u;
+    octant_shift = 3 * static_cast<int>(down);
+    plane_x = (down & 1u) * wide_width;
+    plane_y = (2 + (down >> 1 & 1u)) * wide_width;
+    plane_z = (4 + (down >> 2)) * wide_width;
+    spread(inverse, inverse_x, inverse_y, inverse_z);
+    spread(near, near_x, near_y, near_z);
+    spread(far, far_x, far_y, far_z);
   }
-  HWY_INLINE static void set_axis(float origin, float direction, float least, float pad, Boxes8& inverse, Boxes8& near,
-                                  Boxes8& far) {
+  /// By way of registers: a vector read from numbers just written would wait until they reach the cache.
+  HWY_INLINE static Axes axes(const Vec3f& v) {
+    Axes result;
+    result.raw = decltype(result.raw){v.x, v.y, v.z, 0.0f};
+    return result;
+  }
+  HWY_INLINE static void spread(Axes axes, Boxes8& x, Boxes8& y, Boxes8& z) {
     const Boxes d;
-    const float inverted = 1 / std::copysign(std::max(std::abs(direction), least), direction);
-    const float grown = std::copysign(pad, direction);
-    inverse = hn::Set(d, inverted);
-    near = hn::Set(d, (origin + grown) * inverted);
-    far = hn::Set(d, (origin - grown) * inverted);
+    x = hn::Set(d, hn::GetLane(axes));
+    y = hn::Set(d, hn::GetLane(hn::Broadcast<1>(axes)));
+    z = hn::Set(d, hn::GetLane(hn::Broadcast<2>(axes)));
   }
   Boxes8 inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
   std::size_t plane_x, plane_y, plane_z;  ///< where in WideNode::planes the planes stand that the ray meets first
