@@ -7,9 +7,7 @@
 #include "base/parallel.h"
 
 namespace ps {
-namespace {
-
-WideNode empty_node() {
+WideNode empty_wide_node() {
   WideNode node;
   for (int plane = 0; plane < 6; ++plane)
     for (int slot = 0; slot < wide_width; ++slot)
@@ -20,7 +18,14 @@ WideNode empty_node() {
   return node;
 }
 
-/// Fills `order` from the centres of the boxes.
+void put_box(WideNode& node, std::size_t slot, const Box<float>& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    node.planes[2 * axis][slot] = box.low[axis];
+    node.planes[2 * axis + 1][slot] = box.high[axis];
+  }
+}
+
+// From the centres of the boxes.
 void order_children(WideNode& node, std::size_t count) {
   for (unsigned octant = 0; octant < 8; ++octant) {
     std::array<float, wide_width> distance{};  // along the octant's diagonal
@@ -36,6 +41,8 @@ void order_children(WideNode& node, std::size_t count) {
     for (std::size_t place = 0; place < wide_width; ++place) node.order[place] |= slots[place] << (3 * octant);
   }
 }
+
+namespace {
 
 /// Nodes of a subtree, which refer to each other and to `blocks` as if nothing came before them.
 struct WidePart {
@@ -56,7 +63,7 @@ class Widener {
   Widener(const Bvh<float>& bvh, int levels) : bvh_(bvh), levels_(levels) {}
 
   void run(const BvhNode<float>& root) {
-    part.nodes.push_back(empty_node());
+    part.nodes.push_back(empty_wide_node());
     if (opens(root))
       fill(0, parts(root), 0);
     else
@@ -95,7 +102,7 @@ class Widener {
       children[largest] = halves[0];
       children[count++] = halves[1];
     }
-    for (std::size_t i = 0; i < count; ++i) put_box(index, i, children[i].box);
+    for (std::size_t i = 0; i < count; ++i) put_box(part.nodes[index], i, children[i].box);
     order_children(part.nodes[index], count);
     for (std::size_t i = 0; i < count; ++i) {
       if (!opens(children[i])) {
@@ -105,16 +112,9 @@ class Widener {
       } else {
         const auto place = static_cast<std::uint32_t>(part.nodes.size());
         part.nodes[index].child[i] = place;
-        part.nodes.push_back(empty_node());
+        part.nodes.push_back(empty_wide_node());
         fill(place, parts(children[i]), level + 1);
       }
-    }
-  }
-
-  void put_box(std::uint32_t index, std::size_t slot, const Box<float>& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-      part.nodes[index].planes[2 * axis][slot] = box.low[axis];
-      part.nodes[index].planes[2 * axis + 1][slot] = box.high[axis];
     }
   }
 
@@ -139,7 +139,7 @@ LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>&
   // The upper levels first; then every subtree below them is one worker's job, and they are put behind each other.
   Widener top(bvh, bvh.nodes.size() < one_job ? all_levels : 3);
   if (bvh.nodes.empty())
-    top.part.nodes.push_back(empty_node());
+    top.part.nodes.push_back(empty_wide_node());
   else
     top.run(bvh.nodes[0]);
   std::vector<WidePart> parts(top.open.size());

@@ -36,6 +36,11 @@ struct alignas(64) WideNode {
   std::uint32_t order[wide_width];
 };
 
+/// A node without children, and how one is filled: a box for each place, then, once all are there, the orders.
+WideNode empty_wide_node();
+void put_box(WideNode& node, std::size_t slot, const Box<float>& box);
+void order_children(WideNode& node, std::size_t count);
+
 /// Triangles of a block where there is no tree.
 inline constexpr int list_block_width = 8;
 

@@ -29,4 +29,9 @@ template <class Real>
 SimpleAccelerators<Real> simple_accelerators(const Scene& scene, const TracedGeometry<Real>& geometry,
                                              const Settings& settings, Prepared& prepared);
 
+/// The triangles of `octree`, which simple_accelerators() made with these settings, as the SIMD queries search them.
+std::shared_ptr<const WideGeometry> wide_octree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                         const Octree<float>& octree, const Settings& settings,
+                                                         Prepared& prepared);
+
 }  // namespace ps

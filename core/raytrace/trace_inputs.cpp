@@ -30,13 +30,17 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   if constexpr (std::is_same_v<Real, float>) {
     // The SIMD queries know neither one-sided triangles nor surfaces that throw no shadow.
     const bool everything = settings.accelerator == Accelerator::none;
-    const bool triangles = settings.cache_constants && (uses_bvh<Real>(settings) || everything) &&
+    const bool triangles = settings.cache_constants &&
+                           (uses_bvh<Real>(settings) || inputs.simple.octree || everything) &&
                            settings.slab_test == SlabTest::robust && !inputs.geometry->triangles.empty() &&
                            !inputs.geometry->one_sided_triangles && !inputs.any_transparent;
     if (triangles) inputs.wide_searches = wide_searches(settings.simd, settings.triangle_test);
     if (inputs.wide_searches.nearest && everything) inputs.list = list_geometry(scene, *inputs.geometry, prepared);
     if (triangles) inputs.packet_searches = packet_searches(settings.simd, settings.triangle_test);
-    if (inputs.wide_searches.nearest && !everything) inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
+    if (inputs.wide_searches.nearest && inputs.simple.octree)
+      inputs.wide = wide_octree_geometry(scene, *inputs.geometry, *inputs.simple.octree, settings, prepared);
+    else if (inputs.wide_searches.nearest && !everything)
+      inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
   }
   inputs.materials = shading_materials<Real>(*scene.materials);
   inputs.lights = shading_lights<Real>(*scene.lights, settings.light_shown);

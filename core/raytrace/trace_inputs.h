@@ -17,8 +17,8 @@ struct TraceInputs {
   std::shared_ptr<const TracedGeometry<Real>> geometry;
   std::shared_ptr<const Bvh<Real>> bvh;  ///< absent with accelerator = none
   SimpleAccelerators<Real> simple;
-  /// The SIMD form of `bvh` for queries that nobody inspects; absent where it does not apply. It finds the same hits,
-  /// but visits nodes of its own.
+  /// The SIMD form of `bvh` or the octree for queries that nobody inspects; absent where it does not apply. It finds
+  /// the same hits, but visits nodes of its own.
   std::shared_ptr<const WideGeometry> wide;
   /// The SIMD form of testing everything; likewise.
   std::shared_ptr<const ListGeometry> list;

@@ -1,3 +1,5 @@
+#include "accel/wide_octree.h"
+#include "raytrace/accelerators.h"
 #include "raytrace/geometry.h"
 
 namespace ps {
@@ -34,6 +36,27 @@ std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const Trac
       (geometry.primitives[i].kind == PrimitiveKind::triangle ? triangles : others).push_back(i);
     }
     return WideGeometry{widen(tree_over(geometry, triangles), triangle), tree_over(geometry, others)};
+  });
+}
+
+std::shared_ptr<const WideGeometry> wide_octree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                         const Octree<float>& octree, const Settings& settings,
+                                                         Prepared& prepared) {
+  Key key("wide octree");
+  key.add(scene.geometry.revision())
+      .add(static_cast<std::uint64_t>(settings.octree_leaf))
+      .add(static_cast<std::uint64_t>(settings.octree_depth));
+  return prepared.get<WideGeometry>(key, [&] {
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
+      const std::uint32_t i = bounded_primitive(geometry, k);
+      if (geometry.primitives[i].kind != PrimitiveKind::triangle) others.push_back(i);
+    }
+    const auto triangle = [&](std::uint32_t primitive) -> std::optional<WideTriangle> {
+      if (geometry.primitives[primitive].kind != PrimitiveKind::triangle) return {};
+      return wide_triangle(geometry, primitive);
+    };
+    return WideGeometry{widen_octree(octree, triangle), tree_over(geometry, others)};
   });
 }
 
