@@ -166,7 +166,7 @@ struct Describer {
                        number_text(e.threshold), e.subdivides ? "subdivided" : "left as it is");
   }
   std::string operator()(const ReuseEvent& e) const {
-    if (!e.same) return "the traced pixels around saw different objects: the ray is searched for";
+    if (!e.same) return "the traced pixels around saw different objects, or many triangles: the ray is searched for";
     const std::string seen = primitive_name(scene, e.seen);
     if (!e.met) return fmt::format("the traced pixels around saw {}, this ray misses it: searched for", seen);
     return fmt::format("the traced pixels around saw {}: nothing else is tested", seen);

@@ -142,11 +142,13 @@ struct Way {
   Accelerator accelerator;
   Simd simd;
 };
-const Way ways[] = {{Accelerator::bvh, Simd::off},     {Accelerator::bvh, Simd::sse4},
-                    {Accelerator::bvh, Simd::avx2},    {Accelerator::bvh, Simd::avx512},
-                    {Accelerator::none, Simd::sse4},   {Accelerator::none, Simd::avx2},
-                    {Accelerator::none, Simd::avx512}, {Accelerator::bounding_spheres, Simd::off},
-                    {Accelerator::box, Simd::off},     {Accelerator::octree, Simd::off}};
+const Way ways[] = {{Accelerator::bvh, Simd::off},      {Accelerator::bvh, Simd::sse4},
+                    {Accelerator::bvh, Simd::avx2},     {Accelerator::bvh, Simd::avx512},
+                    {Accelerator::none, Simd::sse4},    {Accelerator::none, Simd::avx2},
+                    {Accelerator::none, Simd::avx512},  {Accelerator::bounding_spheres, Simd::off},
+                    {Accelerator::box, Simd::off},      {Accelerator::octree, Simd::off},
+                    {Accelerator::octree, Simd::sse4},  {Accelerator::octree, Simd::avx2},
+                    {Accelerator::octree, Simd::avx512}};
 
 template <class Real>
 void expect_same_hits(TriangleTest test) {
@@ -191,6 +193,7 @@ void expect_same_hits_together(Accelerator accelerator, std::initializer_list<Si
         everything.bvh.reset();
         everything.wide.reset();
         everything.list.reset();
+        everything.simple = {};
         Silent silent;
         const Intersector<float, Silent> clear(everything, silent), fast(inputs, silent);
         int differing = 0, together = 0;
@@ -216,6 +219,9 @@ void expect_same_hits_together(Accelerator accelerator, std::initializer_list<Si
 
 TEST(Accelerators, RaysThroughTheTreeTogetherFindWhatEachFinds) {
   expect_same_hits_together(Accelerator::bvh, {Simd::avx2, Simd::avx512});
+}
+TEST(Accelerators, RaysThroughTheOctreeTogetherFindWhatEachFinds) {
+  expect_same_hits_together(Accelerator::octree, {Simd::avx2, Simd::avx512});
 }
 TEST(Accelerators, RaysPastEverythingTogetherFindWhatEachFinds) {
   expect_same_hits_together(Accelerator::none, {Simd::sse4, Simd::avx2, Simd::avx512});

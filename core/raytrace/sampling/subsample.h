@@ -12,7 +12,8 @@ namespace ps {
 /// Subsampling (CGFS ch. 5) of one tile: the first hit is searched for at every n-th pixel of every n-th row, and at
 /// the tile's last column and row. Where the two or four searched pixels around another one saw the same object, or all
 /// saw nothing, its ray is tested against what they met alone; shading is done for each pixel. A ray that misses it is
-/// searched for. So the picture differs from the plain one only where something smaller than the step lies between.
+/// searched for, and so is one between more than two triangles: among so many small ones it mostly meets another. So
+/// the picture differs from the plain one only where something smaller than the step lies between.
 template <class Real, class Recorder>
 class SubsampledTile {
  public:
@@ -49,6 +50,11 @@ class SubsampledTile {
     std::vector<Ray<Real>> rays, missed;
     std::vector<Hit<Real>> hits, found;
     std::vector<std::size_t> places;
+    const auto width = static_cast<std::size_t>(end_column - first_column);
+    rays.reserve(width);
+    missed.reserve(width);
+    hits.reserve(width);
+    places.reserve(width);
     Cell last;
     Around around;
     for (int column = first_column; column < end_column; ++column) {
@@ -87,6 +93,8 @@ class SubsampledTile {
     return {columns_[x1] == column ? x1 : x1 - 1, x1, rows_[y1] == row ? y1 : y1 - 1, y1};
   }
 
+  static constexpr std::size_t most_reused = 2;
+
   /// What they saw.
   struct Around {
     ReuseEvent event;
@@ -108,6 +116,7 @@ class SubsampledTile {
         if (hit.found() && std::find(around.list.begin(), end, hit.primitive) == end)
           around.list[around.count++] = hit.primitive;
       }
+    event.same = event.same && around.count <= most_reused;
     return around;
   }
 
