@@ -36,6 +36,20 @@ HWY_INLINE void convert_exactly(const float* values, double exposure, std::uint8
   }
 }
 
+#if HWY_TARGET <= HWY_AVX2
+/// Without an exposure float is enough where product and sum are rounded once: 2^23 leaves no bits behind the point,
+/// so that is the rounding to a whole number, and the number is in the low bits.
+HWY_INLINE void convert(const float* values, double exposure, std::uint8_t* levels) {
+  const D d;
+  const hn::Rebind<std::uint32_t, D> bits;
+  if (exposure != 1) return convert_exactly(values, exposure, levels);
+  const auto value = hn::LoadU(d, values), one = hn::Set(d, 1.0f);
+  const auto low = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
+  const auto clamped = hn::IfThenElse(hn::Lt(low, one), low, one);
+  const auto rounded = hn::MulAdd(clamped, hn::Set(d, 255.0f), hn::Set(d, 0x1p23f));
+  hn::StoreU(hn::TruncateTo(Levels(), hn::BitCast(bits, rounded)), Levels(), levels);
+}
+#else
 /// Without an exposure float is enough but for ties: rounding the product to float keeps it on its side of every half,
 /// or moves it onto the half, of which the exact product then decides.
 HWY_INLINE void convert(const float* values, double exposure, std::uint8_t* levels) {
@@ -50,6 +64,7 @@ HWY_INLINE void convert(const float* values, double exposure, std::uint8_t* leve
   if (!hn::AllFalse(d, hn::Eq(moved, hn::Set(d, 0.5f)))) return convert_exactly(values, exposure, levels);
   hn::StoreU(hn::DemoteTo(Levels(), rounded), Levels(), levels);
 }
+#endif
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "raster/fast/fast_frame.h"
 #include "raster/shadow/fragment_shadows.h"
 #include "raster/shadow/map_picture.h"
+#include "render/display_frame.h"
 #include "render/region.h"
 #include "render/render.h"
 
@@ -96,7 +97,7 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
     draw_canvas_items(pass, target, recorder);
     recorder.count(Counter::nan_pixels, target.count_nan_pixels());
     counters[i] = recorder.counters;
-    if (request.on_tile) request.on_tile(frame, tiles[i]);
+    finish_tile(request, settings, frame, tiles[i]);
   });
   frame.counters += geometry.counters;
   store_map_pictures(pass, frame);

@@ -4,6 +4,7 @@
 #include "raytrace/sampling/subdivide.h"
 #include "raytrace/sampling/tile_rays.h"
 #include "raytrace/store_pixel.h"
+#include "render/display_frame.h"
 #include "render/region.h"
 #include "render/render.h"
 
@@ -16,7 +17,7 @@ class PictureTracer {
  public:
   PictureTracer(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                 Prepared& prepared, Progress& progress)
-      : request_(request), ids_asked_(has(request.channels, Channel::ids)),
+      : settings_(settings), request_(request), ids_asked_(has(request.channels, Channel::ids)),
         plan_(sampling_plan(settings)), parallel_{settings.threads, request.priority}, progress_(progress),
         inputs_(make_trace_inputs<Real>(scene, view, settings, prepared)),
         tiles_(make_tiles(view.width, view.height, traced_tile_size)),
@@ -69,7 +70,7 @@ class PictureTracer {
     std::vector<Counters> counters(tiles_.size());
     parallel_for(static_cast<int>(tiles_.size()), parallel_, progress_, [&](int index, int) {
       const auto i = static_cast<std::size_t>(index);
-      if (body(i, counters[i]) && request_.on_tile) request_.on_tile(frame_, tiles_[i]);
+      if (body(i, counters[i])) finish_tile(request_, settings_, frame_, tiles_[i]);
     });
     for (const Counters& tile : counters) frame_.counters += tile;
   }
@@ -168,6 +169,7 @@ class PictureTracer {
 
   static bool has_nan(const Vec3f& c) { return std::isnan(c.x) || std::isnan(c.y) || std::isnan(c.z); }
 
+  const Settings& settings_;
   RenderRequest request_;
   bool ids_asked_;
   SamplingPlan plan_;

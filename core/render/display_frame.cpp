@@ -24,6 +24,11 @@ Image<Rgb8> display_frame(const Frame& frame, const Settings& settings) {
   return levels;
 }
 
+void finish_tile(const RenderRequest& request, const Settings& settings, const Frame& frame, const TileRect& tile) {
+  if (request.levels) display_tile(frame, settings, tile, *request.levels);
+  if (request.on_tile) request.on_tile(frame, tile);
+}
+
 Vec3d linear_at(const Frame& frame, Vec2i pixel) {
   return frame.colour_double.empty() ? Vec3d(frame.colour.at(pixel.x, pixel.y))
                                      : frame.colour_double.at(pixel.x, pixel.y);

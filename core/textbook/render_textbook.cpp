@@ -6,6 +6,7 @@
 #include "base/timer.h"
 #include "image/display.h"
 #include "raytrace/store_pixel.h"
+#include "render/display_frame.h"
 #include "render/region.h"
 #include "render/render.h"
 #include "textbook/book_canvas.h"
@@ -55,7 +56,7 @@ Frame render_textbook(const Scene& scene, const View& view, const Settings& sett
     BookCanvas canvas(view.width, view.height, tile, book.background, &progress);
     listing.draw(book, canvas);
     nan[static_cast<std::size_t>(index)] = store(canvas, frame);
-    if (request.on_tile) request.on_tile(frame, tile);
+    finish_tile(request, settings, frame, tile);
   });
   for (const std::uint64_t count : nan) frame.counters[Counter::nan_pixels] += count;
   frame.times.push_back({"listing", timer.milliseconds()});

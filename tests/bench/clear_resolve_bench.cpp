@@ -28,9 +28,7 @@ struct EmptyPicture {
     Progress progress;
     picture = Image<Rgb8>(view.width, view.height, Unfilled{});
     RenderRequest request;
-    request.on_tile = [this](const Frame& frame, const TileRect& tile) {
-      display_tile(frame, settings, tile, picture);
-    };
+    request.levels = &picture;
     render(scene, view, settings, request, prepared, progress);
   }
 };

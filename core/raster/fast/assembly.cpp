@@ -149,17 +149,18 @@ class PartAssembler {
   }
 
   AssemblyRules rules(const DrawObject& object) const {
-    const auto unit = static_cast<double>(fixed_unit(pass_.grid.subpixel_bits));
     AssemblyRules rules;
+    rules.spare_bits = pass_.grid.subpixel_bits > 0 ? 1 : 0;
+    rules.unit_bits = pass_.grid.subpixel_bits + 1 - rules.spare_bits;
+    const auto unit = static_cast<double>(1 << rules.unit_bits);
     rules.handedness = static_cast<float>(pass_.camera_space.handedness);
     rules.cull_backs = pass_.settings.backface_culling || object.front_only;
-    rules.subpixel_bits = pass_.grid.subpixel_bits;
     rules.sample_x = static_cast<std::int32_t>(pass_.grid.sample.x * unit);
     rules.sample_y = static_cast<std::int32_t>(pass_.grid.sample.y * unit);
     rules.fill_rule = pass_.grid.fill_rule;
     rules.columns = pass_.viewport.columns;
     rules.rows = pass_.viewport.rows;
-    rules.large = std::int32_t{1} << (pass_.grid.subpixel_bits + 6);  // 32 pixels
+    rules.large = std::int32_t{1} << (rules.unit_bits + 6);  // 64 pixels
     return rules;
   }
 

@@ -9,7 +9,8 @@
 namespace ps::raster {
 
 /// A triangle ready for coverage, in one cache line. Small ones, which nothing cuts, carry their edges (TriangleEdges)
-/// as 32-bit integers; what edge 2 has follows from the others, since the three values add up to the area.
+/// as 32-bit integers, in units of AssemblyRules; what edge 2 has follows from the others, since the three values add
+/// up to the area.
 struct FastTriangle {
   static constexpr std::uint32_t general = 1u << 31;  ///< in `shape`: number `triangle` of FastPart::cut instead
 
@@ -59,16 +60,19 @@ struct TriangleBlock {
   const VertexPlace* places = nullptr;
 };
 
-/// What is the same for all triangles of an object.
+/// What is the same for all triangles of an object. Lengths are in units of 2^-unit_bits pixels: those of FixedPoint,
+/// or twice as long where corners and samples are even. Edge values and area are then a quarter as large, and their
+/// quotients the same to the last bit.
 struct AssemblyRules {
   float handedness = 1;
   bool cull_backs = false;
-  int subpixel_bits = 8;
-  std::int32_t sample_x = 0, sample_y = 0;  ///< of the sample in its pixel, FixedPoint units
+  int unit_bits = 8;
+  int spare_bits = 1;                       ///< of FixedPoint, which are dropped
+  std::int32_t sample_x = 0, sample_y = 0;  ///< of the sample in its pixel
   FillRule fill_rule = FillRule::top_left;
   int columns = 0, rows = 0;
-  /// Triangles that reach this far, in FixedPoint units, are large. With at most 8 sub-pixel bits every difference
-  /// has 14 bits, every product 29, and an edge value up to a vector beyond the box still fits 31.
+  /// Triangles that reach this far are large. With at most 8 sub-pixel bits every difference has 14 bits, every product
+  /// 29, and an edge value up to a vector beyond the box still fits 31.
   std::int32_t large = 1 << 14;
 };
 inline constexpr int fast_subpixel_bits = 8;  ///< at most

@@ -40,7 +40,8 @@ HWY_INLINE VI number(std::int32_t value) { return hn::Set(DI(), value); }
 HWY_INLINE VI zero() { return hn::Zero(DI()); }
 
 /// Corner `k` of the triangles from number `first` on; lanes beyond the last get the last.
-HWY_INLINE Corner load_corner(const TriangleBlock& block, std::size_t k, std::size_t first) {
+HWY_INLINE Corner load_corner(const AssemblyRules& rules, const TriangleBlock& block, std::size_t k,
+                              std::size_t first) {
   const hn::FixedTag<float, 4> four;
   const hn::Rebind<std::int32_t, decltype(four)> four_numbers;
   const DI di;
@@ -55,8 +56,8 @@ HWY_INLINE Corner load_corner(const TriangleBlock& block, std::size_t k, std::si
           point.second,
           point.third,
           point.fourth,
-          hn::BitCast(di, place.first),
-          hn::BitCast(di, place.second),
+          hn::ShiftRightSame(hn::BitCast(di, place.first), rules.spare_bits),
+          hn::ShiftRightSame(hn::BitCast(di, place.second), rules.spare_bits),
           hn::BitCast(di, place.third)};
 }
 
@@ -97,7 +98,7 @@ HWY_INLINE VI owned(FillRule rule, VI dx, VI dy) {
 HWY_INLINE Edge make_edge(const AssemblyRules& rules, const Corner& a, const Corner& b, VI sign, VI x, VI y) {
   const VI dx = hn::Mul(sign, hn::Sub(b.column, a.column));
   const VI dy = hn::Mul(sign, hn::Sub(b.row, a.row));
-  const VI unit = number(std::int32_t{1} << (rules.subpixel_bits + 1));
+  const VI unit = number(std::int32_t{1} << rules.unit_bits);
   Edge edge;
   edge.value = hn::Sub(hn::Mul(dx, hn::Sub(y, a.row)), hn::Mul(dy, hn::Sub(x, a.column)));
   edge.step_x = hn::Neg(hn::Mul(dy, unit));
@@ -188,8 +189,8 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
                                 AssembledBlock& result) {
   const D d;
   const DI di;
-  const std::array<Corner, 3> c{load_corner(block, 0, first), load_corner(block, 1, first),
-                                load_corner(block, 2, first)};
+  const std::array<Corner, 3> c{load_corner(rules, block, 0, first), load_corner(rules, block, 1, first),
+                                load_corner(rules, block, 2, first)};
   const Facing face = facing(c, rules.handedness);
   result.degenerate += hn::CountTrue(di, hn::AndNot(face.solid, wanted));
   M rest = hn::And(wanted, face.solid);
@@ -214,7 +215,7 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
   rest = hn::AndNot(flat, rest);
 
   // sample_box(), cut to the picture
-  const int shift = rules.subpixel_bits + 1;
+  const int shift = rules.unit_bits;
   const VI sample_x = number(rules.sample_x), sample_y = number(rules.sample_y);
   const VI before_next = number((std::int32_t{1} << shift) - 1);
   const auto ceiling = [&](VI v, VI sample) HWY_ATTR {

@@ -20,35 +20,55 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+using D = hn::CappedTag<float, 8>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+
 /// Edge values as 32-bit integers, for small triangles.
 struct Small {
-  using D = hn::CappedTag<float, 8>;
   using Count = hn::Rebind<std::int32_t, D>;
   using Scalar = std::int32_t;
   using Value = hn::Vec<Count>;
-  /// Which of three values lie above their thresholds.
-  static HWY_INLINE hn::Mask<D> above(const std::array<Value, 3>& value, const std::array<Value, 3>& threshold) {
-    return hn::RebindMask(D(), hn::And(hn::And(hn::Gt(value[0], threshold[0]), hn::Gt(value[1], threshold[1])),
-                                       hn::Gt(value[2], threshold[2])));
+  static HWY_INLINE Value from(Scalar first, Scalar step, int before) {
+    return hn::Add(hn::Set(Count(), first), hn::Mul(hn::Iota(Count(), before), hn::Set(Count(), step)));
   }
-  static HWY_INLINE hn::Vec<D> to_float(Value value) { return hn::ConvertTo(D(), value); }
+  static HWY_INLINE Value same(Scalar value) { return hn::Set(Count(), value); }
+  static HWY_INLINE void add(Value& value, const Value& more) { value = hn::Add(value, more); }
+  static HWY_INLINE V to_float(const Value& value) { return hn::ConvertTo(D(), value); }
+  static HWY_INLINE M above(const Value& value, V, std::int32_t threshold) {
+    return hn::RebindMask(D(), hn::Gt(value, hn::Set(Count(), threshold)));
+  }
 };
 
 /// Edge values as doubles, which hold integers below 2^53 exactly and round once on their way to float, as a 64-bit
-/// integer does.
+/// integer does. Rounded, an integer is above 0, or above -1, where it was before.
 struct Large {
-  using Count = hn::ScalableTag<double>;
-  using D = hn::Rebind<float, Count>;
+  using Half = hn::Half<D>;
+  using Count = hn::Rebind<double, Half>;
   using Scalar = double;
-  using Value = hn::Vec<Count>;
-  static HWY_INLINE hn::Mask<D> above(const std::array<Value, 3>& value, const std::array<Value, 3>& threshold) {
-    const auto all = hn::And(hn::And(hn::Gt(value[0], threshold[0]), hn::Gt(value[1], threshold[1])),
-                             hn::Gt(value[2], threshold[2]));
-    const Value flag = hn::IfThenElseZero(all, hn::Set(Count(), 1.0));
-    return hn::Gt(hn::DemoteTo(D(), flag), hn::Zero(D()));
+  struct Value {
+    hn::Vec<Count> low, high;
+  };
+  static HWY_INLINE Value from(Scalar first, Scalar step, int before) {
+    const auto low = hn::Iota(Count(), static_cast<double>(before));
+    const auto high = hn::Iota(Count(), static_cast<double>(before) + static_cast<double>(hn::Lanes(Count())));
+    const auto start = hn::Set(Count(), first), change = hn::Set(Count(), step);
+    return {hn::Add(start, hn::Mul(low, change)), hn::Add(start, hn::Mul(high, change))};
   }
-  static HWY_INLINE hn::Vec<D> to_float(Value value) { return hn::DemoteTo(D(), value); }
+  static HWY_INLINE Value same(Scalar value) { return {hn::Set(Count(), value), hn::Set(Count(), value)}; }
+  static HWY_INLINE void add(Value& value, const Value& more) {
+    value = {hn::Add(value.low, more.low), hn::Add(value.high, more.high)};
+  }
+  static HWY_INLINE V to_float(const Value& value) {
+    return hn::Combine(D(), hn::DemoteTo(Half(), value.high), hn::DemoteTo(Half(), value.low));
+  }
+  static HWY_INLINE M above(const Value&, V rounded, double threshold) {
+    return hn::Gt(rounded, hn::Set(D(), static_cast<float>(threshold)));
+  }
 };
+
+/// Whether all samples of a box are known to lie inside.
+enum class Covers { some, all };
 
 /// A triangle's edges as `Kind` counts them, from the first sample of `box` on.
 template <class Scalar>
@@ -69,70 +89,83 @@ HWY_INLINE void keep_replaced(const TileFragments& tile, std::size_t at, std::ui
   }
 }
 
+/// The fragments of one vector: those that pass the depth test replace what was there. How many do.
+HWY_INLINE std::uint64_t put(M inside, V inverse_z, std::uint32_t id, std::size_t at, TileFragments& tile) {
+  const D d;
+  const hn::Rebind<std::uint32_t, D> du;
+  float* const depth = tile.inverse_z.data() + at;
+  const V before = hn::Load(d, depth);
+  const M passed = hn::And(inside, hn::Gt(inverse_z, before));
+  if (hn::AllFalse(d, passed)) return 0;
+  if (tile.keep_replaced) {
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(d, passed, bits.data());
+    keep_replaced(tile, at, bits[0], tile.replaced);
+  }
+  std::uint32_t* const id_at = tile.id.data() + at;
+  hn::Store(hn::IfThenElse(passed, inverse_z, before), d, depth);
+  hn::Store(hn::IfThenElse(hn::RebindMask(du, passed), hn::Set(du, id), hn::Load(du, id_at)), du, id_at);
+  return hn::CountTrue(d, passed);
+}
+
 /// Draws the box; how many fragments passed the depth test. Vectors lie where their length divides their place in the
 /// row, and are written as a whole: what the next triangle reads there is then known before it has left the processor.
-template <class Kind>
+template <class Kind, Covers covers>
 HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges, std::uint32_t id,
                                    TileFragments& tile) {
   using Value = typename Kind::Value;
-  using D = typename Kind::D;
-  using V = hn::Vec<D>;
+  using Scalar = typename Kind::Scalar;
   const D d;
-  const typename Kind::Count dc;
-  const hn::Rebind<std::uint32_t, D> du;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto set = [&](typename Kind::Scalar value) HWY_ATTR { return hn::Set(dc, value); };
   const int begin = edges.x & ~(lanes - 1), end = edges.x + edges.width;
-  const Value ramp = hn::Iota(dc, static_cast<typename Kind::Scalar>(begin - edges.x));
-  std::array<Value, 3> spread, stride, threshold;
+  std::array<Value, 3> row, down, stride;
   for (std::size_t i = 0; i < 3; ++i) {
-    spread[i] = hn::Mul(ramp, set(edges.step_x[i]));
-    threshold[i] = set(edges.threshold[i]);
-    stride[i] = spread[i];
+    row[i] = Kind::from(edges.value[i], edges.step_x[i], begin - edges.x);
+    down[i] = Kind::same(edges.step_y[i]);
+    stride[i] = Kind::same(edges.step_x[i] * static_cast<Scalar>(lanes));
   }
-  // From one vector to the next; small triangles mostly need only one.
-  if (end - begin > lanes)
-    for (std::size_t i = 0; i < 3; ++i) stride[i] = set(edges.step_x[i] * static_cast<typename Kind::Scalar>(lanes));
   const V inverse_area = hn::Set(d, edges.inverse_area);
   const V inverse_z0 = hn::Set(d, edges.inverse_z[0]), inverse_z1 = hn::Set(d, edges.inverse_z[1]),
           inverse_z2 = hn::Set(d, edges.inverse_z[2]);
-  const auto ids = hn::Set(du, id);
+  const M last = hn::FirstN(d, static_cast<std::size_t>((end - begin - 1) % lanes + 1)),
+          all = hn::FirstN(d, hn::Lanes(d));
   std::uint64_t passes = 0, covered = 0;
-  std::array<typename Kind::Scalar, 3> start = edges.value;
   for (int y = 0; y < edges.height; ++y) {
-    std::array<Value, 3> value;
-    for (std::size_t i = 0; i < 3; ++i) value[i] = hn::Add(set(start[i]), spread[i]);
+    std::array<Value, 3> value = row;
     std::size_t at = static_cast<std::size_t>(edges.y + y) * fast_tile + static_cast<std::size_t>(begin);
     for (int x = begin; x < end; x += lanes, at += static_cast<std::size_t>(lanes)) {
-      const auto inside = hn::And(Kind::above(value, threshold), hn::FirstN(d, static_cast<std::size_t>(end - x)));
-      if (!hn::AllFalse(d, inside)) {
-        covered += hn::CountTrue(d, inside);
-        const V weight0 = hn::Mul(Kind::to_float(value[0]), inverse_area);
-        const V weight1 = hn::Mul(Kind::to_float(value[1]), inverse_area);
-        const V weight2 = hn::Mul(Kind::to_float(value[2]), inverse_area);
-        const V inverse_z =
-            hn::Add(hn::Add(hn::Mul(weight0, inverse_z0), hn::Mul(weight1, inverse_z1)), hn::Mul(weight2, inverse_z2));
-        float* const depth = tile.inverse_z.data() + at;
-        const V before = hn::Load(d, depth);
-        const auto passed = hn::And(inside, hn::Gt(inverse_z, before));
-        if (!hn::AllFalse(d, passed)) {
-          passes += hn::CountTrue(d, passed);
-          if (tile.keep_replaced) {
-            std::array<std::uint8_t, 8> bits{};
-            hn::StoreMaskBits(d, passed, bits.data());
-            keep_replaced(tile, at, bits[0], tile.replaced);
-          }
-          std::uint32_t* const id_at = tile.id.data() + at;
-          hn::Store(hn::IfThenElse(passed, inverse_z, before), d, depth);
-          hn::Store(hn::IfThenElse(hn::RebindMask(du, passed), ids, hn::Load(du, id_at)), du, id_at);
-        }
+      M inside = end - x <= lanes ? last : all;
+      std::array<V, 3> weight;
+      for (std::size_t i = 0; i < 3; ++i) {
+        weight[i] = Kind::to_float(value[i]);
+        if constexpr (covers == Covers::some)
+          inside = hn::And(inside, Kind::above(value[i], weight[i], edges.threshold[i]));
       }
-      for (std::size_t i = 0; i < 3; ++i) value[i] = hn::Add(value[i], stride[i]);
+      if (covers == Covers::all || !hn::AllFalse(d, inside)) {
+        covered += hn::CountTrue(d, inside);
+        for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Mul(weight[i], inverse_area);
+        const V inverse_z = hn::Add(hn::Add(hn::Mul(weight[0], inverse_z0), hn::Mul(weight[1], inverse_z1)),
+                                    hn::Mul(weight[2], inverse_z2));
+        passes += put(inside, inverse_z, id, at, tile);
+      }
+      for (std::size_t i = 0; i < 3; ++i) Kind::add(value[i], stride[i]);
     }
-    for (std::size_t i = 0; i < 3; ++i) start[i] += edges.step_y[i];
+    for (std::size_t i = 0; i < 3; ++i) Kind::add(row[i], down[i]);
   }
   tile.fragments += covered;
   return passes;
+}
+
+/// Whether the corners of a box, and so all its samples, lie inside the three edges.
+template <class Scalar>
+HWY_INLINE bool covers_corners(const BoxEdges<Scalar>& edges) {
+  const Scalar across = static_cast<Scalar>(edges.width - 1), down = static_cast<Scalar>(edges.height - 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Scalar least =
+        edges.value[i] + std::min(edges.step_x[i] * across, Scalar{0}) + std::min(edges.step_y[i] * down, Scalar{0});
+    if (!(least > edges.threshold[i])) return false;
+  }
+  return true;
 }
 
 /// Without vectors: edges whose values double may not hold.
@@ -191,7 +224,7 @@ HWY_INLINE std::uint64_t cover_small(const FastTriangle& triangle, const TileRec
   edges.step_y[2] = -triangle.step_y[0] - triangle.step_y[1];
   edges.value[2] = triangle.area - edges.value[0] - edges.value[1];
   for (std::size_t i = 0; i < 3; ++i) edges.threshold[i] = -static_cast<std::int32_t>(triangle.shape >> (16 + i) & 1);
-  return cover_box<Small>(edges, id, tile);
+  return cover_box<Small, Covers::some>(edges, id, tile);
 }
 
 std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, const std::array<float, 3>& inverse_z,
@@ -216,7 +249,9 @@ std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, 
     wide.step_y[i] = static_cast<double>(edges.step_y[i]);
     wide.threshold[i] = static_cast<double>(edges.threshold[i]);
   }
-  return cover_box<Large>(wide, id, tile);
+  const bool at_vector = edges.x % static_cast<int>(hn::Lanes(D())) == 0;
+  if (at_vector && covers_corners(edges)) return cover_box<Large, Covers::all>(wide, id, tile);
+  return cover_box<Large, Covers::some>(wide, id, tile);
 }
 
 }  // namespace

@@ -69,19 +69,24 @@ void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& fra
   std::vector<std::unique_ptr<Worker>> workers(static_cast<std::size_t>(resolve_threads(parallel)));
   const CoverTile cover = cover_kernel(pass.settings.simd);
   const ResolveKernels kernels = resolve_kernels(pass.settings.simd);
+  const TileOutput output = tile_output(pass.settings, request, frame);
   const bool keep_replaced = needs_replaced(pass, surfaces);
   parallel_for(static_cast<int>(tiles.size()), parallel, progress, [&](int index, int number) {
     const auto i = static_cast<std::size_t>(index);
-    std::unique_ptr<Worker>& worker = workers[static_cast<std::size_t>(number)];
-    if (!worker) worker = std::make_unique<Worker>(pass, vertices, surfaces);
     std::size_t entries = 0;
     for (const FastPart& part : parts) entries += part.list(i).size();
-    TileFragments& tile = worker->tile;
-    tile.keep_replaced = keep_replaced;
-    tile.start(entries, surfaces.size());
-    for (const FastPart& part : parts)
-      if (!part.list(i).empty()) cover(tiles[i], part, part.list(i), tile);
-    resolve_tile(pass, kernels, tile, tiles[i], worker->rows, frame, counters[i]);
+    if (entries == 0) {
+      resolve_empty_tile(pass, kernels, tiles[i], output, frame, counters[i]);
+    } else {
+      std::unique_ptr<Worker>& worker = workers[static_cast<std::size_t>(number)];
+      if (!worker) worker = std::make_unique<Worker>(pass, vertices, surfaces);
+      TileFragments& tile = worker->tile;
+      tile.keep_replaced = keep_replaced;
+      tile.start(entries, surfaces.size());
+      for (const FastPart& part : parts)
+        if (!part.list(i).empty()) cover(tiles[i], part, part.list(i), tile);
+      resolve_tile(pass, kernels, tile, tiles[i], output, worker->rows, frame, counters[i]);
+    }
     if (request.on_tile) request.on_tile(frame, tiles[i]);
   });
   for (const Counters& tile : counters) frame.counters += tile;

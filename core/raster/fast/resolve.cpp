@@ -6,6 +6,9 @@
 namespace ps::raster {
 namespace {
 
+/// Colours of a picture of 1024 x 768 still find room in the last cache of most processors.
+constexpr std::size_t past_cache_bytes = std::size_t{10} << 20;
+
 bool has_nan(const Vec3f& c) { return c.x != c.x || c.y != c.y || c.z != c.z; }
 
 /// Texels of every fragment; 0 where the level of detail decides.
@@ -87,10 +90,25 @@ bool needs_replaced(const Pass<float>& pass, const std::vector<FastSurface>& sur
          std::any_of(surfaces.begin(), surfaces.end(), [](const FastSurface& surface) { return surface.textured; });
 }
 
+TileOutput tile_output(const Settings& settings, const RenderRequest& request, Frame& frame) {
+  TileOutput output;
+  output.pixels = frame.colour.pixels().data();
+  output.width = static_cast<std::size_t>(frame.width());
+  if (request.levels) {
+    PS_ASSERT(request.levels->width() == frame.width() && request.levels->height() == frame.height(),
+              "levels of the frame's size");
+    output.levels = request.levels->pixels().data();
+    output.transform = display_transform(settings);
+  }
+  if (frame.colour.pixels().size_bytes() >= past_cache_bytes && !request.on_tile) output.stores = Stores::past_cache;
+  return output;
+}
+
 void resolve_tile(const Pass<float>& pass, const ResolveKernels& kernels, const TileFragments& tile,
-                  const TileRect& rect, AttributeRows& rows, Frame& frame, Counters& counters) {
+                  const TileRect& rect, const TileOutput& output, AttributeRows& rows, Frame& frame,
+                  Counters& counters) {
   rows.start(tile);
-  ResolveTask task{tile, rect, rows, Vec3f(pass.scene->background), frame.colour.pixels().data(), frame.width()};
+  ResolveTask task{tile, rect, rows, output, Vec3f(pass.scene->background)};
   kernels.resolve(task);
   count(pass, rows.surfaces(), tile, counters);
   if (needs_replaced(pass, rows.surfaces())) {
@@ -102,6 +120,20 @@ void resolve_tile(const Pass<float>& pass, const ResolveKernels& kernels, const 
   for (int row = rect.y0; row < rect.y1; ++row)
     for (int column = rect.x0; column < rect.x1; ++column)
       counters[Counter::nan_pixels] += has_nan(frame.colour.at(column, row)) ? 1u : 0u;
+}
+
+void resolve_empty_tile(const Pass<float>& pass, const ResolveKernels& kernels, const TileRect& rect,
+                        const TileOutput& output, Frame& frame, Counters& counters) {
+  const Vec3f background(pass.scene->background);
+  kernels.fill(rect, output, background);
+  const auto width = static_cast<std::size_t>(rect.width());
+  if (has_nan(background)) counters[Counter::nan_pixels] += width * static_cast<std::size_t>(rect.y1 - rect.y0);
+  const auto fill_rows = [&](auto& channel, const auto& value) {
+    if (channel.empty()) return;
+    for (int row = rect.y0; row < rect.y1; ++row) std::fill_n(&channel.at(rect.x0, row), width, value);
+  };
+  fill_rows(frame.ids, PixelId{});
+  fill_rows(frame.depth, std::numeric_limits<float>::infinity());
 }
 
 }  // namespace ps::raster

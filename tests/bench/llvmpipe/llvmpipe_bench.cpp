@@ -26,10 +26,8 @@ struct Sides {
   void draw_ours() {
     Progress progress;
     picture = Image<Rgb8>(view.width, view.height, Unfilled{});
-    RenderRequest request;  // as the window does it: tiles are converted for display while they are in the cache
-    request.on_tile = [this](const Frame& frame, const TileRect& tile) {
-      display_tile(frame, settings, tile, picture);
-    };
+    RenderRequest request;
+    request.levels = &picture;
     render(scene, view, settings, request, prepared, progress);
   }
 };
