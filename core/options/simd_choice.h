@@ -5,6 +5,10 @@
 
 namespace ps {
 
+/// The targets that the processor has, as hwy::SupportedTargets() gives them. Asked for once: the question itself takes
+/// tens of microseconds on a virtual machine.
+std::int64_t processor_targets();
+
 /// Whether code for a SIMD target may run: the processor has it (`bit` of `supported`) and the setting does not ask for
 /// less. A setting that the processor lacks gives the best one below it.
 inline bool may_use(Simd setting, Simd target, std::int64_t supported, std::int64_t bit) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "image/display.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -149,6 +150,40 @@ TEST(FastFrame, DrawsEveryWidth) {
     settings.simd = Simd::automatic;
     EXPECT_TRUE(same_bits(clear.colour, draw(scene, settings, width, 66).colour)) << width;
   }
+}
+
+/// The levels that a caller asks for come with the tiles. Pictures too large for the cache are written past it, which
+/// takes rows that begin where vectors may, and others.
+TEST(FastFrame, GivesTheLevelsOfItsColours) {
+  std::mt19937 random(11);
+  const Scene scene = soup_scene(random);
+  struct Size {
+    int width, height;
+  };
+  Prepared prepared;
+  for (const Size size : {Size{131, 70}, {640, 600}, {603, 640}})
+    for (const char* display : {"exposure=1", "exposure=1.7", "gamma=2.2", "colour-depth=16"}) {
+      Settings settings;
+      settings.renderer = Renderer::rasterizer;
+      parse_assignment(display, settings);
+      settings.simd = Simd::off;
+      const Frame clear = draw(scene, settings, size.width, size.height);
+      for (const Simd simd : {Simd::off, Simd::sse4, Simd::automatic}) {
+        settings.simd = simd;
+        Image<Rgb8> levels(size.width, size.height, Rgb8{1, 2, 3});
+        RenderRequest request;
+        request.levels = &levels;
+        Progress progress;
+        const View view{scene.camera, size.width, size.height};
+        const Frame fast = render(scene, view, settings, request, prepared, progress);
+        EXPECT_TRUE(same_bits(clear.colour, fast.colour)) << size.width << " " << display;
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < levels.pixels().size(); ++i)
+          different +=
+              levels.pixels()[i] != display_pixel(Vec3d(clear.colour.pixels()[i]), display_transform(settings));
+        EXPECT_EQ(different, 0u) << size.width << " " << display;
+      }
+    }
 }
 
 /// A value of an option that the rasterizer's pictures or counters may depend on, cheap enough for a test.

@@ -91,6 +91,9 @@ std::array<std::array<float, 3>, 2> weight_steps(const std::array<std::array<std
 constexpr std::size_t run = 16;
 static_assert(TileFragments::samples % run == 0);
 
+/// So many triangles of a tile that the order in which their vertices are read matters.
+constexpr std::uint32_t enough_to_sort = 256;
+
 bool all_are(std::uint32_t id, const std::uint32_t* ids) {
   std::uint32_t different = 0;
   for (std::size_t i = 0; i < run; ++i) different |= ids[i] ^ id;
@@ -103,7 +106,7 @@ void AttributeRows::start(const TileFragments& tile) {
   tile_ = &tile;
   begin_.assign(tile.triangle_count, missing);
   used_ = 0;
-  if (tile.triangle_count == 0) return;
+  if (tile.triangle_count < enough_to_sort) return;
   std::uint32_t last = TileFragments::none;
   for (std::size_t first = 0; first < TileFragments::samples; first += run) {
     if (all_are(last, tile.id.data() + first)) continue;

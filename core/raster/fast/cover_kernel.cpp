@@ -89,14 +89,14 @@ HWY_INLINE void keep_replaced(const TileFragments& tile, std::size_t at, std::ui
   }
 }
 
-/// The fragments of one vector: those that pass the depth test replace what was there. How many do.
+/// The fragments of one vector: those that pass the depth test replace what was there. How many do. Whether any does
+/// cannot be foreseen, so there is no branch on it.
 HWY_INLINE std::uint64_t put(M inside, V inverse_z, std::uint32_t id, std::size_t at, TileFragments& tile) {
   const D d;
   const hn::Rebind<std::uint32_t, D> du;
   float* const depth = tile.inverse_z.data() + at;
   const V before = hn::Load(d, depth);
   const M passed = hn::And(inside, hn::Gt(inverse_z, before));
-  if (hn::AllFalse(d, passed)) return 0;
   if (tile.keep_replaced) {
     std::array<std::uint8_t, 8> bits{};
     hn::StoreMaskBits(d, passed, bits.data());
@@ -318,7 +318,7 @@ void TileFragments::start(std::size_t entries, std::size_t surfaces) {
 
 CoverTile cover_kernel(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = hwy::SupportedTargets();
+  const std::int64_t have = processor_targets();
   if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::cover;
   if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::cover;
   if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::cover;

@@ -6,8 +6,8 @@
 namespace ps::raster {
 namespace {
 
-/// Colours of a picture of 1024 x 768 still find room in the last cache of most processors.
-constexpr std::size_t past_cache_bytes = std::size_t{10} << 20;
+/// Colours that fill more than the share of the last cache that a program can count on.
+constexpr std::size_t past_cache_bytes = std::size_t{4} << 20;
 
 bool has_nan(const Vec3f& c) { return c.x != c.x || c.y != c.y || c.z != c.z; }
 

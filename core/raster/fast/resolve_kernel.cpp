@@ -117,7 +117,8 @@ HWY_NOINLINE std::size_t shade_run(ResolveTask& task, std::uint32_t id, int row,
     }
     return x;
   }
-  const float* const numbers = task.rows.numbers() + task.rows.row_of(id);
+  const std::uint32_t begin = task.rows.row_of(id);
+  const float* const numbers = task.rows.numbers() + begin;
   RunWeights run(triangle, task.rect.x0 + static_cast<int>(x), row);
   M bad = hn::FirstN(d, 0);
   for (; x < end;) {
@@ -238,7 +239,7 @@ namespace ps::raster {
 
 ResolveKernels resolve_kernels(Simd simd) {
 #if HWY_ARCH_X86
-  const std::int64_t have = hwy::SupportedTargets();
+  const std::int64_t have = processor_targets();
   if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return {N_AVX3::resolve, N_AVX3::fill, N_AVX3::count_texels};
   if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return {N_AVX2::resolve, N_AVX2::fill, N_AVX2::count_texels};
   if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return {N_SSE4::resolve, N_SSE4::fill, N_SSE4::count_texels};
