@@ -47,7 +47,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
     const Mat4d to_camera = model_to_camera(scene, instance.instance->transform);
 
     for (const MeshTriangle& triangle : instance.model->triangles) {
-      PS_REACHING("triangle", &triangle - instance.model->triangles.data());
+      PS_REACHING("triangle", instance.number_of(triangle));
       std::array<Vec2d, 3> p;
       bool in_front = true;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -68,7 +68,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
     PS_REACHING("instance", instance.name);
     const Mat4d to_camera = model_to_camera(scene, instance.instance->transform);
     for (const MeshTriangle& triangle : instance.model->triangles) {
-      PS_REACHING("triangle", &triangle - instance.model->triangles.data());
+      PS_REACHING("triangle", instance.number_of(triangle));
       std::array<Vec3d, 3> seen;
       std::array<Vec2d, 3> p;
       bool whole = true;

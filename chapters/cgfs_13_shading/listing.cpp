@@ -147,7 +147,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
     const Mesh& mesh = *instance.model;
 
     for (const MeshTriangle& triangle : mesh.triangles) {
-      PS_REACHING("triangle", &triangle - mesh.triangles.data());
+      PS_REACHING("triangle", instance.number_of(triangle));
       Seen seen;
       bool whole = true;
       for (std::size_t k = 0; k < 3; ++k) {

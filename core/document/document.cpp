@@ -19,8 +19,8 @@ bool same_scene(const Scene& x, const Scene& y) {
 bool operator==(const Document& x, const Document& y) {
   return x.scene_name == y.scene_name && same_scene(x.base, y.base) && x.edits == y.edits && x.view == y.view &&
          x.a == y.a && x.b == y.b && x.pixel == y.pixel && x.picked == y.picked && x.event == y.event &&
-         x.story == y.story && x.compare == y.compare && x.split == y.split && x.difference_gain == y.difference_gain &&
-         x.layout == y.layout && x.lesson == y.lesson && x.step == y.step;
+         x.story == y.story && x.pin == y.pin && x.compare == y.compare && x.split == y.split &&
+         x.difference_gain == y.difference_gain && x.layout == y.layout && x.lesson == y.lesson && x.step == y.step;
 }
 
 Document open_document(const std::string& scene_name, Scene scene) {
@@ -38,6 +38,27 @@ Document open_document(const std::string& scene_name, Scene scene) {
   document.scene = scene;
   document.base = std::move(scene);
   return document;
+}
+
+void attach_scene(Document& document, Scene scene) {
+  if (document.pin) pinned_scene(*document.pin, scene);
+  document.scene = edited_scene(scene, document.edits);
+  document.base = std::move(scene);
+}
+
+void edit_scene(Document& document, const SceneEdit& edit) {
+  std::vector<SceneEdit> edits = document.edits;
+  std::erase_if(edits, [&](const SceneEdit& earlier) { return earlier.path == edit.path; });
+  edits.push_back(edit);
+  document.scene = edited_scene(document.base, edits);
+  document.edits = std::move(edits);
+}
+
+void pin_pixel(Document& document) {
+  if (document.pixel.x < 0) return;
+  const PictureView& view = document.view;
+  document.pin = Pin{document.pixel, document.a.settings, document.b.settings, document.edits,
+                     view.camera,    view.width,          view.height};
 }
 
 View view_of(const Document& document) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "document/pin.h"
+#include "document/scene_edits.h"
 #include "document/story_view.h"
 #include "options/settings.h"
 #include "render/channel_picture.h"
@@ -10,13 +12,6 @@
 #include "scene/scene.h"
 
 namespace ps {
-
-/// One change to the scene as it was loaded: a path and a value as set_property of scene/edit.h reads them.
-struct SceneEdit {
-  std::string path;
-  std::string value;
-  bool operator==(const SceneEdit&) const = default;
-};
 
 /// The two pictures that are compared.
 enum class Side { a, b };
@@ -59,10 +54,11 @@ struct Document {
   std::vector<SceneEdit> edits;  ///< in the order in which they are applied
   PictureView view;
   SideState a, b;
-  Vec2i pixel{-1, -1};    ///< the picked pixel, array position; (-1, -1) = none
-  Side picked = Side::a;  ///< whose story is told
-  int event = -1;         ///< the selected event of that story; -1 = none
-  StoryView story;        ///< what its views show
+  Vec2i pixel{-1, -1};     ///< the picked pixel, array position; (-1, -1) = none
+  Side picked = Side::a;   ///< whose story is told
+  int event = -1;          ///< the selected event of that story; -1 = none
+  StoryView story;         ///< what its views show
+  std::optional<Pin> pin;  ///< the pixel whose numbers of then are shown beside those of now
   CompareMode compare = CompareMode::side_by_side;
   double split = 0.5;          ///< where the divider stands, share of the picture's width
   double difference_gain = 1;  ///< factor by which differences are shown
@@ -80,12 +76,15 @@ bool operator==(const Document& x, const Document& y);
 Document open_document(const std::string& scene_name, Scene scene);
 
 /// Puts a loaded scene under a document that knows only its name, and applies the document's edits. Throws InputError
-/// when an edit does not fit the scene.
+/// when an edit or the pin does not fit the scene.
 void attach_scene(Document& document, Scene scene);
 
 /// Adds an edit, in place of an earlier one of the same path, and applies it. Throws InputError, and leaves the
 /// document as it was, when it does not fit.
 void edit_scene(Document& document, const SceneEdit& edit);
+
+/// Pins the picked pixel as it is now, in place of one that was pinned. Without effect where none is picked.
+void pin_pixel(Document& document);
 
 /// Camera and picture size of the document.
 View view_of(const Document& document);

@@ -134,13 +134,20 @@ const std::vector<Field>& document_fields() {
   return fields;
 }
 
+/// The part of a key after `prefix`, if it begins so.
+std::optional<std::string> after(const std::string& key, std::string_view prefix) {
+  return key.starts_with(prefix) ? std::optional(key.substr(prefix.size())) : std::nullopt;
+}
+
 void parse_field(Document& document, const std::string& key, const std::string& value) {
-  if (key.rfind("a.", 0) == 0) return parse_assignment(key.substr(2) + "=" + value, document.a.settings);
-  if (key.rfind("b.", 0) == 0) return parse_assignment(key.substr(2) + "=" + value, document.b.settings);
-  if (key.rfind("edit.", 0) == 0) {
-    document.edits.push_back({key.substr(5), value});
+  if (const auto option = after(key, "a.")) return parse_assignment(*option + "=" + value, document.a.settings);
+  if (const auto option = after(key, "b.")) return parse_assignment(*option + "=" + value, document.b.settings);
+  if (const auto path = after(key, "edit.")) {
+    document.edits.push_back({*path, value});
     return;
   }
+  if (key == "pin") return detail::parse_pin({}, value, document.pin);
+  if (const auto part = after(key, "pin.")) return detail::parse_pin(*part, value, document.pin);
   for (const Field& field : document_fields())
     if (field.key == key) return field.parse(document, value);
   for (const Field& field : detail::story_fields())
@@ -165,6 +172,7 @@ std::string permalink(const Document& document) {
     if (const auto text = field.text(document)) add(field.key, *text);
   for (const Field& field : detail::story_fields())
     if (const auto text = field.text(document)) add(field.key, *text);
+  if (document.pin) detail::add_pin(*document.pin, add);
   for (const SceneEdit& edit : document.edits) add("edit." + edit.path, edit.value);
   for (const Side side : {Side::a, Side::b})
     for (const std::string& assignment : changed_options(side_of(document, side).settings)) {

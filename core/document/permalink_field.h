@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,12 @@ struct PermalinkField {
 
 /// The parts about the views of the pixel's story.
 std::span<const PermalinkField> story_fields();
+
+/// The parts about the pinned pixel, handed to `add` as key and value.
+void add_pin(const Pin& pin, const std::function<void(std::string_view key, std::string_view value)>& add);
+/// Reads one of them; `part` is its key after "pin.", empty for "pin" itself, which comes first. Throws InputError for
+/// what add_pin would not give.
+void parse_pin(std::string_view part, std::string_view value, std::optional<Pin>& pin);
 
 /// A number between two bounds, both allowed; else InputError, which names it as `what`.
 double parse_in_range(std::string_view text, double low, double high, std::string_view what);

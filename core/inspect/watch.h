@@ -40,6 +40,7 @@ struct WatchInstance {
   std::string_view name;
   WatchValue value;
   int parent = -1;  ///< the instance around it; -1 = none
+  bool operator==(const WatchInstance&) const = default;
 };
 
 /// Whether an instance is kept when the pixel was not reached inside it.

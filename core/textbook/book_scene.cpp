@@ -27,7 +27,7 @@ BookScene book_scene(const Scene& scene, const View& view, const Settings& setti
       book.spheres.push_back({object.name, sphere->centre, sphere->radius, material.colour * levels,
                               material.specular.value_or(-1), material.reflective});
     } else if (const auto* instance = std::get_if<Instance>(&object.shape)) {
-      book.instances.push_back({object.name, scene.geometry->meshes.at(instance->mesh).get(), instance});
+      book.instances.push_back({object.name, scene.geometry->meshes.at(instance->mesh).get(), instance, nullptr});
     }
   }
   return book;

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,14 @@ struct BookInstance {
   std::string name;
   const Mesh* model = nullptr;
   const Instance* instance = nullptr;
+  const std::vector<std::uint32_t>* numbers =
+      nullptr;  ///< where `model` is a part: index of its triangles in the whole
+
+  /// Where a triangle of `model` stands in the whole model.
+  std::int64_t number_of(const MeshTriangle& triangle) const {
+    const std::ptrdiff_t index = &triangle - model->triangles.data();
+    return numbers ? std::int64_t{(*numbers)[static_cast<std::size_t>(index)]} : index;
+  }
 };
 
 /// What a triangle's surface is made of.

@@ -24,7 +24,11 @@ struct Inspected {
   Vec2d point{0, 0};
 };
 
-enum class Teller { story, microscope };
+enum class Teller {
+  story,
+  microscope,       ///< what is shown at once
+  whole_microscope  ///< with the fine picture, which follows
+};
 
 Job teller_job(const std::shared_ptr<Inspected>& inspected, Renderer renderer, Teller teller) {
   inspected->settings.renderer = renderer;
@@ -38,7 +42,12 @@ Job teller_job(const std::shared_ptr<Inspected>& inspected, Renderer renderer, T
       inspect(i.scene, i.view, i.settings, i.pixel, i.prepared, progress);
       break;
     case Teller::microscope:
-      Microscope(i.scene, i.view, i.settings, i.pixel, i.prepared, progress).read(i.point, i.prepared, progress);
+      Microscope(i.scene, i.view, i.settings, i.pixel, i.prepared, progress, MicroDetail::first)
+          .read(i.point, i.prepared, progress);
+      break;
+    case Teller::whole_microscope:
+      Microscope(i.scene, i.view, i.settings, i.pixel, i.prepared, progress, MicroDetail::whole)
+          .read(i.point, i.prepared, progress);
       break;
     }
   };
@@ -82,6 +91,8 @@ Benches inspect_benches() {
     add("listing", scene, make, Renderer::textbook, Teller::story);
     add("microscope-traced", scene, make, Renderer::ray_tracer, Teller::microscope);
     add("microscope-rasterized", scene, make, Renderer::rasterizer, Teller::microscope);
+    add("whole-microscope-traced", scene, make, Renderer::ray_tracer, Teller::whole_microscope);
+    add("whole-microscope-rasterized", scene, make, Renderer::rasterizer, Teller::whole_microscope);
   };
   for (const BuiltinScene& scene : builtin_scenes())
     add_all(scene.name, [name = scene.name] { return builtin_scene(name); });

@@ -2,7 +2,9 @@
 // screen back.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
 
 #include "base/atomic_file.h"
 #include "document/permalink_file.h"
@@ -14,9 +16,16 @@ namespace {
 using ps::test::play;
 using ps::test::read_file;
 
+/// A screen to bring back: what it opens with, how it is arranged, and what must be the same again.
+struct Screen {
+  const char* folder;
+  const char* scene;
+  const char* arrange;  ///< ends idle
+  const char* expect;
+};
+
 /// Options on both sides, another camera and pixel, a selected event, the tab of both stories, another tab below.
-constexpr const char* arrange = R"(wait idle
-set reflection-depth=1
+constexpr Screen options_and_camera{"gui-permalink", "cgfs/reflections", R"(set reflection-depth=1
 set-b shading=flat
 key Ctrl+Left
 click-pixel B 210,420
@@ -26,40 +35,103 @@ choose bottom timings
 key .
 key .
 wait idle
+)",
+                                    R"(expect picked B
 expect selected-event > 0
-expect picked B
-)";
+expect pixel/side both
+expect bottom/timings on
+)"};
 
-/// What must be the same again.
-std::string expectations(const std::string& link) {
-  return "wait idle\nexpect permalink \"" + link + "\"\nexpect picked B\nexpect selected-event > 0\n" +
-         "expect pixel/side both\nexpect bottom/timings on\n";
-}
+/// The view from outside turned by hand and gone through up to an event, a line of the listing stepped to, a kept
+/// vertex with a step of its way changed, the microscope's point moved off the sample.
+constexpr Screen views_of_the_story{"gui-permalink-views", "cgfs/crates", R"(set renderer=rasterizer
+choose bottom vertex
+wait idle
+click vertex/next
+wait idle
+choose vertex/order move-then-turn
+choose bottom listing
+wait idle
+click listing/fill
+wait idle
+click listing/line-40/next
+wait idle
+key Esc
+choose bottom microscope
+wait idle
+drag microscope/pixel 30,20
+wait idle
+choose bottom space
+wait idle
+drag space/view 60,20
+wait idle
+key .
+key .
+key .
+wait idle
+)",
+                                    R"(expect selected-event > 0
+expect space/up-to > -1
+expect-not space/orbit none
+choose bottom vertex
+wait idle
+expect vertex/order move-then-turn
+choose bottom listing
+wait idle
+expect listing/focus > -1
+choose bottom microscope
+wait idle
+expect-not microscope/pixel 0.5,0.5
+)"};
 
-TEST(Permalink, FourWaysBringTheSameScreenBack) {
-  const auto folder = ps::fresh_output_folder("gui-permalink");
-  const std::string screen = std::filesystem::absolute(folder / "screen.permalink").string();
+/// A pixel pinned with other options, from another place, under another light.
+constexpr Screen pinned_pixel{"gui-permalink-pin", "cgfs/reflections", R"(click-pixel A 300,310
+wait idle
+set reflection-depth=1
+set-b shading=flat
+key I
+wait idle
+click pixel/pin
+wait idle
+set reflection-depth=3
+set-b shading=phong
+key Ctrl+Left
+wait idle
+)",
+                              R"(expect pixel/pin on
+expect pixel/pin/options contains "reflection-depth"
+expect pixel/pin/options contains "camera"
+expect pixel/pin/display contains "→"
+)"};
+
+class PermalinkScreen : public testing::TestWithParam<Screen> {};
+
+TEST_P(PermalinkScreen, FourWaysBringItBack) {
+  const Screen& screen = GetParam();
+  const auto folder = ps::fresh_output_folder(screen.folder);
+  const std::string file = std::filesystem::absolute(folder / "screen.permalink").string();
   const std::string picture = std::filesystem::absolute(folder / "picture.png").string();
-  const std::string saving = std::string(arrange) + "keep permalink LINK\nprint permalink\n" +
+  const std::string saving = "wait idle\n" + std::string(screen.arrange) + "keep permalink LINK\nprint permalink\n" +
                              "key P\nwait frames 3\ntype " + picture + "\nkey Enter\nwait idle\n" +
-                             "key Ctrl+Shift+S\nwait frames 3\ntype " + screen + "\nkey Enter\nwait idle\n" +
+                             "key Ctrl+Shift+S\nwait frames 3\ntype " + file + "\nkey Enter\nwait idle\n" +
                              "expect permalink $LINK\nscreenshot " + (folder / "before.png").string() + "\n" +
-                             "key Shift+C\nwait frames 2\nprint clipboard\nquit\n";
-  const auto saved = play(saving, folder, "1280x800", "cgfs/reflections");
+                             "key Shift+C\nwait frames 2\nprint clipboard\n" + screen.expect + "quit\n";
+  const auto saved = play(saving, folder, "1280x800", screen.scene);
   ASSERT_EQ(saved.status, 0) << saved.errors << saved.output;
   const auto end = saved.output.find('\n');
   std::string link = saved.output.substr(0, end);
   if (const auto equals = link.find("scene="); equals != std::string::npos) link = link.substr(equals);
-  ASSERT_NE(link.find("event="), std::string::npos) << link;
+  ASSERT_NE(link.find("pixel="), std::string::npos) << link;
 
-  EXPECT_EQ(ps::permalink_in_file(screen), link);
+  EXPECT_EQ(ps::permalink_in_file(file), link);
   const std::string in_picture = ps::permalink_in_file(folder / "picture-a.png").value_or("");
   EXPECT_EQ(in_picture, link);
 
-  const std::string same = expectations(link);
+  // The line must be the same before anything is clicked, and what it stands for must be on the screen.
+  const std::string same = "wait idle\nexpect permalink \"" + link + "\"\n" + screen.expect;
   const auto by_text = play(same, folder, "1280x800", "--permalink '" + link + "'");
   EXPECT_EQ(by_text.status, 0) << by_text.errors;
-  const auto by_file = play(same, folder, "1280x800", "'" + screen + "'");
+  const auto by_file = play(same, folder, "1280x800", "'" + file + "'");
   EXPECT_EQ(by_file.status, 0) << by_file.errors;
   const auto by_picture = play(same, folder, "1280x800", "'" + (folder / "picture-a.png").string() + "'");
   EXPECT_EQ(by_picture.status, 0) << by_picture.errors;
@@ -74,8 +146,40 @@ TEST(Permalink, FourWaysBringTheSameScreenBack) {
   EXPECT_EQ(by_command.status, 0) << by_command.errors;
 
   // And in a window that shows something else.
-  const auto opened = play("wait idle\nopen " + screen + "\nwait idle\n" + same, folder, "1280x800", "cgfs/crates");
+  const auto opened = play("wait idle\nopen " + file + "\nwait idle\n" + same, folder, "1280x800", "cgfs/cubes");
   EXPECT_EQ(opened.status, 0) << opened.errors;
+}
+
+INSTANTIATE_TEST_SUITE_P(Permalink, PermalinkScreen,
+                         testing::Values(options_and_camera, views_of_the_story, pinned_pixel), [](const auto& tested) {
+                           std::string name(tested.param.folder);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+// Undo takes a pin back and brings it again, with the numbers of then.
+TEST(Pin, UndoBringsItBack) {
+  const auto folder = ps::fresh_output_folder("gui-pin-undo");
+  const auto run = play(R"(wait idle
+click-pixel A 300,310
+wait idle
+click pixel/pin
+wait idle
+set reflection-depth=0
+wait idle
+expect pixel/pin/options contains "reflection-depth=0"
+keep pixel/pin/display CHANGE
+click pixel/pin
+wait idle
+expect pixel/pin off
+key Ctrl+Z
+wait idle
+expect pixel/pin on
+expect pixel/pin/display $CHANGE
+quit
+)",
+                        folder, "1280x800", "cgfs/reflections");
+  EXPECT_EQ(run.status, 0) << run.errors;
 }
 
 }  // namespace

@@ -57,14 +57,33 @@ StoryView any_story_view() {
   return view;
 }
 
+/// A view of the scene from anywhere.
+Camera any_camera() {
+  return {any_vector(), any_vector(), any_vector(), any_vector(), 1 + any_share(), 1, 0.1 + any_share()};
+}
+
+std::vector<SceneEdit> any_edits() {
+  std::vector<SceneEdit> edits(*rc::gen::inRange<std::size_t>(0, 4));
+  for (SceneEdit& edit : edits) edit = {*rc::gen::arbitrary<std::string>(), *rc::gen::arbitrary<std::string>()};
+  return edits;
+}
+
+Pin any_pin() {
+  Pin pin{
+      {*rc::gen::inRange(0, 9999), *rc::gen::inRange(0, 9999)}, any_settings(), any_settings(), any_edits(), {}, 0, 0};
+  if (*rc::gen::arbitrary<bool>()) pin.camera = any_camera();
+  if (*rc::gen::arbitrary<bool>()) {
+    pin.width = *rc::gen::inRange(1, 16384);
+    pin.height = *rc::gen::inRange(1, 16384);
+  }
+  return pin;
+}
+
 Document any_document() {
   Document d;
   d.scene_name = *rc::gen::arbitrary<std::string>();
-  d.edits.resize(*rc::gen::inRange<std::size_t>(0, 4));
-  for (SceneEdit& edit : d.edits) edit = {*rc::gen::arbitrary<std::string>(), *rc::gen::arbitrary<std::string>()};
-  if (*rc::gen::arbitrary<bool>())
-    d.view.camera =
-        Camera{any_vector(), any_vector(), any_vector(), any_vector(), 1 + any_share(), 1, 0.1 + any_share()};
+  d.edits = any_edits();
+  if (*rc::gen::arbitrary<bool>()) d.view.camera = any_camera();
   if (*rc::gen::arbitrary<bool>()) {
     d.view.width = *rc::gen::inRange(1, 16384);
     d.view.height = *rc::gen::inRange(1, 16384);
@@ -80,6 +99,7 @@ Document any_document() {
   d.picked = *rc::gen::element(Side::a, Side::b);
   d.event = *rc::gen::inRange(-1, 5000);
   d.story = any_story_view();
+  if (*rc::gen::arbitrary<bool>()) d.pin = any_pin();
   d.layout.filled = *rc::gen::element(std::string(), std::string("left"), std::string("right"), std::string("bottom"));
   d.compare = static_cast<CompareMode>(*rc::gen::inRange(0, 5));
   d.split = any_share();

@@ -105,6 +105,33 @@ TEST(Listing, TraceGivesTheColourOfThePicture) {
   }
 }
 
+/// Triangles far from the pixel leave nothing in a trace: with and without them it is the same.
+TEST(Listing, TraceNeedsOnlyWhatIsNearThePixel) {
+  const Progress progress;
+  for (const char* name : {"cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates", "lab/tea-party",
+                           "lab/depth-complexity", "lab/flattened", "models/dice", "lab/hierarchy"}) {
+    const Scene scene = load_scene(name);
+    const View view{scene.camera, 150, 100};
+    std::size_t seen = 0;
+    for (const NamedListing& listing : listings()) {
+      if (listing.listing->order != ListingOrder::object_by_object) continue;
+      Settings settings = textbook(scene);
+      settings.listing = static_cast<int>(&listing - listings().data()) + 1;
+      for (int y = 1; y < 100; y += 17)
+        for (int x = 2; x < 150; x += 23) {
+          const auto all = trace_listing(scene, view, settings, {x, y}, &progress, TracedTriangles::all);
+          const auto near = trace_listing(scene, view, settings, {x, y}, &progress, TracedTriangles::near_pixel);
+          ASSERT_EQ(near.watches, all.watches) << name << " " << listing.folder << " " << x << "," << y;
+          ASSERT_EQ(near.instances, all.instances) << name << " " << listing.folder << " " << x << "," << y;
+          EXPECT_EQ(near.linear, all.linear);
+          EXPECT_EQ(near.dropped, all.dropped);
+          seen += all.instances.size();
+        }
+    }
+    EXPECT_GT(seen, 20u) << name;
+  }
+}
+
 /// The colour that the last surface, mirror, fragment or line of a story says the pixel has.
 Vec3d last_colour(const PixelStory& story) {
   Vec3d colour(NAN);

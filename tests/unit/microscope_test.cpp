@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include "inspect/microscope/drawing.h"
@@ -229,6 +230,31 @@ TEST(Microscope, ShowsEverySampleOfATracedPixel) {
   }
   EXPECT_GT(lit, 10);
   EXPECT_GT(unlit, 10);
+}
+
+// What is shown at once has the numbers of what follows; only its picture may be coarser.
+TEST(Microscope, FirstAnswerDiffersInItsPictureAlone) {
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
+    for (const char* name : {"cgfs/reflections", "cgfs/crates", "lab/far-origin"}) {
+      Bench setup(name, renderer);
+      const Vec2i pixel(100, 110);
+      const auto make = [&](MicroDetail detail) {
+        return std::make_unique<Microscope>(setup.scene, setup.view, setup.settings, pixel, setup.prepared,
+                                            setup.progress, detail);
+      };
+      const auto first = make(MicroDetail::first), whole = make(MicroDetail::whole);
+      EXPECT_EQ(whole->detail(), MicroDetail::whole);
+      EXPECT_LT(first->enlarged().width(), first->detail() == MicroDetail::first ? whole->enlarged().width() : 10000);
+      ASSERT_EQ(first->samples().size(), whole->samples().size()) << name;
+      for (std::size_t i = 0; i < whole->samples().size(); ++i)
+        EXPECT_EQ(first->samples()[i].seen, whole->samples()[i].seen) << name;
+      const Vec2d point(0.4, 0.6);
+      const MicroReading a = first->read(point, setup.prepared, setup.progress);
+      const MicroReading b = whole->read(point, setup.prepared, setup.progress);
+      EXPECT_EQ(a.seen, b.seen) << name;
+      ASSERT_EQ(a.triangles.size(), b.triangles.size()) << name;
+      for (std::size_t i = 0; i < b.triangles.size(); ++i) EXPECT_EQ(a.triangles[i].edges, b.triangles[i].edges);
+    }
 }
 
 TEST(Microscope, DrawsEverythingInsideItsRectangle) {

@@ -66,9 +66,41 @@ TEST(Permalink, BadTextIsAnInputError) {
                           "vertex-near=x",
                           "least=2",
                           "filled=top",
+                          "pin=3",
+                          "pin=-1,2",
+                          "pin.a.reflection-depth=1",
+                          "pin=1,2&pin.colour=red",
+                          "pin=1,2&pin.a.unknown=1",
+                          "pin=1,2&pin.size=0x4",
                           "=",
                           "&"})
     EXPECT_THROW(parse_permalink(bad), InputError) << bad;
+}
+
+TEST(Permalink, PinHoldsWhatThePixelWasToldWith) {
+  Document document = open_document("spheres", test::book_spheres());
+  document.pixel = {312, 204};
+  document.a.settings = document.b.settings = Settings{};
+  document.a.settings.reflection_depth = 1;
+  edit_scene(document, {"light.2.direction", "(1, 2, 3)"});
+  pin_pixel(document);
+  document.a.settings.reflection_depth = 2;
+  document.pixel = {1, 2};
+  EXPECT_EQ(permalink(document), "scene=spheres&pixel=1,2&pin=312,204&pin.edit.light.2.direction=%281,%202,%203%29&"
+                                 "pin.a.reflection-depth=1&edit.light.2.direction=%281,%202,%203%29&"
+                                 "a.reflection-depth=2");
+  EXPECT_EQ(parse_permalink(permalink(document)).pin, document.pin);
+}
+
+// A pin without a place in its scene is refused with the scene, not found out by whoever tells it.
+TEST(Permalink, PinMustFitTheScene) {
+  for (const char* bad :
+       {"pin=600,10", "pin=10,600", "pin=100,10&pin.size=100x100", "pin=1,1&pin.edit.light.9.position=1"}) {
+    Document document = parse_permalink(bad);
+    EXPECT_THROW(attach_scene(document, test::book_spheres()), InputError) << bad;
+  }
+  Document document = parse_permalink("pin=599,599&pin.size=600x600");
+  EXPECT_NO_THROW(attach_scene(document, test::book_spheres()));
 }
 
 TEST(PermalinkFile, KeepsTheLineAndTheTextOfPictures) {

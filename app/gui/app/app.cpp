@@ -92,7 +92,8 @@ App::App(Shell& shell, const AppOptions& options, Document document)
           {.wake = [&shell] { shell.wake(); },
            .remembered = [&shell](const std::string& key) { return shell.remembered(key); },
            .remember = [&shell](const std::string& key, std::string value) { shell.remember(key, std::move(value)); }}),
-      space_([&shell] { shell.wake(); }), microscope_([&shell] { shell.wake(); }), pixels_([&shell] { shell.wake(); }),
+      pixel_panel_([&shell] { shell.wake(); }), space_([&shell] { shell.wake(); }),
+      microscope_([&shell] { shell.wake(); }), pixels_([&shell] { shell.wake(); }),
       listing_([&shell] { shell.wake(); }), history_([&shell] { shell.wake(); }),
       studies_([&shell] { shell.wake(); }, options.remember), autosave_(autosave_folder(options)) {
   const auto left_behind = autosave_.take_left_behind();
@@ -126,7 +127,8 @@ void App::set_option(Side side, const std::string& assignment) {
 bool App::busy() const {
   return session_.busy() || session_.has_news() || space_.worker.busy() || space_.worker.has_news() ||
          microscope_.worker.busy() || microscope_.worker.has_news() || history_.thumbnails.busy() || studies_.busy() ||
-         listing_.worker.busy() || listing_.worker.has_news() || pixels_.cost.busy() || pixels_.cost.has_news();
+         listing_.worker.busy() || listing_.worker.has_news() || pixels_.cost.busy() || pixels_.cost.has_news() ||
+         pin_busy(pixel_panel_.pin);
 }
 
 std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
@@ -184,6 +186,7 @@ void App::draw() {
   flying_now_ = fly_camera(session_, pictures_, passed);
   collect_pictures(session_, pictures_);
   mirror_screen(session_, pixel_panel_, mirror_);
+  update_pin(session_, pixel_panel_.pin);
   listing_.worker.take_news();
   const Layout& shares = session_.document().layout;
   const StoryPanels story_panels{pixel_panel_, space_, microscope_, listing_, vertex_};

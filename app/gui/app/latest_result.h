@@ -19,14 +19,16 @@ class LatestResult {
   using Same = std::function<bool(const Request&, const Request&)>;
 
   /// `make` runs on the background thread; an InputError from it leaves the last result. `wake` is called from that
-  /// thread when a result has come.
-  LatestResult(Make make, Same same, std::function<void()> wake)
-      : make_(std::move(make)), same_(std::move(same)), wake_(std::move(wake)) {}
+  /// thread when a result has come. With `stops`, the one that is being made is given up where stops(it, request)
+  /// holds.
+  LatestResult(Make make, Same same, std::function<void()> wake, Same stops = {})
+      : make_(std::move(make)), same_(std::move(same)), wake_(std::move(wake)), stops_(std::move(stops)) {}
 
   /// Asks for a result unless it is the newest one already; called in every frame.
   void request(const Request& request) {
     wanted_ = request;
     const std::lock_guard lock(mutex_);
+    if (running_ && stops_ && stops_(*started_, *wanted_)) job_.cancel();
     if (running_ || (started_ && same_(*started_, *wanted_))) return;
     running_ = true;
     started_ = wanted_;
@@ -36,6 +38,8 @@ class LatestResult {
         made = std::make_shared<const Result>(make_(started, progress));
       } catch (const InputError&) {
         // What cannot be made leaves the last one on the screen.
+      } catch (const Cancelled&) {
+        // Another one is wanted instead.
       }
       {
         const std::lock_guard inner(mutex_);
@@ -72,6 +76,7 @@ class LatestResult {
   const Make make_;
   const Same same_;
   const std::function<void()> wake_;
+  const Same stops_;
   std::optional<Request> wanted_, started_;
   mutable std::mutex mutex_;  // guards all down to news_
   std::shared_ptr<const Result> result_;

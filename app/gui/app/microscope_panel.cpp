@@ -26,12 +26,13 @@ bool same_pixel(const MicroRequest& a, const MicroRequest& b) {
 class MicroMaker {
  public:
   MicroResult operator()(const MicroRequest& request, Progress& progress) {
-    if (!made_ || !same_pixel(*for_, request)) {
+    const bool fine_enough = made_ && (request.detail == MicroDetail::first || made_->detail() == MicroDetail::whole);
+    if (!fine_enough || !same_pixel(*for_, request)) {
       made_ = std::make_shared<const Microscope>(request.scene, request.view, request.settings, request.pixel,
-                                                 *prepared_, progress);
+                                                 *prepared_, progress, request.detail);
       for_ = request;
     }
-    return {made_, made_->read(request.point, *prepared_, progress)};
+    return {request, made_, made_->read(request.point, *prepared_, progress)};
   }
 
  private:
@@ -217,6 +218,11 @@ void readings(MicroscopePanelState& state) {
     value_text("seen", "At the point: " + reading.seen);
     ImGui::PopTextWrapPos();
   }
+  if (state.shown->microscope->detail() == MicroDetail::first) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted("Coarse picture; the fine one is on its way.");
+    ImGui::PopStyleColor();
+  }
   samples_text(*state.shown->microscope);
   if (reading.ray) ray_text(*reading.ray);
   ImGui::Spacing();
@@ -238,8 +244,14 @@ void readings(MicroscopePanelState& state) {
 MicroscopePanelState::MicroscopePanelState(std::function<void()> wake)
     : worker([maker = std::make_shared<MicroMaker>()](const MicroRequest& request,
                                                       Progress& progress) { return (*maker)(request, progress); },
-             [](const MicroRequest& a, const MicroRequest& b) { return same_pixel(a, b) && a.point == b.point; },
-             std::move(wake)) {}
+             [](const MicroRequest& a, const MicroRequest& b) {
+               return same_pixel(a, b) && a.point == b.point && a.detail == b.detail;
+             },
+             std::move(wake),
+             // A picture that is only to become finer does not keep another pixel waiting.
+             [](const MicroRequest& made, const MicroRequest& wanted) {
+               return made.detail == MicroDetail::whole && !same_pixel(made, wanted);
+             }) {}
 
 std::string microscope_drawing(const MicroscopePanelState& state) {
   return state.shown ? micro_svg(*state.shown->microscope, state.shown->reading, state.selected) : std::string();
@@ -264,8 +276,12 @@ bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled
     request.point = *state.point;
   else if (request.settings.sample_position == SamplePosition::corner)
     request.point = {0, 1};
-  state.worker.request(request);
   take_result(state);
+  // Where only a coarse picture of the pixel has come, the fine one is asked for.
+  if (state.shown && same_pixel(state.shown->request, request))
+    request.detail =
+        state.shown->microscope->detail() == MicroDetail::first ? MicroDetail::whole : state.shown->request.detail;
+  state.worker.request(request);
   const bool fill = toolbar(session, state, filled);
   if (!state.shown) return fill;
   const ImVec2 room = ImGui::GetContentRegionAvail();

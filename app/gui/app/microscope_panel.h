@@ -18,10 +18,12 @@ struct MicroRequest {
   Settings settings;
   Vec2i pixel{0, 0};
   Vec2d point{0.5, 0.5};
+  MicroDetail detail = MicroDetail::first;
 };
 
 /// The pixel under the microscope with one reading. Shared, never changed.
 struct MicroResult {
+  MicroRequest request;
   std::shared_ptr<const Microscope> microscope;
   MicroReading reading;
 };

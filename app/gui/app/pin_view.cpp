@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "gui/widgets/draw.h"
 #include "inspect/event_fields.h"
 #include "options/scene_settings.h"
@@ -47,29 +50,77 @@ void gone_events(const PinnedStory& pinned) {
   if (left_out > 0) ImGui::Text("and %zu more that are gone", left_out);
 }
 
+/// What the user has changed since the pixel was pinned: "reflection-depth=1, camera".
+std::string changes_since(const Document& document, Side side) {
+  const Pin& pin = *document.pin;
+  std::vector<std::string> changed =
+      settings_difference(side == Side::a ? pin.a : pin.b, side_of(document, side).settings);
+  if (pin.camera != document.view.camera) changed.emplace_back("camera");
+  if (pin.width != document.view.width || pin.height != document.view.height) changed.emplace_back("size");
+  for (const SceneEdit& edit : document.edits)
+    if (std::find(pin.edits.begin(), pin.edits.end(), edit) == pin.edits.end())
+      changed.push_back(edit.path + "=" + edit.value);
+  return fmt::format("{}", fmt::join(changed, ", "));
+}
+
 }  // namespace
 
-void pin_button(Session& session, PinState& state) {
-  if (state.any()) {
-    if (!button_on_off("pin", "Pinned", true, {.tooltip = "Lets the pixel go."})) return;
-    state.pinned = {};
-    state.compared = {};
+PinState::PinState(std::function<void()> wake) : prepared(std::make_shared<Prepared>()) {
+  for (auto& worker : workers) worker = std::make_unique<InspectWorker>(prepared, wake);
+}
+
+void update_pin(Session& session, PinState& state) {
+  for (const auto& worker : state.workers) worker->take_news();
+  const Document& document = session.document();
+  if (!document.pin) {
+    for (const auto& worker : state.workers) worker->clear();
     return;
   }
-  if (!button_on_off("pin", "Pin", false,
-                     {.tooltip = "Keeps the numbers of this pixel. Change an option then, and see old → new."}))
+  const Pin& pin = *document.pin;
+  if (state.told == pin && state.told_scene == document.scene_name) {
+    for (const Side side : both_sides)
+      if (auto& pinned = state.pinned[index_of(side)]; !pinned) pinned = state.workers[index_of(side)]->story();
+    if (!pin_busy(state)) state.prepared->clear();
     return;
+  }
+  state.told = pin;
+  state.told_scene = document.scene_name;
+  state.pinned = {};
+  state.compared = {};
+  Document now = document;
+  pin_pixel(now);
   for (const Side side : both_sides) {
-    state.pinned[index_of(side)] = session.story(side);
-    state.settings[index_of(side)] = session.settings(side);
+    const std::size_t index = index_of(side);
+    state.workers[index]->clear();
+    if (now.pin == pin && !session.inspector(side).busy()) state.pinned[index] = session.story(side);
+    if (state.pinned[index]) continue;
+    PinnedScene then = pinned_scene(pin, document.base);
+    state.workers[index]->request(
+        {{std::move(then.scene), then.view, side == Side::a ? pin.a : pin.b, {}, {}, {}}, pin.pixel});
   }
+}
+
+bool pin_busy(const PinState& state) {
+  return std::any_of(state.workers.begin(), state.workers.end(),
+                     [](const auto& worker) { return worker->busy() || worker->has_news(); });
+}
+
+void pin_button(Session& session) {
+  const bool pinned = session.document().pin.has_value();
+  const char* tooltip =
+      pinned ? "Lets the pixel go." : "Keeps the numbers of this pixel. Change an option then, and see old → new.";
+  if (!button_on_off("pin", pinned ? "Pinned" : "Pin", pinned, {.tooltip = tooltip})) return;
+  if (pinned)
+    session.edit("let the pinned pixel go", [](Document& document) { document.pin.reset(); });
+  else
+    session.edit("pin the pixel", pin_pixel);
 }
 
 const PinnedStory* pinned_story(const Session& session, PinState& state, Side side,
                                 const std::shared_ptr<const PixelStory>& story) {
   const std::size_t index = index_of(side);
   const auto& pinned = state.pinned[index];
-  if (!pinned || !story || pinned->pixel != story->pixel) return nullptr;
+  if (!session.document().pin || !pinned || !story || pinned->pixel != story->pixel) return nullptr;
   if (state.compared[index] != story) {
     state.compared[index] = story;
     state.stories[index] = compared(pinned, *story, session.scene());
@@ -80,7 +131,7 @@ const PinnedStory* pinned_story(const Session& session, PinState& state, Side si
 void pin_view(Session& session, PinState& state, Side side, const std::shared_ptr<const PixelStory>& story) {
   const std::size_t index = index_of(side);
   const auto& pinned = state.pinned[index];
-  if (!pinned || !story) return;
+  if (!session.document().pin || !pinned || !story) return;
   const NameScope scope("pin");
   if (pinned->pixel != story->pixel) {
     ImGui::TextWrapped("Pixel (%d, %d) is pinned; this is another one.", pinned->pixel.x, pinned->pixel.y);
@@ -91,11 +142,9 @@ void pin_view(Session& session, PinState& state, Side side, const std::shared_pt
   const StoryChanges& changes = pinned_story(session, state, side, story)->changes;
   const std::string note = changes.changed_steps == 0 ? "nothing" : fmt::format("{} events", changes.changed_steps);
   if (!section("changes", "Changed since the pin", state.open[index], note)) return;
-  std::string options;
-  for (const std::string& one : settings_difference(state.settings[index], session.settings(side)))
-    options += (options.empty() ? "" : ", ") + one;
+  const std::string changed = changes_since(session.document(), side);
   ImGui::PushTextWrapPos(0);
-  value_text("options", options.empty() ? "No option differs from then." : options);
+  value_text("options", changed.empty() ? "Nothing was changed since then." : changed);
   const auto& old = changes.display_before;
   const auto& now = changes.display_after;
   value_text("display", both_text(fmt::format("{} {} {}", old[0], old[1], old[2]),

@@ -1,6 +1,9 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "gui/app/session.h"
@@ -22,28 +25,38 @@ struct PinnedStory {
   const LedgerChange& term_of(std::size_t line) const { return changes.ledger[static_cast<std::size_t>(terms[line])]; }
 };
 
-/// A pixel that was pinned: its stories as they were then, to be compared with those of now.
+/// The stories of the document's pinned pixel, as they were when it was pinned.
 struct PinState {
+  /// `wake` is called from other threads when a story has come.
+  explicit PinState(std::function<void()> wake);
+
+  std::optional<Pin> told;  ///< the pin that the stories below belong to,
+  std::string told_scene;   ///< in this scene
   std::array<std::shared_ptr<const PixelStory>, 2> pinned;
-  std::array<Settings, 2> settings;  ///< of then
   // What was compared last, for each side.
   std::array<std::shared_ptr<const PixelStory>, 2> compared;
   std::array<PinnedStory, 2> stories;
   std::array<bool, 2> open{true, true};
-
-  bool any() const { return pinned[0] || pinned[1]; }
+  /// Tell the stories of a pin that was not made here and now: from a permalink, or brought back by undo.
+  std::array<std::unique_ptr<InspectWorker>, 2> workers;
+  std::shared_ptr<Prepared> prepared;  ///< for these, so that they do not push out what the pictures need
 };
 
+/// Once a frame: has the stories of the document's pin told where they are not known.
+void update_pin(Session& session, PinState& state);
+/// Some of them is still to come, or has come and was not taken up.
+bool pin_busy(const PinState& state);
+
 /// The button that pins the picked pixel, or lets it go.
-void pin_button(Session& session, PinState& state);
+void pin_button(Session& session);
 
 /// The story beside the one that was pinned, for old → new beside its numbers; nullptr while nothing is pinned or the
 /// pinned pixel is another one.
 const PinnedStory* pinned_story(const Session& session, PinState& state, Side side,
                                 const std::shared_ptr<const PixelStory>& story);
 
-/// What has no place among the numbers, as a section of the pixel's panel: which options differ from then, the colour,
-/// and the events that are gone. Draws nothing while nothing is pinned.
+/// What has no place among the numbers, as a section of the pixel's panel: what was changed since then, the colour, and
+/// the events that are gone. Draws nothing while nothing is pinned.
 void pin_view(Session& session, PinState& state, Side side, const std::shared_ptr<const PixelStory>& story);
 
 }  // namespace ps::gui

@@ -204,7 +204,7 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
   }
   place(session, *picked);
   same_line_if_room(button_width("Pinned"));
-  pin_button(session, state.pin);
+  pin_button(session);
   static constexpr std::array tabs{Choice{"a", "A", "The pixel in picture A."},
                                    Choice{"b", "B", "The pixel in picture B."},
                                    Choice{"both", "Both", "The stories of A and B together."},

@@ -2,6 +2,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "gui/app/parting_view.h"
 #include "gui/app/pin_view.h"
@@ -12,6 +13,9 @@ namespace ps::gui {
 
 /// What the inspector remembers of itself.
 struct PixelPanelState {
+  /// `wake` as for PinState.
+  explicit PixelPanelState(std::function<void()> wake) : pin(std::move(wake)) {}
+
   /// One story is that of the document's picked side.
   enum class Shown { one, both, parting } shown = Shown::one;
   std::array<StoryCursor, 2> cursors;

@@ -39,6 +39,17 @@ void keep_place(const Document& from, Document& to) {
   to.layout = from.layout;
 }
 
+/// A pin stays where it still has a place in the scene.
+void keep_pin(const Document& from, Document& to) {
+  if (!from.pin) return;
+  try {
+    pinned_scene(*from.pin, to.base);
+    to.pin = from.pin;
+  } catch (const InputError&) {
+    // The file has changed so much that there is nothing to compare with.
+  }
+}
+
 bool inside(Vec2i pixel, const View& view) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height;
 }
@@ -285,6 +296,7 @@ void Session::take_up(Document document, Reason reason) {
     break;
   case Reason::reload:
     keep_place(document_, document);
+    keep_pin(document_, document);
     // What was wrong with the file has been mended.
     std::erase_if(messages_, [&](const Message& message) {
       return message.kind == Message::Kind::warning || message.text.starts_with(document.scene_name);

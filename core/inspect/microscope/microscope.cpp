@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/timer.h"
 #include "image/mip_chain.h"
 #include "inspect/microscope/enlarge.h"
 #include "inspect/microscope/fragments.h"
@@ -16,7 +17,11 @@
 namespace ps {
 namespace {
 
-constexpr int enlarged_pixels = 96;        // of the pixel and its margin, a side
+constexpr int enlarged_pixels = 96;  // of the pixel and its margin, a side
+constexpr int coarse_pixels = 24;    // of the picture that is shown first
+// The whole picture has sixteen times as many pixels. Where it will take less than this it comes at once, so that
+// nothing changes before one's eyes.
+constexpr double at_once = 20;             // milliseconds
 constexpr double ray_window = 1.0 / 1024;  // size of the one-pixel picture that a single ray makes
 constexpr const char* nothing_seen = "the background";
 
@@ -31,15 +36,16 @@ std::string met_by(const std::vector<Event>& events, int ray, const Scene& scene
 Microscope::~Microscope() = default;
 
 Microscope::Microscope(Scene scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
-                       Progress& progress)
+                       Progress& progress, MicroDetail detail)
     : scene_(std::move(scene)), view_(view), settings_(settings), pixel_(pixel) {
   scene_.canvas_items = {};  // they are drawn over the finished picture, pixel by pixel
-  const EnlargedView wide = enlarge(view, settings, Vec2d(pixel) - micro_margin, 1 + 2 * micro_margin, enlarged_pixels);
-  RenderRequest request;
-  request.channels = Channel::ids;
-  const Frame frame = render(scene_, wide.view, wide.settings, request, prepared, progress);
-  enlarged_ = display_frame(frame, settings);
-  enlarged_ids_ = frame.ids;
+  if (detail == MicroDetail::first) {
+    const Timer timer;
+    draw_enlarged(coarse_pixels, prepared, progress);
+    constexpr double more = double(enlarged_pixels * enlarged_pixels) / (coarse_pixels * coarse_pixels);
+    detail_ = timer.milliseconds() * more < at_once ? MicroDetail::whole : MicroDetail::first;
+  }
+  if (detail_ == MicroDetail::whole) draw_enlarged(enlarged_pixels, prepared, progress);
   switch (settings.renderer) {
   case Renderer::rasterizer:
     fragments_ = make_micro_fragments(scene_, view, settings, pixel, prepared, progress);
@@ -53,10 +59,20 @@ Microscope::Microscope(Scene scene, const View& view, const Settings& settings, 
   }
 }
 
+void Microscope::draw_enlarged(int pixels, Prepared& prepared, Progress& progress) {
+  const EnlargedView wide = enlarge(view_, settings_, Vec2d(pixel_) - micro_margin, 1 + 2 * micro_margin, pixels);
+  RenderRequest request;
+  request.channels = Channel::ids;
+  const Frame frame = render(scene_, wide.view, wide.settings, request, prepared, progress);
+  enlarged_ = display_frame(frame, settings_);
+  enlarged_ids_ = frame.ids;
+}
+
 std::string Microscope::seen_at(const Vec2d& point) const {
-  const Vec2d at = (point + micro_margin) / (1 + 2 * micro_margin) * static_cast<double>(enlarged_pixels);
-  const int x = std::clamp(static_cast<int>(at.x), 0, enlarged_pixels - 1);
-  const int y = std::clamp(static_cast<int>(at.y), 0, enlarged_pixels - 1);
+  const int side = enlarged_ids_.width();
+  const Vec2d at = (point + micro_margin) / (1 + 2 * micro_margin) * static_cast<double>(side);
+  const int x = std::clamp(static_cast<int>(at.x), 0, side - 1);
+  const int y = std::clamp(static_cast<int>(at.y), 0, side - 1);
   const PixelId id = enlarged_ids_.at(x, y);
   return id.object < 0 ? nothing_seen : primitive_name(scene_, id);
 }

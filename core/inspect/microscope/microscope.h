@@ -74,12 +74,18 @@ struct MicroSample {
   int event = -1;  ///< of the pixel's story, where it is told there
 };
 
+/// How finely a pixel's picture is drawn.
+enum class MicroDetail {
+  first,  ///< what can be shown at once: a coarse picture, or the whole one where that takes no time to speak of
+  whole
+};
+
 /// What is drawn of a pixel and asked about it. Made once for each pixel; then any sample point can be read.
 class Microscope {
  public:
   /// The pixel must lie in the view. Throws Cancelled.
   Microscope(Scene scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
-             Progress& progress);
+             Progress& progress, MicroDetail detail = MicroDetail::whole);
   ~Microscope();
   Microscope(const Microscope&) = delete;  // the fragments refer to the scene in it
   Microscope& operator=(const Microscope&) = delete;
@@ -88,6 +94,9 @@ class Microscope {
   const Settings& settings() const { return settings_; }
   /// What both renderers see in the pixel and its margin, as a picture of its own.
   const Image<Rgb8>& enlarged() const { return enlarged_; }
+  /// How fine that picture is. All else is the same for both, but for what unrecorded samples of a pixel with very many
+  /// are said to see: that is read from the picture.
+  MicroDetail detail() const { return detail_; }
   const std::vector<MicroSample>& samples() const { return samples_; }
   /// What there is at a point of the pixel or its margin. Rasterizer: the edge functions and weights are those of the
   /// kernel with its sample moved there. Ray tracer: the story of a ray through the point.
@@ -98,12 +107,14 @@ class Microscope {
 
  private:
   std::string seen_at(const Vec2d& point) const;
+  void draw_enlarged(int pixels, Prepared& prepared, Progress& progress);
   void find_ray_samples(Prepared& prepared, Progress& progress);
 
   Scene scene_;
   View view_;
   Settings settings_;
   Vec2i pixel_;
+  MicroDetail detail_ = MicroDetail::whole;
   Image<Rgb8> enlarged_;
   Image<PixelId> enlarged_ids_;
   std::vector<MicroSample> samples_;
