@@ -3,26 +3,33 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
 #include "gui/program.h"
 #include "support/golden.h"
+#include "support/run_cli.h"
 
 namespace {
 
 using ps::test::play;
 using ps::test::read_file;
 
-/// Runs pixelscope-cli with its output in a file; answers whether it ended well.
-bool run_cli(const std::string& arguments, const std::filesystem::path& output) {
-  const std::string command =
-      fmt::format("{}/pixelscope-cli {} >{} 2>&1", PIXELSCOPE_BIN_DIR, arguments, output.string());
-  return std::system(command.c_str()) == 0;
+/// Runs pixelscope-cli with arguments that stand in one line, with blanks between them and none inside.
+ps::test::ProgramResult run_line(const std::string& line) {
+  std::istringstream words(line);
+  return ps::test::run_cli({std::istream_iterator<std::string>(words), {}});
+}
+
+/// It must end well; answers what it wrote.
+std::string output_of(const std::string& line) {
+  const auto result = run_line(line);
+  EXPECT_EQ(result.status, 0) << line << "\n" << result.out << result.err;
+  return result.out;
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
@@ -52,12 +59,9 @@ std::string expect_errors(const std::vector<std::string>& errors) {
 TEST(Studies, ChartHasTheErrorsOfTheCommandLine) {
   const auto folder = ps::fresh_output_folder("gui-chart-values");
   const std::string view = "cgfs/reflections --size 90x90";
-  const auto chart = folder / "chart", merged = folder / "merged", log = folder / "log";
-  ASSERT_TRUE(
-      run_cli(fmt::format("chart {} --sweep reflection-depths --repeats 1 --out {}", view, chart.string()), log))
-      << read_file(log);
-  ASSERT_TRUE(run_cli(fmt::format("chart merge {} --metric flip --out {}", chart.string(), merged.string()), log))
-      << read_file(log);
+  const auto chart = folder / "chart", merged = folder / "merged";
+  output_of(fmt::format("chart {} --sweep reflection-depths --repeats 1 --out {}", view, chart.string()));
+  output_of(fmt::format("chart merge {} --metric flip --out {}", chart.string(), merged.string()));
   const auto rmse = errors_of(chart / "points.csv"), flip = errors_of(merged / "points.csv");
   ASSERT_EQ(rmse.size(), 7u);
   ASSERT_EQ(flip.size(), 7u);
@@ -78,7 +82,7 @@ TEST(Studies, ChartHasTheErrorsOfTheCommandLine) {
   ASSERT_TRUE(result.output.starts_with(program) && result.output.ends_with(end)) << result.output;
   std::string command = result.output.substr(program.size(), result.output.size() - program.size() - end.size());
   const auto again = folder / "again";
-  ASSERT_TRUE(run_cli(command + " --out " + again.string(), log)) << command << read_file(log);
+  output_of(command + " --out " + again.string());
   EXPECT_EQ(errors_of(again / "points.csv"), flip);
 }
 
@@ -96,11 +100,9 @@ TEST(Studies, ChartOfARectangleHasTheErrorsOfTheCommandLine) {
   std::string region;
   double ray_tracer = 0, rasterizer = 0;
   lines >> region >> ray_tracer >> rasterizer;
-  const auto chart = folder / "chart", log = folder / "log";
-  ASSERT_TRUE(run_cli(
-      fmt::format("chart {} --sweep renderers --linear --region {} --repeats 1 --out {}", view, region, chart.string()),
-      log))
-      << read_file(log);
+  const auto chart = folder / "chart";
+  output_of(fmt::format("chart {} --sweep renderers --linear --region {} --repeats 1 --out {}", view, region,
+                        chart.string()));
   const auto errors = errors_of(chart / "points.csv");
   ASSERT_EQ(errors.size(), 2u);
   EXPECT_DOUBLE_EQ(ray_tracer, std::stod(errors[0]));
@@ -114,9 +116,7 @@ TEST_P(Needs, AreThoseOfTheCommandLine) {
   const std::string scene = GetParam();
   const auto folder = ps::fresh_output_folder("gui-needs-" + scene.substr(scene.find('/') + 1));
   const std::string view = scene + " --size 90x90";
-  const auto log = folder / "needs.json";
-  ASSERT_TRUE(run_cli(fmt::format("needs {} --repeats 1 --json", view), log)) << read_file(log);
-  const auto needs = nlohmann::json::parse(read_file(log));
+  const auto needs = nlohmann::json::parse(output_of(fmt::format("needs {} --repeats 1 --json", view)));
   std::string script = "wait idle\nclick bottom/needs\nclick needs/measure\nwait idle\n";
   script += fmt::format("expect needs/error ~= {} 1e-12\n", needs.at("error").get<double>());
   script += fmt::format("expect needs/work {}\n", needs.at("work").get<std::uint64_t>());
@@ -137,8 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Studies, Needs, testing::Values("cgfs/crates", "cgfs/cu
 TEST(Studies, StabilityHasTheCurvesOfTheCommandLine) {
   const auto folder = ps::fresh_output_folder("gui-stability-values");
   const std::string name = "srgb-averaging";
-  const auto log = folder / "log";
-  ASSERT_TRUE(run_cli(fmt::format("stability {} --out {}", name, folder.string()), log)) << read_file(log);
+  output_of(fmt::format("stability {} --out {}", name, folder.string()));
   std::istringstream lines(read_file(folder / (name + ".csv")));
   std::string line, script = fmt::format("wait idle\nclick bottom/stability\nclick stability/fill\n"
                                          "click stability/{}\nwait idle\nexpect stability/shown {}\n",

@@ -13,6 +13,7 @@
 #include "gui/app/timings_panel.h"
 #include "gui/input/actions.h"
 #include "gui/platform/state_file.h"
+#include "gui/widgets/tab_row.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
 #include "scene/load.h"
@@ -383,10 +384,12 @@ void App::bottom_region(const Area& area) {
       Choice{"why", "WHY", "Which option makes A and B differ, and what float gets wrong."},
       Choice{"timings", "TIMINGS", "Times of the stages and counts of the work, A beside B."},
       Choice{"fold", "↓", "Leaves the room to the pictures."}};
+  static constexpr std::array<std::string_view, tabs.size()> brief{
+      "Space", "Micro", "Pixels", "Listing", "Vertex", "Chart", "Stable", "Needs", "Why", "Times", "↓"};
   int tab = 0;
   for (std::size_t i = 0; i + 1 < tabs.size(); ++i)  // all but the last are tabs
     if (tabs[i].key == session_.document().layout.bottom_tab) tab = static_cast<int>(i);
-  if (tab_row("bottom", tabs, tab)) {
+  if (tab_row("bottom", tabs, brief, tab)) {
     if (tabs[static_cast<std::size_t>(tab)].key == "fold")
       toggle_bottom(false);
     else

@@ -32,6 +32,24 @@ std::string column_text(double value) {
   return size < 1 ? fmt::format("{:.1e}", value) : fmt::format("{:.5g}", value);
 }
 
+std::string short_text(double value) { return fmt::format("{:.3g}", value); }
+
+using NumberText = std::string (*)(double);
+
+/// How wide a column must be for every number of these fields.
+float column_width(const std::vector<EventField>& fields, NumberText text) {
+  float widest = ImGui::CalcTextSize("-0.0000").x;
+  for (const EventField& field : fields)
+    if (const auto numbers = numbers_of(field.value))
+      for (const double number : *numbers) widest = std::max(widest, ImGui::CalcTextSize(text(number).c_str()).x);
+  return widest + px(9);
+}
+
+/// The number of a light as a field counts it, from 0; the rows of the story count from 1 and say so in their title.
+bool counts_a_light(const EventField& field) {
+  return field.key == "light" && std::holds_alternative<std::int64_t>(field.value);
+}
+
 /// What a field of that name had, or nothing where it reads the same.
 std::string value_then(const std::vector<FieldText>& before, const FieldText& now) {
   for (const FieldText& old : before)
@@ -52,12 +70,19 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
     for (const auto& text : texts) names = std::max(names, ImGui::CalcTextSize(text.name.c_str()).x);
   }
   const FontScope mono(Face::mono);
-  const float column = ImGui::CalcTextSize("-0.0000").x + px(5);
+  // Where four digits after the point are too many for the room, three in all must do.
+  NumberText number_column = column_text;
+  float column = column_width(fields, number_column);
+  if (names + px(8) + column * static_cast<float>(columns) > room) {
+    number_column = short_text;
+    column = column_width(fields, number_column);
+  }
   names = std::min(names + px(8), std::max(room - column * static_cast<float>(columns), px(40)));
   for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (counts_a_light(fields[i])) continue;
     if (const std::string old = value_then(then, texts[i]); !old.empty()) {
       ImGui::SetCursorPosX(left + names);
-      ImGui::PushStyleColor(ImGuiCol_Text, palette().wrong_text);
+      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
       ImGui::PushTextWrapPos(0);
       ImGui::TextUnformatted(old.c_str());
       ImGui::PopTextWrapPos();
@@ -78,7 +103,7 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
       ImGui::PopTextWrapPos();
     } else {
       for (std::size_t k = 0; k < numbers->size(); ++k) {
-        const std::string text = column_text((*numbers)[k]);
+        const std::string text = number_column((*numbers)[k]);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         ImGui::SameLine(left + names + column * static_cast<float>(k + 1) - width);
         ImGui::TextUnformatted(text.c_str());

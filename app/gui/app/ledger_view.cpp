@@ -120,7 +120,7 @@ bool line_row(const std::string& name, const LedgerLine& line, bool selected, co
   const float top = (columns.one_line ? at.y : at.y + words_height) + before;
   for (int channel = 0; channel < 3; ++channel) {
     number_at(list, small, columns.number_right(channel), top - before, then.at(static_cast<std::size_t>(channel)),
-              colour_u32(palette().wrong_text));
+              colour_u32(palette().text_quiet));
     number_at(list, digits, columns.number_right(channel), top, number_in(columns, line.value[channel]), ink);
   }
   const float size = px(swatch_size);
@@ -133,7 +133,7 @@ bool line_row(const std::string& name, const LedgerLine& line, bool selected, co
 /// Terms that the sum had then and has no more.
 void gone_lines(const std::string& name, const StoryChanges& changes) {
   int index = 0;
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().wrong_text);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
   ImGui::PushTextWrapPos(0);
   for (const LedgerChange& line : changes.ledger)
     if (line.before && !line.after && *line.before != Vec3d(0, 0, 0))

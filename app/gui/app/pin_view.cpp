@@ -140,15 +140,18 @@ void pin_view(Session& session, PinState& state, Side side, const std::shared_pt
     return;
   }
   const StoryChanges& changes = pinned_story(session, state, side, story)->changes;
-  const std::string note = changes.changed_steps == 0 ? "nothing" : fmt::format("{} events", changes.changed_steps);
+  const std::string note = changes.changed_steps == 0 ? "nothing"
+                                                      : fmt::format("{} event{}", changes.changed_steps,
+                                                                    changes.changed_steps == 1 ? "" : "s");
   if (!section("changes", "Changed since the pin", state.open[index], note)) return;
   const std::string changed = changes_since(session.document(), side);
   ImGui::PushTextWrapPos(0);
-  value_text("options", changed.empty() ? "Nothing was changed since then." : changed);
+  value_text("options", changed.empty() ? "Nothing was set since then." : "Since then: " + changed);
   const auto& old = changes.display_before;
   const auto& now = changes.display_after;
-  value_text("display", both_text(fmt::format("{} {} {}", old[0], old[1], old[2]),
-                                  fmt::format("{} {} {}", now[0], now[1], now[2])));
+  value_text("display", (old == now ? "The colour is as it was: " : "Colour: ") +
+                            both_text(fmt::format("{} {} {}", old[0], old[1], old[2]),
+                                      fmt::format("{} {} {}", now[0], now[1], now[2])));
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
   gone_events(state.stories[index]);
   ImGui::PopStyleColor();

@@ -8,6 +8,7 @@
 #include "gui/app/event_numbers.h"
 #include "gui/app/pin_view.h"
 #include "gui/app/story_rows.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "inspect/describe.h"
 #include "inspect/number_text.h"
@@ -44,14 +45,20 @@ struct TreeDrawing {
     const std::string before = describe(*old, scene);
     if (before == describe(event(index), scene)) return;
     const FontScope font(Face::small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().wrong_text);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing());
-    ImGui::PushTextWrapPos(0);
-    value_text(fmt::format("{}/was/{}", name, index), "was: " + before);
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetTreeNodeToLabelSpacing() + px(6));
+    value_paragraph(fmt::format("{}/was/{}", name, index), "was: " + before);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    mark_left({low.x - px(6), low.y}, ImGui::GetItemRectMax());
     ImGui::PopStyleColor();
   }
   bool is_new(int index) const { return pinned && pinned->step_of(index).changed && !then(index); }
+  /// Said once for all that happened inside it.
+  bool says_new(int index) const { return is_new(index) && (event(index).parent < 0 || !is_new(event(index).parent)); }
+  /// A bar at the left of a row: it is new, or tells what was before.
+  void mark_left(const ImVec2& low, const ImVec2& high) const {
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + px(3), high.y}, colour_u32(palette().attention));
+  }
 
   /// One row with its icon; answers what became of it. `rows` names it among the controls.
   TreeRow row(int index, const std::string& text, TreeKind kind, bool open, EventWeight weight) {
@@ -62,6 +69,7 @@ struct TreeDrawing {
     const auto result =
         tree_row(fmt::format("{}/event/{}", name, index), text, kind, cursor.selected == index, open, icon + px(6));
     ImGui::PopStyleColor();
+    if (is_new(index)) mark_left(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     const float middle = ImGui::GetItemRectMin().y + px(1) + ImGui::GetTextLineHeight() / 2;
     draw_event_icon(*ImGui::GetWindowDrawList(), event(index), {label + icon / 2, middle}, icon);
     return result;
@@ -113,7 +121,7 @@ struct TreeDrawing {
     ImGui::PushID(index);
     const auto* ray = std::get_if<RayEvent>(&event(index).data);
     const bool shut = ray && ray->kind == RayKind::shadow;  // its outcome is told by its row and by its light
-    const std::string text = row_text(story.events, ends, scene, index) + (is_new(index) ? " (new)" : "");
+    const std::string text = row_text(story.events, ends, scene, index) + (says_new(index) ? " (new)" : "");
     const auto result = row(index, text, leaf ? TreeKind::leaf : TreeKind::branch, !shut, event_weight(event(index)));
     tooltip(describe(event(index), scene));
     if (result.clicked) cursor.selected = cursor.selected == index ? -1 : index;

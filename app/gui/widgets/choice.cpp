@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "gui/widgets/draw.h"
+#include "gui/widgets/tab_row.h"
 
 namespace ps::gui {
 namespace {
@@ -129,27 +132,34 @@ bool choice(std::string_view name, std::span<const Choice> choices, int& index, 
   return changed;
 }
 
-bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) {
+bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) { return tab_row(name, tabs, {}, index); }
+
+bool tab_row(std::string_view name, std::span<const Choice> tabs, std::span<const std::string_view> brief, int& index) {
   const Palette& p = palette();
   bool changed = false;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
+  bool shortened = false;
+  const auto label = [&](std::size_t i) { return shortened ? brief[i] : tabs[i].label; };
   const auto row_width = [&](float between) {
     float sum = 0;
-    for (const Choice& tab : tabs) sum += text_width(tab.label) + between;
+    for (std::size_t i = 0; i < tabs.size(); ++i) sum += text_width(label(i)) + between;
     return sum;
   };
   const float height = ImGui::GetFrameHeight() + px(4);
-  // Tabs that do not fit one row are written smaller, and go on in the next if need be: half a word says nothing.
+  // Tabs that do not fit one row are written smaller, then with shorter labels, and go on in the next row if need be:
+  // half a word says nothing.
   const bool tight = row_width(px(22)) > room;
   const FontScope font(tight ? Face::small : Face::body);
-  const float margin = tight ? px(8) : px(22);
+  shortened = tight && brief.size() == tabs.size() && row_width(px(8)) > room;
+  const float margin = shortened ? px(5) : tight ? px(8) : px(22);
+  const float inset = std::min(px(8), margin / 2);  // of the bar below the open one
   const bool wraps = tight && row_width(margin) > room;
   ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (std::size_t i = 0; i < tabs.size(); ++i) {
-    const float width = std::floor(std::min(text_width(tabs[i].label) + margin, room));
+    const float width = std::floor(std::min(text_width(label(i)) + margin, room));
     if (i > 0 && (!wraps || ImGui::GetItemRectMax().x + width <= start.x + room)) ImGui::SameLine(0, 0);
     const std::string part = part_name(name, tabs[i].key);
     const bool open = static_cast<std::size_t>(index) == i;
@@ -163,10 +173,13 @@ bool tab_row(std::string_view name, std::span<const Choice> tabs, int& index) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     if (ImGui::IsItemHovered() && !open)
       draw.AddRectFilled(min, {max.x, max.y - px(2)}, colour_u32(p.field_hover), ImGui::GetStyle().FrameRounding);
-    draw_text({min.x + px(3), min.y}, {max.x - px(3), max.y}, tabs[i].label, open ? p.text : p.text_quiet, 0.5f);
-    if (open) draw.AddRectFilled({min.x + px(8), max.y - px(3)}, {max.x - px(8), max.y}, colour_u32(p.text));
+    draw_text({min.x + px(2), min.y}, {max.x - px(2), max.y}, label(i), open ? p.text : p.text_quiet, 0.5f);
+    if (open) draw.AddRectFilled({min.x + inset, max.y - px(3)}, {max.x - inset, max.y}, colour_u32(p.text));
     controls().record(part, open ? "on" : "off");
-    if (!tabs[i].help.empty()) tooltip(tabs[i].help);
+    if (shortened && brief[i] != tabs[i].label)
+      tooltip(fmt::format("{}: {}", tabs[i].label, tabs[i].help));
+    else if (!tabs[i].help.empty())
+      tooltip(tabs[i].help);
   }
   ImGui::PopStyleVar();
   ImGui::EndGroup();
