@@ -1,10 +1,24 @@
 #include "inspect/space_picture.h"
 
 #include <cmath>
+#include <vector>
 
 #include "render/display_frame.h"
 
 namespace ps {
+namespace {
+
+/// What a scene without lights is seen by from outside, so that balls are round: a lamp beside whoever looks.
+std::vector<Light> own_lights(const Camera& camera) {
+  Light everywhere, lamp;
+  everywhere.intensity = 0.4;
+  lamp.kind = LightKind::directional;
+  lamp.intensity = 0.6;
+  lamp.direction = camera.up * 0.6 - camera.right * 0.4 - camera.forward;
+  return {everywhere, lamp};
+}
+
+}  // namespace
 
 SpacePicture draw_space_picture(const Scene& scene, const View& view, double near, Prepared& prepared,
                                 Progress& progress) {
@@ -14,6 +28,7 @@ SpacePicture draw_space_picture(const Scene& scene, const View& view, double nea
   settings.backface_culling = false;  // open models are seen from all sides
   Scene drawn = scene;
   drawn.canvas_items = {};  // they lie on the picture, not in space
+  if (scene.lights->empty()) drawn.lights.edit([&](std::vector<Light>& lights) { lights = own_lights(view.camera); });
   RenderRequest wanted;
   wanted.channels = Channel::depth | Channel::ids;
   if (scene_traits(drawn).csg) {  // has no triangles

@@ -132,9 +132,11 @@ void App::menu_bar() {
     if (menu_item("about", "About Pixelscope")) about_open_ = true;
     end_menu();
   }
-  const std::string title = session_.scene().title.empty() ? session_.document().scene_name : session_.scene().title;
-  const std::string text =
-      title == session_.document().scene_name ? title : fmt::format("{}   {}", session_.document().scene_name, title);
+  // Of a file the name is enough to be read from the last row.
+  const std::filesystem::path path(session_.document().scene_name);
+  const std::string name = path.is_absolute() ? path.filename().string() : path.string();
+  const std::string& title = session_.scene().title;
+  const std::string text = title.empty() || title == name ? name : fmt::format("{}   {}", name, title);
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   const float left = std::max(ImGui::GetCursorPosX() + px(24), (ImGui::GetWindowWidth() - width) / 2);
   const float modes = compare_buttons_width();
