@@ -107,7 +107,7 @@ struct Split {
 };
 
 inline constexpr std::uint32_t bvh_leaf = 4;
-inline constexpr double bvh_traversal_cost = 1;  ///< of a node, in tests of up to four primitives
+inline constexpr double bvh_traversal_cost = 0.5;  ///< of a node, in tests of up to four primitives
 
 /// Boxes and counts of the references by bin, for all three axes at once (Wald 2007).
 template <class Real>

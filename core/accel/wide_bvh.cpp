@@ -44,6 +44,58 @@ void order_children(WideNode& node, std::size_t count) {
 
 namespace {
 
+constexpr std::uint32_t wide_leaf_size = wide_leaf_blocks * wide_block_width;
+/// What a block of triangles costs that is tested, in tests of a node.
+constexpr float block_cost = 0.6f;
+
+/// How a subtree of the two-wide tree is best opened into a wide one, by the surface-area heuristic: its least cost as
+/// one to seven children of a node above it (Ylitie, Karras and Laine 2017, 3.1).
+struct WideCost {
+  std::array<float, wide_width - 1> as_children;
+  std::uint32_t first = 0, count = 0;  ///< its primitives in Bvh::order
+  bool leaf = false;                   ///< as one child it is a leaf
+};
+
+/// The least cost of two subtrees as `children` children together, and how many of them are the left one's.
+float least_shared(const WideCost& left, const WideCost& right, std::size_t children, std::size_t& of_left) {
+  float least = std::numeric_limits<float>::infinity();
+  of_left = 1;
+  for (std::size_t k = 1; k < children; ++k) {
+    const float cost = left.as_children[k - 1] + right.as_children[children - k - 1];
+    if (!(cost < least)) continue;
+    least = cost;
+    of_left = k;
+  }
+  return least;
+}
+
+std::vector<WideCost> wide_costs(const Bvh<float>& bvh) {
+  std::vector<WideCost> costs(bvh.nodes.size());
+  for (std::size_t i = costs.size(); i-- > 0;) {  // children stand behind their parents
+    const BvhNode<float>& node = bvh.nodes[i];
+    const float area = node.box.half_area();
+    WideCost& cost = costs[i];
+    const auto as_leaf = [&] { return area * block_cost * static_cast<float>((cost.count + 3) / 4); };
+    if (node.count > 0) {
+      cost.first = node.first;
+      cost.count = node.count;
+      cost.leaf = true;
+      cost.as_children.fill(as_leaf());
+      continue;
+    }
+    const WideCost &left = costs[node.first], &right = costs[node.first + 1];
+    cost.first = left.first;
+    cost.count = left.count + right.count;
+    std::size_t of_left = 0;
+    const float as_node = area + least_shared(left, right, wide_width, of_left);
+    cost.leaf = cost.count <= wide_leaf_size && as_leaf() <= as_node;
+    cost.as_children[0] = cost.leaf ? as_leaf() : as_node;
+    for (std::size_t k = 2; k < wide_width; ++k)
+      cost.as_children[k - 1] = std::min(cost.as_children[k - 2], least_shared(left, right, k, of_left));
+  }
+  return costs;
+}
+
 /// Nodes of a subtree, which refer to each other and to `blocks` as if nothing came before them.
 struct WidePart {
   std::vector<WideNode> nodes;
@@ -60,48 +112,65 @@ struct OpenChild {
 /// Turns the tree below a node into a WidePart; children deeper than `levels` are left open.
 class Widener {
  public:
-  Widener(const Bvh<float>& bvh, int levels) : bvh_(bvh), levels_(levels) {}
+  Widener(const Bvh<float>& bvh, const std::vector<WideCost>& costs, int levels)
+      : bvh_(bvh), costs_(costs), levels_(levels) {}
 
   void run(const BvhNode<float>& root) {
     part.nodes.push_back(empty_wide_node());
+    Children children;
     if (opens(root))
-      fill(0, parts(root), 0);
+      add_children(root, children);
     else
-      fill(0, std::array{root}, 0);
+      children.add(root);
+    fill(0, children, 0);
   }
 
   WidePart part;
   std::vector<OpenChild> open;
 
  private:
-  static constexpr std::uint32_t leaf_size = wide_leaf_blocks * wide_block_width;
+  struct Children {
+    std::array<BvhNode<float>, wide_width> list;
+    std::size_t count = 0;
+    void add(const BvhNode<float>& node) { list[count++] = node; }
+  };
 
-  static bool opens(const BvhNode<float>& node) { return node.count == 0 || node.count > leaf_size; }
+  static bool opens(const BvhNode<float>& node) { return node.count == 0 || node.count > wide_leaf_size; }
 
-  /// The children of a node. A leaf that has too many primitives for one child is cut in the middle of its list.
-  std::array<BvhNode<float>, 2> parts(const BvhNode<float>& node) const {
-    if (node.count == 0) return {bvh_.nodes[node.first], bvh_.nodes[node.first + 1]};
-    const std::uint32_t half = (node.count / 2 + leaf_size - 1) / leaf_size * leaf_size;
-    return {BvhNode<float>{node.box, node.first, half}, BvhNode<float>{node.box, node.first + half, node.count - half}};
+  /// The children of a node in the wide tree. A leaf that has too many primitives for one child is cut in the middle of
+  /// its list, again and again.
+  void add_children(const BvhNode<float>& node, Children& children) const {
+    if (node.count == 0) return add_shared(node, wide_width, children);
+    children.add(node);
+    while (children.count < wide_width) {
+      const auto end = children.list.begin() + static_cast<std::ptrdiff_t>(children.count);
+      const auto largest =
+          std::max_element(children.list.begin(), end, [](const auto& a, const auto& b) { return a.count < b.count; });
+      if (largest->count <= wide_leaf_size) return;
+      const std::uint32_t half = (largest->count / 2 + wide_leaf_size - 1) / wide_leaf_size * wide_leaf_size;
+      children.add({node.box, largest->first + half, largest->count - half});
+      largest->count = half;
+    }
+  }
+  /// The two sides of an inner node as `places` children together.
+  void add_shared(const BvhNode<float>& node, std::size_t places, Children& children) const {
+    std::size_t of_left = 0;
+    least_shared(costs_[node.first], costs_[node.first + 1], places, of_left);
+    add_subtree(node.first, of_left, children);
+    add_subtree(node.first + 1, places - of_left, children);
+  }
+  /// A subtree as at most `places` children.
+  void add_subtree(std::uint32_t index, std::size_t places, Children& children) const {
+    const WideCost& cost = costs_[index];
+    const BvhNode<float>& node = bvh_.nodes[index];
+    while (places > 1 && !(cost.as_children[places - 1] < cost.as_children[places - 2])) --places;
+    if (places > 1) return add_shared(node, places, children);
+    children.add(cost.leaf ? BvhNode<float>{node.box, cost.first, cost.count} : node);
   }
 
-  void fill(std::uint32_t index, std::span<const BvhNode<float>> start, int level) {
-    std::array<BvhNode<float>, wide_width> children;
-    std::copy(start.begin(), start.end(), children.begin());
-    std::size_t count = start.size();
-    while (count < wide_width) {
-      std::size_t largest = count;
-      float area = -1;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (!opens(children[i]) || !(children[i].box.half_area() > area)) continue;
-        area = children[i].box.half_area();
-        largest = i;
-      }
-      if (largest == count) break;  // leaves only
-      const std::array<BvhNode<float>, 2> halves = parts(children[largest]);
-      children[largest] = halves[0];
-      children[count++] = halves[1];
-    }
+  void fill(std::uint32_t index, const Children& list, int level) {
+    const auto& children = list.list;
+    const std::size_t count = list.count;
     for (std::size_t i = 0; i < count; ++i) put_box(part.nodes[index], i, children[i].box);
     order_children(part.nodes[index], count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -113,7 +182,9 @@ class Widener {
         const auto place = static_cast<std::uint32_t>(part.nodes.size());
         part.nodes[index].child[i] = place;
         part.nodes.push_back(empty_wide_node());
-        fill(place, parts(children[i]), level + 1);
+        Children below;
+        add_children(children[i], below);
+        fill(place, below, level + 1);
       }
     }
   }
@@ -126,6 +197,7 @@ class Widener {
   }
 
   const Bvh<float>& bvh_;
+  const std::vector<WideCost>& costs_;
   int levels_;
 };
 
@@ -137,7 +209,8 @@ constexpr std::size_t one_job = 1u << 12;
 
 LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>& blocks, int threads) {
   // The upper levels first; then every subtree below them is one worker's job, and they are put behind each other.
-  Widener top(bvh, bvh.nodes.size() < one_job ? all_levels : 3);
+  const std::vector<WideCost> costs = wide_costs(bvh);
+  Widener top(bvh, costs, bvh.nodes.size() < one_job ? all_levels : 3);
   if (bvh.nodes.empty())
     top.part.nodes.push_back(empty_wide_node());
   else
@@ -150,7 +223,7 @@ LargeArray<WideNode> widen_nodes(const Bvh<float>& bvh, std::vector<BlockRange>&
                  [&](int index, int) { body(static_cast<std::size_t>(index)); });
   };
   in_parallel([&](std::size_t i) {
-    Widener widener(bvh, all_levels);
+    Widener widener(bvh, costs, all_levels);
     widener.run(top.open[i].tree);
     parts[i] = std::move(widener.part);
   });

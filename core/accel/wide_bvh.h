@@ -88,8 +88,9 @@ struct WideBvh {
   std::size_t heap_bytes() const { return owned_bytes(nodes, blocks); }
 };
 
-/// Turns a tree of two-wide nodes over `triangles` into one of eight-wide nodes by opening, again and again, the child
-/// with the largest surface. `triangle(i)` is called for the entries of bvh.order, from several threads.
+/// Turns a tree of two-wide nodes over `triangles` into one of eight-wide nodes, of all those that can be made by
+/// leaving out nodes and joining leaves the one that costs least by the surface-area heuristic. `triangle(i)` is called
+/// for the entries of bvh.order, from several threads.
 template <class TriangleOf>
 WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads = 0);
 
