@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <ostream>
 #include <string>
 
 #include "base/atomic_file.h"
@@ -23,6 +24,8 @@ struct Screen {
   const char* arrange;  ///< ends idle
   const char* expect;
 };
+
+void PrintTo(const Screen& screen, std::ostream* out) { *out << screen.folder; }
 
 /// Options on both sides, another camera and pixel, a selected event, the tab of both stories, another tab below.
 constexpr Screen options_and_camera{"gui-permalink", "cgfs/reflections", R"(set reflection-depth=1

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "gui/widgets/draw.h"
 
@@ -47,7 +48,10 @@ void number_at(ImDrawList& list, ImFont* font, float right, float top, const std
 
 std::string number_in(const Columns& columns, double value) {
   const std::string text = short_number(value);
-  return columns.brief && text.size() > most_brief ? fmt::format("{:.1e}", value) : text;
+  if (!columns.brief || text.size() <= most_brief) return text;
+  // As wide as most others, and read without thinking; only what would become 0 is written with a power.
+  const std::string plain = fmt::format("{:.4f}", value);
+  return std::abs(value) >= 0.0005 && plain.size() <= most_brief ? plain : fmt::format("{:.1e}", value);
 }
 
 /// The largest letters in which no number touches the one before it.

@@ -45,7 +45,7 @@ void gone_events(const PinnedStory& pinned) {
       ++left_out;
       continue;
     }
-    value_text(fmt::format("gone/{}", listed++), "gone: " + step.text);
+    value_paragraph(fmt::format("gone/{}", listed++), "gone: " + step.text);
   }
   if (left_out > 0) ImGui::Text("and %zu more that are gone", left_out);
 }

@@ -71,7 +71,8 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   const ShownChannel channel = session.shown(side);
   if (channel != ShownChannel::colour && (result->channels | shown_channel(channel).needs) == result->channels)
     text += "   " + channel_value_text(result->frame, channel, session.settings(side), pixel);
-  if (has(result->channels, Channel::ids)) {
+  const bool knows_objects = result->request.settings.renderer != Renderer::textbook;  // a listing makes colours alone
+  if (knows_objects && has(result->channels, Channel::ids)) {
     const PixelId id = result->frame.ids.at(pixel.x, pixel.y);
     text += "   " + (id.object < 0 ? std::string("background") : primitive_name(result->request.scene, id));
   }
