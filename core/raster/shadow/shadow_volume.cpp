@@ -10,8 +10,8 @@
 namespace ps::raster {
 namespace {
 
-using Corner = std::uint32_t;
-using Corners = std::array<Corner, 3>;
+using CornerIndex = std::uint32_t;
+using Corners = std::array<CornerIndex, 3>;
 
 /// World-space corners in which equal positions are one corner, so that edges are shared wherever triangles meet.
 struct Welded {
@@ -21,12 +21,12 @@ struct Welded {
 
 Welded weld(const DrawObject& object) {
   Welded welded;
-  std::map<std::tuple<double, double, double>, Corner> known;
-  std::vector<Corner> number;
+  std::map<std::tuple<double, double, double>, CornerIndex> known;
+  std::vector<CornerIndex> number;
   for (const Vec3d& model : object.mesh->positions) {
     const Vec3d p = object.world(model);
     const auto [entry, fresh] =
-        known.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<Corner>(welded.positions.size()));
+        known.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<CornerIndex>(welded.positions.size()));
     if (fresh) welded.positions.push_back(p);
     number.push_back(entry->second);
   }
@@ -39,11 +39,11 @@ Welded weld(const DrawObject& object) {
 
 /// How often each edge is run through from its lower to its higher corner, less how often the other way. All 0 for a
 /// closed surface.
-using EdgeBalance = std::map<std::pair<Corner, Corner>, int>;
+using EdgeBalance = std::map<std::pair<CornerIndex, CornerIndex>, int>;
 
 void add_edges(const Corners& triangle, EdgeBalance& balance) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const Corner a = triangle[k], b = triangle[(k + 1) % 3];
+    const CornerIndex a = triangle[k], b = triangle[(k + 1) % 3];
     balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
   }
 }
@@ -101,7 +101,7 @@ class Extrusion {
   double factor_ = 1;
 };
 
-MeshTriangle surface_triangle(Corner a, Corner b, Corner c) {
+MeshTriangle surface_triangle(CornerIndex a, CornerIndex b, CornerIndex c) {
   MeshTriangle triangle;
   triangle.position = {a, b, c};
   return triangle;
@@ -118,7 +118,7 @@ ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, do
     const Extrusion extrude(welded, light, reach);
     surface->positions = welded.positions;
     for (const Vec3d& p : welded.positions) surface->positions.push_back(extrude(p));
-    const auto far = [&](Corner c) { return c + static_cast<Corner>(welded.positions.size()); };
+    const auto far = [&](CornerIndex c) { return c + static_cast<CornerIndex>(welded.positions.size()); };
     EdgeBalance balance;
     for (const Corners& t : lit_triangles(welded, light)) {
       add_edges(t, balance);
@@ -127,7 +127,7 @@ ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, do
     }
     volume.caps = surface->triangles.size();
     for (const auto& [edge, count] : balance) {
-      const Corner a = count > 0 ? edge.first : edge.second, b = count > 0 ? edge.second : edge.first;
+      const CornerIndex a = count > 0 ? edge.first : edge.second, b = count > 0 ? edge.second : edge.first;
       if (count != 0) volume.silhouette.push_back({welded.positions[a], welded.positions[b]});
       for (int i = 0; i < std::abs(count); ++i) {
         surface->triangles.push_back(surface_triangle(b, a, far(a)));
