@@ -8,7 +8,7 @@ namespace ps::raster {
 namespace {
 
 constexpr std::size_t least_per_part = 2048;
-constexpr std::size_t most_parts = 64;
+constexpr std::size_t most_assembly_parts = 64;
 
 LargeTriangle large_triangle(const ScreenTriangle<float>& piece, const CoverageGrid& grid) {
   LargeTriangle large;
@@ -185,7 +185,7 @@ std::vector<FastPart> assemble_fast(const Pass<float>& pass, const std::vector<V
   const std::vector<TriangleRun> runs = make_runs(pass, culled);
   std::size_t total = 0;
   for (const TriangleRun& run : runs) total += run.last - run.first;
-  const std::size_t enough = std::max(least_per_part, total / most_parts);
+  const std::size_t enough = std::max(least_per_part, total / most_assembly_parts);
   std::vector<std::span<const TriangleRun>> shares;
   for (std::size_t first = 0; first < runs.size();) {
     std::size_t last = first;
