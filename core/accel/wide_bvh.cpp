@@ -44,7 +44,6 @@ void order_children(WideNode& node, std::size_t count) {
 
 namespace {
 
-constexpr std::uint32_t wide_leaf_size = wide_leaf_blocks * wide_block_width;
 /// What a block of triangles costs that is tested, in tests of a node.
 constexpr float block_cost = 0.6f;
 

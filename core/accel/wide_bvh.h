@@ -19,6 +19,8 @@ using WideChild = std::uint32_t;
 inline constexpr std::uint32_t wide_leaf_blocks = 8;
 inline constexpr WideChild wide_leaf_flag = 0x80000000u;
 inline constexpr int wide_count_shift = 28;  ///< three bits: the leaf's blocks less one
+/// As many triangles as one leaf holds.
+inline constexpr std::uint32_t wide_leaf_size = wide_leaf_blocks * wide_block_width;
 inline bool is_leaf(WideChild child) { return (child & wide_leaf_flag) != 0; }
 inline std::uint32_t leaf_first(WideChild child) { return child & ((1u << wide_count_shift) - 1); }
 inline std::uint32_t leaf_count(WideChild child) { return ((child >> wide_count_shift) & 7u) + 1; }

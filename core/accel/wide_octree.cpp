@@ -25,8 +25,6 @@ class OctreeWidener {
   }
 
  private:
-  static constexpr std::size_t leaf_size = std::size_t{wide_leaf_blocks} * wide_block_width;
-
   /// A subtree in which triangles lie, and a box around them, no larger than their cell.
   struct Filled {
     WideChild child = 0;
@@ -50,7 +48,7 @@ class OctreeWidener {
 
   /// A leaf, or, for more triangles than one can hold, a node of such.
   std::optional<Filled> add_triangles(std::span<const WideTriangle> triangles, const Box<float>& cell) {
-    if (triangles.size() <= leaf_size) return add_leaf(triangles, cell);
+    if (triangles.size() <= wide_leaf_size) return add_leaf(triangles, cell);
     std::vector<Filled> children;
     const std::size_t share = (triangles.size() + wide_width - 1) / wide_width;
     for (; !triangles.empty(); triangles = triangles.subspan(std::min(share, triangles.size())))

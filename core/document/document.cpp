@@ -62,11 +62,8 @@ void pin_pixel(Document& document) {
 }
 
 View view_of(const Document& document) {
-  View view;
-  view.camera = document.view.camera.value_or(document.scene.camera);
-  view.width = document.view.width > 0 ? document.view.width : document.scene.canvas_width;
-  view.height = document.view.height > 0 ? document.view.height : document.scene.canvas_height;
-  return view;
+  const PictureView& view = document.view;
+  return view_of(document.scene, view.camera, view.width, view.height);
 }
 
 const SideState& side_of(const Document& document, Side side) { return side == Side::a ? document.a : document.b; }

@@ -157,6 +157,13 @@ void parse_field(Document& document, const std::string& key, const std::string& 
 
 }  // namespace
 
+void detail::add_options(std::string_view prefix, const Settings& settings, const AddPart& add) {
+  for (const std::string& assignment : changed_options(settings)) {
+    const auto equals = assignment.find('=');
+    add(fmt::format("{}{}", prefix, assignment.substr(0, equals)), assignment.substr(equals + 1));
+  }
+}
+
 CompareMode parse_compare_mode(std::string_view text) {
   for (std::size_t i = 0; i < compare_keys.size(); ++i)
     if (compare_keys[i] == text) return static_cast<CompareMode>(i);
@@ -174,11 +181,8 @@ std::string permalink(const Document& document) {
     if (const auto text = field.text(document)) add(field.key, *text);
   if (document.pin) detail::add_pin(*document.pin, add);
   for (const SceneEdit& edit : document.edits) add("edit." + edit.path, edit.value);
-  for (const Side side : {Side::a, Side::b})
-    for (const std::string& assignment : changed_options(side_of(document, side).settings)) {
-      const auto equals = assignment.find('=');
-      add((side == Side::a ? "a." : "b.") + assignment.substr(0, equals), assignment.substr(equals + 1));
-    }
+  detail::add_options("a.", document.a.settings, add);
+  detail::add_options("b.", document.b.settings, add);
   return link;
 }
 

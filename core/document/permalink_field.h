@@ -20,8 +20,12 @@ struct PermalinkField {
 /// The parts about the views of the pixel's story.
 std::span<const PermalinkField> story_fields();
 
-/// The parts about the pinned pixel, handed to `add` as key and value.
-void add_pin(const Pin& pin, const std::function<void(std::string_view key, std::string_view value)>& add);
+/// Takes up a part.
+using AddPart = std::function<void(std::string_view key, std::string_view value)>;
+/// A part for each option that differs from its default; the keys are those of the options after `prefix`.
+void add_options(std::string_view prefix, const Settings& settings, const AddPart& add);
+/// The parts about the pinned pixel.
+void add_pin(const Pin& pin, const AddPart& add);
 /// Reads one of them; `part` is its key after "pin.", empty for "pin" itself, which comes first. Throws InputError for
 /// what add_pin would not give.
 void parse_pin(std::string_view part, std::string_view value, std::optional<Pin>& pin);

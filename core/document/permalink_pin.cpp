@@ -6,7 +6,6 @@
 #include "document/number_list.h"
 #include "document/permalink_field.h"
 #include "options/option.h"
-#include "options/scene_settings.h"
 
 namespace ps::detail {
 namespace {
@@ -15,19 +14,13 @@ constexpr std::string_view option_of_a = "a.", option_of_b = "b.", edit_of = "ed
 
 }  // namespace
 
-void add_pin(const Pin& pin, const std::function<void(std::string_view key, std::string_view value)>& add) {
+void add_pin(const Pin& pin, const AddPart& add) {
   add("pin", fmt::format("{},{}", pin.pixel.x, pin.pixel.y));
   if (pin.width > 0 || pin.height > 0) add("pin.size", fmt::format("{}x{}", pin.width, pin.height));
   if (pin.camera) add("pin.camera", camera_text(*pin.camera));
   for (const SceneEdit& edit : pin.edits) add(fmt::format("pin.{}{}", edit_of, edit.path), edit.value);
-  const auto add_options = [&](std::string_view prefix, const Settings& settings) {
-    for (const std::string& assignment : changed_options(settings)) {
-      const auto equals = assignment.find('=');
-      add(fmt::format("pin.{}{}", prefix, assignment.substr(0, equals)), assignment.substr(equals + 1));
-    }
-  };
-  add_options(option_of_a, pin.a);
-  add_options(option_of_b, pin.b);
+  add_options(fmt::format("pin.{}", option_of_a), pin.a, add);
+  add_options(fmt::format("pin.{}", option_of_b), pin.b, add);
 }
 
 void parse_pin(std::string_view part, std::string_view value, std::optional<Pin>& pin) {

@@ -9,4 +9,9 @@ Scene edited_scene(Scene scene, const std::vector<SceneEdit>& edits) {
   return scene;
 }
 
+View view_of(const Scene& scene, const std::optional<Camera>& camera, int width, int height) {
+  return {camera.value_or(scene.camera), width > 0 ? width : scene.canvas_width,
+          height > 0 ? height : scene.canvas_height};
+}
+
 }  // namespace ps

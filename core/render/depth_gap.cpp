@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "image/heat_colour.h"
+#include "options/robust_rays.h"
 #include "raster/depth_format.h"
 #include "raytrace/tracer.h"
 #include "render/precision_channels.h"
@@ -31,7 +32,7 @@ double units_between(const raster::DepthCode& code, double z_first, double z_sec
 /// Finds the second surface behind each pixel's first one with rays in double.
 class GapFinder {
  public:
-  GapFinder(const Scene& scene, const View& view, Settings settings, Prepared& prepared)
+  GapFinder(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared)
       : code_(raster::make_depth_code(settings, view.camera.projection_plane_d)), culls_(settings.backface_culling),
         inputs_(make_trace_inputs<double>(scene, view, as_rays(settings), prepared)) {}
 
@@ -55,14 +56,10 @@ class GapFinder {
   }
 
  private:
-  static Settings as_rays(Settings settings) {
-    settings.renderer = Renderer::ray_tracer;
-    settings.precision = Precision::float64;
-    settings.accelerator = Accelerator::bvh;
-    settings.slab_test = SlabTest::robust;
-    settings.triangle_test = TriangleTest::watertight;
-    settings.sphere_test = SphereTest::robust;
-    return settings;
+  static Settings as_rays(const Settings& settings) {
+    Settings rays = robust_rays(settings);
+    rays.renderer = Renderer::ray_tracer;
+    return rays;
   }
 
   /// The next surface along the ray that is drawn at all.

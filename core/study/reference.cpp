@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "image/display.h"
 #include "image/file.h"
+#include "options/robust_rays.h"
 #include "render/viewport.h"
 
 namespace ps {
@@ -90,18 +91,13 @@ Reference read_reference(const std::filesystem::path& file, const View& view) {
 }  // namespace
 
 Settings reference_settings(const Settings& base, const SceneTraits& traits) {
-  Settings best = base;
+  Settings best = robust_rays(base);
   best.renderer = shown_by_rays(base, traits) ? Renderer::ray_tracer : Renderer::rasterizer;
-  best.precision = Precision::float64;
   best.samples_per_pixel = 1;
   best.multisampling = 1;
   best.adaptive_sampling = false;
   best.subsampling = 1;
   best.self_hit = SelfHit::offset;
-  best.sphere_test = SphereTest::robust;
-  best.triangle_test = TriangleTest::watertight;
-  best.slab_test = SlabTest::robust;
-  best.accelerator = Accelerator::bvh;
   best.reflection_depth = std::max(base.reflection_depth, least_bounces);
   if (best.renderer == Renderer::ray_tracer && base.shadows != Shadows::none) best.shadows = Shadows::traced;
   best.colour_depth = ColourDepth::bits24;
