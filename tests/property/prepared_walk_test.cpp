@@ -10,13 +10,14 @@
 #include "scene/load.h"
 #include "support/random_scene.h"
 #include "support/same_bits.h"
+#include "support/trials.h"
 
 namespace ps {
 namespace {
 
 using ps::test::same_bits;
 
-constexpr int walks = 500;
+constexpr int walks = test::trials(500);
 constexpr int steps = 4;
 
 using Random = std::mt19937;

@@ -6,6 +6,7 @@
 #include "options/option.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
+#include "support/trials.h"
 
 namespace ps {
 namespace {
@@ -50,8 +51,9 @@ TEST(LeftOutObjects, ChangeNothingForTheOthersAndAreTold) {
       EXPECT_TRUE(std::equal(a.colour.pixels().begin(), a.colour.pixels().end(), b.colour.pixels().begin()))
           << assignment;
     }
-    for (int y = 1; y < 60; y += 6)
-      for (int x = 1; x < 60; x += 6) {
+    const int step = 5 + test::trial_divisor;
+    for (int y = 1; y < 60; y += step)
+      for (int x = 1; x < 60; x += step) {
         const PixelStory story = story_of(with, settings, {x, y}, 60);
         EXPECT_EQ(story.linear, story_of(without, settings, {x, y}, 60).linear) << assignment << " " << x << ", " << y;
         EXPECT_NE(story.verdict.find("leaves out CSG"), std::string::npos);

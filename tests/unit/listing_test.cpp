@@ -10,6 +10,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/run_cli.h"
+#include "support/trials.h"
 #include "textbook/book_math.h"
 #include "textbook/listing_view.h"
 
@@ -117,8 +118,9 @@ TEST(Listing, TraceNeedsOnlyWhatIsNearThePixel) {
       if (listing.listing->order != ListingOrder::object_by_object) continue;
       Settings settings = textbook(scene);
       settings.listing = static_cast<int>(&listing - listings().data()) + 1;
-      for (int y = 1; y < 100; y += 17)
-        for (int x = 2; x < 150; x += 23) {
+      const int step = 30 + 4 * test::trial_divisor;
+      for (int y = 1; y < 100; y += step)
+        for (int x = 2; x < 150; x += step + 3) {
           const auto all = trace_listing(scene, view, settings, {x, y}, &progress, TracedTriangles::all);
           const auto near = trace_listing(scene, view, settings, {x, y}, &progress, TracedTriangles::near_pixel);
           ASSERT_EQ(near.watches, all.watches) << name << " " << listing.folder << " " << x << "," << y;

@@ -5,6 +5,7 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/trials.h"
 
 namespace ps {
 namespace {
@@ -39,8 +40,9 @@ struct ShadowedPicture {
 /// Every seventh pixel that shows something.
 std::vector<Vec2i> pixels_of(const Frame& frame) {
   std::vector<Vec2i> pixels;
-  for (int y = 3; y < height; y += 7)
-    for (int x = 3; x < width; x += 7)
+  constexpr int step = 6 + test::trial_divisor;
+  for (int y = 3; y < height; y += step)
+    for (int x = 3; x < width; x += step)
       if (frame.ids.at(x, y).object >= 0) pixels.push_back({x, y});
   return pixels;
 }
