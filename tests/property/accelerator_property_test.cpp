@@ -297,7 +297,8 @@ TEST(Accelerators, TheHeadlineSceneIsOnePicture) {
     settings.accelerator = accelerator;
     settings.simd = simd;
     Progress progress;
-    return render_traced(scene, View{scene.camera, 48, 36}, settings, {}, prepared, progress);
+    return render_traced(scene, View{scene.camera, 8 + test::trials(40), 6 + test::trials(30)}, settings, {}, prepared,
+                         progress);
   };
   const Frame all = picture(Accelerator::none, Simd::off);
   EXPECT_EQ(all.counters[Counter::triangle_tests] / all.counters[Counter::eye_rays] / 1000, 34u);

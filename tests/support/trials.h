@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 namespace ps::test {
 
@@ -14,5 +15,8 @@ inline constexpr int trial_divisor = 1;
 
 /// `count` tries, an eighth of them (at least one) under a sanitizer.
 constexpr int trials(int count) { return std::max(1, count / trial_divisor); }
+
+/// The elements of a list to try: each one, or every fourth under a sanitizer.
+inline constexpr std::size_t list_step = trial_divisor > 1 ? 4 : 1;
 
 }  // namespace ps::test
