@@ -32,9 +32,9 @@ HWY_INLINE V3 splat3(const Vec3f& value) { return ps::HWY_NAMESPACE::same_in_lan
 // A Source gives what the fragments' triangles carry: vector(slot) and pair(slot) interpolate three or two scalars of
 // the corners, constant(at) reads three of the triangle's own.
 
+/// Adds a vector of fragments to those whose texture will be read.
 template <class Source>
-HWY_INLINE texture::Colour read_texture(const BatchShading& shading, const Source& source, V z, M seen,
-                                        std::uint64_t& texels) {
+HWY_INLINE void add_lookups(const BatchShading& shading, const Source& source, V z, M seen, texture::Lookups& run) {
   const V3 uv = source.pair(shading.texture.uv);
   texture::Steps steps;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -43,7 +43,16 @@ HWY_INLINE texture::Colour read_texture(const BatchShading& shading, const Sourc
     if (shading.steps_at >= 0) change = source.constant(shading.steps_at + 4 * static_cast<int>(i));
     steps[i] = {change.x, change.y, change.z};
   }
-  return texture::sample(shading.texture, steps, uv.x, uv.y, z, seen, texels);
+  texture::add_lookups(shading.texture, steps, uv.x, uv.y, z, seen, run);
+}
+
+/// The surface's own colour: the material's, times the texture's, which has been read for vector `i` of the run.
+HWY_INLINE V3 own_colour(const BatchShading& shading, const texture::Lookups& run, std::size_t i) {
+  const V3 colour = splat3(shading.colour);
+  if (!shading.texture.texture) return colour;
+  const auto times = [&](V own, const texture::Lookups::Numbers& texels)
+                         HWY_ATTR { return hn::Mul(own, hn::Load(D(), texels.data() + i * hn::Lanes(D()))); };
+  return {times(colour.x, run.red), times(colour.y, run.green), times(colour.z, run.blue)};
 }
 
 HWY_INLINE void add_light(V3& sum, M mask, const Vec3f& colour, V amount) {
@@ -111,17 +120,10 @@ HWY_INLINE V3 light_of_equation(const BatchShading& shading, const Source& sourc
   return sum;
 }
 
-/// The colours of the fragments in the lanes of `seen`; the others get anything. `z` is the fragments' depth in camera
-/// space. Adds the texels that were read.
+/// The colours of fragments whose own colour is `colour`.
 template <class Source>
-HWY_INLINE V3 shade_vector(const BatchShading& shading, const Source& source, V z, M seen, std::uint64_t& texels) {
+HWY_INLINE V3 light_vector(const BatchShading& shading, const Source& source, const V3& colour) {
   const V zero = hn::Zero(D());
-  // The surface's own colour: the material's, times the texture's.
-  V3 colour = splat3(shading.colour);
-  if (shading.texture.texture) {
-    const texture::Colour texel = read_texture(shading, source, z, seen, texels);
-    colour = {hn::Mul(colour.x, texel.red), hn::Mul(colour.y, texel.green), hn::Mul(colour.z, texel.blue)};
-  }
   V3 sum{zero, zero, zero};
   switch (shading.source) {
   case BatchLight::none:
@@ -138,6 +140,18 @@ HWY_INLINE V3 shade_vector(const BatchShading& shading, const Source& source, V 
   }
   return {hn::Add(hn::Mul(colour.x, sum.x), zero), hn::Add(hn::Mul(colour.y, sum.y), zero),
           hn::Add(hn::Mul(colour.z, sum.z), zero)};
+}
+
+/// The colours of a single vector's fragments in the lanes of `seen`; the others get anything. `z` is the fragments'
+/// depth in camera space. Adds the texels that were read.
+template <class Source>
+HWY_INLINE V3 shade_vector(const BatchShading& shading, const Source& source, V z, M seen, std::uint64_t& texels) {
+  texture::Lookups run;
+  if (shading.texture.texture) {
+    add_lookups(shading, source, z, seen, run);
+    texture::sample(shading.texture, run, texels);
+  }
+  return light_vector(shading, source, own_colour(shading, run, 0));
 }
 
 }  // namespace shading

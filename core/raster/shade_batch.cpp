@@ -1,5 +1,7 @@
 #include "raster/shade_batch.h"
 
+#include <algorithm>
+
 #include "options/simd_choice.h"
 
 // This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
@@ -55,14 +57,25 @@ void shade_fragments(const BatchShading& shading, ShadeBatch& batch);
 
 void shade_fragments(const BatchShading& shading, ShadeBatch& batch) {
   const D d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int lane = 0; lane < batch.count; lane += lanes) {
-    const OneTriangle source(shading, batch, lane);
-    const auto seen = hn::FirstN(d, static_cast<std::size_t>(batch.count - lane));
-    const V3 colour = shading::shade_vector(shading, source, source.z(), seen, batch.texels);
-    hn::StoreU(colour.x, d, batch.red.data() + lane);
-    hn::StoreU(colour.y, d, batch.green.data() + lane);
-    hn::StoreU(colour.z, d, batch.blue.data() + lane);
+  const int lanes = static_cast<int>(hn::Lanes(d)), most = static_cast<int>(texture::Lookups::most);
+  for (int first = 0; first < batch.count; first += most) {
+    const int last = std::min(first + most, batch.count);
+    texture::Lookups run;
+    if (shading.texture.texture) {
+      for (int lane = first; lane < last; lane += lanes) {
+        const OneTriangle source(shading, batch, lane);
+        shading::add_lookups(shading, source, source.z(), hn::FirstN(d, static_cast<std::size_t>(last - lane)), run);
+      }
+      texture::sample(shading.texture, run, batch.texels);
+    }
+    for (int lane = first; lane < last; lane += lanes) {
+      const auto i = static_cast<std::size_t>((lane - first) / lanes);
+      const V3 colour =
+          shading::light_vector(shading, OneTriangle(shading, batch, lane), shading::own_colour(shading, run, i));
+      hn::StoreU(colour.x, d, batch.red.data() + lane);
+      hn::StoreU(colour.y, d, batch.green.data() + lane);
+      hn::StoreU(colour.z, d, batch.blue.data() + lane);
+    }
   }
 }
 

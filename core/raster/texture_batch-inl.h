@@ -7,28 +7,11 @@
 #define PIXELSCOPE_TEXTURE_BATCH_INL_H_
 #endif
 
-#include <array>
-
-#include "hwy/highway.h"
-#include "math/quarters-inl.h"
-#include "raster/packed_texture.h"
+#include "raster/texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ps::raster::HWY_NAMESPACE {
 namespace texture {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::ScalableTag<float>;
-using DI = hn::Rebind<std::int32_t, D>;
-using V = hn::Vec<D>;
-using VI = hn::Vec<DI>;
-using M = hn::Mask<D>;
-
-struct Colour {
-  V red, green, blue;
-};
-
-HWY_INLINE V number(float value) { return hn::Set(D(), value); }
 
 /// floor_of(), but for the sign of a zero, which nobody here asks for.
 HWY_INLINE V floor_of(V value) { return hn::Floor(value); }
@@ -70,105 +53,17 @@ HWY_INLINE Level level_of(const PackedTexture& texture, VI level) {
           hn::GatherIndex(d, texture.height.data(), level)};
 }
 
+/// How many numbers a texel has, as a power of two.
+enum class TexelSize { one = 0, four = 2 };
+HWY_INLINE TexelSize texel_size(const PackedTexture& texture) {
+  return texture.bytes.empty() ? TexelSize::four : TexelSize::one;
+}
+
 /// Index of a texel's first number; `x` may be -1 or the level's width.
-HWY_INLINE VI texel_index(const Level& level, VI x, VI y) {
-  const VI stride = hn::Add(level.width, hn::Set(DI(), 2));
-  return hn::Add(level.first, hn::ShiftLeft<2>(hn::Add(hn::Mul(y, stride), x)));
+HWY_INLINE VI texel_index(const Level& level, TexelSize size, VI x, VI y) {
+  const VI place = hn::Add(hn::Mul(y, hn::Add(level.width, hn::Set(DI(), 2))), x);
+  return hn::Add(level.first, hn::ShiftLeftSame(place, static_cast<int>(size)));
 }
-
-// A texel's channels are read at once, for gathering single channels takes longer; and several fragments are mixed at
-// once, a quarter of a vector for each: those of lanes k, k + 4, and so on.
-using Four = hn::FixedTag<float, 4>;
-constexpr std::size_t most_lanes = hn::MaxLanes(D());
-
-/// The first three numbers that make(i) gives for each lane i. Lanes without a fragment get something too: their
-/// coordinates are wrapped like all others, so what they read lies in the texture.
-template <class Make>
-HWY_INLINE Colour by_channels(Make&& make) {
-  const auto colour = ps::HWY_NAMESPACE::four_vectors(make);
-  return {colour.first, colour.second, colour.third};
-}
-
-/// The same where make(k) gives them for lanes k, k + 4, ... at once.
-template <class Make>
-HWY_INLINE Colour by_quarters(Make&& make) {
-  const auto colour = ps::HWY_NAMESPACE::four_vectors_of_quarters(make);
-  return {colour.first, colour.second, colour.third};
-}
-
-/// sample_nearest()
-HWY_INLINE Colour sample_nearest(const PackedTexture& texture, V u, V v, TextureWrap wrap) {
-  const DI di;
-  const Level level = level_of(texture, std::size_t{0});
-  const auto texel = [&](V t, VI size) HWY_ATTR {
-    const VI x = hn::ConvertTo(di, hn::Mul(wrap_coordinate(t, wrap), hn::ConvertTo(D(), size)));
-    return hn::Min(x, hn::Sub(size, hn::Set(di, 1)));
-  };
-  HWY_ALIGN std::int32_t index[most_lanes];
-  hn::Store(texel_index(level, texel(u, level.width), texel(v, level.height)), di, index);
-  return by_channels([&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), texture.texels.data() + index[i]); });
-}
-
-/// texel_pair() before the neighbours are wrapped; `t` is a wrapped coordinate. `first` lies in [-1, size).
-struct Pair {
-  VI first;
-  V f;
-};
-HWY_INLINE Pair texel_pair(V t, VI size) {
-  const D d;
-  const V p = hn::Sub(hn::Mul(t, hn::ConvertTo(d, size)), number(0.5f));
-  const V whole = floor_of(p);
-  return {hn::ConvertTo(DI(), whole), hn::Sub(p, whole)};
-}
-
-/// A weight and what it leaves to one, for each fragment.
-struct Weights {
-  V f, rest;
-  HWY_INLINE void set(V value) {
-    f = value;
-    rest = hn::Sub(number(1), value);
-  }
-  template <int k>
-  HWY_INLINE V mix(V a, V b) const {
-    return hn::Add(hn::Mul(a, hn::Broadcast<k>(rest)), hn::Mul(b, hn::Broadcast<k>(f)));
-  }
-};
-
-/// sample_bilinear(), for coordinates already wrapped: which texels each fragment reads, and their weights. Columns
-/// need no wrapping, for rows go on by a texel at both ends.
-struct Bilinear {
-  HWY_ALIGN std::int32_t upper[most_lanes];
-  HWY_ALIGN std::int32_t lower[most_lanes];
-  Weights x, y;
-
-  HWY_INLINE void set(const Level& level, V t_u, V t_v, TextureWrap wrap) {
-    const DI di;
-    const VI zero = hn::Zero(di), last = hn::Sub(level.height, hn::Set(di, 1));
-    const Pair u = texel_pair(t_u, level.width);
-    const Pair v = texel_pair(t_v, level.height);
-    const bool around = wrap == TextureWrap::repeat;
-    const VI first = hn::IfThenElse(hn::Lt(v.first, zero), around ? last : zero, v.first);
-    const VI next = hn::Add(v.first, hn::Set(di, 1));
-    const VI second = hn::IfThenElse(hn::Gt(next, last), around ? zero : last, next);
-    hn::Store(texel_index(level, u.first, first), di, upper);
-    hn::Store(texel_index(level, u.first, second), di, lower);
-    x.set(u.f);
-    y.set(v.f);
-  }
-  /// The colours of lanes k, k + 4, ...
-  template <int k>
-  HWY_INLINE V read(const float* texels) const {
-    return y.mix<k>(mix_row<k>(texels, upper), mix_row<k>(texels, lower));
-  }
-
- private:
-  template <int k>
-  HWY_INLINE V mix_row(const float* texels, const std::int32_t* index) const {
-    const auto left = [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), texels + index[i]); };
-    const auto right = [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), texels + index[i] + 4); };
-    return x.mix<k>(ps::HWY_NAMESPACE::every_fourth(left, k), ps::HWY_NAMESPACE::every_fourth(right, k));
-  }
-};
 
 /// level_log2()
 HWY_INLINE V level_log2(V value) {
@@ -212,54 +107,127 @@ HWY_INLINE V clamp_level(V level, const PackedTexture& texture) {
   return hn::Min(hn::Max(level, hn::Zero(D())), coarsest);
 }
 
-/// sample_texture(): the colours of the lanes in `seen`, and the texels that these read added to `texels`. The other
-/// lanes get anything.
-static HWY_NOINLINE Colour sample(const BatchTexture& how, const Steps& steps, V u, V v, V z, M seen,
-                                  std::uint64_t& texels) {
+/// Adds a vector of fragments to the run.
+HWY_INLINE void add_lookups(const BatchTexture& how, const Steps& steps, V u, V v, V z, M seen, Lookups& run) {
+  const D d;
+  const std::size_t at = run.vectors * hn::Lanes(d);
+  run.seen[run.vectors++] = seen;
+  hn::Store(u, d, run.u.data() + at);
+  hn::Store(v, d, run.v.data() + at);
+  if (how.filter == TextureFilter::nearest || how.filter == TextureFilter::bilinear) return;
+  hn::Store(clamp_level(mip_level(how, steps, u, v, z), *how.texture), d, run.level.data() + at);
+}
+
+/// sample_nearest()
+HWY_INLINE void place_nearest(const BatchTexture& how, Lookups& run) {
+  const DI di;
+  const PackedTexture& texture = *how.texture;
+  const Level level = level_of(texture, std::size_t{0});
+  const auto texel = [&](V t, VI size) HWY_ATTR {
+    const VI x = hn::ConvertTo(di, hn::Mul(wrap_coordinate(t, how.wrap), hn::ConvertTo(D(), size)));
+    return hn::Min(x, hn::Sub(size, hn::Set(di, 1)));
+  };
+  for (std::size_t at = 0; at < run.vectors * hn::Lanes(D()); at += hn::Lanes(D())) {
+    const VI x = texel(hn::Load(D(), run.u.data() + at), level.width);
+    const VI y = texel(hn::Load(D(), run.v.data() + at), level.height);
+    hn::Store(texel_index(level, texel_size(texture), x, y), di, run.near.upper.data() + at);
+  }
+}
+
+/// texel_pair() before the neighbours are wrapped; `t` is a wrapped coordinate. `first` lies in [-1, size).
+struct Pair {
+  VI first;
+  V f;
+};
+HWY_INLINE Pair texel_pair(V t, VI size) {
+  const D d;
+  const V p = hn::Sub(hn::Mul(t, hn::ConvertTo(d, size)), number(0.5f));
+  const V whole = floor_of(p);
+  return {hn::ConvertTo(DI(), whole), hn::Sub(p, whole)};
+}
+
+/// sample_bilinear(), for coordinates already wrapped: which texels the fragments from number `at` on read, and their
+/// weights. Columns need no wrapping, for rows go on by a texel at both ends.
+HWY_INLINE void place_four(const Level& level, TexelSize size, V t_u, V t_v, TextureWrap wrap, std::size_t at,
+                           Lookups::Four& four) {
+  const D d;
+  const DI di;
+  const VI zero = hn::Zero(di), last = hn::Sub(level.height, hn::Set(di, 1));
+  const Pair u = texel_pair(t_u, level.width);
+  const Pair v = texel_pair(t_v, level.height);
+  const bool around = wrap == TextureWrap::repeat;
+  const VI first = hn::IfThenElse(hn::Lt(v.first, zero), around ? last : zero, v.first);
+  const VI next = hn::Add(v.first, hn::Set(di, 1));
+  const VI second = hn::IfThenElse(hn::Gt(next, last), around ? zero : last, next);
+  hn::Store(texel_index(level, size, u.first, first), di, four.upper.data() + at);
+  hn::Store(texel_index(level, size, u.first, second), di, four.lower.data() + at);
+  hn::Store(u.f, d, four.x.data() + at);
+  hn::Store(v.f, d, four.y.data() + at);
+}
+
+/// Where the levels lie that the fragments read, and in them the texels.
+HWY_INLINE void place_filtered(const BatchTexture& how, Lookups& run) {
   const D d;
   const DI di;
   const PackedTexture& texture = *how.texture;
-  const std::uint64_t count = hn::CountTrue(d, seen);
+  const TexelSize size = texel_size(texture);
+  for (std::size_t i = 0, at = 0; i < run.vectors; ++i, at += hn::Lanes(d)) {
+    const V t_u = wrap_coordinate(hn::Load(d, run.u.data() + at), how.wrap);
+    const V t_v = wrap_coordinate(hn::Load(d, run.v.data() + at), how.wrap);
+    if (how.filter == TextureFilter::bilinear) {
+      place_four(level_of(texture, std::size_t{0}), size, t_u, t_v, how.wrap, at, run.near);
+      continue;
+    }
+    const V level = hn::Load(d, run.level.data() + at);
+    if (how.filter == TextureFilter::mipmap) {
+      const VI nearest = hn::ConvertTo(di, hn::Add(level, number(0.5f)));
+      place_four(level_of(texture, nearest), size, t_u, t_v, how.wrap, at, run.near);
+      continue;
+    }
+    const VI fine = hn::ConvertTo(di, level);
+    place_four(level_of(texture, fine), size, t_u, t_v, how.wrap, at, run.near);
+    const V between = hn::Sub(level, hn::ConvertTo(d, fine));
+    hn::Store(between, d, run.between.data() + at);
+    run.needs_far[i] = !hn::AllFalse(d, hn::And(hn::Gt(between, hn::Zero(d)), run.seen[i]));
+    if (!run.needs_far[i]) continue;
+    const VI coarse = hn::Min(hn::Add(fine, hn::Set(di, 1)), hn::Set(di, texture.levels - 1));
+    place_four(level_of(texture, coarse), size, t_u, t_v, how.wrap, at, run.far);
+  }
+}
+
+/// Number of texels that the fragments read.
+HWY_INLINE std::uint64_t count_texels(const BatchTexture& how, const Lookups& run) {
+  const D d;
+  std::uint64_t fragments = 0, mixed = 0;
+  for (std::size_t i = 0; i < run.vectors; ++i) {
+    fragments += hn::CountTrue(d, run.seen[i]);
+    if (how.filter != TextureFilter::trilinear || !run.needs_far[i]) continue;
+    const V between = hn::Load(d, run.between.data() + i * hn::Lanes(d));
+    mixed += hn::CountTrue(d, hn::And(hn::Gt(between, hn::Zero(d)), run.seen[i]));
+  }
+  return how.filter == TextureFilter::nearest ? fragments : 4 * (fragments + mixed);
+}
+
+/// sample_texture(): fills in the colours of the run's fragments, and adds the texels that they read to `texels`. Lanes
+/// without a fragment get anything: their coordinates are wrapped like all others, so what they read lies in the
+/// texture.
+static HWY_NOINLINE void sample(const BatchTexture& how, Lookups& run, std::uint64_t& texels) {
+  const PackedTexture& texture = *how.texture;
   if (how.filter == TextureFilter::nearest) {
-    texels += count;
-    return sample_nearest(texture, u, v, how.wrap);
+    place_nearest(how, run);
+    read_nearest(texture, run);
+  } else {
+    place_filtered(how, run);
+    if (how.filter == TextureFilter::trilinear)
+      read_trilinear(texture, run);
+    else
+      read_bilinear(texture, run);
   }
-  texels += 4 * count;
-  const float* all = texture.texels.data();
-  const V t_u = wrap_coordinate(u, how.wrap);
-  const V t_v = wrap_coordinate(v, how.wrap);
-  Bilinear near;
-  const auto of_near = [&](auto k) HWY_ATTR { return near.read<k>(all); };
-  if (how.filter == TextureFilter::bilinear) {
-    near.set(level_of(texture, std::size_t{0}), t_u, t_v, how.wrap);
-    return by_quarters(of_near);
-  }
-  const V level = clamp_level(mip_level(how, steps, u, v, z), texture);
-  if (how.filter == TextureFilter::mipmap) {
-    near.set(level_of(texture, hn::ConvertTo(di, hn::Add(level, number(0.5f)))), t_u, t_v, how.wrap);
-    return by_quarters(of_near);
-  }
-  const VI fine = hn::ConvertTo(di, level);
-  near.set(level_of(texture, fine), t_u, t_v, how.wrap);
-  Weights between;
-  between.set(hn::Sub(level, hn::ConvertTo(d, fine)));
-  const M mixed = hn::And(hn::Gt(between.f, hn::Zero(d)), seen);
-  if (hn::AllFalse(d, mixed)) return by_quarters(of_near);
-  const std::uint64_t both = hn::CountTrue(d, mixed);
-  texels += 4 * both;
-  const VI coarse = hn::Min(hn::Add(fine, hn::Set(di, 1)), hn::Set(di, texture.levels - 1));
-  Bilinear far;
-  far.set(level_of(texture, coarse), t_u, t_v, how.wrap);
-  if (both == count)
-    return by_quarters([&](auto k) HWY_ATTR { return between.mix<k>(near.read<k>(all), far.read<k>(all)); });
-  return by_quarters([&](auto k) HWY_ATTR {
-    const V texel = near.read<k>(all);
-    const M is_mixed = hn::Gt(hn::Broadcast<k>(between.f), hn::Zero(D()));
-    return hn::IfThenElse(is_mixed, between.mix<k>(texel, far.read<k>(all)), texel);
-  });
+  texels += count_texels(how, run);
 }
 
 }  // namespace texture
 }  // namespace ps::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
 #endif

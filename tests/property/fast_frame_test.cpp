@@ -70,13 +70,19 @@ Scene soup_scene(std::mt19937& random) {
     materials[0].specular = 20;
     materials[1].texture = 0;
     materials[2].colour = {0.1, 0.6, 0.9};
+    materials[2].texture = 1;
   });
   Image<Vec3f> texels(37, 20);
   std::uniform_real_distribution<float> level(0, 1);
   for (Vec3f& texel : texels.pixels()) texel = {level(random), level(random), level(random)};
-  Texture noise;
+  // The same as a picture file holds it, which the fast path keeps in another form.
+  Image<Rgb8> levels = display_image(texels);
+  levels.pixels()[0] = {0, 0, 0};
+  levels.pixels()[1] = {255, 255, 255};
+  Texture noise, file;
   noise.texels = std::make_shared<const Image<Vec3f>>(std::move(texels));
-  scene.textures.edit([&](std::vector<Texture>& textures) { textures = {noise}; });
+  file.texels = std::make_shared<const Image<Vec3f>>(to_unit(levels));
+  scene.textures.edit([&](std::vector<Texture>& textures) { textures = {noise, file}; });
   scene.lights.edit([](std::vector<Light>& lights) {
     lights.resize(3);
     lights[0].intensity = 0.2;

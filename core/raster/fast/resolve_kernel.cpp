@@ -95,40 +95,63 @@ HWY_INLINE VI load_ids(const TileFragments& tile, std::size_t at) {
   return hn::Load(DI(), reinterpret_cast<const std::int32_t*>(tile.id.data() + at));
 }
 
+/// A row's vectors that show one triangle alone.
+struct ShadedRun {
+  const TileTriangle& triangle;
+  std::uint32_t id;
+  int row;                 ///< in the picture
+  std::size_t begin, end;  ///< columns in the tile
+  std::size_t first;       ///< of the row's samples in the tile
+};
+
+/// Reads the texture for the run's fragments.
+HWY_INLINE void look_up_run(ResolveTask& task, const ShadedRun& run, const BatchShading& how, const float* numbers,
+                            texture::Lookups& lookups) {
+  const D d;
+  RunWeights weights_of_run(run.triangle, task.rect.x0 + static_cast<int>(run.begin), run.row);
+  for (std::size_t x = run.begin; x < run.end; x += hn::Lanes(d)) {
+    const V z = hn::Div(hn::Set(d, 1.0f), hn::Load(d, task.tile.inverse_z.data() + run.first + x));
+    const Weights weights = weights_of_run.next(task.rect.x0 + static_cast<int>(x));
+    const M seen = alone_in(load_ids(task.tile, run.first + x), run.id).seen;
+    shading::add_lookups(how, OneTriangle(how, numbers, weights, z), z, seen, lookups);
+  }
+  texture::sample(how.texture, lookups, task.texels);
+}
+static_assert(texture::Lookups::most == fast_tile);
+
 /// Shades the vectors from `x` on, up to `end`, that show triangle `id` alone; where the next one begins.
 HWY_NOINLINE std::size_t shade_run(ResolveTask& task, std::uint32_t id, int row, std::size_t x, std::size_t end,
                                    Vec3f* colours) {
   const D d;
-  const std::size_t lanes = hn::Lanes(d), first = static_cast<std::size_t>(row - task.rect.y0) * fast_tile;
-  const V3 background = shading::splat3(task.background);
+  const std::size_t lanes = hn::Lanes(d);
   const TileTriangle& triangle = task.tile.triangles[id];
+  ShadedRun run{triangle, id, row, x, x + lanes, static_cast<std::size_t>(row - task.rect.y0) * fast_tile};
+  while (run.end < end && alone_in(load_ids(task.tile, run.first + run.end), id).alone) run.end += lanes;
   const BatchShading& how = task.rows.surfaces()[triangle.surface()].shading;
-  const auto store = [&](const V3& colour, M seen) HWY_ATTR {
+  const bool textured = how.texture.texture != nullptr, lit = how.source != BatchLight::none;
+  const std::uint32_t row_begin = textured || lit ? task.rows.row_of(id) : 0;
+  const float* const numbers = task.rows.numbers() + row_begin;
+  texture::Lookups lookups;
+  if (textured) look_up_run(task, run, how, numbers, lookups);
+
+  const V3 background = shading::splat3(task.background);
+  M bad = hn::FirstN(d, 0);
+  const auto store = [&](const V3& colour) HWY_ATTR {
+    const M seen = alone_in(load_ids(task.tile, run.first + x), id).seen;
+    bad = hn::Or(bad, hn::And(is_nan(colour), seen));
     const V3 shown = choose(seen, colour, background);
     hn::StoreInterleaved3(shown.x, shown.y, shown.z, d, &colours[x].x);
-    x += lanes;
   };
-  if (how.source == BatchLight::none && !how.texture.texture) {
-    const V3 colour = shading::splat3(how.colour);
-    for (; x < end;) {
-      const Alone lane = alone_in(load_ids(task.tile, first + x), id);
-      if (!lane.alone) break;
-      store(colour, lane.seen);
+  if (lit) {
+    RunWeights weights_of_run(triangle, task.rect.x0 + static_cast<int>(x), row);
+    for (; x < run.end; x += lanes) {
+      const V z = hn::Div(hn::Set(d, 1.0f), hn::Load(d, task.tile.inverse_z.data() + run.first + x));
+      const Weights weights = weights_of_run.next(task.rect.x0 + static_cast<int>(x));
+      const V3 own = shading::own_colour(how, lookups, (x - run.begin) / lanes);
+      store(shading::light_vector(how, OneTriangle(how, numbers, weights, z), own));
     }
-    return x;
-  }
-  const std::uint32_t begin = task.rows.row_of(id);
-  const float* const numbers = task.rows.numbers() + begin;
-  RunWeights run(triangle, task.rect.x0 + static_cast<int>(x), row);
-  M bad = hn::FirstN(d, 0);
-  for (; x < end;) {
-    const Alone lane = alone_in(load_ids(task.tile, first + x), id);
-    if (!lane.alone) break;
-    const V z = hn::Div(hn::Set(d, 1.0f), hn::Load(d, task.tile.inverse_z.data() + first + x));
-    const Weights weights = run.next(task.rect.x0 + static_cast<int>(x));
-    const V3 colour = shading::shade_vector(how, OneTriangle(how, numbers, weights, z), z, lane.seen, task.texels);
-    bad = hn::Or(bad, hn::And(is_nan(colour), lane.seen));
-    store(colour, lane.seen);
+  } else {
+    for (; x < run.end; x += lanes) store(shading::own_colour(how, lookups, (x - run.begin) / lanes));
   }
   task.nan = task.nan || !hn::AllFalse(d, bad);
   return x;
