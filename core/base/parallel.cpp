@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -17,13 +19,112 @@
 namespace ps {
 namespace {
 
-/// Lets the window's own thread run first. Linux gives each thread its own nice value.
-void lower_own_priority() {
+/// Lets the window's own thread run first. Linux gives each thread its own nice value, which the threads that it starts
+/// inherit.
+constexpr int background_nice = 10;
+
+void set_own_nice([[maybe_unused]] int nice) {
 #ifdef __linux__
-  constexpr int background_nice = 10;
-  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), background_nice);
+  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), nice);
 #endif
 }
+int own_nice() {
+#ifdef __linux__
+  return getpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)));
+#else
+  return 0;
+#endif
+}
+
+/// A thread that is kept when its work is done: a frame is drawn in several steps, and to start a thread for each takes
+/// as long as drawing a simple picture.
+class Helper {
+ public:
+  explicit Helper(int nice)
+      : thread_([this, nice] {
+          if (nice != own_nice()) set_own_nice(nice);
+          while (wait_while(State::idle) == State::working) {
+            (*work_)(worker_);
+            change(State::idle);
+          }
+        }) {}
+  ~Helper() {
+    change(State::ending);
+    thread_.join();
+  }
+  Helper(const Helper&) = delete;
+  Helper& operator=(const Helper&) = delete;
+
+  /// Calls work(worker) on the thread; `work` must not throw, and must stay until finish() has returned.
+  void start(const std::function<void(int)>& work, int worker) {
+    work_ = &work;
+    worker_ = worker;
+    change(State::working);
+  }
+  /// Waits until that call has returned.
+  void finish() { wait_while(State::working); }
+
+ private:
+  enum class State : int { idle, working, ending };
+
+  void change(State to) {
+    state_.store(to, std::memory_order_release);
+    state_.notify_all();
+  }
+  /// The state after `now`. Looks for it a few microseconds long, which is shorter than to fall asleep and wake up.
+  State wait_while(State now) const {
+    constexpr int tries = 64;
+    for (int i = 0; i < tries; ++i) {
+      if (const State state = state_.load(std::memory_order_acquire); state != now) return state;
+      std::this_thread::yield();
+    }
+    state_.wait(now, std::memory_order_acquire);
+    return state_.load(std::memory_order_acquire);
+  }
+
+  const std::function<void(int)>* work_ = nullptr;
+  int worker_ = 0;
+  std::atomic<State> state_{State::idle};
+  std::thread thread_;  ///< the last member, for it uses the others from its beginning
+};
+
+using Helpers = std::vector<std::unique_ptr<Helper>>;
+
+/// Helpers without work, by their nice value. No more of each are kept than the machine can run at once.
+class IdleHelpers {
+ public:
+  Helpers take(std::size_t count, int nice) {
+    Helpers taken;
+    taken.reserve(count);
+    {
+      const std::lock_guard lock(mutex_);
+      Helpers& idle = idle_[nice];
+      while (taken.size() < count && !idle.empty()) {
+        taken.push_back(std::move(idle.back()));
+        idle.pop_back();
+      }
+    }
+    while (taken.size() < count) taken.push_back(std::make_unique<Helper>(nice));
+    return taken;
+  }
+  void give_back(Helpers& helpers, int nice) {
+    const auto most = static_cast<std::size_t>(resolve_threads({}));
+    const std::lock_guard lock(mutex_);
+    Helpers& idle = idle_[nice];
+    while (!helpers.empty() && idle.size() < most) {
+      idle.push_back(std::move(helpers.back()));
+      helpers.pop_back();
+    }
+  }
+  static IdleHelpers& all() {
+    static IdleHelpers helpers;
+    return helpers;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<int, Helpers> idle_;
+};
 
 }  // namespace
 
@@ -50,8 +151,7 @@ void parallel_for(int count, const ParallelOptions& options, Progress& progress,
   std::exception_ptr failure;
   std::mutex failure_mutex;
 
-  const auto work = [&](int worker) {
-    if (options.priority == WorkerPriority::background) lower_own_priority();
+  const std::function<void(int)> work = [&](int worker) {
     try {
       while (!failed.load(std::memory_order_relaxed)) {
         progress.check();
@@ -70,11 +170,14 @@ void parallel_for(int count, const ParallelOptions& options, Progress& progress,
   const int threads = std::min(resolve_threads(options), count);
   // The caller is one of the workers, unless they have a priority of their own, which it could not take back.
   const bool caller_works = options.priority == WorkerPriority::normal;
-  std::vector<std::thread> pool;
-  pool.reserve(static_cast<std::size_t>(threads));
-  for (int worker = caller_works ? 1 : 0; worker < threads; ++worker) pool.emplace_back(work, worker);
+  const int first = caller_works ? 1 : 0;
+  const int nice = caller_works ? own_nice() : background_nice;
+  Helpers helpers = IdleHelpers::all().take(static_cast<std::size_t>(threads - first), nice);
+  for (int worker = first; worker < threads; ++worker)
+    helpers[static_cast<std::size_t>(worker - first)]->start(work, worker);
   if (caller_works) work(0);
-  for (auto& thread : pool) thread.join();
+  for (const auto& helper : helpers) helper->finish();
+  IdleHelpers::all().give_back(helpers, nice);
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -27,21 +27,47 @@ TEST(Parallel, RunsEveryIndexOnceOnAnyNumberOfThreads) {
   }
 }
 
+/// The threads that a call worked on; each of them took part.
+std::set<std::thread::id> threads_of_call(int threads) {
+  std::atomic<int> arrived{0};
+  std::mutex mutex;
+  std::set<std::thread::id> ids;
+  Progress progress;
+  parallel_for(threads, {.threads = threads}, progress, [&](int, int) {
+    arrived.fetch_add(1);
+    while (arrived.load() < threads) std::this_thread::yield();
+    const std::lock_guard lock(mutex);
+    ids.insert(std::this_thread::get_id());
+  });
+  return ids;
+}
+
 TEST(Parallel, StartsAsManyThreadsAsAsked) {
   for (const int threads : {1, 2, 7}) {
-    // Each body waits until all workers have taken one, so no worker can do two.
-    std::atomic<int> arrived{0};
-    std::mutex mutex;
-    std::set<std::thread::id> ids;
-    Progress progress;
-    parallel_for(threads, {.threads = threads}, progress, [&](int, int) {
-      arrived.fetch_add(1);
-      while (arrived.load() < threads) std::this_thread::yield();
-      const std::lock_guard lock(mutex);
-      ids.insert(std::this_thread::get_id());
-    });
-    EXPECT_EQ(ids.size(), static_cast<std::size_t>(threads));
+    EXPECT_EQ(threads_of_call(threads).size(), static_cast<std::size_t>(threads));
   }
+}
+
+TEST(Parallel, KeepsItsThreads) {
+  const auto first = threads_of_call(2);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(threads_of_call(2), first);
+}
+
+TEST(Parallel, RunsInsideItselfAndBesideItself) {
+  std::atomic<int> runs{0};
+  const auto call = [&] {
+    Progress progress;
+    parallel_for(3, {.threads = 3}, progress, [&](int, int) {
+      Progress inner;
+      parallel_for(50, {.threads = 2}, inner, [&](int, int) { runs.fetch_add(1); });
+    });
+  };
+  std::thread beside([&] {
+    for (int i = 0; i < 20; ++i) call();
+  });
+  for (int i = 0; i < 20; ++i) call();
+  beside.join();
+  EXPECT_EQ(runs.load(), 2 * 20 * 3 * 50);
 }
 
 TEST(Parallel, CarriesTheFirstExceptionOut) {
