@@ -6,6 +6,7 @@
 #include "math/vec.h"
 #include "options/settings.h"
 #include "raster/packed_texture.h"
+#include "shade/faint_highlight.h"
 #include "shade/shading_inputs.h"
 
 namespace ps::raster {
@@ -50,9 +51,6 @@ struct BatchShading {
   std::span<const ShadingLight<float>> lights;
   BatchTexture texture;
 };
-
-/// For BatchShading::faint.
-inline float faint_cosine(float exponent) { return 0.999f * std::exp2(-38.0f / exponent); }
 
 /// Shades all fragments of the batch, which are of one triangle. May overwrite the colours that follow.
 using ShadeFragments = void (*)(const BatchShading& shading, ShadeBatch& batch);

@@ -13,9 +13,9 @@
 #include "hwy/highway.h"
 
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
-#include "math/power-inl.h"
 #include "raytrace/packet_reuse-inl.h"
 #include "raytrace/packet_search-inl.h"
+#include "shade/illumination-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ps::HWY_NAMESPACE {
@@ -29,7 +29,7 @@ struct Count {
 /// A hit point with what shading needs from its sphere, lane by lane.
 struct PacketSurface {
   V3 point, normal, to_eye, colour;
-  V reflective, exponent;
+  V reflective, exponent, faint;
   M specular;
 };
 
@@ -42,6 +42,7 @@ HWY_INLINE PacketSurface surface_of(const PacketScene& scene, const PacketRay& r
                         zero,
                         hn::Zero(d),
                         splat(1),
+                        hn::Zero(d),
                         no_lane()};
   V3 centre = zero;
   for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
@@ -52,6 +53,7 @@ HWY_INLINE PacketSurface surface_of(const PacketScene& scene, const PacketRay& r
     surface.colour = choose(here, splat(sphere.colour), surface.colour);
     surface.reflective = hn::IfThenElse(here, splat(sphere.reflective), surface.reflective);
     surface.exponent = hn::IfThenElse(here, splat(sphere.exponent), surface.exponent);
+    surface.faint = hn::IfThenElse(here, splat(sphere.faint), surface.faint);
     if (sphere.specular) surface.specular = hn::Or(surface.specular, here);
   }
   const V3 outwards = subtract(surface.point, centre);
@@ -62,12 +64,6 @@ HWY_INLINE PacketSurface surface_of(const PacketScene& scene, const PacketRay& r
 /// The direction away from the surface mirrored about the normal, given N.direction.
 HWY_INLINE V3 mirror(const V3& direction, const V3& normal, V n_dot_direction) {
   return subtract(scale(normal, hn::Mul(splat(2), n_dot_direction)), direction);
-}
-
-HWY_INLINE void add_light(V3& sum, const Vec3f& colour, V amount) {
-  sum.x = hn::Add(sum.x, hn::Mul(splat(colour.x), amount));
-  sum.y = hn::Add(sum.y, hn::Mul(splat(colour.y), amount));
-  sum.z = hn::Add(sum.z, hn::Mul(splat(colour.z), amount));
 }
 
 /// Lanes that the light does not reach.
@@ -88,34 +84,24 @@ HWY_INLINE V3 light_at(const PacketScene& scene, const PacketSurface& surface, V
   const V zero = hn::Zero(d);
   V3 sum{zero, zero, zero};
   if (!scene.lighting) return splat(Vec3f(1));
-  const V normal_length = length(surface.normal);
+  const LitLanes<D> points{surface.point,
+                           surface.normal,
+                           surface.to_eye,
+                           length(surface.normal),
+                           scene.highlights ? surface.specular : no_lane(),
+                           surface.exponent,
+                           surface.faint,
+                           Highlight::phong};
   for (const ShadingLight<float>& light : scene.lights) {
     if (light.kind == LightKind::ambient) {
-      add_light(sum, light.colour, splat(light.intensity));
+      add_light(sum, hn::Eq(zero, zero), light.colour, splat(light.intensity));
       continue;
     }
     const bool is_point = light.kind == LightKind::point;
     const V3 to_light = is_point ? subtract(splat(light.vector), surface.point) : splat(light.vector);
     const float t_max = is_point ? 1.0f : std::numeric_limits<float>::infinity();
     const M lit = hn::AndNot(shadowed(scene, surface, index, to_light, t_max, active, count), active);
-    if (hn::AllFalse(d, lit)) continue;
-    const V n_dot_l = dot(surface.normal, to_light);
-    const V intensity = splat(light.intensity);
-    const M facing = hn::And(lit, hn::Gt(n_dot_l, zero));
-    const V diffuse = hn::Div(hn::Mul(intensity, n_dot_l), hn::Mul(normal_length, length(to_light)));
-    V3 more = sum;
-    add_light(more, light.colour, diffuse);
-    sum = choose(facing, more, sum);
-    if (!scene.highlights) continue;
-    const V3 mirrored = mirror(to_light, surface.normal, n_dot_l);
-    const V r_dot_v = dot(mirrored, surface.to_eye);
-    const M bright = hn::And(hn::And(lit, surface.specular), hn::Gt(r_dot_v, zero));
-    if (hn::AllFalse(d, bright)) continue;
-    const V cosine = hn::Div(r_dot_v, hn::Mul(length(mirrored), length(surface.to_eye)));
-    const V specular = hn::Mul(intensity, power_of_floats(d, cosine, surface.exponent));
-    more = sum;
-    add_light(more, light.colour, specular);
-    sum = choose(bright, more, sum);
+    if (!hn::AllFalse(d, lit)) add_casting_light(light, points, lit, sum);
   }
   return sum;
 }

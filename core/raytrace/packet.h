@@ -22,6 +22,7 @@ struct PacketSphere {
   Vec3f colour{1, 1, 1};
   float reflective = 0;
   float exponent = 1;  ///< of the highlight
+  float faint = 0;     ///< faint_cosine() of it
   bool specular = false;
 };
 

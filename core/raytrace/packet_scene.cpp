@@ -2,6 +2,7 @@
 
 #include "raytrace/packet.h"
 #include "raytrace/sampling/plan.h"
+#include "shade/faint_highlight.h"
 
 namespace ps {
 namespace {
@@ -38,6 +39,7 @@ PacketSphere packet_sphere(const PixelId& id, const TracedSphere<float>& sphere,
   result.reflective = material.reflective;
   result.specular = material.specular.has_value();
   result.exponent = material.specular.value_or(1.0f);
+  result.faint = faint_cosine(result.exponent);
   return result;
 }
 

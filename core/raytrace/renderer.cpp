@@ -1,5 +1,6 @@
 #include "base/timer.h"
 #include "raytrace/packet.h"
+#include "raytrace/packet_shader.h"
 #include "raytrace/sampling/packet_many.h"
 #include "raytrace/sampling/subdivide.h"
 #include "raytrace/sampling/tile_rays.h"
@@ -32,6 +33,7 @@ class PictureTracer {
       RenderRequest traced = request_;  // sample counts are stored here
       traced.channels = without(request_.channels, Channel::samples);
       if (packets_.tile) scene_ = packet_scene(inputs_, traced);
+      hit_tables_ = hit_tables(inputs_, traced);
     }
     frame_ = empty_frame<Real>(view, request_);
   }
@@ -81,6 +83,8 @@ class PictureTracer {
     const bool one_ray = plan_.mode == SamplingMode::one || plan_.mode == SamplingMode::adaptive;
     if (one_ray && ((inputs_.wide && inputs_.packet_searches.nearest) || inputs_.list)) {
       const Tracer<Real, CountingRecorder> tracer(inputs_, recorder);
+      if constexpr (std::is_same_v<Real, float>)
+        if (hit_tables_) return trace_shaded(tracer, part, recorder, counters);
       for (int y = part.y0; y < part.y1; ++y)
         tracer.trace_pixels(part.x0, part.x1, y, [&](int x, const TracedPixel<Real>& pixel) {
           if (store_pixel(pixel, inputs_, x, y, frame_)) recorder.count(Counter::nan_pixels);
@@ -102,9 +106,30 @@ class PictureTracer {
             frame_.tests.at(x, y) = static_cast<std::uint32_t>(primitive_tests(recorder.counters) - before);
         }
     }
+    count_written(part, recorder);
+    counters = recorder.counters;
+  }
+
+  /// One ray for each pixel, found and shaded by eight.
+  void trace_shaded(const Tracer<float, CountingRecorder>& tracer, const TileRect& part, CountingRecorder& recorder,
+                    Counters& counters) {
+    PacketShader shader(inputs_, *hit_tables_, tracer, recorder);
+    std::array<Vec3f, packet_width> colours;
+    for (int y = part.y0; y < part.y1; ++y)
+      tracer.find_pixels(part.x0, part.x1, y,
+                         [&](int x, std::span<const Ray<float>> rays, std::span<const Hit<float>> hits) {
+                           shader.shade(rays, hits, colours);
+                           for (std::size_t i = 0; i < hits.size(); ++i)
+                             if (store_hit(colours[i], hits[i], inputs_, x + static_cast<int>(i), y, frame_))
+                               recorder.count(Counter::nan_pixels);
+                         });
+    count_written(part, recorder);
+    counters = recorder.counters;
+  }
+
+  static void count_written(const TileRect& part, CountingRecorder& recorder) {
     recorder.count(Counter::pixels_written,
                    static_cast<std::uint64_t>(part.width()) * static_cast<std::uint64_t>(part.height()));
-    counters = recorder.counters;
   }
 
   static std::vector<Vec2i> pixels_of(const TileRect& part) {
@@ -180,6 +205,7 @@ class PictureTracer {
   TileRect region_;
   PacketFunctions packets_;
   std::optional<PacketScene> scene_;
+  std::optional<HitTables> hit_tables_;
   Frame frame_;
 };
 

@@ -77,6 +77,16 @@ bool store_pixel(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inputs
   return std::isnan(colour.x) || std::isnan(colour.y) || std::isnan(colour.z);
 }
 
+/// The same for a pixel of which colour, depth and id are asked for at most.
+inline bool store_hit(const Vec3f& colour, const Hit<float>& hit, const TraceInputs<float>& inputs, int x, int y,
+                      Frame& frame) {
+  frame.colour.at(x, y) = colour;
+  if (!frame.depth.empty())
+    frame.depth.at(x, y) = hit.found() ? hit.t * inputs.viewport.distance : std::numeric_limits<float>::infinity();
+  if (!frame.ids.empty()) frame.ids.at(x, y) = hit.found() ? id_of(*inputs.geometry, hit) : PixelId{};
+  return std::isnan(colour.x) || std::isnan(colour.y) || std::isnan(colour.z);
+}
+
 /// Tests of a ray against a primitive so far.
 inline std::uint64_t primitive_tests(const Counters& counters) {
   return counters[Counter::sphere_tests] + counters[Counter::triangle_tests] + counters[Counter::solid_tests];

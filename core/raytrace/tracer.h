@@ -43,9 +43,10 @@ class Tracer {
     return pixel;
   }
 
-  /// Calls use(column, traced pixel) for the pixels of a part of a row, whose eye rays are followed together.
+  /// Calls use(column, rays, hits) for up to packet_width pixels of a part of a row at a time, whose eye rays are
+  /// followed together.
   template <class Use>
-  void trace_pixels(int first_column, int end_column, int row, Use&& use) const {
+  void find_pixels(int first_column, int end_column, int row, Use&& use) const {
     std::array<Ray<Real>, packet_width> rays;
     std::array<Hit<Real>, packet_width> hits;
     const Viewport<Real>& viewport = inputs_.viewport;
@@ -58,10 +59,20 @@ class Tracer {
       recorder_.count(Counter::eye_rays, count);
       const auto some = std::span<const Ray<Real>>(rays).first(count);
       intersector_.nearest(some, std::span(hits).first(count));
-      trace_known(some, hits,
-                  [&](std::size_t i, const TracedPixel<Real>& pixel) { use(column + static_cast<int>(i), pixel); });
+      use(column, some, std::span<const Hit<Real>>(hits).first(count));
       column += static_cast<int>(count);
     }
+  }
+
+  /// Calls use(column, traced pixel) for them.
+  template <class Use>
+  void trace_pixels(int first_column, int end_column, int row, Use&& use) const {
+    find_pixels(first_column, end_column, row,
+                [&](int column, std::span<const Ray<Real>> rays, std::span<const Hit<Real>> hits) {
+                  trace_known(rays, hits, [&](std::size_t i, const TracedPixel<Real>& pixel) {
+                    use(column + static_cast<int>(i), pixel);
+                  });
+                });
   }
 
   /// What each eye ray meets first, without shading it; faster for rays of neighbouring pixels.
@@ -114,6 +125,20 @@ class Tracer {
     pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), {}, &pixel);
     recorder_.end();
     return pixel;
+  }
+
+  /// What stands between a surface and a light that lies in the direction `to_light`, up to t_max of it.
+  std::optional<PixelId> find_blocker(const Surface<Real>& surface, int light, const Vec3<Real>& to_light,
+                                      Real t_max) const {
+    if (inputs_.settings.shadows == Shadows::none) return {};
+    Ray<Real> ray = leaving_ray(surface, to_light, t_max, inputs_.shadow_epsilon, inputs_);
+    ray.passes_transparent = inputs_.any_transparent;
+    recorder_.count(Counter::shadow_rays);
+    recorder_.begin([&] { return ray_event(ray, RayKind::shadow, 0, Real(0)); });
+    const Hit<Real> hit = inputs_.settings.shadow_any_hit ? any_blocker(ray, light) : intersector_.nearest(ray);
+    recorder_.end();
+    if (!hit.found()) return {};
+    return id_of(*inputs_.geometry, hit);
   }
 
   /// Ray through a point of pixel (column, row), `offset` from its top-left corner.
@@ -359,19 +384,6 @@ class Tracer {
   Vec3<Real> textured_colour(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const {
     if (material.texture < 0 || !inputs_.settings.textures || !surface.has_uv) return material.colour;
     return read_finest(material.texture, surface.uv) * material.colour;
-  }
-
-  std::optional<PixelId> find_blocker(const Surface<Real>& surface, int light, const Vec3<Real>& to_light,
-                                      Real t_max) const {
-    if (inputs_.settings.shadows == Shadows::none) return {};
-    Ray<Real> ray = leaving_ray(surface, to_light, t_max, inputs_.shadow_epsilon, inputs_);
-    ray.passes_transparent = inputs_.any_transparent;
-    recorder_.count(Counter::shadow_rays);
-    recorder_.begin([&] { return ray_event(ray, RayKind::shadow, 0, Real(0)); });
-    const Hit<Real> hit = inputs_.settings.shadow_any_hit ? any_blocker(ray, light) : intersector_.nearest(ray);
-    recorder_.end();
-    if (!hit.found()) return {};
-    return id_of(*inputs_.geometry, hit);
   }
 
   /// With the shadow cache, what blocked this light last time is tested before everything else (CGFS ch. 5).

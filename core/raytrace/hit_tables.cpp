@@ -1,0 +1,63 @@
+#include <cmath>
+
+#include "raytrace/shade_hits.h"
+#include "shade/faint_highlight.h"
+
+namespace ps {
+namespace {
+
+/// Is the colour of such a surface the material's times the light, without further rays?
+bool is_plain(const ShadingMaterial<float>& material, const Settings& settings) {
+  const bool highlight = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
+  const bool further_rays = settings.reflection_depth > 0 && (material.reflective > 0 || material.transparency > 0);
+  return highlight && !further_rays && material.texture < 0 && material.normal_map < 0 && material.height_map < 0 &&
+         !material.ambient_colour && !material.specular_colour;
+}
+
+HitMaterial hit_material(const ShadingMaterial<float>& material, const Settings& settings) {
+  HitMaterial row;
+  row.red = material.colour.x;
+  row.green = material.colour.y;
+  row.blue = material.colour.z;
+  row.exponent = material.specular.value_or(1.0f);
+  row.faint = faint_cosine(row.exponent);
+  row.specular = settings.specular && material.specular ? 1.0f : 0.0f;
+  return row;
+}
+
+}  // namespace
+
+std::optional<HitTables> hit_tables(const TraceInputs<float>& inputs, const RenderRequest& request) {
+  const TracedGeometry<float>& geometry = *inputs.geometry;
+  const Settings& settings = inputs.settings;
+  constexpr Channel stored = Channel::ids | Channel::depth;
+  if ((request.channels | stored) != stored || geometry.triangles.empty() || shares_meshes(geometry) ||
+      settings.illumination != Illumination::book || settings.shadow_cache)
+    return {};
+  for (const ShadingLight<float>& light : inputs.lights)
+    if (light.attenuates && settings.attenuation) return {};
+  HitTables tables;
+  const HitFunctions functions = hit_functions(settings.simd);
+  tables.place = functions.place;
+  tables.light = functions.light;
+  if (tables.light == nullptr) return {};
+  static_assert(sizeof(TracedTriangle<float>) == 10 * sizeof(float));
+  static_assert(sizeof(TriangleAttributes<float>) == 16 * sizeof(float));
+  tables.triangles = &geometry.triangles[0].a.x;
+  if (!geometry.attributes.empty()) tables.attributes = &geometry.attributes[0].normals[0].x;
+  bool any = false;
+  for (const ShadingMaterial<float>& material : inputs.materials) {
+    const bool plain = is_plain(material, settings);
+    any = any || plain;
+    tables.plain.push_back(plain ? 1 : 0);
+    tables.materials.push_back(hit_material(material, settings));
+  }
+  if (!any) return {};
+  tables.lights = inputs.lights;
+  tables.lighting = settings.lighting;
+  tables.renormalise = settings.renormalise;
+  tables.highlight = settings.highlight;
+  return tables;
+}
+
+}  // namespace ps
