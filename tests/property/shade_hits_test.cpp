@@ -51,6 +51,7 @@ TEST(ShadeHits, GiveTheBitsOfTheClearPath) {
   for (std::size_t number = 0; number < scenes.size(); number += test::list_step) {
     const BuiltinScene& entry = scenes[number];
     const Scene scene = load_scene(entry.name);
+    std::size_t variant = 0;
     for (const auto& assignments : std::initializer_list<std::initializer_list<const char*>>{
              {"shadows=none"},
              {"shadows=none", "highlight=blinn-phong", "normals=triangle"},
@@ -60,7 +61,7 @@ TEST(ShadeHits, GiveTheBitsOfTheClearPath) {
              {"shadow-any-hit=off", "adaptive-sampling=on"}}) {
       const Settings settings = with(assignments);
       SCOPED_TRACE(entry.name + std::string(" ") + *assignments.begin());
-      if (!by_eight(scene, settings)) continue;
+      if (variant++ % 3 != number % 3 || !by_eight(scene, settings)) continue;
       ++pictures;
       const Frame one = shaded(scene, settings, Simd::off), eight = shaded(scene, settings, Simd::automatic);
       ASSERT_TRUE(same_bits(one.colour, eight.colour));
@@ -70,7 +71,7 @@ TEST(ShadeHits, GiveTheBitsOfTheClearPath) {
         ASSERT_EQ(one.counters[counter], eight.counters[counter]) << counter_key(counter);
     }
   }
-  EXPECT_GT(pictures, 60 / test::list_step) << "or this test says nothing";
+  EXPECT_GT(pictures, 20 / test::list_step) << "or this test says nothing";
 }
 
 TEST(ShadeHits, AreLeftAloneWhereTheirTablesSayTooLittle) {
