@@ -17,11 +17,13 @@ double noise(double per_million, double edges) { return 3 * std::sqrt(per_millio
 
 TEST(StabilityCoverage, FillRule) {
   const Curve curve("fill-rule-easy");
-  // 2,953 elsewhere, 6,462 and 7,713 here. How many samples lie on edges is a property of the mesh, which is not
-  // described: 60 x 60 cells moved by 10 to 45 % of a cell and snapped to half pixels give 12,800 to 6,400. That all of
-  // them go wrong, and in one way, does not depend on it.
-  EXPECT_GT(curve.naive("corners on half pixels, >= 0, doubles", 0), 2000);
-  EXPECT_GT(curve.naive("corners on half pixels, > 0, holes", 1), 2000);
+  // How many samples lie on inner edges is a property of the mesh: 2,953 elsewhere, of a mesh that is not described. 60
+  // x 60 cells moved by 10 to 45 % of a cell and rounded to half pixels have 13,000 to 5,300. What the rules make of
+  // them does not depend on it: the one paints each twice and the other never, and nothing else goes wrong.
+  const double on_edges = curve.naive("corners on half pixels, >= 0, doubles", 0);
+  EXPECT_GT(on_edges, 2953);
+  EXPECT_LT(on_edges, 13000);
+  EXPECT_EQ(curve.naive("corners on half pixels, > 0, holes", 1), on_edges);
   EXPECT_EQ(curve.naive("corners on half pixels, >= 0, holes", 0), 0);
   EXPECT_EQ(curve.naive("corners on half pixels, > 0, doubles", 1), 0);
   curve.expect_naive("sides on samples, >= 0, doubles", 0, 26814);
@@ -73,7 +75,8 @@ TEST(StabilityCoverage, RaysAndFragments) {
   // Counts of single pixels: three standard deviations of theirs and ours.
   for (const auto& [bits, pixels] : std::map<double, double>{{0, 3003}, {2, 894}, {4, 248}, {8, 14}})
     curve.expect_naive("both renderers", bits, pixels, 3 * std::sqrt(2 * pixels));
-  // 0 elsewhere; one pixel of ours has an edge nearer to its centre than half a step of 12 bits.
+  // 0 elsewhere. A sixteenth of the 14 at 8 bits is 0.9 on the average; one pixel of ours has an edge nearer to its
+  // centre than half a step of 12 bits.
   EXPECT_LE(curve.naive("both renderers", 12), 1);
   curve.expect_naive("half a pixel apart", 8, 9137);
 }
@@ -160,10 +163,24 @@ TEST(StabilityShadows, FilterWithTheBiasOfOneTap) {
 
 TEST(StabilityShadows, PeterPanning) {
   const Curve curve("peter-panning");
-  curve.expect_naive("1024 texels, sun at 10 degrees", 0.2, 23.7);
-  // 0.8 elsewhere at 1024 texels and 9.9 at 256; ours 3.98 and 0.82. The contact is one texel wide: what is lost
-  // depends on where the ball falls between texels.
-  EXPECT_LT(curve.robust("1024 texels, sun at 10 degrees", 0.2), 5);
+  const auto series = [](int size, const char* what = "") {
+    return std::to_string(size) + " texels, sun at 10 degrees" + what;
+  };
+  for (const int size : {1024, 4096}) curve.expect_naive(series(size), 0.2, 23.7);
+  // Elsewhere 9.9, 0.8 and 0.8 at 256, 1024 and 4096 texels, for one place of the ball between texels that is not told.
+  // The first lies among the places here, the last is met by all; at 1024 no place loses less than 2.7.
+  EXPECT_LT(curve.robust(series(256, ", least"), 0.2), 9.9);
+  EXPECT_GT(curve.robust(series(256, ", most"), 0.2), 9.9);
+  curve.expect_robust(series(4096), 0.2, .8, 100 * 3 * std::sqrt(.008 / 5000));
+  // The front of the contact shadow, where the sun's rays touch the ball, moves by up to half a texel's length on the
+  // floor: on the average what it loses is a quarter of that, as wide as the disc there.
+  for (const int size : {1024, 4096}) {
+    const double degree = 3.14159265 / 180, half = 4.0 / size / std::sin(10 * degree);
+    const double front = 0.5 / std::sin(10 * degree) - 0.5 / std::tan(10 * degree), radius = 0.15;
+    const double width = 2 * std::sqrt(radius * radius - front * front);
+    const double disc = radius * radius * (3.14159265 - std::acos(front / radius)) + front * width / 2;
+    curve.expect_robust(series(size), 0.2, 100 * half / 4 * width / disc);
+  }
 }
 
 TEST(StabilityShadows, CameraInsideAVolume) {
@@ -200,13 +217,26 @@ TEST(StabilityShadows, StencilCountsWrap) {
 }
 
 TEST(StabilityShading, GouraudHighlights) {
-  const Curve curve("gouraud-highlight");
+  const Curve curve("gouraud-highlight", 1);
   for (const auto& [triangles, mean] : std::map<double, double>{{960, .65}, {3968, .86}, {16128, .96}, {65024, .985}})
     curve.expect_naive("exponent 50, mean", triangles, mean);
   // The given figures are means over 20 lights. What is kept of a peak under one light scatters by 0.26 where it is a
   // third on the average, and by 0.14 where it is a twentieth.
   curve.expect_naive("exponent 50, mean", 360, .21, 3 * .26 / std::sqrt(20));
   curve.expect_naive("exponent 500, mean", 360, .003, 3 * .14 / std::sqrt(20));
+  // Highlights far narrower than a cell: pi / (2 n) of the sphere of half-vectors around each corner, which lights that
+  // are even over cosines from 0.2 to 1 meet with 4 cos / (1.6 pi), seen 1 / cos wide. The outermost of the corners
+  // within half of acos 0.2 are met by some of the lights.
+  int inner = 0, outer = 0;
+  for (int slice = -5; slice <= 5; ++slice)
+    for (int ring = -5; ring <= 5; ++ring) {
+      const double step = 3.14159265 / 10;
+      const double angle = std::acos(std::cos(slice * step) * std::cos(ring * step));
+      inner += angle < std::acos(0.2) / 2 - 0.06 ? 1 : 0;
+      outer += angle < std::acos(0.2) / 2 + 0.06 ? 1 : 0;
+    }
+  EXPECT_GE(curve.naive("exponent 500, mean", 360), 1.25 / 500 * inner - 3 * .14 / std::sqrt(600));
+  EXPECT_LE(curve.naive("exponent 500, mean", 360), 1.25 / 500 * outer + 3 * .14 / std::sqrt(600));
   for (const auto& [triangles, mean] : std::map<double, double>{{3968, .37}, {65024, .87}})
     curve.expect_naive("exponent 500, mean", triangles, mean);
   EXPECT_GT(curve.robust("exponent 50, mean", 360), 0.99);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -63,8 +64,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   };
   Rows rows(run);
   for (const double distance : {0.0, 10.0, 1e3, 1e4, 1e5, 1e6}) {
-    // The place itself is rounded, to a sixteenth of the radius at 1e6: edge-on it may lie in shadow indeed.
-    const double robust = share(dark_pixels(distance, Settings{}, 0.02, run));
+    // The place itself is rounded by up to half a step of the numbers there, a thirty-second of the radius at 1e6:
+    // edge-on it may lie in shadow indeed.
+    const double half_step = 0x1p-24 * distance;
+    const double robust = share(dark_pixels(distance, Settings{}, std::min(0.02, half_step), run));
     for (const double epsilon : {1e-3, 1e-2})
       rows.push_back({distance, fmt::format("epsilon {}", epsilon),
                       share(dark_pixels(distance, with_epsilon(epsilon), 0, run)), robust,
