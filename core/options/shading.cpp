@@ -41,7 +41,10 @@ Reason needs_visible_highlights(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
-Reason needs_lights(const Settings&, const SceneTraits&) { return {}; }
+Reason needs_surfaces(const Settings&, const SceneTraits& t) {
+  if (!t.spheres && !t.triangles && !t.solids && !t.csg) return "the scene has no surface that light could fall on";
+  return {};
+}
 
 Reason needs_several_lights(const Settings& s, const SceneTraits& t) {
   if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
@@ -64,7 +67,7 @@ std::vector<Option> shading_rows() {
                                    .label = "Lighting",
                                    .help = {"Off: every surface shows its own colour.", "CGFS ch. 2 against ch. 3",
                                             "Without light, shapes look flat."},
-                                   .inactive = needs_lights}),
+                                   .inactive = needs_surfaces}),
       integer<&Settings::light_shown>(
           {.key = "light-shown",
            .label = "Light shown",

@@ -87,11 +87,18 @@ class Search {
         share.used = true;
         const Tried tried = try_out(without(feature, request_.base));
         share.error_without = tried.error;
-        const double work = static_cast<double>(std::max<std::uint64_t>(start.work, 1));
-        share.work_share = 1 - static_cast<double>(tried.work) / work;
+        if (start.work > 0) share.work_share = 1 - static_cast<double>(tried.work) / static_cast<double>(start.work);
       }
       needs_.shares.push_back(std::move(share));
     }
+  }
+
+  /// An error must be paid for in work. A fragment and a test do not cost the same, so only half the count makes the
+  /// other renderer surely the cheaper one.
+  static bool worth_it(const Tried& now, const Tried& then) {
+    if (then.settings.renderer != now.settings.renderer) return 2 * then.work <= now.work;
+    if (then.settings.precision != now.settings.precision) return then.work <= now.work;  // numbers of half the size
+    return then.work < now.work || (then.work == now.work && then.error <= now.error);
   }
 
   /// Steepest descent in counted work.
@@ -105,7 +112,7 @@ class Search {
         const Tried tried = try_out(settings);
         needs_.trail.push_back({fmt::format("{}={}", saving.option, saving.value), tried.error, tried.work, false});
         // At equal work the first is kept: savings() lists whole features before their cheaper forms.
-        const bool allowed = tried.error <= request_.tolerance && tried.work <= now.work;
+        const bool allowed = tried.error <= request_.tolerance && worth_it(now, tried);
         if (!allowed || (next && tried.work >= next->work)) continue;
         next = tried;
         next_step = needs_.trail.size() - 1;

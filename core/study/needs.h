@@ -58,8 +58,9 @@ struct Needs {
 /// pixel as `base` takes, since where samples lie is not a feature of the scene. Scenes that rays cannot show, and
 /// outlines, whose lines round ties, are held to the rasterizer in double and to themselves. The search tries
 /// every saving, takes the one after which the least work is left among those within the tolerance (at equal work a
-/// feature less), and goes on from there until none is left; it never adds work. It starts at `base`, or at the
-/// reference settings if `base` itself is not within the tolerance. Throws Cancelled.
+/// feature less, if the error grows no further for it), and goes on from there until none is left; it never adds work,
+/// and changes the renderer only for half of it. It starts at `base`, or at the reference settings if `base` itself is
+/// not within the tolerance. Throws Cancelled.
 Needs find_needs(const NeedsRequest& request, StudyControl& control,
                  const std::function<void(const Needs&, const StudyStatus&)>& update = {});
 

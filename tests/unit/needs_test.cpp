@@ -81,6 +81,29 @@ TEST(Needs, MirrorsAndShadowsThatShowAreKept) {
   }
 }
 
+TEST(Needs, NoErrorIsTakenThatSavesNoWork) {
+  for (const char* name : {"cgfs/mirrors", "octree/attenuation", "cgfs/fence"}) {
+    const Needs needs = needs_of(name);
+    double error = needs.default_error;
+    std::uint64_t work = needs.default_work;
+    for (const NeedsStep& step : needs.trail) {
+      if (!step.accepted) continue;
+      EXPECT_TRUE(step.work < work || step.error <= error) << name << ": " << step.change;
+      error = step.error;
+      work = step.work;
+    }
+  }
+}
+
+TEST(Needs, WhatIsDrawnOnTheCanvasNeedsNoLight) {
+  const Needs needs = needs_of("cgfs/lines");
+  for (const FeatureShare& share : needs.shares) {
+    EXPECT_FALSE(share.used) << share.feature.name;
+    EXPECT_FALSE(share.reason.empty());
+  }
+  EXPECT_EQ(needs.advice.lighting, settings_for(load_scene("cgfs/lines")).lighting);
+}
+
 TEST(Needs, AZeroToleranceChangesNoPixelAndALargeOneDropsMore) {
   const Needs exact = needs_of("cgfs/reflections", 0), loose = needs_of("cgfs/reflections", 0.9);
   EXPECT_EQ(exact.error, 0);
