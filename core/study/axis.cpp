@@ -86,6 +86,6 @@ PlotAxis fit_axis(const std::vector<double>& values, AxisScale scale) {
   return axis;
 }
 
-std::string tick_text(double value) { return fmt::format("{:.4g}", value == 0 ? 0.0 : value); }
+std::string tick_text(double value) { return fmt::format("{:.6g}", value == 0 ? 0.0 : value); }
 
 }  // namespace ps

@@ -27,7 +27,7 @@ struct PlotAxis {
 /// An axis that holds all finite values with some room at both ends.
 PlotAxis fit_axis(const std::vector<double>& values, AxisScale scale);
 
-/// Four significant digits without a useless tail: "0.001", "12.5", "1e-06".
+/// Six significant digits without a useless tail: "0.001", "12.5", "10000", "1e-06".
 std::string tick_text(double value);
 
 }  // namespace ps

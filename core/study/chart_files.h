@@ -11,7 +11,7 @@ namespace ps {
 std::string chart_csv(const Chart& chart);
 /// Everything: identity, machine, the reference's noise, all metrics and samples of each point.
 std::string chart_json(const Chart& chart);
-/// A picture of the chart, 960 x 600.
+/// A picture of the chart, 1000 x 660.
 std::string chart_svg(const Chart& chart);
 
 /// Writes points.csv, points.json and chart.svg into a folder that exists.

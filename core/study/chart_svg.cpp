@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -12,43 +14,60 @@
 namespace ps {
 namespace {
 
-constexpr Vec2d plot_corner{90, 50}, plot_size{830, 450};
-constexpr double letter_width = 6.3, letter_height = 13;  // of the 11 px sans-serif used for labels
+constexpr double paper_width = 1000, paper_height = 660;
+constexpr Vec2d plot_corner{92, 92}, plot_size{880, 448};
+constexpr int title_size = 20, axis_size = 15, tick_size = 14, label_size = 14, note_size = 11;
+
+/// About how wide a text stands in a sans-serif face of that size: a file cannot measure the face it is shown in.
+double estimated_width(std::string_view text, double size) {
+  double width = 0;
+  for (const char c : text) {
+    const bool narrow = std::string_view("ijlt.,:;'|!()[]f1 -").find(c) != std::string_view::npos;
+    const bool wide = std::string_view("mwMW%@").find(c) != std::string_view::npos;
+    width += narrow ? 0.35 : wide ? 0.88 : c >= 'A' && c <= 'Z' ? 0.7 : 0.6;
+  }
+  return width * size;
+}
 
 Vec2d on_plot(const ChartAxes& axes, double time, double error) {
   return {plot_corner.x + plot_size.x * axes.time.place(time),
           plot_corner.y + plot_size.y * (1 - axes.error.place(error))};
 }
 
-std::string text_at(double x, double y, std::string_view anchor, std::string_view text, int size = 12) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n", x, y, anchor,
-                     size, xml_escaped(text));
+std::string text_at(double x, double y, std::string_view anchor, std::string_view text, int size,
+                    std::string_view more = "") {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\"{}>{}</text>\n", x, y, anchor,
+                     size, more, xml_escaped(text));
 }
 
-std::string line(Vec2d a, Vec2d b, std::string_view colour, double width) {
+std::string line(Vec2d a, Vec2d b, std::string_view colour, double width, std::string_view more = "") {
   return fmt::format(
-      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", a.x, a.y,
-      b.x, b.y, colour, width);
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", a.x, a.y,
+      b.x, b.y, colour, width, more);
 }
 
-std::string draw_axes(const ChartAxes& axes) {
+std::string draw_axes(const ChartAxes& axes, ErrorMetric metric) {
   std::string svg;
-  const double bottom = plot_corner.y + plot_size.y;
+  const double bottom = plot_corner.y + plot_size.y, right = plot_corner.x + plot_size.x;
+  const auto shade = [](const Tick& tick) { return tick.text.empty() ? "#efefef" : "#d4d4d4"; };
   for (const Tick& tick : axes.time.ticks()) {
     const double x = plot_corner.x + plot_size.x * axes.time.place(tick.value);
-    svg += line({x, plot_corner.y}, {x, bottom}, tick.text.empty() ? "#f0f0f0" : "#d8d8d8", 1);
-    if (!tick.text.empty()) svg += text_at(x, bottom + 17, "middle", tick.text);
+    svg += line({x, plot_corner.y}, {x, bottom}, shade(tick), 1);
+    if (!tick.text.empty()) svg += text_at(x, bottom + 20, "middle", tick.text, tick_size);
   }
   for (const Tick& tick : axes.error.ticks()) {
     const double y = plot_corner.y + plot_size.y * (1 - axes.error.place(tick.value));
-    svg += line({plot_corner.x, y}, {plot_corner.x + plot_size.x, y}, tick.text.empty() ? "#f0f0f0" : "#d8d8d8", 1);
-    if (!tick.text.empty()) svg += text_at(plot_corner.x - 8, y + 4, "end", tick.text);
+    svg += line({plot_corner.x, y}, {right, y}, shade(tick), 1);
+    if (!tick.text.empty()) svg += text_at(plot_corner.x - 8, y + 5, "end", tick.text, tick_size);
   }
-  svg +=
-      text_at(plot_corner.x + plot_size.x / 2, bottom + 40, "middle", "time of one picture (ms), median and quartiles");
-  svg += fmt::format(
-      "<text transform=\"translate(24 {:.0f}) rotate(-90)\" text-anchor=\"middle\" font-size=\"12\">{}</text>\n",
-      plot_corner.y + plot_size.y / 2, xml_escaped(axes.error_title));
+  svg += line({plot_corner.x, bottom}, {right, bottom}, "#606060", 1.5);
+  svg += line({plot_corner.x, plot_corner.y}, {plot_corner.x, bottom}, "#606060", 1.5);
+  svg += text_at(plot_corner.x + plot_size.x / 2, bottom + 44, "middle",
+                 "time of one picture (ms), median and quartiles; left is faster", axis_size);
+  const bool up = error_metric(metric).higher_is_better;
+  svg += fmt::format("<text transform=\"translate(24 {:.0f}) rotate(-90)\" text-anchor=\"middle\" "
+                     "font-size=\"{}\">{}; {} is better</text>\n",
+                     plot_corner.y + plot_size.y / 2, axis_size, xml_escaped(axes.error_title), up ? "up" : "down");
   return svg;
 }
 
@@ -58,29 +77,39 @@ std::string front_line(const Chart& chart, const ChartAxes& axes) {
     const Vec2d place = on_plot(axes, point->time_ms.median, point->error);
     points += fmt::format("{:.1f},{:.1f} ", place.x, place.y);
   }
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"1\" "
-                     "stroke-dasharray=\"5 4\"/>\n",
+  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"2\" "
+                     "stroke-dasharray=\"7 5\"/>\n",
                      points);
+}
+
+/// Round for rays, square for fragments, a triangle for the textbook. `told` is shown to a pointer over it.
+std::string sign(Renderer renderer, Vec2d at, double radius, std::string_view look, std::string_view told) {
+  const std::string rest = fmt::format("{}><title>{}</title>", look, xml_escaped(told));
+  switch (renderer) {
+  case Renderer::ray_tracer:
+    return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}</circle>\n", at.x, at.y, radius, rest);
+  case Renderer::rasterizer:
+    return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}</rect>\n", at.x - radius,
+                       at.y - radius, 2 * radius, 2 * radius, rest);
+  case Renderer::textbook:
+    return fmt::format("<polygon points=\"{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}\" {}</polygon>\n", at.x,
+                       at.y - radius, at.x + radius, at.y + radius, at.x - radius, at.y + radius, rest);
+  }
+  return {};
 }
 
 std::string mark(const ChartPoint& point, const ChartAxes& axes, double largest_memory) {
   const Vec2d at = on_plot(axes, point.time_ms.median, point.error);
   const Vec2d low = on_plot(axes, point.time_ms.q1, point.error), high = on_plot(axes, point.time_ms.q3, point.error);
   const std::string colour = hex_colour(mark_colour(point.what.value));
-  const double radius = mark_radius(point.memory_mb, largest_memory);
   std::string svg = line(low, high, colour, 2);
-  const std::string title = fmt::format("<title>{}: {:.4g} ms ({:.4g} to {:.4g}), error {:.4g}, {:.4g} MB</title>",
-                                        xml_escaped(point.what.settings), point.time_ms.median, point.time_ms.q1,
-                                        point.time_ms.q3, point.error, point.memory_mb);
-  const std::string_view outline = point.on_front ? "#000000" : "#ffffff";
-  if (point.what.value.renderer == Renderer::ray_tracer)
-    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" stroke=\"{}\">{}</circle>\n", at.x,
-                       at.y, radius, colour, outline, title);
-  else
-    svg += fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" stroke=\"{}\">{}</rect>\n",
-        at.x - radius, at.y - radius, 2 * radius, 2 * radius, colour, outline, title);
-  return svg;
+  for (const Vec2d& end : {low, high}) svg += line(end - Vec2d(0, 4), end + Vec2d(0, 4), colour, 2);
+  const std::string look = fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", colour,
+                                       point.on_front ? "#000000" : "#ffffff", point.on_front ? 2 : 1);
+  const std::string told =
+      fmt::format("{}: {:.4g} ms ({:.4g} to {:.4g}), error {:.4g}, {:.4g} MB", point.what.settings,
+                  point.time_ms.median, point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb);
+  return svg + sign(point.what.value.renderer, at, mark_radius(point.memory_mb, largest_memory), look, told);
 }
 
 std::string labels(const Chart& chart, const ChartAxes& axes) {
@@ -92,17 +121,74 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
     const double low = on_plot(axes, point.time_ms.q1, point.error).x - plot_corner.x;
     const double high = on_plot(axes, point.time_ms.q3, point.error).x - plot_corner.x;
     wishes.push_back({at,
-                      {letter_width * static_cast<double>(point.what.label.size()), letter_height},
+                      {estimated_width(point.what.label, label_size), label_size + 2},
                       point.on_front ? 0 : 1,
                       {at.x - low, high - at.x}});
     of_wish.push_back(&point);
   }
+  std::vector<LabelLine> front;
+  const std::vector<const ChartPoint*> on_front = front_by_time(chart);
+  for (std::size_t i = 1; i < on_front.size(); ++i)
+    front.emplace_back(on_plot(axes, on_front[i - 1]->time_ms.median, on_front[i - 1]->error) - plot_corner,
+                       on_plot(axes, on_front[i]->time_ms.median, on_front[i]->error) - plot_corner);
+  std::string lines, words;
+  const std::vector<LabelPlace> places = place_labels(wishes, plot_size, largest_mark_radius, front);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i].shown) continue;
+    if (const auto leader = label_leader(wishes[i], places[i], largest_mark_radius))
+      lines += line(plot_corner + leader->first, plot_corner + leader->second, "#909090", 1);
+    // A white rim keeps it legible where a line runs behind it.
+    words += text_at(plot_corner.x + places[i].corner.x, plot_corner.y + places[i].corner.y + label_size - 1, "start",
+                     of_wish[i]->what.label, label_size,
+                     fmt::format(" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"",
+                                 of_wish[i]->on_front ? "#202020" : "#606060"));
+  }
+  return lines + words;
+}
+
+/// What each colour, shape and line stands for, of those that are there.
+std::string legend(const Chart& chart, double largest_memory) {
+  constexpr double y = plot_corner.y - 24;
+  double x = plot_corner.x;
   std::string svg;
-  const std::vector<LabelPlace> places = place_labels(wishes, plot_size, largest_mark_radius);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (places[i].shown)
-      svg += text_at(plot_corner.x + places[i].corner.x, plot_corner.y + places[i].corner.y + letter_height - 3,
-                     "start", of_wish[i]->what.label, 11);
+  const auto words = [&](const std::string& text) {
+    svg += text_at(x, y + 5, "start", text, tick_size);
+    x += estimated_width(text, tick_size) + 22;
+  };
+  std::vector<std::string> told;
+  for (const ChartPoint& point : chart.points) {
+    const Settings& value = point.what.value;
+    std::string name = option_text(*find_option("renderer"), value);
+    if (value.precision == Precision::float64) name += ", double";
+    if (!point.measured() || std::find(told.begin(), told.end(), name) != told.end()) continue;
+    svg += sign(value.renderer, {x + 6, y}, 6, fmt::format("fill=\"{}\"", hex_colour(mark_colour(value))), name);
+    x += 19;
+    words(name);
+    told.push_back(std::move(name));
+  }
+  svg += line({x, y}, {x + 26, y}, "#000000", 2, " stroke-dasharray=\"7 5\"");
+  x += 34;
+  words("Pareto front");
+  words(fmt::format("area: memory, up to {:.3g} MB", largest_memory));
+  return svg;
+}
+
+/// The text in lines that fit on the paper, broken at blanks.
+std::string notes(const std::string& text, double y) {
+  std::string svg, so_far;
+  const auto put = [&] {
+    svg += text_at(plot_corner.x, y, "start", so_far, note_size);
+    y += note_size + 5;
+    so_far.clear();
+  };
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t blank = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, blank - from);
+    if (!so_far.empty() && estimated_width(so_far + " " + word, note_size) > plot_size.x) put();
+    so_far += (so_far.empty() ? "" : " ") + word;
+    from = blank + 1;
+  }
+  if (!so_far.empty()) put();
   return svg;
 }
 
@@ -111,28 +197,24 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
 std::string chart_svg(const Chart& chart) {
   const ChartAxes axes = chart_axes(chart);
   const ChartIdentity& id = chart.identity;
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"960\" height=\"600\" viewBox=\"0 0 960 600\" "
-                    "font-family=\"Inter, Helvetica, Arial, sans-serif\" fill=\"#202020\">\n"
-                    "<rect width=\"960\" height=\"600\" fill=\"#ffffff\"/>\n";
-  svg += text_at(plot_corner.x, 26, "start",
-                 fmt::format("{}, {} x {}: time against error", id.scene, id.width, id.height), 16);
-  svg += draw_axes(axes);
+  std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 "
+                                "{0} {1}\" font-family=\"Inter, Helvetica, Arial, sans-serif\" fill=\"#202020\">\n"
+                                "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+                                paper_width, paper_height);
+  svg +=
+      text_at(plot_corner.x, 36, "start", fmt::format("{}, {} x {}: time against error", id.scene, id.width, id.height),
+              title_size, " font-weight=\"bold\"");
   double largest_memory = 0;
   for (const ChartPoint& point : chart.points) largest_memory = std::max(largest_memory, point.memory_mb);
+  svg += legend(chart, largest_memory);
+  svg += draw_axes(axes, chart.metric);
   svg += front_line(chart, axes);
   for (const ChartPoint& point : chart.points)
     if (point.measured()) svg += mark(point, axes, largest_memory);
   svg += labels(chart, axes);
-  svg +=
-      text_at(plot_corner.x, 562, "start",
-              fmt::format("Against: {}. Area of a mark: memory, up to {:.3g} MB. Dashed: the Pareto front. Round: ray "
-                          "tracer, square: rasterizer.",
-                          id.reference, largest_memory),
-              11);
-  svg += text_at(plot_corner.x, 582, "start",
-                 fmt::format("pixelscope {}, {}, {}, {} threads. {}", chart.machine.version, chart.machine.processor,
-                             chart.machine.simd, chart.machine.threads, id.base),
-                 11);
+  svg += notes(fmt::format("Against: {}. pixelscope {}, {}, {}, {} threads. {}", id.reference, chart.machine.version,
+                           chart.machine.processor, chart.machine.simd, chart.machine.threads, id.base),
+               plot_corner.y + plot_size.y + 72);
   return svg + "</svg>\n";
 }
 

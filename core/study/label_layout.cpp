@@ -1,6 +1,7 @@
 #include "study/label_layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace ps {
@@ -12,6 +13,21 @@ struct Rect {
     return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
   }
 };
+
+/// Does any of the line lie inside? Clipped against one side after another (Liang and Barsky).
+bool crosses(const LabelLine& line, const Rect& rect) {
+  double from = 0, to = 1;
+  const Vec2d along = line.second - line.first;
+  for (int axis = 0; axis < 2; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      const double speed = side * along[axis];
+      const double room = side < 0 ? line.first[axis] - rect.low[axis] : rect.high[axis] - line.first[axis];
+      if (speed == 0 && room < 0) return false;
+      if (speed > 0) to = std::min(to, room / speed);
+      if (speed < 0) from = std::max(from, room / speed);
+    }
+  return from < to;
+}
 
 /// Right, left, above, below, the corners; then the same farther away.
 std::vector<Vec2d> candidates(const LabelWish& wish, double radius) {
@@ -30,7 +46,8 @@ std::vector<Vec2d> candidates(const LabelWish& wish, double radius) {
 
 }  // namespace
 
-std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius) {
+std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius,
+                                     const std::vector<LabelLine>& lines) {
   std::vector<Rect> taken;
   for (const LabelWish& wish : wishes) {
     taken.push_back({wish.mark - radius, wish.mark + radius});
@@ -42,17 +59,36 @@ std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return wishes[a].rank < wishes[b].rank; });
+  const auto is_free = [&](const Rect& rect) {
+    if (rect.low.x < 0 || rect.low.y < 0 || rect.high.x > box.x || rect.high.y > box.y) return false;
+    return std::none_of(taken.begin(), taken.end(), [&](const Rect& other) { return rect.meets(other); });
+  };
   std::vector<LabelPlace> places(wishes.size());
-  for (const std::size_t i : order)
+  for (const std::size_t i : order) {
+    std::optional<Rect> found;
     for (const Vec2d& corner : candidates(wishes[i], radius)) {
       const Rect rect{corner, corner + wishes[i].size};
-      if (rect.low.x < 0 || rect.low.y < 0 || rect.high.x > box.x || rect.high.y > box.y) continue;
-      if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return rect.meets(other); })) continue;
-      places[i] = {true, corner};
-      taken.push_back(rect);
-      break;
+      if (!is_free(rect)) continue;
+      const bool clear =
+          std::none_of(lines.begin(), lines.end(), [&](const LabelLine& line) { return crosses(line, rect); });
+      if (!found || clear) found = rect;
+      if (clear) break;
     }
+    if (!found) continue;
+    places[i] = {true, found->low};
+    taken.push_back(*found);
+  }
   return places;
+}
+
+std::optional<LabelLine> label_leader(const LabelWish& wish, const LabelPlace& place, double radius) {
+  if (!place.shown) return {};
+  const Vec2d high = place.corner + wish.size;
+  const Vec2d end(std::clamp(wish.mark.x, place.corner.x, high.x), std::clamp(wish.mark.y, place.corner.y, high.y));
+  const Vec2d away = end - wish.mark;
+  const double distance = std::hypot(away.x, away.y);
+  if (distance < 2 * radius + 4) return {};
+  return LabelLine{wish.mark + away * (radius / distance), end};
 }
 
 }  // namespace ps

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "math/vec.h"
@@ -18,8 +20,15 @@ struct LabelPlace {
   Vec2d corner{0, 0};  ///< top left of the text
 };
 
+using LabelLine = std::pair<Vec2d, Vec2d>;
+
 /// Finds for each label a place near its mark where it covers no mark, no error bar and no other label and stays inside
-/// the box from (0, 0) to `box`. `radius` is that of the marks.
-std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius);
+/// the box from (0, 0) to `box`; where there is a choice it crosses none of the lines either. `radius` is that of the
+/// marks.
+std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius,
+                                     const std::vector<LabelLine>& lines = {});
+
+/// The line from a mark's rim to its label, if that stands so far away that it could be another's.
+std::optional<LabelLine> label_leader(const LabelWish& wish, const LabelPlace& place, double radius);
 
 }  // namespace ps

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -60,14 +61,33 @@ bool any_number(const std::vector<std::string>& values, const Option& option) {
   return option.kind != OptionKind::choice && !values.empty();
 }
 
-/// A choice's value says enough; a number or on/off needs its name.
-std::string short_label(std::span<const SweepAxis> axes, const Settings& settings) {
+/// How many letters the swept numbers' keys have in common, in whole words: the 7 of "shadow-" in shadow-map-size and
+/// shadow-filter, none if only one is swept.
+std::size_t common_start(std::span<const SweepAxis> axes) {
+  std::optional<std::string_view> common;
+  int numbers = 0;
+  for (const SweepAxis& axis : axes) {
+    if (axis.values.size() < 2 || !any_number(axis.values, *axis.option)) continue;
+    ++numbers;
+    const std::string_view key = axis.option->key;
+    if (!common) common = key;
+    const auto parted = std::mismatch(common->begin(), common->end(), key.begin(), key.end());
+    common = common->substr(0, static_cast<std::size_t>(parted.first - common->begin()));
+  }
+  if (numbers < 2) return 0;
+  const auto dash = common->rfind('-');
+  return dash == std::string_view::npos ? 0 : dash + 1;
+}
+
+/// A choice's value says enough; a number or on/off needs its name. What cannot act there is left out.
+std::string short_label(std::span<const SweepAxis> axes, const Settings& settings, const SceneTraits& traits) {
+  const std::size_t start = common_start(axes);
   std::string label;
   for (const SweepAxis& axis : axes) {
-    if (axis.values.size() < 2) continue;
+    if (axis.values.size() < 2 || (axes.size() > 1 && inactive_reason(*axis.option, settings, traits))) continue;
     const std::string text = option_text(*axis.option, settings);
     label += label.empty() ? "" : ", ";
-    label += any_number(axis.values, *axis.option) ? fmt::format("{} {}", axis.option->key, text) : text;
+    label += any_number(axis.values, *axis.option) ? fmt::format("{} {}", axis.option->key.substr(start), text) : text;
   }
   return label.empty() ? "as set" : label;
 }
@@ -216,7 +236,7 @@ std::vector<SweepPoint> sweep_points(std::span<const SweepAxis> axes, const Sett
   std::set<std::string> seen;
   for (const Settings& combination : all) {
     const Settings settings = axes.size() > 1 ? without_idle(acting, combination, base, traits) : combination;
-    SweepPoint point{short_label(axes, settings), all_assignments(axes, scene_start, settings), settings};
+    SweepPoint point{short_label(axes, settings, traits), all_assignments(axes, scene_start, settings), settings};
     if (!seen.insert(point.settings).second) continue;
     ++uses[point.label];
     points.push_back(std::move(point));

@@ -45,6 +45,12 @@ TEST(Axis, TicksLieOnTheAxisInOrderAndSomeHaveText) {
     }
 }
 
+TEST(Axis, RoundNumbersAreWrittenOut) {
+  EXPECT_EQ(tick_text(10000), "10000");
+  EXPECT_EQ(tick_text(0.0005), "0.0005");
+  EXPECT_EQ(tick_text(3 * 0.1), "0.3");
+}
+
 TEST(LabelLayout, LabelsCoverNeitherEachOtherNorMarksNorLeaveTheBox) {
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -70,6 +76,29 @@ TEST(LabelLayout, LabelsCoverNeitherEachOtherNorMarksNorLeaveTheBox) {
       }
     }
   }
+}
+
+TEST(LabelLayout, LabelsKeepClearOfLinesWhereTheyCan) {
+  // The first choice, to the right, is crossed by a line that comes from there; above nothing is.
+  const std::vector<LabelWish> wishes{{{100, 100}, {60, 12}, 0}};
+  const std::vector<LabelLine> line{{{100, 100}, {300, 104}}};
+  const Vec2d free = place_labels(wishes, {400, 300}, 4)[0].corner;
+  EXPECT_GT(free.x, 100);
+  EXPECT_LT(free.y, 100);
+  EXPECT_GT(free.y + 12, 100);
+  const LabelPlace place = place_labels(wishes, {400, 300}, 4, line)[0];
+  ASSERT_TRUE(place.shown);
+  for (double t = 0; t <= 1; t += 1.0 / 1024) {
+    const Vec2d p = line[0].first + (line[0].second - line[0].first) * t;
+    EXPECT_FALSE(p.x > place.corner.x && p.x < place.corner.x + 60 && p.y > place.corner.y &&
+                 p.y < place.corner.y + 12);
+  }
+  EXPECT_FALSE(label_leader(wishes[0], place, 4)) << "it stands beside its mark";
+  EXPECT_TRUE(label_leader(wishes[0], {true, {200, 150}}, 4));
+  // Lines everywhere leave no choice: then it is crossed rather than lost.
+  std::vector<LabelLine> hatch;
+  for (double x = 0; x < 400; x += 5) hatch.push_back({{x, 0}, {x, 300}});
+  EXPECT_TRUE(place_labels(wishes, {400, 300}, 4, hatch)[0].shown);
 }
 
 TEST(LabelLayout, ALoneLabelIsShown) {

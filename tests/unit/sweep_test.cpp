@@ -59,6 +59,13 @@ TEST(Sweep, PointsReproduceTheirSettingsFromTheirText) {
     }
 }
 
+TEST(Sweep, LabelsSayWhatActsAndNoMore) {
+  std::set<std::string> labels;
+  for (const SweepPoint& point : points_of({"shadow-methods"}, "cgfs/shadows")) labels.insert(point.label);
+  EXPECT_TRUE(labels.contains("none"));
+  EXPECT_TRUE(labels.contains("map, map-size 256, filter 2"));
+}
+
 TEST(Sweep, StandardValuesOfEveryOptionAreValidAndDifferent) {
   for (const Option& option : option_table()) {
     const auto values = standard_values(option);

@@ -97,6 +97,7 @@ void draw_ring(ImDrawList& list, const Mark& mark, const char* letter, const ImV
 void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, const std::vector<Mark>& marks,
                  ChartLabels& labels) {
   ImFont* font = theme().font(Face::small);
+  const auto inside = [&](ImVec2 p) { return Vec2d(p.x - frame.inner.min.x, p.y - frame.inner.min.y); };
   std::string key = fmt::format("{} {} {}", frame.inner.width(), frame.inner.height(), static_cast<int>(chart.metric));
   float radius = 0;
   for (const Mark& mark : marks) {
@@ -107,22 +108,30 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
   }
   if (key != labels.key || labels.places.size() != marks.size()) {
     labels.key = std::move(key);
-    std::vector<LabelWish> wishes;
+    std::vector<LabelWish>& wishes = labels.wishes;
+    wishes.clear();
     for (const Mark& mark : marks) {
       const ChartPoint& point = chart.points[mark.point];
       const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, point.what.label.c_str());
       const float low = frame.at(point.time_ms.q1, point.error).x, high = frame.at(point.time_ms.q3, point.error).x;
-      wishes.push_back({{mark.at.x - frame.inner.min.x, mark.at.y - frame.inner.min.y},
-                        {size.x, size.y},
-                        point.on_front ? 0 : 1,
-                        {mark.at.x - low, high - mark.at.x}});
+      wishes.push_back(
+          {inside(mark.at), {size.x, size.y}, point.on_front ? 0 : 1, {mark.at.x - low, high - mark.at.x}});
     }
-    labels.places = place_labels(wishes, {frame.inner.width(), frame.inner.height()}, radius);
+    std::vector<LabelLine> lines;
+    const auto front = front_by_time(chart);
+    for (std::size_t i = 1; i < front.size(); ++i)
+      lines.emplace_back(inside(frame.at(front[i - 1]->time_ms.median, front[i - 1]->error)),
+                         inside(frame.at(front[i]->time_ms.median, front[i]->error)));
+    labels.places = place_labels(wishes, {frame.inner.width(), frame.inner.height()}, radius, lines);
   }
+  const auto outside = [&](const Vec2d& p) {
+    return ImVec2{frame.inner.min.x + static_cast<float>(p.x), frame.inner.min.y + static_cast<float>(p.y)};
+  };
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (!labels.places[i].shown) continue;
-    const ImVec2 at{frame.inner.min.x + static_cast<float>(labels.places[i].corner.x),
-                    frame.inner.min.y + static_cast<float>(labels.places[i].corner.y)};
+    if (const auto leader = label_leader(labels.wishes[i], labels.places[i], marks[i].radius))
+      list.AddLine(outside(leader->first), outside(leader->second), colour_u32(palette().text_quiet), px(1));
+    const ImVec2 at = outside(labels.places[i].corner);
     const ChartPoint& point = chart.points[marks[i].point];
     list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)},
                  colour_u32(point.on_front ? palette().text : palette().text_quiet), point.what.label.c_str());

@@ -14,6 +14,7 @@ namespace ps::gui {
 /// Where the labels of a plot stand. Finding places takes a while, so they are kept until something moves.
 struct ChartLabels {
   std::string key;  ///< what the places were found for
+  std::vector<LabelWish> wishes;
   std::vector<LabelPlace> places;
 };
 
