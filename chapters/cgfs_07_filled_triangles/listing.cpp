@@ -11,7 +11,20 @@
 namespace ps {
 namespace {
 
-void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
+// Paint covers what is there, light adds to it, a filter lets a share of it through (chapter 1).
+Vec3d blended(Blend blend, const Vec3d& below, const Vec3d& colour) {
+  switch (blend) {
+  case Blend::replace:
+    return colour;
+  case Blend::additive:
+    return below + colour;
+  case Blend::subtractive:
+    return below * colour / 255.0;
+  }
+  return colour;
+}
+
+void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blend blend) {
   const bool flat = std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y);
   if (flat ? p1.x < p0.x : p1.y < p0.y) std::swap(p0, p1);
   const double first = flat ? p0.x : p0.y, last = flat ? p1.x : p1.y;
@@ -21,12 +34,14 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
     const Vec2d place = flat ? Vec2d(step, other) : Vec2d(other, step);
     PS_PIXEL(place.x, place.y);
     PS_WATCH("outline at", place);
-    canvas.put_pixel(place.x, place.y, colour);
+    const Vec3d mix = blended(blend, canvas.get_pixel(place.x, place.y), colour);
+    PS_WATCH("canvas becomes", mix);
+    canvas.put_pixel(place.x, place.y, mix);
   }
 }
 
 // Row by row, from the left side to the right one, both ends included.
-void draw_filled_triangle(BookCanvas& canvas, const std::array<Vec2d, 3>& corners, const Vec3d& colour) {
+void draw_filled_triangle(BookCanvas& canvas, const std::array<Vec2d, 3>& corners, const Vec3d& colour, Blend blend) {
   // Sorted by height, the first side goes from the lowest corner to the highest; the two others share the way.
   const auto order = sorted_by_height(corners);
   const Vec2d p0 = corners[order[0]], p1 = corners[order[1]], p2 = corners[order[2]];
@@ -50,8 +65,10 @@ void draw_filled_triangle(BookCanvas& canvas, const std::array<Vec2d, 3>& corner
     for (double column = left; column <= right; ++column) {
       PS_PIXEL(column, y);
       PS_WATCH("x", column);
-      canvas.put_pixel(column, y, colour);
       PS_WATCH("colour", colour);
+      const Vec3d mix = blended(blend, canvas.get_pixel(column, y), colour);
+      PS_WATCH("canvas becomes", mix);
+      canvas.put_pixel(column, y, mix);
     }
   }
 }
@@ -61,7 +78,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
     if (const auto* line = std::get_if<CanvasLine>(&item)) {
       if (canvas.far_outside(line->points[0]) || canvas.far_outside(line->points[1])) continue;
       PS_REACHING("line from", line->points[0]);
-      draw_line(canvas, line->points[0], line->points[1], line->colour * 255.0);
+      draw_line(canvas, line->points[0], line->points[1], line->colour * 255.0, line->blend);
       continue;
     }
     const auto& triangle = std::get<CanvasTriangle>(item);
@@ -69,12 +86,12 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
     if (canvas.far_outside(p[0]) || canvas.far_outside(p[1]) || canvas.far_outside(p[2])) continue;
     for (Vec2d& corner : p) corner = {std::trunc(corner.x), std::trunc(corner.y)};  // rows are whole numbers
     PS_REACHING("triangle with corner", p[0]);
-    if (triangle.filled) draw_filled_triangle(canvas, p, triangle.colours[0] * 255.0);
+    if (triangle.filled) draw_filled_triangle(canvas, p, triangle.colours[0] * 255.0, triangle.blend);
     if (triangle.outline) {
       const Vec3d outline = *triangle.outline * 255.0;
-      draw_line(canvas, p[0], p[1], outline);
-      draw_line(canvas, p[1], p[2], outline);
-      draw_line(canvas, p[0], p[2], outline);
+      draw_line(canvas, p[0], p[1], outline, Blend::replace);
+      draw_line(canvas, p[1], p[2], outline, Blend::replace);
+      draw_line(canvas, p[0], p[2], outline, Blend::replace);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "inspect/names.h"
 #include "inspect/number_text.h"
 #include "inspect/reason_text.h"
+#include "inspect/write_mixing.h"
 
 namespace ps {
 namespace {
@@ -146,6 +147,12 @@ struct Describer {
     return fmt::format("{}: {}", coverage_key(e.strategy), e.how);
   }
   std::string operator()(const WriteEvent& e) const {
+    if (e.id.object < 0 && mixing_of(e) == Mixing::adds)
+      return fmt::format("a shape adds its light {} to {}: {}", vector_text(e.shaded), vector_text(e.before),
+                         vector_text(e.after));
+    if (e.id.object < 0 && mixing_of(e) == Mixing::filters)
+      return fmt::format("a shape lets {} of {} through: {}", vector_text(e.shaded), vector_text(e.before),
+                         vector_text(e.after));
     return fmt::format("{} writes {} over {}", e.id.object >= 0 ? primitive_name(scene, e.id) : "a shape",
                        vector_text(e.after), vector_text(e.before));
   }

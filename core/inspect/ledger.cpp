@@ -9,6 +9,7 @@
 #include "inspect/names.h"
 #include "inspect/number_text.h"
 #include "inspect/story_tree.h"
+#include "inspect/write_mixing.h"
 
 namespace ps {
 namespace {
@@ -85,12 +86,6 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
   add_rays_of_kind(story, scene, ray, RayKind::reflection, share * mirror.reflective, level + 1, lines);
 }
 
-bool nearly_equal(const Vec3d& a, const Vec3d& b) {
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(a[i] - b[i]) > 1e-6 * std::max(1.0, std::abs(a[i]))) return false;
-  return true;
-}
-
 /// How the colour that write `index` brought was made, by what the kernel reported since its fragment began, scaled by
 /// `share`.
 Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, double share, int level) {
@@ -163,22 +158,23 @@ class SampleOwners {
 void add_write(const PixelStory& story, const Scene& scene, int index, Lines& lines) {
   const auto& write = event_as<WriteEvent>(story.events, index);
   const std::string name = write.id.object >= 0 ? primitive_name(scene, write.id) : "shape on the canvas";
-  // On a dark pixel a sum of two passes is nearly the second one, too.
-  const bool adds = write.after != write.shaded && nearly_equal(write.after, write.before + write.shaded);
-  if (!adds && nearly_equal(write.after, write.shaded)) {
+  switch (mixing_of(write)) {
+  case Mixing::replaces:
     lines.clear();
     lines.push_back({0, fmt::format("{}: its colour", name), write.shaded, index});
     append(lines, shading_of_write(story, scene, index, 1, 1));
     return;
-  }
-  if (adds) {
+  case Mixing::adds:
     if (lines.empty()) lines.push_back({0, "background", write.before, index});
     lines.push_back({0, fmt::format("{}: adds its colour", name), write.shaded, index});
     return;
+  case Mixing::filters:
+    lines.clear();
+    lines.push_back({0,
+                     fmt::format("{}: {} taken out of {}", name, vector_text(write.shaded), vector_text(write.before)),
+                     write.after, index});
+    return;
   }
-  lines.clear();
-  lines.push_back({0, fmt::format("{}: {} taken out of {}", name, vector_text(write.shaded), vector_text(write.before)),
-                   write.after, index});
 }
 
 /// A line for what rounding does to a sum of `lines` (level 0) that should be `total`: the kernel adds in its own

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <utility>
 
 #include "inspect/finish_story.h"
 #include "inspect/names.h"
 #include "inspect/number_text.h"
 #include "inspect/reason_text.h"
 #include "inspect/story_tree.h"
+#include "inspect/write_mixing.h"
 
 namespace ps {
 namespace {
@@ -104,6 +106,24 @@ void add_rejections(const PixelStory& story, bool with_uncovered, std::vector<st
   }
 }
 
+/// How the shapes that wrote the pixel, one after the other, make up its colour. A surface of the scene always takes
+/// the place of what was there.
+void add_paint_remarks(const PixelStory& story, std::vector<std::string>& parts) {
+  std::size_t covered = 0, seen = 0;
+  Mixing last = Mixing::replaces;
+  for (const Event& event : story.events) {
+    const auto* write = std::get_if<WriteEvent>(&event.data);
+    if (!write && !std::holds_alternative<LineEvent>(event.data)) continue;
+    last = write && write->id.object < 0 ? mixing_of(*write) : Mixing::replaces;
+    if (last == Mixing::replaces) covered += std::exchange(seen, 0);
+    ++seen;
+  }
+  const std::string below = seen > 1 ? plural(seen - 1, "earlier colour", "earlier colours") : "the background";
+  if (last == Mixing::adds) parts.push_back("it adds its light to " + below);
+  if (last == Mixing::filters) parts.push_back("it takes light out of " + below);
+  if (covered > 0) parts.push_back(plural(covered, "earlier colour was", "earlier colours were") + " painted over");
+}
+
 void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vector<std::string>& parts) {
   std::size_t failed = 0;
   bool depth_off = false;
@@ -119,8 +139,8 @@ void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vect
     }
   if (shaded_later)
     parts.push_back("shaded when visibility was known" + (writes > 1 ? fmt::format(", in {} passes", writes) : ""));
-  else if (writes > 1)
-    parts.push_back(plural(writes - 1, "earlier colour was", "earlier colours were") + " painted over");
+  else
+    add_paint_remarks(story, parts);
   if (failed > 0) parts.push_back(plural(failed, "fragment", "fragments") + " failed depth");
   if (depth_off) parts.push_back("the depth test is off");
 }

@@ -31,6 +31,12 @@ class BookCanvas {
     if (colours_.contains(place.x, place.y)) colours_.at(place.x, place.y) = colour;
   }
 
+  /// What is there so far; black outside of what it holds.
+  Vec3d get_pixel(double x, double y) const {
+    const Vec2i place = place_of(x, y);
+    return colours_.contains(place.x, place.y) ? colours_.at(place.x, place.y) : Vec3d(0);
+  }
+
   /// The depth buffer: whether 1/z is larger than all that came before at this position, which it then remembers.
   bool nearer(double x, double y, double inverse_z) {
     const Vec2i place = place_of(x, y);

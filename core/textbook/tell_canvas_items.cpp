@@ -14,7 +14,7 @@ class CanvasTeller {
   void tell() {
     for (const int pixel : reader_.all("pixel"))
       if (const int line = reader_.around(pixel, "line from"); line >= 0)
-        tell_line(line);
+        tell_line(line, pixel);
       else if (reader_.last<Vec2d>(pixel, "outline at"))
         tell_outline(pixel);
       else
@@ -27,7 +27,7 @@ class CanvasTeller {
     return {p.x + middle, book_.height - book_.height / 2 - p.y};
   }
 
-  void tell_line(int line) {
+  void tell_line(int line, int pixel) {
     const Vec2d from = std::get<Vec2d>(reader_.value_of(line));
     const CanvasLine* drawn = nullptr;
     for (const CanvasItem& item : *book_.scene.canvas_items)
@@ -35,6 +35,7 @@ class CanvasTeller {
           one && one->points[0] == from && one->points[1] == reader_.last<Vec2d>(line, "to").value_or(one->points[1]))
         drawn = one;
     if (!drawn) return;
+    if (drawn->blend != Blend::replace) return tell_write(drawn->colour, pixel);
     colour_ = drawn->colour;
     recorder_.event([&] {
       return LineEvent{{}, from_top_left(drawn->points[0]), from_top_left(drawn->points[1]), 0, colour_};
@@ -70,10 +71,16 @@ class CanvasTeller {
     for (std::size_t k = 0; k < 3; ++k)
       event.corners[k] = from_top_left({std::trunc(triangle->points[k].x), std::trunc(triangle->points[k].y)});
     recorder_.begin([&] { return event; });
-    const Vec3d colour = reader_.last<Vec3d>(pixel, "colour").value_or(Vec3d(0)) / 255.0;
-    recorder_.event([&] { return WriteEvent{{}, colour_, colour, colour}; });
+    tell_write(reader_.last<Vec3d>(pixel, "colour").value_or(Vec3d(0)) / 255.0, pixel);
     recorder_.end();
-    colour_ = colour;
+  }
+
+  /// A shape's colour meets what the canvas has.
+  void tell_write(const Vec3d& colour, int pixel) {
+    const auto becomes = reader_.last<Vec3d>(pixel, "canvas becomes");
+    const Vec3d after = becomes ? *becomes / 255.0 : colour;
+    recorder_.event([&] { return WriteEvent{{}, colour_, colour, after}; });
+    colour_ = after;
   }
 
   const BookScene& book_;

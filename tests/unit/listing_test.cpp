@@ -90,7 +90,8 @@ TEST(Listing, EveryValueHasALine) {
 
 /// The values are those of the picture: a traced pixel is the one that `render` stores, for every pixel tried.
 TEST(Listing, TraceGivesTheColourOfThePicture) {
-  for (const char* name : {"cgfs/reflections", "cgfs/lines", "cgfs/triangles", "cgfs/wireframe", "cgfs/crates"}) {
+  for (const char* name :
+       {"cgfs/reflections", "cgfs/lines", "cgfs/triangles", "cgfs/mixing", "cgfs/wireframe", "cgfs/crates"}) {
     const Scene scene = load_scene(name);
     const Settings settings = textbook(scene);
     const View view{scene.camera, 120, 100};
@@ -151,8 +152,9 @@ Vec3d last_colour(const PixelStory& story) {
 
 /// A listing's steps, told in the events of the renderers, come to the colour that it put into the canvas.
 TEST(Listing, EventsEndInItsColour) {
-  for (const char* name : {"cgfs/spheres", "cgfs/lights", "cgfs/shadows", "cgfs/reflections", "cgfs/lines",
-                           "cgfs/triangles", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
+  for (const char* name :
+       {"cgfs/spheres", "cgfs/lights", "cgfs/shadows", "cgfs/reflections", "cgfs/lines", "cgfs/triangles",
+        "cgfs/mixing", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
     const Scene scene = load_scene(name);
     const Settings settings = textbook(scene);
     const View view{scene.camera, 120, 100};
@@ -169,6 +171,30 @@ TEST(Listing, EventsEndInItsColour) {
       }
     EXPECT_GT(told, 0) << name;
   }
+}
+
+/// Two lamps on a wall (CGFS ch. 1 and 7): where both shine there is twice the light, in the listing as in the kernel
+/// that knows nothing of it.
+TEST(Listing, LightAddsUp) {
+  const Scene scene = load_scene("chapters/cgfs_07_filled_triangles/lamps.scene");
+  const View view{scene.camera, scene.canvas_width, scene.canvas_height};
+  Settings settings = settings_for(scene);
+  settings.sample_position = SamplePosition::corner;
+  settings.fill_rule = FillRule::inclusive;
+  const Image<Rgb8> drawn = display_frame(render(scene, view, settings), settings);
+  settings.renderer = Renderer::textbook;
+  const Image<Rgb8> listed = display_frame(render(scene, view, settings), settings);
+  EXPECT_EQ(listed.at(20, 19), Rgb8(240, 180, 80));  // on the seam
+  EXPECT_EQ(listed.at(24, 19), Rgb8(120, 90, 40));
+  int different = 0;
+  for (int y = 0; y < view.height; ++y)
+    for (int x = 0; x < view.width; ++x) different += listed.at(x, y) == drawn.at(x, y) ? 0 : 1;
+  EXPECT_EQ(different, 0);
+  settings.renderer = Renderer::rasterizer;
+  Prepared prepared;
+  Progress progress;
+  const PixelStory story = inspect(scene, view, settings, {20, 19}, prepared, progress);
+  EXPECT_NE(story.verdict.find("it adds its light to 1 earlier colour"), std::string::npos) << story.verdict;
 }
 
 /// The same numbers as the ray tracer's own story, which knows nothing of listings.

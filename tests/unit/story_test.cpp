@@ -173,6 +173,38 @@ TEST(FragmentStory, AdditivePaintKeepsWhatWasThere) {
   finish_story(story, Scene{}, Settings{});
   expect_sums(story);
   EXPECT_TRUE(has_term(story, 0, "shape on the canvas: adds its colour", {0, 1, 0}));
+  EXPECT_EQ(story.verdict, "a shape on the canvas won; it adds its light to 1 earlier colour");
+}
+
+/// The verdict of a pixel that these shapes on the canvas wrote, one after the other.
+std::string verdict_of_paints(std::initializer_list<WriteEvent> writes) {
+  PixelRecorder record(Vec2i{0, 0});
+  PixelStory story;
+  for (const WriteEvent& write : writes) {
+    record.event([&] { return write; });
+    story.linear = write.after;
+  }
+  story.events = record.take();
+  finish_story(story, Scene{}, Settings{});
+  return story.verdict;
+}
+
+TEST(FragmentStory, VerdictSaysHowPaintMetWhatWasThere) {
+  const Vec3d grey(0.5), red(1, 0, 0), green(0, 1, 0), yellow(1, 1, 0), black(0);
+  const std::string won = "a shape on the canvas won";
+  EXPECT_EQ(verdict_of_paints({{{}, grey, red, red}}), won);
+  EXPECT_EQ(verdict_of_paints({{{}, grey, red, {1.5, 0.5, 0.5}}}), won + "; it adds its light to the background");
+  EXPECT_EQ(verdict_of_paints({{{}, grey, red, red}, {{}, red, green, green}}),
+            won + "; 1 earlier colour was painted over");
+  EXPECT_EQ(verdict_of_paints({{{}, black, red, red}, {{}, red, green, yellow}, {{}, yellow, grey, {1.5, 1.5, 0.5}}}),
+            won + "; it adds its light to 2 earlier colours");
+  EXPECT_EQ(verdict_of_paints({{{}, black, grey, grey}, {{}, grey, red, red}, {{}, red, green, yellow}}),
+            won + "; it adds its light to 1 earlier colour; 1 earlier colour was painted over");
+  EXPECT_EQ(verdict_of_paints({{{}, black, yellow, yellow}, {{}, yellow, red, {1, 0, 0.0}}}),
+            won + "; 1 earlier colour was painted over")
+      << "a filter that looks like paint";
+  EXPECT_EQ(verdict_of_paints({{{}, black, yellow, yellow}, {{}, yellow, {0.5, 1, 1}, {0.5, 1, 0}}}),
+            won + "; it takes light out of 1 earlier colour");
 }
 
 TEST(FragmentStory, NothingDrewSaysWhy) {
