@@ -14,6 +14,9 @@ namespace {
 
 constexpr Vec3d black{0, 0, 0};
 
+/// Far from a highlight a high power of a cosine is a number like 1e-98: no sum that is shown becomes another by it.
+constexpr double no_light = 1e-30;
+
 /// The colours that the terms of the illumination equation multiply.
 struct SurfaceColours {
   Vec3d diffuse{0, 0, 0}, ambient{0, 0, 0}, specular{0, 0, 0};
@@ -51,8 +54,8 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
   if (light.visible <= 0 && !light.below_horizon) return {{level, name + ": in shadow", black, index}};
   if (light.kind == LightKind::ambient) return {line("", light.diffuse, colours.ambient)};
   std::vector<LedgerLine> lines;
-  if (light.diffuse != 0) lines.push_back(line(" diffuse", light.diffuse, colours.diffuse));
-  if (light.specular != 0) lines.push_back(line(" specular", light.specular, colours.specular));
+  if (std::abs(light.diffuse) > no_light) lines.push_back(line(" diffuse", light.diffuse, colours.diffuse));
+  if (std::abs(light.specular) > no_light) lines.push_back(line(" specular", light.specular, colours.specular));
   if (lines.empty()) lines.push_back({level, name + ": adds nothing, the surface faces away", black, index});
   return lines;
 }
