@@ -49,6 +49,7 @@ class Assembler {
     recorder_.count(Counter::triangles_in);
     source_ = {object_.mesh.get(), &object_.mesh->triangles[index_], &vertices_, {}};
     for (std::size_t k = 0; k < 3; ++k) corner_[k] = Vec3<Real>(vertices_.camera[source_.triangle->position[k]]);
+    if (inspected_) look_at_places();
     const Vec3<Real> normal = cross(corner_[1] - corner_[0], corner_[2] - corner_[0]);
     if (!(dot(normal, normal) > 0)) {
       recorder_.count(Counter::triangles_degenerate);
@@ -61,10 +62,45 @@ class Assembler {
       recorder_.count(Counter::triangles_backfacing);
       return reject(RejectReason::back_face, "");
     }
-    if (pass_.settings.draw == Draw::filled)
+    if (far_ && pass_.settings.draw == Draw::filled && (outside_ == 0 || clipped_away_) && !lights_corners())
+      count_far();
+    else if (pass_.settings.draw == Draw::filled)
       fill();
     else
       outline();
+  }
+
+  /// Whether the triangle is far from the inspected pixel, and where its corners lie if nothing cuts it.
+  void look_at_places() {
+    outside_ = 0;
+    std::uint32_t all_behind = ~VertexPlace::no_place;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexPlace& place = vertices_.places[source_.triangle->position[k]];
+      outside_ |= place.outside;
+      all_behind &= place.outside;
+      place_[k] = {place.column, place.row};
+    }
+    // The planes before the first that any corner is behind cut nothing.
+    const std::uint32_t first_plane = outside_ & (~outside_ + 1);
+    clipped_away_ = (first_plane & all_behind) != 0;
+    far_ = (outside_ & VertexPlace::no_place) == 0 && lies_far(place_, *inspected_, pass_.grid.subpixel_bits);
+  }
+
+  /// Whether light falls on corners or on the triangle as a whole, which counts as work.
+  bool lights_corners() const {
+    const AttributeLayout& layout = surface().layout;
+    return layout.light != AttributeLayout::absent || layout.flat_light;
+  }
+
+  /// A whole triangle far from the inspected pixel: counted as fill() would, and dropped.
+  void count_far() {
+    ++batch_.elsewhere;
+    if (clipped_away_)
+      recorder_.count(Counter::triangles_clipped_away);
+    else if (doubled_area(place_) == 0)
+      recorder_.count(Counter::triangles_degenerate);
+    else if (!box_is_empty(visible_box(sample_box(place_, pass_.grid))))
+      recorder_.count(Counter::triangles_drawn);
   }
 
   /// How many of the corners lie in front of every plane; -1 if all are behind one plane.
@@ -275,7 +311,7 @@ class Assembler {
 
   void reject(RejectReason reason, std::string_view detail) {
     if (!inspected_) return;
-    if (!near_pixel(pass_, corner_, *inspected_)) {
+    if (far_ || !near_pixel(pass_, corner_, *inspected_)) {
       ++batch_.elsewhere;
       return;
     }
@@ -315,6 +351,11 @@ class Assembler {
   CornerSource<Real> source_;
   std::array<Vec3<Real>, 3> corner_{};  ///< camera space
   bool back_face_ = false;
+  // Of an inspected pixel.
+  std::array<FixedPoint, 3> place_{};
+  std::uint32_t outside_ = 0;  ///< the corners' VertexPlace::outside together
+  bool clipped_away_ = false;  ///< all of them lie behind the first plane that cuts
+  bool far_ = false;
 };
 
 }  // namespace
@@ -338,7 +379,7 @@ template <class Real>
 Batch<Real> assemble(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,
                      std::optional<Vec2i> inspected) {
   Batch<Real> batch;
-  if (pass.settings.draw == Draw::filled && !pass.settings.backface_culling)
+  if (!inspected && pass.settings.draw == Draw::filled && !pass.settings.backface_culling)
     batch.triangles.reserve(run.last - run.first);
   Assembler<Real>(pass, vertices, run, inspected, batch).add_run();
   return batch;

@@ -25,10 +25,15 @@ struct CornerSource {
   /// Corner `k`'s normal as the option `normals` asks.
   Vec3<Real> normal(std::size_t k, Normals normals) const {
     const auto index = triangle->normal[k];
-    if (normals == Normals::triangle || index < 0 || vertices->normals.empty()) return face_normal;
-    return Vec3<Real>(vertices->normals[static_cast<std::size_t>(index)]);
+    if (normals == Normals::triangle || index < 0 || !vertices->has_normals()) return face_normal;
+    const auto n = static_cast<std::size_t>(index);
+    return vertices->normals_of ? Vec3<Real>(vertices->normals_of->world_normal(n)) : Vec3<Real>(vertices->normals[n]);
   }
-  Vec3<Real> position(std::size_t k) const { return Vec3<Real>(vertices->world[triangle->position[k]]); }
+  Vec3<Real> position(std::size_t k) const {
+    const std::size_t p = triangle->position[k];
+    return vertices->world_of ? Vec3<Real>(vertices->world_of->world(mesh->positions[p]))
+                              : Vec3<Real>(vertices->world[p]);
+  }
 };
 
 /// Whether anything that shades a triangle of the surface reads the triangle's own normal: where corners have none.
@@ -38,7 +43,7 @@ inline bool reads_face_normal(const Pass<Real>& pass, const Surface<Real>& surfa
   if (!layout.lit && !layout.shading_normal) return false;
   if (layout.shading_normal && layout.normal == AttributeLayout::absent) return true;
   const auto& normal = source.triangle->normal;
-  const bool own = normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0 && !source.vertices->normals.empty();
+  const bool own = normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0 && source.vertices->has_normals();
   return pass.settings.normals == Normals::triangle || !own;
 }
 

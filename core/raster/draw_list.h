@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct DrawObject {
   std::vector<std::uint32_t> materials;
 
   Vec3d world(const Vec3d& model) const { return linear * model + translation; }
+  /// The mesh's normal of that number, in world space, length 1.
+  Vec3d world_normal(std::size_t number) const {
+    const Vec3d normal = normal_matrix * mesh->normals[number];
+    const double length = std::sqrt(dot(normal, normal));
+    return length > 0 ? normal / length : normal;
+  }
   std::uint32_t material(const MeshTriangle& triangle) const {
     return materials[materials.size() == 1 ? 0 : triangle.material];
   }

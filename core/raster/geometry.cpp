@@ -11,7 +11,8 @@ ScreenGeometry<Real> make_geometry(const Pass<Real>& pass, std::optional<Vec2i> 
   const std::vector<bool> culled = cull_objects(pass);
   for (std::size_t i = 0; i < culled.size(); ++i)
     if (culled[i]) ++geometry.counters[Counter::objects_culled];
-  geometry.vertices = run_vertex_stage(pass, culled, parallel, progress);
+  geometry.vertices =
+      run_vertex_stage(pass, culled, inspected ? VertexUse::pixel : VertexUse::picture, parallel, progress);
   geometry.runs = make_runs(pass, culled);
   geometry.batches.resize(geometry.runs.size());
   parallel_for(static_cast<int>(geometry.runs.size()), parallel, progress, [&](int index, int) {

@@ -16,7 +16,8 @@ struct ScreenGeometry {
   Counters counters;                 ///< of the vertex work, counted once
 };
 
-/// Vertex stage and primitive assembly. With an inspected pixel, batches keep what was rejected near it.
+/// Vertex stage and primitive assembly. With an inspected pixel, batches keep what was rejected near it, and of whole
+/// triangles that are drawn far from it only the number.
 template <class Real>
 ScreenGeometry<Real> make_geometry(const Pass<Real>& pass, std::optional<Vec2i> inspected,
                                    const ParallelOptions& parallel, Progress& progress);

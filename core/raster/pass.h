@@ -48,7 +48,14 @@ struct VertexBuffer {
   BlockVector<Vec4<Real>> camera;   ///< camera space; from the fast path with 1 / z
   BlockVector<Vec4<Real>> world;    ///< empty unless shading needs it; from the fast path with 1 / z
   BlockVector<Vec4<Real>> normals;  ///< world space, length 1; empty unless shading needs them
-  BlockVector<VertexPlace> places;  ///< only from the fast path
+  BlockVector<VertexPlace> places;  ///< only from the fast path, and while one pixel is inspected
+
+  /// While one pixel is inspected few triangles are drawn: their corners' world positions and normals are made from
+  /// these when they are asked for, where shading needs them.
+  const DrawObject* world_of = nullptr;
+  const DrawObject* normals_of = nullptr;
+
+  bool has_normals() const { return !normals.empty() || normals_of; }
 };
 
 /// Channels that the fast paths store, too: what they know of a fragment before it is shaded.

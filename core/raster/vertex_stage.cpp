@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "raster/near_pixel.h"
 #include "raster/vertex_jobs.h"
 
 namespace ps::raster {
@@ -31,6 +32,26 @@ Vec3<Real> camera_position(const Pass<Real>& pass, const Vec3d& world) {
   return Vec3<Real>(pass.camera_space.from_world * Vec3d(from_eye));
 }
 
+/// Where a vertex that nothing cuts lies on the canvas. Without a place are those beyond the guard band, those too near
+/// the eye's plane, and those that have no finite depth there.
+template <class Real>
+VertexPlace place_of(const Pass<Real>& pass, const Vec3<Real>& camera) {
+  VertexPlace place;
+  const Vec2<Real> at = pass.projection.from_top_left(camera);
+  constexpr Real reach = static_cast<Real>(guard_band);
+  const bool placed = std::abs(at.x) <= reach && std::abs(at.y) <= reach && std::isfinite(camera.z);
+  if (!placed || (pass.perspective() && camera.z < least_depth(pass))) {
+    place.outside = VertexPlace::no_place;
+    return place;
+  }
+  const FixedPoint fixed = to_fixed(at, pass.grid.subpixel_bits);
+  place.column = fixed.x;
+  place.row = fixed.y;
+  for (std::size_t i = 0; i < pass.planes.size(); ++i)
+    if (!(pass.planes[i].distance(camera) >= 0)) place.outside |= 1u << i;
+  return place;
+}
+
 }  // namespace
 
 template <class Real>
@@ -57,8 +78,9 @@ std::vector<bool> cull_objects(const Pass<Real>& pass) {
 }
 
 template <class Real>
-std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled,
+std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled, VertexUse use,
                                                  const ParallelOptions& parallel, Progress& progress) {
+  const bool one_pixel = use == VertexUse::pixel;
   std::vector<VertexBuffer<Real>> buffers(pass.objects.size());
   std::vector<VertexJob> jobs;
   for (std::size_t i = 0; i < pass.objects.size(); ++i) {
@@ -66,8 +88,14 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
     const Mesh& mesh = *pass.objects[i].mesh;
     const VertexNeeds needs = vertex_needs(pass, i);
     buffers[i].camera.resize(mesh.positions.size());
-    if (needs.world) buffers[i].world.resize(mesh.positions.size());
     add_vertex_jobs(jobs, i, mesh.positions.size(), false);
+    if (one_pixel) {
+      buffers[i].places.resize(mesh.positions.size());
+      if (needs.world) buffers[i].world_of = &pass.objects[i];
+      if (needs.normals) buffers[i].normals_of = &pass.objects[i];
+      continue;
+    }
+    if (needs.world) buffers[i].world.resize(mesh.positions.size());
     if (needs.normals) {
       buffers[i].normals.resize(mesh.normals.size());
       add_vertex_jobs(jobs, i, mesh.normals.size(), true);
@@ -79,12 +107,12 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
     VertexBuffer<Real>& buffer = buffers[job.object];
     for (std::size_t v = job.first; v < job.last; ++v) {
       if (job.normals) {
-        const Vec3d normal = object.normal_matrix * object.mesh->normals[v];
-        const double length = std::sqrt(dot(normal, normal));
-        buffer.normals[v] = Vec4<Real>(Vec3<Real>(length > 0 ? normal / length : normal), 0);
+        buffer.normals[v] = Vec4<Real>(Vec3<Real>(object.world_normal(v)), 0);
       } else {
         const Vec3d world = object.world(object.mesh->positions[v]);
-        buffer.camera[v] = Vec4<Real>(camera_position(pass, world), 0);
+        const Vec3<Real> camera = camera_position(pass, world);
+        buffer.camera[v] = Vec4<Real>(camera, 0);
+        if (one_pixel) buffer.places[v] = place_of(pass, camera);
         if (!buffer.world.empty()) buffer.world[v] = Vec4<Real>(Vec3<Real>(world), 0);
       }
     }
@@ -95,7 +123,7 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
 #define PS_INSTANTIATE(Real)                                                                                           \
   template VertexNeeds vertex_needs(const Pass<Real>&, std::size_t);                                                   \
   template std::vector<bool> cull_objects(const Pass<Real>&);                                                          \
-  template std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>&, const std::vector<bool>&,               \
+  template std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>&, const std::vector<bool>&, VertexUse,    \
                                                             const ParallelOptions&, Progress&);
 PS_INSTANTIATE(float)
 PS_INSTANTIATE(double)

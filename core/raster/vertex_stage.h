@@ -6,11 +6,17 @@
 
 namespace ps::raster {
 
+/// What is made of the triangles afterwards.
+enum class VertexUse {
+  picture,  ///< all are drawn
+  pixel     ///< those near one pixel are; the places on the canvas tell which
+};
+
 /// Model space to camera space for every vertex of every object that may be seen (CGFS ch. 10), and to world space for
 /// those whose shading asks for it. With `camera-relative` positions lose the camera's before they are rounded to Real,
 /// so pictures far from the origin do not shake. Objects culled by their bounding sphere get empty buffers.
 template <class Real>
-std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled,
+std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled, VertexUse use,
                                                  const ParallelOptions& parallel, Progress& progress);
 
 /// What the shading of an object's surfaces asks of its vertices besides their place.

@@ -11,6 +11,7 @@
 #include "raster/fragment_event.h"
 #include "raster/geometry.h"
 #include "raster/multisample.h"
+#include "raster/near_pixel.h"
 #include "raster/shade_fragment.h"
 
 namespace ps {
@@ -32,8 +33,7 @@ class FragmentsIn final : public Microscope::Fragments {
               Progress& progress)
       : pass_(make_pass<Real>(scene, view, settings, Channel::none, prepared)), pixel_(pixel) {
     if (settings.draw != Draw::filled) return;
-    const ScreenGeometry<Real> geometry =
-        make_geometry(pass_, std::optional<Vec2i>{}, {settings.threads, {}}, progress);
+    const ScreenGeometry<Real> geometry = make_geometry(pass_, std::optional(pixel), {settings.threads, {}}, progress);
     for (const PrimitiveRef& ref : drawing_order(pass_, geometry)) {
       const Batch<Real>& batch = geometry.batches[ref.batch];
       const ScreenTriangle<Real>& triangle = batch.triangles[ref.index];
@@ -84,6 +84,7 @@ class FragmentsIn final : public Microscope::Fragments {
   static constexpr std::ptrdiff_t most_scalars = 3 * static_cast<std::ptrdiff_t>(max_attributes) + 6 + 9;
 
   bool is_near(const ScreenTriangle<Real>& triangle) const {
+    static_assert(micro_margin <= far_from_pixel);
     Vec2d low(1e30), high(-1e30);
     for (const FixedPoint& corner : triangle.corners) {
       const Vec2d at = in_pixel(corner);

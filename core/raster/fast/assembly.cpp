@@ -61,6 +61,7 @@ class PartAssembler {
     part_.counters[Counter::triangles_in] += count - static_cast<std::size_t>(std::popcount(block_.left));
     part_.counters[Counter::triangles_degenerate] += block_.degenerate;
     part_.counters[Counter::triangles_backfacing] += block_.back_facing;
+    part_.counters[Counter::triangles_clipped_away] += block_.clipped_away;
     part_.counters[Counter::triangles_drawn] += block_.drawn;
     part_.counters[Counter::coverage_tests] += block_.coverage_tests;
     const auto surface_of = [&](std::size_t i) {

@@ -86,7 +86,8 @@ struct AssembledBlock {
   std::uint64_t kept = 0;  ///< drawn: `triangles` holds them
   std::uint64_t tiny = 0;  ///< drawn as fragments, which `fragments` holds, triangle after triangle
   std::uint64_t left = 0;  ///< to be assembled one by one: cut by something, or large
-  std::uint64_t degenerate = 0, back_facing = 0, drawn = 0, coverage_tests = 0;  ///< numbers of; without what is left
+  /// Numbers of; without what is left.
+  std::uint64_t degenerate = 0, back_facing = 0, clipped_away = 0, drawn = 0, coverage_tests = 0;
   alignas(64) std::array<FastTriangle, TriangleBlock::capacity> triangles;
   std::array<std::uint8_t, TriangleBlock::capacity> fragment_count;  ///< of each tiny triangle
   FastFragment* fragments = nullptr;                                 ///< room for tiny_samples of every triangle

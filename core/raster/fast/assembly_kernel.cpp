@@ -38,6 +38,8 @@ struct Edge {
 
 HWY_INLINE VI number(std::int32_t value) { return hn::Set(DI(), value); }
 HWY_INLINE VI zero() { return hn::Zero(DI()); }
+/// Those bits of VertexPlace::outside that stand for planes.
+HWY_INLINE VI planes() { return number(static_cast<std::int32_t>(VertexPlace::no_place - 1)); }
 
 /// Corner `k` of the triangles from number `first` on; lanes beyond the last get the last.
 HWY_INLINE Corner load_corner(const AssemblyRules& rules, const TriangleBlock& block, std::size_t k,
@@ -198,9 +200,17 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
     result.back_facing += hn::CountTrue(di, hn::AndNot(face.front, rest));
     rest = hn::And(rest, face.front);
   }
+  // Clipping goes from plane to plane. Where the first that any corner is behind has all of them behind it, it leaves
+  // nothing, and those before it cut nothing.
+  const VI any_behind = hn::Or(hn::Or(c[0].outside, c[1].outside), c[2].outside);
+  const VI all_behind = hn::And(hn::And(c[0].outside, c[1].outside), c[2].outside);
+  const VI first_plane = hn::And(hn::And(any_behind, hn::Neg(any_behind)), planes());
+  const M gone = hn::And(rest, hn::Ne(hn::And(first_plane, all_behind), zero()));
+  result.clipped_away += hn::CountTrue(di, gone);
+  rest = hn::AndNot(gone, rest);
   const VI low_x = lowest(c[0].column, c[1].column, c[2].column), low_y = lowest(c[0].row, c[1].row, c[2].row);
   const VI high_x = highest(c[0].column, c[1].column, c[2].column), high_y = highest(c[0].row, c[1].row, c[2].row);
-  const M whole = hn::Eq(hn::Or(hn::Or(c[0].outside, c[1].outside), c[2].outside), zero());
+  const M whole = hn::Eq(any_behind, zero());
   const M small =
       hn::And(hn::Lt(hn::Sub(high_x, low_x), number(rules.large)), hn::Lt(hn::Sub(high_y, low_y), number(rules.large)));
   const M here = hn::And(whole, small);
@@ -275,7 +285,7 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
 void assemble_block(const AssemblyRules& rules, const TriangleBlock& block, AssembledBlock& result) {
   const DI di;
   result.kept = result.tiny = result.left = 0;
-  result.degenerate = result.back_facing = result.drawn = result.coverage_tests = 0;
+  result.degenerate = result.back_facing = result.clipped_away = result.drawn = result.coverage_tests = 0;
   const auto all = static_cast<std::size_t>(block.count);
   for (std::size_t first = 0; first < all; first += hn::Lanes(di))
     assemble_vector(rules, block, first, hn::FirstN(di, all - first), result);
