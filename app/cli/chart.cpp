@@ -8,8 +8,8 @@
 #include "base/check.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/number_arguments.h"
 #include "cli/scene_arguments.h"
+#include "document/number_list.h"
 #include "options/scene_settings.h"
 #include "study/chart.h"
 #include "study/chart_files.h"
@@ -31,7 +31,7 @@ ChartRequest make_request(const ChartArguments& arguments) {
   request.shard = parse_shard(arguments.shard);
   request.error.metric = parse_error_metric(arguments.metric);
   request.error.values = arguments.linear ? ErrorValues::linear : ErrorValues::display;
-  if (!arguments.region.empty()) request.error.region = parse_region(arguments.region);
+  if (!arguments.region.empty()) request.error.region = parse_region_text(arguments.region);
   request.reference = {arguments.reference, arguments.samples};
   request.repeats = arguments.repeats;
   request.folder = arguments.output;

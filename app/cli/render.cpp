@@ -90,12 +90,13 @@ int run_render(const RenderArguments& arguments) {
   Document document = load_document(arguments.scene);
   document.a.show = show;
   const View view = view_of(document);
+  document.view.region = region_of(arguments.region, view);
   for (const LeftOut& one : left_out(scene_traits(document.scene), document.a.settings))
     fmt::print(stderr, "{}\n", one.sentence);
   Prepared prepared;
   RenderRequest request;
   request.channels = shown_channel(show).needs;
-  request.region = region_of(arguments.region, view);
+  request.region = document.view.region;
   const Timer timer;
   const Frame frame = render(document.scene, view, document.a.settings, request, prepared, interruptible_progress());
   const double milliseconds = timer.milliseconds();

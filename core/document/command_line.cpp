@@ -33,6 +33,7 @@ std::string scene_arguments(const Document& document, Side side) {
 std::string render_command(const Document& document, Side side, const std::string& output) {
   std::string text = "pixelscope-cli render" + scene_arguments(document, side);
   const ShownChannel show = side_of(document, side).show;
+  if (document.view.region) text += " --region " + region_text(*document.view.region);
   if (show != ShownChannel{}) text += fmt::format(" --show {}", shown_channel(show).key);
   return text + " --out " + shell_quote(output);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "options/scene_settings.h"
+#include "render/region.h"
 
 namespace ps {
 namespace {
@@ -18,8 +19,8 @@ bool same_scene(const Scene& x, const Scene& y) {
 
 bool operator==(const Document& x, const Document& y) {
   return x.scene_name == y.scene_name && same_scene(x.base, y.base) && x.edits == y.edits && x.view == y.view &&
-         x.a == y.a && x.b == y.b && x.pixel == y.pixel && x.picked == y.picked && x.event == y.event &&
-         x.story == y.story && x.pin == y.pin && x.compare == y.compare && x.split == y.split &&
+         x.a == y.a && x.b == y.b && x.picture_b == y.picture_b && x.pixel == y.pixel && x.picked == y.picked &&
+         x.event == y.event && x.story == y.story && x.pin == y.pin && x.compare == y.compare && x.split == y.split &&
          x.difference_gain == y.difference_gain && x.layout == y.layout && x.lesson == y.lesson && x.step == y.step;
 }
 
@@ -44,6 +45,7 @@ void attach_scene(Document& document, Scene scene) {
   if (document.pin) pinned_scene(*document.pin, scene);
   document.scene = edited_scene(scene, document.edits);
   document.base = std::move(scene);
+  fit_region(document);
 }
 
 void edit_scene(Document& document, const SceneEdit& edit) {
@@ -59,6 +61,14 @@ void pin_pixel(Document& document) {
   const PictureView& view = document.view;
   document.pin = Pin{document.pixel, document.a.settings, document.b.settings, document.edits,
                      view.camera,    view.width,          view.height};
+}
+
+void fit_region(Document& document) {
+  auto& region = document.view.region;
+  if (!region) return;
+  const View view = view_of(document);
+  region = common_part(*region, {0, 0, view.width, view.height});
+  if (is_empty(*region)) region.reset();
 }
 
 View view_of(const Document& document) {

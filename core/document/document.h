@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/parallel.h"
 #include "document/pin.h"
 #include "document/scene_edits.h"
 #include "document/story_view.h"
@@ -32,6 +33,7 @@ struct PictureView {
   int width = 0, height = 0;     ///< pixels; 0 = the scene's canvas size
   double zoom = 0;               ///< screen pixels for one picture pixel; 0 = the whole picture fits
   Vec2d middle{0.5, 0.5};  ///< the place of the picture in the middle of its view; (0, 0) top left, (1, 1) its end
+  std::optional<TileRect> region;  ///< only these pixels are rendered (CGPP 15.4.4); empty = all
   bool operator==(const PictureView&) const = default;
 };
 
@@ -54,6 +56,7 @@ struct Document {
   std::vector<SceneEdit> edits;  ///< in the order in which they are applied
   PictureView view;
   SideState a, b;
+  std::string picture_b;   ///< a picture file that stands in B's place, as the user gave it; empty = B is rendered
   Vec2i pixel{-1, -1};     ///< the picked pixel, array position; (-1, -1) = none
   Side picked = Side::a;   ///< whose story is told
   int event = -1;          ///< the selected event of that story; -1 = none
@@ -75,8 +78,9 @@ bool operator==(const Document& x, const Document& y);
 /// Throws InputError for settings that do not exist.
 Document open_document(const std::string& scene_name, Scene scene);
 
-/// Puts a loaded scene under a document that knows only its name, and applies the document's edits. Throws InputError
-/// when an edit or the pin does not fit the scene.
+/// Puts a loaded scene under a document that knows only its name, and applies the document's edits. What of the
+/// rectangle that limits rendering lies outside the picture is cut off. Throws InputError when an edit or the pin does
+/// not fit the scene.
 void attach_scene(Document& document, Scene scene);
 
 /// Adds an edit, in place of an earlier one of the same path, and applies it. Throws InputError, and leaves the
@@ -85,6 +89,9 @@ void edit_scene(Document& document, const SceneEdit& edit);
 
 /// Pins the picked pixel as it is now, in place of one that was pinned. Without effect where none is picked.
 void pin_pixel(Document& document);
+
+/// Cuts the rectangle that limits rendering off at the picture's edges; one outside goes.
+void fit_region(Document& document);
 
 /// Camera and picture size of the document.
 View view_of(const Document& document);

@@ -96,4 +96,27 @@ Vec2i parse_pixel_text(std::string_view text) {
   throw InputError(fmt::format("pixel: found '{}', expected COLUMN,ROW", text));
 }
 
+std::string region_text(const TileRect& region) {
+  return fmt::format("{},{},{},{}", region.x0, region.y0, region.width(), region.height());
+}
+
+TileRect parse_region_text(std::string_view text) {
+  constexpr int most = 1 << 20;  // pixels: more than any picture has on a side
+  std::array<int, 4> numbers{};
+  std::string_view rest = text;
+  bool good = true;
+  for (std::size_t i = 0; i < numbers.size() && good; ++i) {
+    const auto comma = rest.find(',');
+    const auto number = parse_integer<int>(rest.substr(0, comma));
+    good = number && *number >= 0 && *number <= most && (comma == std::string_view::npos) == (i + 1 == numbers.size());
+    if (!good) break;
+    numbers[i] = *number;
+    if (comma != std::string_view::npos) rest.remove_prefix(comma + 1);
+  }
+  const auto [x, y, width, height] = numbers;
+  if (!good || width < 1 || height < 1)
+    throw InputError(fmt::format("region: found '{}', expected X,Y,W,H in pixels", text));
+  return {x, y, x + width, y + height};
+}
+
 }  // namespace ps

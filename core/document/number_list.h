@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/parallel.h"
 #include "scene/camera.h"
 
 namespace ps {
@@ -21,5 +22,8 @@ Camera parse_camera_text(std::string_view text);
 Vec2i parse_size_text(std::string_view text);
 /// "312,204": whole numbers, 0 or more.
 Vec2i parse_pixel_text(std::string_view text);
+/// "10,20,300,200": column and row of the top left pixel, 0 or more, then width and height, 1 or more.
+std::string region_text(const TileRect& region);
+TileRect parse_region_text(std::string_view text);
 
 }  // namespace ps

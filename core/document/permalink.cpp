@@ -80,6 +80,10 @@ const std::vector<Field>& document_fields() {
          const auto place = parse_number_list(t, 2, "middle");
          d.view.middle = {place[0], place[1]};
        }},
+      {"region", [](const Document& d) { return d.view.region ? Text{region_text(*d.view.region)} : Text{}; },
+       [](Document& d, std::string_view t) { d.view.region = parse_region_text(t); }},
+      {"picture-b", [](const Document& d) { return text_unless(d.picture_b, ""); },
+       [](Document& d, std::string_view t) { d.picture_b = t; }},
       {"pixel",
        [](const Document& d) { return d.pixel.x < 0 ? Text{} : Text{fmt::format("{},{}", d.pixel.x, d.pixel.y)}; },
        [](Document& d, std::string_view t) { d.pixel = parse_pixel_text(t); }},

@@ -10,6 +10,7 @@
 #include "base/atomic_file.h"
 #include "document/permalink_file.h"
 #include "gui/program.h"
+#include "image/file.h"
 #include "support/golden.h"
 
 namespace {
@@ -107,6 +108,41 @@ expect pixel/pin/options contains "camera"
 expect pixel/pin/display contains "→"
 )"};
 
+/// A part of the picture alone, against a picture from a file that was made with other options.
+constexpr Screen rectangle_and_picture{"gui-permalink-picture", "cgfs/reflections", R"(set reflection-depth=0
+wait idle
+key P
+wait frames 3
+type OUT/theirs.png
+key Enter
+wait idle
+set reflection-depth=3
+click menu/scene
+click picture-b
+wait frames 3
+type OUT/theirs-a.png
+key Enter
+wait idle
+drag view/a/picture 60,40 shift
+wait idle
+)",
+                                       R"(expect-not region all
+expect picture-b "OUT/theirs-a.png"
+expect view/b/title contains "theirs-a.png"
+expect identical off
+expect a/counter/eye-rays < 60000
+key Esc
+set reflection-depth=0
+wait idle
+expect identical on
+)"};
+
+std::string with_folder(std::string script, const std::string& folder) {
+  for (auto at = script.find("OUT"); at != std::string::npos; at = script.find("OUT", at + folder.size()))
+    script.replace(at, 3, folder);
+  return script;
+}
+
 class PermalinkScreen : public testing::TestWithParam<Screen> {};
 
 TEST_P(PermalinkScreen, FourWaysBringItBack) {
@@ -114,11 +150,13 @@ TEST_P(PermalinkScreen, FourWaysBringItBack) {
   const auto folder = ps::fresh_output_folder(screen.folder);
   const std::string file = std::filesystem::absolute(folder / "screen.permalink").string();
   const std::string picture = std::filesystem::absolute(folder / "picture.png").string();
-  const std::string saving = "wait idle\n" + std::string(screen.arrange) + "keep permalink LINK\nprint permalink\n" +
+  const std::string arrange = with_folder(screen.arrange, folder.string());
+  const std::string expect = with_folder(screen.expect, folder.string());
+  const std::string saving = "wait idle\n" + arrange + "keep permalink LINK\nprint permalink\n" +
                              "key P\nwait frames 3\ntype " + picture + "\nkey Enter\nwait idle\n" +
                              "key Ctrl+Shift+S\nwait frames 3\ntype " + file + "\nkey Enter\nwait idle\n" +
                              "expect permalink $LINK\nscreenshot " + (folder / "before.png").string() + "\n" +
-                             "key Shift+C\nwait frames 2\nprint clipboard\n" + screen.expect + "quit\n";
+                             "key Shift+C\nwait frames 2\nprint clipboard\n" + expect + "quit\n";
   const auto saved = play(saving, folder, "1280x800", screen.scene);
   ASSERT_EQ(saved.status, 0) << saved.errors << saved.output;
   const auto end = saved.output.find('\n');
@@ -131,7 +169,7 @@ TEST_P(PermalinkScreen, FourWaysBringItBack) {
   EXPECT_EQ(in_picture, link);
 
   // The line must be the same before anything is clicked, and what it stands for must be on the screen.
-  const std::string same = "wait idle\nexpect permalink \"" + link + "\"\n" + screen.expect;
+  const std::string same = "wait idle\nexpect permalink \"" + link + "\"\n" + expect;
   const auto by_text = play(same, folder, "1280x800", "--permalink '" + link + "'");
   EXPECT_EQ(by_text.status, 0) << by_text.errors;
   const auto by_file = play(same, folder, "1280x800", "'" + file + "'");
@@ -154,11 +192,45 @@ TEST_P(PermalinkScreen, FourWaysBringItBack) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Permalink, PermalinkScreen,
-                         testing::Values(options_and_camera, views_of_the_story, pinned_pixel), [](const auto& tested) {
+                         testing::Values(options_and_camera, views_of_the_story, pinned_pixel, rectangle_and_picture),
+                         [](const auto& tested) {
                            std::string name(tested.param.folder);
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+/// A screen with a picture in B's place that is not to be had any longer: the rest of it comes as it was.
+void expect_all_but_the_picture(const std::filesystem::path& folder, const std::string& picture,
+                                const std::string& message) {
+  const std::string link = "scene=cgfs/reflections&region=100,200,300,250&picture-b=" + picture +
+                           "&pixel=312,304&event=5&compare=split&a.reflection-depth=1&b.renderer=rasterizer";
+  const auto run =
+      play("wait idle\nexpect scene cgfs/reflections\nexpect picture-b none\nexpect message contains \"" + message +
+               R"("
+expect region 100,200,300,250
+expect pixel 312,304
+expect selected-event 5
+expect compare split
+expect a/option/reflection-depth 1
+expect b/option/renderer rasterizer
+expect b/state done
+quit
+)",
+           folder, "1280x800", "--permalink '" + link + "'");
+  EXPECT_EQ(run.status, 0) << run.errors;
+}
+
+TEST(PermalinkPicture, OneThatIsGoneLosesNothingElse) {
+  const auto folder = ps::fresh_output_folder("gui-permalink-gone");
+  expect_all_but_the_picture(folder, (folder / "gone.png").string(), "gone.png");
+}
+
+TEST(PermalinkPicture, OneOfAnotherSizeLosesNothingElse) {
+  const auto folder = ps::fresh_output_folder("gui-permalink-size");
+  const auto small = folder / "small.png";
+  ps::save_image(small, ps::Image<ps::Rgb8>(40, 30));
+  expect_all_but_the_picture(folder, small.string(), "has 40 x 30 pixels, where the picture has 600 x 600");
+}
 
 // Undo takes a pin back and brings it again, with the numbers of then.
 TEST(Pin, UndoBringsItBack) {

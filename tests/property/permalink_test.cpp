@@ -90,6 +90,11 @@ Document any_document() {
   }
   d.view.zoom = any_share() * 64;
   d.view.middle = {any_share(), any_share()};
+  if (*rc::gen::arbitrary<bool>()) {
+    const Vec2i corner{*rc::gen::inRange(0, 9999), *rc::gen::inRange(0, 9999)};
+    d.view.region = TileRect{corner.x, corner.y, corner.x + *rc::gen::inRange(1, 999), corner.y + 1};
+  }
+  d.picture_b = *rc::gen::arbitrary<std::string>();
   d.a.settings = any_settings();
   d.b.settings = any_settings();
   const int channels = static_cast<int>(shown_channels().size());

@@ -42,6 +42,11 @@ TEST(Permalink, BadTextIsAnInputError) {
                           "size=0x0",
                           "size=100000x100000",
                           "pixel=x",
+                          "region=1,2,3",
+                          "region=1,2,3,4,5",
+                          "region=1,2,0,4",
+                          "region=-1,2,3,4",
+                          "region=1,2,3,99999999999",
                           "zoom=-1",
                           "split=2",
                           "split=nan",
@@ -103,6 +108,24 @@ TEST(Permalink, PinMustFitTheScene) {
   EXPECT_NO_THROW(attach_scene(document, test::book_spheres()));
 }
 
+TEST(Permalink, HoldsTheRectangleAndThePictureInBsPlace) {
+  Document document;
+  document.view.region = TileRect{10, 20, 310, 220};
+  document.picture_b = "my pictures/spheres.png";
+  EXPECT_EQ(permalink(document), "region=10,20,300,200&picture-b=my%20pictures/spheres.png");
+  EXPECT_EQ(parse_permalink(permalink(document)), document);
+}
+
+// A rectangle is no reason to refuse a scene that has become smaller.
+TEST(Permalink, RectangleIsCutOffAtThePicturesEdges) {
+  Document across = parse_permalink("region=500,590,200,20");
+  attach_scene(across, test::book_spheres());
+  EXPECT_EQ(across.view.region, TileRect(500, 590, 600, 600));
+  Document outside = parse_permalink("region=600,0,10,10");
+  attach_scene(outside, test::book_spheres());
+  EXPECT_EQ(outside.view.region, std::nullopt);
+}
+
 TEST(PermalinkFile, KeepsTheLineAndTheTextOfPictures) {
   const test::ScratchFolder folder;
   Document document;
@@ -137,11 +160,12 @@ TEST(CommandLine, CountsFromTheScenesOwnSettings) {
   Document document = open_document("my spheres.scene", scene);
   document.a.settings.self_hit = SelfHit::offset;
   document.a.show = ShownChannel::depth;
+  document.view.region = TileRect{10, 20, 40, 60};
   document.pixel = {3, 4};
   document.edits = {{"light.2.position", "(1, 2, 3)"}};
   EXPECT_EQ(render_command(document, Side::a),
             "pixelscope-cli render 'my spheres.scene' --size 600x600 --edit 'light.2.position=(1, 2, 3)' "
-            "--set self-hit=offset --show depth --out picture.png");
+            "--set self-hit=offset --region 10,20,30,40 --show depth --out picture.png");
   EXPECT_EQ(inspect_command(document, Side::b),
             "pixelscope-cli inspect 'my spheres.scene' --size 600x600 --edit 'light.2.position=(1, 2, 3)' "
             "--set renderer=rasterizer --pixel 3,4");

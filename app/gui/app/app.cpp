@@ -84,6 +84,7 @@ Document first_document(const AppOptions& options) {
   const View after = view_of(document);
   if (document.pixel.x >= 0)
     document.pixel = {document.pixel.x * after.width / before.width, document.pixel.y * after.height / before.height};
+  fit_region(document);
   return document;
 }
 

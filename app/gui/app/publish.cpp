@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "document/number_list.h"
 #include "gui/app/app.h"
 #include "gui/shell/values.h"
 #include "options/option.h"
@@ -132,8 +133,8 @@ void App::publish() {
   const auto picked = session_.pixel();
   out.publish("pixel", picked ? fmt::format("{},{}", picked->x, picked->y) : "none");
   const auto& region = session_.region();
-  out.publish("region",
-              region ? fmt::format("{},{},{},{}", region->x0, region->y0, region->width(), region->height()) : "all");
+  out.publish("region", region ? region_text(*region) : "all");
+  out.publish("picture-b", document.picture_b.empty() ? "none" : document.picture_b);
   out.publish("picked", std::string(1, letter_of(document.picked)));
   out.publish("permalink", session_.permalink());
   out.publish("undo", session_.undo_label());

@@ -149,34 +149,54 @@ void Session::navigate(const std::function<void(Document&)>& apply) {
   changed_ = true;
 }
 
+void Session::set_region(std::optional<TileRect> region) {
+  navigate([&](Document& document) { document.view.region = region; });
+}
+
 void Session::open_picture_b(const std::filesystem::path& path) {
   if (!has_scene()) return;
-  std::shared_ptr<const PictureFile> file;
   try {
-    file = std::make_shared<const PictureFile>(PictureFile{path.string(), load_levels(path)});
+    picture_b_ = std::make_shared<const PictureFile>(PictureFile{path.string(), load_levels(path)});
   } catch (const InputError& error) {
     return say(Message::Kind::error, error.what());
   }
-  const Vec2i size{file->levels.width(), file->levels.height()};
-  region_.reset();
+  const Vec2i size{picture_b_->levels.width(), picture_b_->levels.height()};
   edit("compare with " + path.filename().string(), [&](Document& document) {
     const Vec2i old{view().width, view().height};
+    document.picture_b = path.string();
+    document.view.region.reset();
     document.view.width = size.x;
     document.view.height = size.y;
     if (document.pixel.x >= 0) document.pixel = {document.pixel.x * size.x / old.x, document.pixel.y * size.y / old.y};
   });
-  renderers_[1]->cancel();
-  picture_b_ = std::move(file);
   changed_ = true;
   say(Message::Kind::information, fmt::format("B is {} now, {} x {} pixels; A is rendered in that size.",
                                               path.filename().string(), size.x, size.y));
 }
 
 void Session::close_picture_b() {
-  if (!picture_b_) return;
+  edit("render B", [](Document& document) { document.picture_b.clear(); });
+}
+
+void Session::follow_picture_b() {
+  const std::string& path = document_.picture_b;
+  if (path == (picture_b_ ? picture_b_->path : std::string())) return;
+  const bool rendered = !picture_b_;
   picture_b_.reset();
-  renderers_[1] = std::make_unique<RenderWorker>(prepared_, host_.wake);  // all of its picture is new to the window
-  changed_ = true;
+  try {
+    if (!path.empty()) picture_b_ = std::make_shared<const PictureFile>(PictureFile{path, load_levels(path)});
+  } catch (const InputError& error) {
+    return give_up_picture_b(error.what());
+  }
+  if (!rendered && !picture_b_)
+    renderers_[1] = std::make_unique<RenderWorker>(prepared_, host_.wake);  // all of its picture is new to the window
+}
+
+void Session::give_up_picture_b(const std::string& why) {
+  say(Message::Kind::warning, why + " (B is rendered instead)");
+  document_.picture_b.clear();
+  picture_b_.reset();
+  renderers_[1] = std::make_unique<RenderWorker>(prepared_, host_.wake);
 }
 
 void Session::set_pixel(std::optional<Vec2i> pixel) {
@@ -199,6 +219,7 @@ void Session::go_to_entry(std::size_t place) {
   history_->go_to(place);
   const Document before = std::exchange(document_, history_->current());
   keep_place(before, document_);
+  fit_region(document_);
   document_changed();
 }
 
@@ -282,11 +303,9 @@ bool Session::take_loaded() {
 }
 
 void Session::take_up(Document document, Reason reason) {
-  if (reason != Reason::reload) close_picture_b();
   switch (reason) {
   case Reason::open:
   case Reason::permalink:  // tells how the window is divided, too
-    region_.reset();
     if (has_scene() && reason == Reason::open) {
       document.layout = document_.layout;
       document.story = carried_over(document_.story, false);
@@ -296,6 +315,8 @@ void Session::take_up(Document document, Reason reason) {
     break;
   case Reason::reload:
     keep_place(document_, document);
+    document.picture_b = document_.picture_b;
+    fit_region(document);
     keep_pin(document_, document);
     // What was wrong with the file has been mended.
     std::erase_if(messages_, [&](const Message& message) {
@@ -321,6 +342,7 @@ void Session::take_up(Document document, Reason reason) {
 void Session::document_changed() {
   changed_ = true;
   traits_ = scene_traits(document_.scene);
+  follow_picture_b();
   if (watched_ == document_.scene_name) return;
   watched_ = document_.scene_name;
   std::vector<std::filesystem::path> files;
@@ -330,14 +352,16 @@ void Session::document_changed() {
 
 void Session::request_work() {
   changed_ = false;
-  if (picture_b_ && (view().width != picture_b_->levels.width() || view().height != picture_b_->levels.height())) {
-    say(Message::Kind::warning, "The picture has another size than " + picture_b_->path + ", so B is rendered again.");
-    close_picture_b();
-    changed_ = false;
+  if (picture_b_) {
+    const Vec2i size{picture_b_->levels.width(), picture_b_->levels.height()};
+    renderers_[1]->cancel();
+    if (size != Vec2i(view().width, view().height))
+      give_up_picture_b(fmt::format("{} has {} x {} pixels, where the picture has {} x {}.", picture_b_->path, size.x,
+                                    size.y, view().width, view().height));
   }
   const auto range = common_range();
   for (const Side side : both_sides) {
-    PictureRequest request{document_.scene, view(), settings(side), shown(side), range, region_};
+    PictureRequest request{document_.scene, view(), settings(side), shown(side), range, region()};
     if (side == Side::b && picture_b_) {
       inspectors_[1]->clear();
       continue;

@@ -85,8 +85,8 @@ class Session {
   void navigate(const std::function<void(Document&)>& apply);
   void set_pixel(std::optional<Vec2i> pixel);
   /// Only these pixels are rendered (CGPP 15.4.4); absent = all. A new scene shows all again.
-  void set_region(std::optional<TileRect> region) { region_ = region; }
-  const std::optional<TileRect>& region() const { return region_; }
+  void set_region(std::optional<TileRect> region);
+  const std::optional<TileRect>& region() const { return document_.view.region; }
   /// Puts a picture file (png, ppm, pfm) into B's place; the view takes its size. Errors become messages.
   void open_picture_b(const std::filesystem::path& path);
   /// B is rendered again.
@@ -140,6 +140,10 @@ class Session {
   void take_up(Document document, Reason reason);
   /// Brings what depends on the document's scene up to date.
   void document_changed();
+  /// Reads the picture file that the document has in B's place, and drops one that it has no longer. One that cannot be
+  /// read, or is not of the picture's size, becomes a message, and B is rendered.
+  void follow_picture_b();
+  void give_up_picture_b(const std::string& why);
   void request_work();
   std::optional<ValueRange> common_range();
   void note_recent(const std::string& name);
@@ -152,7 +156,6 @@ class Session {
   std::string watched_;                                        // name of the scene whose files are watched
   std::array<std::shared_ptr<const RenderResult>, 2> ranged_;  // results that range_ was made from
   std::optional<ValueRange> range_;
-  std::optional<TileRect> region_;
   std::shared_ptr<const PictureFile> picture_b_;
   std::vector<Message> messages_;
   std::vector<std::string> recent_;

@@ -8,18 +8,13 @@
 #include "base/check.h"
 #include "base/machine.h"
 #include "document/command_line.h"
+#include "document/number_list.h"
 #include "options/scene_settings.h"
 
 namespace ps::gui {
 namespace {
 
 constexpr std::size_t most_points = 400;  // more belong on a cluster, in shards
-
-std::string camera_text(const Camera& c) {
-  std::string text;
-  for (const Vec3d& v : {c.position, c.right, c.up, c.forward}) text += fmt::format("{},{},{} ", v.x, v.y, v.z);
-  return text + fmt::format("{} {} {}", c.viewport_width, c.viewport_height, c.projection_plane_d);
-}
 
 std::string scene_text(const Session& session) {
   const Document& document = session.document();
@@ -113,8 +108,7 @@ std::string command_of(const ChartPlan& plan, const ChartSetup& setup, ErrorMetr
   };
   add("--metric", std::string(error_metric(metric).key));
   if (setup.values == ErrorValues::linear) arguments.emplace_back("--linear");
-  if (const auto& r = session.region(); r && setup.part == ChartPart::rectangle)
-    add("--region", fmt::format("{},{},{},{}", r->x0, r->y0, r->width(), r->height()));
+  if (const auto& r = session.region(); r && setup.part == ChartPart::rectangle) add("--region", region_text(*r));
   add("--repeats", std::to_string(setup.repeats));
   if (setup.reference_file.empty())
     add("--reference-samples", std::to_string(setup.reference_samples));
