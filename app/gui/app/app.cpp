@@ -411,7 +411,7 @@ void App::bottom_tab(const std::string& tab) {
   else if (tab == "space")
     fill_or_not = space_panel(session_, space_, pixel_panel_, pictures_, filled);
   else if (tab == "microscope")
-    fill_or_not = microscope_panel(session_, microscope_, filled);
+    fill_or_not = microscope_panel(session_, microscope_, pixel_panel_.cursors[index_of(told_side(session_))], filled);
   else if (tab == "listing")
     fill_or_not = listing_panel(session_, listing_, filled);
   else if (tab == "vertex")

@@ -10,6 +10,7 @@
 #include "gui/app/space_panel.h"
 #include "gui/widgets/draw.h"
 #include "inspect/microscope/micro_svg.h"
+#include "inspect/microscope/told_triangle.h"
 #include "inspect/number_text.h"
 
 namespace ps::gui {
@@ -45,11 +46,11 @@ class MicroMaker {
 void take_result(MicroscopePanelState& state) {
   state.worker.take_news();
   const auto result = state.worker.result();
-  if (!result || (result == state.shown && state.selected == state.shown_selected)) return;
+  if (!result || (result == state.shown && state.chosen == state.shown_chosen)) return;
   const bool new_pixel = !state.shown || state.shown->microscope != result->microscope;
   state.shown = result;
-  state.shown_selected = state.selected;
-  state.drawing = pixel_drawing(*result->microscope, result->reading, state.selected);
+  state.shown_chosen = state.chosen;
+  state.drawing = pixel_drawing(*result->microscope, result->reading, state.chosen);
   if (new_pixel) state.backdrop.upload(state.drawing.backdrop);
   state.texels.clear();
   if (!result->reading.texture) return;
@@ -58,6 +59,19 @@ void take_result(MicroscopePanelState& state) {
     state.texels.push_back(texel_drawing(level));
     state.texel_backdrops[state.texels.size() - 1].upload(level.texels);
   }
+}
+
+/// The triangle that is shown follows the story's selected event, until another one is clicked.
+void follow_story(MicroscopePanelState& state, const PixelStory* story, const StoryCursor& cursor) {
+  state.chosen = state.selected;
+  if (!state.shown || !story || story->pixel != state.shown->request.pixel) return;
+  const MicroReading& reading = state.shown->reading;
+  if (state.selected >= 0 && static_cast<std::size_t>(state.selected) < reading.triangles.size()) {
+    const int event = event_of_triangle(*story, reading.triangles[static_cast<std::size_t>(state.selected)]);
+    if (event < 0 || event == cursor.selected) return;
+    state.selected = -1;
+  }
+  state.chosen = triangle_of_event(*story, reading, cursor.selected);
 }
 
 /// The pixel itself; a drag moves the sample point.
@@ -122,8 +136,9 @@ void samples_text(const Microscope& microscope) {
   ImGui::PopTextWrapPos();
 }
 
-void triangle_list(MicroscopePanelState& state, const MicroReading& reading) {
-  const int chosen = shown_triangle(reading, state.selected);
+void triangle_list(MicroscopePanelState& state, const MicroReading& reading, const PixelStory* story,
+                   StoryCursor& cursor) {
+  const int chosen = shown_triangle(reading, state.chosen);
   for (std::size_t i = 0; i < reading.triangles.size(); ++i) {
     if (i == most_rows) {
       ImGui::TextDisabled("and %zu more", reading.triangles.size() - i);
@@ -134,7 +149,10 @@ void triangle_list(MicroscopePanelState& state, const MicroReading& reading) {
     const std::string_view fate = index == reading.front ? "in front" : triangle.covered ? "covers" : "does not cover";
     const std::string text = fmt::format("{}  {}: {}{}", i + 1, triangle.name, fate,
                                          triangle.covered ? ", z " + ps::number_text(triangle.z) : "");
-    if (tree_row(fmt::format("triangle/{}", i), text, TreeKind::leaf, index == chosen).clicked) state.selected = index;
+    if (!tree_row(fmt::format("triangle/{}", i), text, TreeKind::leaf, index == chosen).clicked) continue;
+    state.selected = index;
+    const int event = story ? event_of_triangle(*story, triangle) : -1;
+    if (event >= 0) cursor = {event, true, event / events_per_page};
   }
 }
 
@@ -210,7 +228,7 @@ void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float
   }
 }
 
-void readings(MicroscopePanelState& state) {
+void readings(MicroscopePanelState& state, const PixelStory* story, StoryCursor& cursor) {
   const MicroReading& reading = state.shown->reading;
   {
     const FontScope font(Face::heading);
@@ -226,8 +244,8 @@ void readings(MicroscopePanelState& state) {
   samples_text(*state.shown->microscope);
   if (reading.ray) ray_text(*reading.ray);
   ImGui::Spacing();
-  triangle_list(state, reading);
-  if (const int chosen = shown_triangle(reading, state.selected); chosen >= 0)
+  triangle_list(state, reading, story, cursor);
+  if (const int chosen = shown_triangle(reading, state.chosen); chosen >= 0)
     numbers_table(triangle_rows(reading.triangles[static_cast<std::size_t>(chosen)]));
   if (reading.texture) texel_views(state, *reading.texture, px(170));
   if (!reading.triangles.empty()) {
@@ -254,10 +272,10 @@ MicroscopePanelState::MicroscopePanelState(std::function<void()> wake)
              }) {}
 
 std::string microscope_drawing(const MicroscopePanelState& state) {
-  return state.shown ? micro_svg(*state.shown->microscope, state.shown->reading, state.selected) : std::string();
+  return state.shown ? micro_svg(*state.shown->microscope, state.shown->reading, state.chosen) : std::string();
 }
 
-bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled) {
+bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor& cursor, bool filled) {
   const NameScope scope("microscope");
   const auto pixel = session.pixel();
   if (!session.has_scene() || !pixel) {
@@ -276,6 +294,8 @@ bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled
     request.point = *state.point;
   else if (request.settings.sample_position == SamplePosition::corner)
     request.point = {0, 1};
+  const auto story = session.story(side);
+  follow_story(state, story.get(), cursor);
   take_result(state);
   // Where only a coarse picture of the pixel has come, the fine one is asked for.
   if (state.shown && same_pixel(state.shown->request, request))
@@ -291,7 +311,7 @@ bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled
   pixel_view(state, size);
   if (beside) ImGui::SameLine(0, px(16));
   ImGui::BeginChild("readings");
-  readings(state);
+  readings(state, story.get(), cursor);
   ImGui::EndChild();
   return fill;
 }

@@ -6,6 +6,7 @@
 #include "gui/app/latest_result.h"
 #include "gui/app/micro_paint.h"
 #include "gui/app/session.h"
+#include "gui/app/story_tree_view.h"
 #include "gui/platform/texture.h"
 #include "inspect/microscope/microscope.h"
 
@@ -33,12 +34,13 @@ struct MicroscopePanelState {
   explicit MicroscopePanelState(std::function<void()> wake);
 
   std::optional<Vec2d> point;  ///< where the sample point was dragged to; empty = the pixel's first sample
-  int selected = -1;           ///< triangle whose numbers are shown; -1 = the one in front
+  int selected = -1;           ///< triangle that was clicked; -1 = that of the story's selected event
+  int chosen = -1;             ///< triangle whose numbers are shown; -1 = the one in front
   std::optional<Vec2i> pixel;  ///< that the two above belong to
   LatestResult<MicroRequest, MicroResult> worker;
 
   std::shared_ptr<const MicroResult> shown;  ///< that the drawings were made from
-  int shown_selected = -1;
+  int shown_chosen = -1;
   MicroDrawing drawing;
   std::vector<MicroDrawing> texels;
   Texture backdrop;
@@ -49,7 +51,8 @@ struct MicroscopePanelState {
 /// What the panel shows now as an SVG file; empty before the first pixel.
 std::string microscope_drawing(const MicroscopePanelState& state);
 
-/// The picked pixel at panel size. `filled`: it has the whole window; answers whether that shall change.
-bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled);
+/// The picked pixel at panel size. A triangle that is clicked is selected in the story, and the other way round;
+/// `cursor` is that of the story. `filled`: it has the whole window; answers whether that shall change.
+bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor& cursor, bool filled);
 
 }  // namespace ps::gui
