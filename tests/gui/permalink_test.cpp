@@ -147,7 +147,7 @@ class PermalinkScreen : public testing::TestWithParam<Screen> {};
 
 TEST_P(PermalinkScreen, FourWaysBringItBack) {
   const Screen& screen = GetParam();
-  const auto folder = ps::fresh_output_folder(screen.folder);
+  const auto folder = std::filesystem::absolute(ps::fresh_output_folder(screen.folder));
   const std::string file = std::filesystem::absolute(folder / "screen.permalink").string();
   const std::string picture = std::filesystem::absolute(folder / "picture.png").string();
   const std::string arrange = with_folder(screen.arrange, folder.string());
