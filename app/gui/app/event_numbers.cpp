@@ -45,6 +45,14 @@ float column_width(const std::vector<EventField>& fields, NumberText text) {
   return widest + px(9);
 }
 
+/// How many columns these fields take.
+std::size_t columns_of(const std::vector<EventField>& fields) {
+  std::size_t most = 1;
+  for (const EventField& field : fields)
+    if (const auto numbers = numbers_of(field.value)) most = std::max(most, numbers->size());
+  return most;
+}
+
 /// The number of a light as a field counts it, from 0; the rows of the story count from 1 and say so in their title.
 bool counts_a_light(const EventField& field) {
   return field.key == "light" && std::holds_alternative<std::int64_t>(field.value);
@@ -73,11 +81,12 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
   // Where four digits after the point are too many for the room, three in all must do.
   NumberText number_column = column_text;
   float column = column_width(fields, number_column);
-  if (names + px(8) + column * static_cast<float>(columns) > room) {
+  const auto used = static_cast<float>(columns_of(fields));
+  if (names + px(8) + column * used > room) {
     number_column = short_text;
     column = column_width(fields, number_column);
   }
-  names = std::min(names + px(8), std::max(room - column * static_cast<float>(columns), px(40)));
+  names = std::min(names + px(8), std::max(room - column * used, px(40)));
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (counts_a_light(fields[i])) continue;
     if (const std::string old = value_then(then, texts[i]); !old.empty()) {
@@ -88,16 +97,20 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
       ImGui::PopTextWrapPos();
       ImGui::PopStyleColor();
     }
+    bool below = false;
     {
       const FontScope small(Face::small);
       ImGui::SetCursorPosX(left);
       ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
       ImGui::TextUnformatted(texts[i].name.c_str());
       ImGui::PopStyleColor();
+      below = ImGui::CalcTextSize(texts[i].name.c_str()).x > names - px(4);
     }
+    // Where a name leaves no room beside it, its value stands below.
+    const auto place = [&](float at) { below ? ImGui::SetCursorPosX(at) : ImGui::SameLine(at); };
     const auto numbers = numbers_of(fields[i].value);
     if (!numbers) {
-      ImGui::SameLine(left + names);
+      place(left + names);
       ImGui::PushTextWrapPos(0);
       ImGui::TextUnformatted(texts[i].value.c_str());
       ImGui::PopTextWrapPos();
@@ -105,7 +118,8 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
       for (std::size_t k = 0; k < numbers->size(); ++k) {
         const std::string text = number_column((*numbers)[k]);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
-        ImGui::SameLine(left + names + column * static_cast<float>(k + 1) - width);
+        place(left + names + column * static_cast<float>(k + 1) - width);
+        below = false;
         ImGui::TextUnformatted(text.c_str());
       }
     }

@@ -81,10 +81,12 @@ std::string footer_text(const RenderStatus& status, const RenderResult* result) 
     text += fmt::format("   {}", plural(rays, "ray"));
     break;
   }
-  case Renderer::rasterizer:
+  case Renderer::rasterizer: {
+    const bool lines = c[Counter::lines_drawn] > 0 && c[Counter::fragments] == 0;
     text += fmt::format("   {}   {}", plural(c[Counter::triangles_drawn], "triangle"),
-                        plural(c[Counter::fragments], "fragment"));
+                        lines ? plural(c[Counter::lines_drawn], "line") : plural(c[Counter::fragments], "fragment"));
     break;
+  }
   case Renderer::textbook:  // a listing counts nothing
     break;
   }
