@@ -292,8 +292,16 @@ class Assembler {
       recorder_.count(Counter::triangles_drawn);
     } else {
       recorder_.count(Counter::triangles_clipped_away);
-      reject(RejectReason::clipped_side, "no edge in view");
+      reject_outline();
     }
+  }
+
+  /// No edge is left of the triangle: because of one plane, or of several together.
+  void reject_outline() {
+    for (const auto& plane : pass_.planes)
+      if (std::none_of(corner_.begin(), corner_.end(), [&](const auto& c) { return plane.distance(c) >= 0; }))
+        return reject(plane.reason, plane.name);
+    reject(RejectReason::clipped_side, "no edge in view");
   }
 
   bool add_line(const Vec2<Real>& a, const Vec2<Real>& b) {
