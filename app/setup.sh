@@ -69,7 +69,10 @@ configured() {
 
 # configure PRESET FOLDER [-DNAME=ON...]: runs CMake unless the folder is already configured so.
 configure() {
-  configured "${@:2}" || (cd "$repository" && cmake --fresh --preset "$1" "${@:3}")
+  configured "${@:2}" && return
+  local fresh=()
+  configured "$2" || fresh=(--fresh)  # which throws away what was compiled: only for a folder that came from elsewhere
+  (cd "$repository" && cmake "${fresh[@]}" --preset "$1" "${@:3}")
 }
 
 # build PRESET TARGET...
