@@ -10,7 +10,7 @@ using ps::Image;
 using ps::Vec3d;
 using ps::Vec3f;
 
-std::shared_ptr<const Image<Vec3f>> noise(int width, int height, unsigned seed) {
+std::shared_ptr<const Image<Vec3f>> noise_texture(int width, int height, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> values(0, 1);
   Image<Vec3f> image(width, height);
@@ -26,7 +26,7 @@ Vec3d mean(const Image<Vec3f>& image) {
 
 TEST(MipChain, HalvesDownToOneTexel) {
   const auto sizes = [](int width, int height) {
-    const auto chain = ps::make_mip_chain(noise(width, height, 1));
+    const auto chain = ps::make_mip_chain(noise_texture(width, height, 1));
     std::vector<std::pair<int, int>> result;
     for (int i = 0; i < chain.levels(); ++i) result.emplace_back(chain.level(i).width(), chain.level(i).height());
     return result;
@@ -36,7 +36,7 @@ TEST(MipChain, HalvesDownToOneTexel) {
   EXPECT_EQ(sizes(7, 3), (Sizes{{7, 3}, {3, 1}, {1, 1}}));
   EXPECT_EQ(sizes(1, 5), (Sizes{{1, 5}, {1, 2}, {1, 1}}));
   EXPECT_EQ(sizes(1, 1), (Sizes{{1, 1}}));
-  EXPECT_EQ(ps::make_mip_chain(noise(8, 8, 1), ps::MipLevels::finest_only).levels(), 1);
+  EXPECT_EQ(ps::make_mip_chain(noise_texture(8, 8, 1), ps::MipLevels::finest_only).levels(), 1);
 }
 
 TEST(MipChain, ATexelIsTheMeanOfTheFourBelowIt) {
@@ -67,7 +67,7 @@ TEST(MipChain, EveryLevelHasTheMeanOfTheTexture) {
   const unsigned seed = std::random_device{}();
   SCOPED_TRACE("seed " + std::to_string(seed));
   for (const auto& [width, height] : {std::pair{64, 64}, {63, 61}, {100, 7}, {1, 33}, {600, 600}}) {
-    const auto base = noise(width, height, seed);
+    const auto base = noise_texture(width, height, seed);
     const auto chain = ps::make_mip_chain(base);
     const Vec3d expected = mean(*base);
     for (int i = 1; i < chain.levels(); ++i) {
