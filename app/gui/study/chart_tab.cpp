@@ -106,7 +106,7 @@ void run_buttons(Session& session, ChartTabState& state, const StudyFolder& fold
   if (!button("measure", word, Emphasis::primary,
               {.tooltip = "Draws every picture several times in the background.",
                .disabled = state.plan.error,
-               .width = px(82)}))
+               .width = button_width("Measure")}))
     return;
   if (word == "Again") StudyFolder::forget(folder.of(state.plan.key));
   measure_chart(session, state, folder);
@@ -134,7 +134,7 @@ bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, 
   sweep_choice(state, px(wide ? 220 : 100));
   same_line_if_room(button_width("Setup"), px(3));
   setup_popup(session, state, host);
-  same_line_if_room(px(82), gap);
+  same_line_if_room(button_width("Measure"), gap);
   run_buttons(session, state, folder);
   same_line_if_room(px(wide ? 150 : 76), gap);
   metric_choice(state, px(wide ? 150 : 76));

@@ -129,7 +129,7 @@ void run_buttons(StabilityTabState& state) {
   const std::vector<std::string> left = left_over(state);
   const bool done = complete(state, experiment.key);
   const char* word = !left.empty() ? "Resume" : done ? "Again" : "Measure";
-  if (button("measure", word, Emphasis::primary, {.width = px(82)})) {
+  if (button("measure", word, Emphasis::primary, {.width = button_width("Measure")})) {
     if (!left.empty())
       begin(state, state.asked, StabilityRequest::Kept::take);
     else
