@@ -129,10 +129,9 @@ struct Neighbours {
 };
 HWY_INLINE Neighbours read_neighbours(const std::uint32_t* texels, const std::int32_t* index) {
   const DI di;
-  const hn::FixedTag<double, 1> pair;
-  const hn::FixedTag<double, 2> two;
-  const auto load = [&](std::size_t i)
-                        HWY_ATTR { return hn::LoadU(pair, reinterpret_cast<const double*>(texels + index[i])); };
+  const hn::FixedTag<std::uint32_t, 2> pair;
+  const hn::FixedTag<std::uint32_t, 4> two;
+  const auto load = [&](std::size_t i) HWY_ATTR { return hn::LoadU(pair, texels + index[i]); };
   // Lanes 0, 1, 4, 5, ... and lanes 2, 3, 6, 7, ...
   const auto every = [&](std::size_t first) HWY_ATTR {
     return ps::HWY_NAMESPACE::every_fourth(
