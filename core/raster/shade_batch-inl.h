@@ -7,13 +7,10 @@
 #define PIXELSCOPE_SHADE_BATCH_INL_H_
 #endif
 
-#include <algorithm>
-#include <cmath>
-
-#include "math/power-inl.h"
 #include "math/vec3-inl.h"
 #include "raster/shade_batch.h"
 #include "raster/texture_batch-inl.h"
+#include "shade/illumination-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ps::raster::HWY_NAMESPACE {
@@ -55,48 +52,6 @@ HWY_INLINE V3 own_colour(const BatchShading& shading, const texture::Lookups& ru
   return {times(colour.x, run.red), times(colour.y, run.green), times(colour.z, run.blue)};
 }
 
-HWY_INLINE void add_light(V3& sum, M mask, const Vec3f& colour, V amount) {
-  const V3 more{hn::Add(sum.x, hn::Mul(splat(colour.x), amount)), hn::Add(sum.y, hn::Mul(splat(colour.y), amount)),
-                hn::Add(sum.z, hn::Mul(splat(colour.z), amount))};
-  sum = choose(mask, more, sum);
-}
-
-/// One point or directional light: diffuse, then its highlight.
-HWY_INLINE void add_casting_light(const BatchShading& shading, const ShadingLight<float>& light, const V3& position,
-                                  const V3& normal, V normal_length, V3& sum) {
-  const D d;
-  const V zero = hn::Zero(d);
-  const V intensity = splat(light.intensity);
-  const V3 vector = splat3(light.vector);
-  const V3 to_light = light.kind == LightKind::point ? subtract(vector, position) : vector;
-  const V n_dot_l = dot(normal, to_light);
-  const V light_distance = length(to_light);
-  add_light(sum, hn::Gt(n_dot_l, zero), light.colour,
-            hn::Div(hn::Mul(intensity, n_dot_l), hn::Mul(normal_length, light_distance)));
-  if (!shading.specular) return;
-  V3 a = normal;
-  V3 b = subtract(splat3(shading.eye), position);
-  switch (shading.highlight) {
-  case Highlight::phong:
-    a = subtract(scale(normal, hn::Mul(splat(2), n_dot_l)), to_light);
-    break;
-  case Highlight::blinn_phong:
-    b = add(divide(to_light, light_distance), divide(b, length(b)));
-    break;
-  }
-  const V product = dot(a, b);
-  const M bright = hn::Gt(product, zero);
-  if (hn::AllFalse(d, bright)) return;
-  const V cosine = hn::Div(product, hn::Mul(length(a), length(b)));
-  // Where the light so far is not dark, a highlight below a quarter of its last bit is not worth its power.
-  const auto largest = std::max({std::abs(light.colour.x), std::abs(light.colour.y), std::abs(light.colour.z)});
-  const V dark = splat(std::abs(light.intensity) * largest * 0x1p-10f);
-  const M faint = hn::And(hn::Le(cosine, splat(shading.faint)), hn::Ge(hn::Min(hn::Min(sum.x, sum.y), sum.z), dark));
-  if (hn::AllFalse(d, hn::AndNot(faint, bright))) return;
-  const V raised = ps::HWY_NAMESPACE::power_of_floats(d, cosine, splat(shading.exponent));
-  add_light(sum, bright, light.colour, hn::Mul(intensity, raised));
-}
-
 template <class Source>
 HWY_INLINE V3 light_of_equation(const BatchShading& shading, const Source& source) {
   const V zero = hn::Zero(D());
@@ -109,13 +64,22 @@ HWY_INLINE V3 light_of_equation(const BatchShading& shading, const Source& sourc
     const V size = length(normal);
     normal = choose(hn::Gt(size, zero), divide(normal, size), normal);
   }
-  const V normal_length = length(normal);
+  const M all = hn::Eq(zero, zero);
+  const M specular = shading.specular ? all : hn::Not(all);
+  const ps::HWY_NAMESPACE::LitLanes<D> points{position,
+                                              normal,
+                                              subtract(splat3(shading.eye), position),
+                                              length(normal),
+                                              specular,
+                                              splat(shading.exponent),
+                                              splat(shading.faint),
+                                              shading.highlight};
   V3 sum{zero, zero, zero};
   for (const ShadingLight<float>& light : shading.lights) {
     if (light.kind == LightKind::ambient)
-      add_light(sum, hn::Eq(zero, zero), light.colour, splat(light.intensity));
+      add_light(sum, all, light.colour, splat(light.intensity));
     else
-      add_casting_light(shading, light, position, normal, normal_length, sum);
+      add_casting_light(light, points, all, sum);
   }
   return sum;
 }

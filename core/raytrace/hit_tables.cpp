@@ -1,5 +1,4 @@
-#include <cmath>
-
+#include "raytrace/plain_material.h"
 #include "raytrace/shade_hits.h"
 #include "shade/faint_highlight.h"
 
@@ -8,10 +7,8 @@ namespace {
 
 /// Is the colour of such a surface the material's times the light, without further rays?
 bool is_plain(const ShadingMaterial<float>& material, const Settings& settings) {
-  const bool highlight = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
   const bool further_rays = settings.reflection_depth > 0 && (material.reflective > 0 || material.transparency > 0);
-  return highlight && !further_rays && material.texture < 0 && material.normal_map < 0 && material.height_map < 0 &&
-         !material.ambient_colour && !material.specular_colour;
+  return has_plain_light(material) && !further_rays && material.height_map < 0;
 }
 
 HitMaterial hit_material(const ShadingMaterial<float>& material, const Settings& settings) {

@@ -1,6 +1,5 @@
-#include <cmath>
-
 #include "raytrace/packet.h"
+#include "raytrace/plain_material.h"
 #include "raytrace/sampling/plan.h"
 #include "shade/faint_highlight.h"
 
@@ -16,12 +15,6 @@ bool covers(const Settings& settings) {
          settings.highlight == Highlight::phong && settings.illumination == Illumination::book &&
          settings.cache_constants && !settings.shadow_cache &&
          (settings.accelerator == Accelerator::bvh || settings.accelerator == Accelerator::none);
-}
-
-bool covers(const ShadingMaterial<float>& material) {
-  const bool highlight = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
-  return highlight && material.texture < 0 && material.normal_map < 0 && !(material.transparency > 0) &&
-         !material.ambient_colour && !material.specular_colour;
 }
 
 PacketSphere packet_sphere(const PixelId& id, const TracedSphere<float>& sphere, const ShadingMaterial<float>& material,
@@ -57,7 +50,7 @@ std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const 
   PacketScene scene;
   for (const Primitive& primitive : geometry.primitives) {
     const ShadingMaterial<float>& material = inputs.materials[primitive.material];
-    if (!covers(material)) return {};
+    if (!has_plain_light(material) || material.transparency > 0) return {};
     scene.spheres.push_back(packet_sphere(primitive.id, geometry.spheres[primitive.shape], material, inputs.eye));
   }
   scene.lights = inputs.lights;
