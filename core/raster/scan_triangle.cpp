@@ -116,7 +116,7 @@ HWY_INLINE int scan_rows(const TriangleScan& scan, int row, ShadeBatch& batch, S
       }
       const auto at = static_cast<std::size_t>(batch.count);
       const V z = hn::Div(one, inverse_z);
-      const auto pixels = hn::Iota(di, first_pixel + x);
+      const auto pixels = hn::Add(hn::Iota(di, 0), hn::Set(di, first_pixel + x));
       if (hn::AllTrue(d, inside)) {
         append<Kind>(weight0, weight1, weight2, z, pixels, batch, at);
         batch.count += lanes;

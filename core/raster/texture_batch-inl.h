@@ -86,8 +86,8 @@ struct Step {
 };
 using Steps = std::array<Step, 2>;
 
-/// mip_level() of uv_derivatives().
-HWY_INLINE V mip_level(const BatchTexture& texture, const Steps& steps, V u, V v, V z) {
+/// What uv_derivatives() says of a step's longer way over the texture, squared.
+HWY_INLINE V squared_footprint(const BatchTexture& texture, const Steps& steps, V u, V v, V z) {
   const V width = number(static_cast<float>(texture.texture->width[0]));
   const V height = number(static_cast<float>(texture.texture->height[0]));
   const auto squared_length = [&](const Step& step) HWY_ATTR {
@@ -97,8 +97,12 @@ HWY_INLINE V mip_level(const BatchTexture& texture, const Steps& steps, V u, V v
   };
   const V x = squared_length(steps[0]);
   const V y = squared_length(steps[1]);
-  const V longer = hn::IfThenElse(hn::Gt(x, y), x, y);
-  return hn::Add(hn::Mul(number(0.5f), level_log2(longer)), number(texture.mip_bias));
+  return hn::IfThenElse(hn::Gt(x, y), x, y);
+}
+
+/// mip_level() of it.
+HWY_INLINE V mip_level(const BatchTexture& texture, V squared) {
+  return hn::Add(hn::Mul(number(0.5f), level_log2(squared)), number(texture.mip_bias));
 }
 
 /// clamp_level()
@@ -115,7 +119,7 @@ HWY_INLINE void add_lookups(const BatchTexture& how, const Steps& steps, V u, V 
   hn::Store(u, d, run.u.data() + at);
   hn::Store(v, d, run.v.data() + at);
   if (how.filter == TextureFilter::nearest || how.filter == TextureFilter::bilinear) return;
-  hn::Store(clamp_level(mip_level(how, steps, u, v, z), *how.texture), d, run.level.data() + at);
+  hn::Store(squared_footprint(how, steps, u, v, z), d, run.level.data() + at);
 }
 
 /// sample_nearest()
@@ -171,6 +175,11 @@ HWY_INLINE void place_filtered(const BatchTexture& how, Lookups& run) {
   const DI di;
   const PackedTexture& texture = *how.texture;
   const TexelSize size = texel_size(texture);
+  if (how.filter != TextureFilter::bilinear)
+    for (std::size_t at = 0; at < run.vectors * hn::Lanes(d); at += hn::Lanes(d)) {
+      float* const level = run.level.data() + at;
+      hn::Store(clamp_level(mip_level(how, hn::Load(d, level)), texture), d, level);
+    }
   for (std::size_t i = 0, at = 0; i < run.vectors; ++i, at += hn::Lanes(d)) {
     const V t_u = wrap_coordinate(hn::Load(d, run.u.data() + at), how.wrap);
     const V t_v = wrap_coordinate(hn::Load(d, run.v.data() + at), how.wrap);

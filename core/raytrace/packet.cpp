@@ -295,7 +295,7 @@ void trace_packets(const PacketScene& scene, const TileRect& tile, const TileRec
     for (int x = part.x0; x < part.x1; x += lanes) {
       const int width = std::min(lanes, part.x1 - x);
       const M active = hn::FirstN(d, static_cast<std::size_t>(width));
-      const PacketRay rays = eye_rays_of_row(scene, hn::Iota(d, static_cast<float>(x)), y);
+      const PacketRay rays = eye_rays_of_row(scene, hn::Add(hn::Iota(d, 0.0f), hn::Set(d, static_cast<float>(x))), y);
       PacketHit first;
       if (reuse) {
         const auto from = static_cast<std::size_t>(x - tile.x0);

@@ -41,26 +41,35 @@ HWY_INLINE VI zero() { return hn::Zero(DI()); }
 /// Those bits of VertexPlace::outside that stand for planes.
 HWY_INLINE VI planes() { return number(static_cast<std::int32_t>(VertexPlace::no_place - 1)); }
 
-/// Corner `k` of the triangles from number `first` on; lanes beyond the last get the last.
-HWY_INLINE Corner load_corner(const AssemblyRules& rules, const TriangleBlock& block, std::size_t k,
-                              std::size_t first) {
+/// The vertices that are corner `k` of the triangles from number `first` on; lanes beyond the last get the last.
+using Vertices = std::array<std::uint32_t, most_lanes>;
+HWY_INLINE Vertices vertices_of(const TriangleBlock& block, std::size_t k, std::size_t first) {
+  const auto last = static_cast<std::size_t>(block.count) - 1;
+  Vertices vertices;
+  for (std::size_t lane = 0; lane < hn::Lanes(DI()); ++lane)
+    vertices[lane] = block.triangles[std::min(first + lane, last)].position[k];
+  return vertices;
+}
+
+/// Corners without their places on the canvas.
+HWY_INLINE Corner load_points(const TriangleBlock& block, const Vertices& vertices) {
+  const hn::FixedTag<float, 4> four;
+  const auto point = ps::HWY_NAMESPACE::four_vectors(
+      [&](std::size_t lane) HWY_ATTR { return hn::LoadU(four, &block.points[vertices[lane]].x); });
+  return {point.first, point.second, point.third, point.fourth, zero(), zero(), zero()};
+}
+
+HWY_INLINE void load_places(const AssemblyRules& rules, const TriangleBlock& block, const Vertices& vertices,
+                            Corner& corner) {
   const hn::FixedTag<float, 4> four;
   const hn::Rebind<std::int32_t, decltype(four)> four_numbers;
   const DI di;
-  const auto last = static_cast<std::size_t>(block.count) - 1;
-  const auto vertex = [&](std::size_t lane) { return block.triangles[std::min(first + lane, last)].position[k]; };
-  const auto point = ps::HWY_NAMESPACE::four_vectors(
-      [&](std::size_t lane) HWY_ATTR { return hn::LoadU(four, &block.points[vertex(lane)].x); });
   const auto place = ps::HWY_NAMESPACE::four_vectors([&](std::size_t lane) HWY_ATTR {
-    return hn::BitCast(four, hn::LoadU(four_numbers, &block.places[vertex(lane)].column));
+    return hn::BitCast(four, hn::LoadU(four_numbers, &block.places[vertices[lane]].column));
   });
-  return {point.first,
-          point.second,
-          point.third,
-          point.fourth,
-          hn::ShiftRightSame(hn::BitCast(di, place.first), rules.spare_bits),
-          hn::ShiftRightSame(hn::BitCast(di, place.second), rules.spare_bits),
-          hn::BitCast(di, place.third)};
+  corner.column = hn::ShiftRightSame(hn::BitCast(di, place.first), rules.spare_bits);
+  corner.row = hn::ShiftRightSame(hn::BitCast(di, place.second), rules.spare_bits);
+  corner.outside = hn::BitCast(di, place.third);
 }
 
 HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) {
@@ -191,8 +200,10 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
                                 AssembledBlock& result) {
   const D d;
   const DI di;
-  const std::array<Corner, 3> c{load_corner(rules, block, 0, first), load_corner(rules, block, 1, first),
-                                load_corner(rules, block, 2, first)};
+  const std::array<Vertices, 3> vertices{vertices_of(block, 0, first), vertices_of(block, 1, first),
+                                         vertices_of(block, 2, first)};
+  std::array<Corner, 3> c{load_points(block, vertices[0]), load_points(block, vertices[1]),
+                          load_points(block, vertices[2])};
   const Facing face = facing(c, rules.handedness);
   result.degenerate += hn::CountTrue(di, hn::AndNot(face.solid, wanted));
   M rest = hn::And(wanted, face.solid);
@@ -200,6 +211,9 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
     result.back_facing += hn::CountTrue(di, hn::AndNot(face.front, rest));
     rest = hn::And(rest, face.front);
   }
+  // Of back faces, which mostly come in rows, nothing more is read.
+  if (hn::AllFalse(di, rest)) return;
+  for (std::size_t k = 0; k < 3; ++k) load_places(rules, block, vertices[k], c[k]);
   // Clipping goes from plane to plane. Where the first that any corner is behind has all of them behind it, it leaves
   // nothing, and those before it cut nothing.
   const VI any_behind = hn::Or(hn::Or(c[0].outside, c[1].outside), c[2].outside);

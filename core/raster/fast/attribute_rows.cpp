@@ -104,23 +104,25 @@ bool all_are(std::uint32_t id, const std::uint32_t* ids) {
 
 void AttributeRows::start(const TileFragments& tile) {
   tile_ = &tile;
-  begin_.assign(tile.triangle_count, missing);
+  const std::uint32_t count = tile.triangle_count;
+  begin_.assign(count + 1, missing);  // the last stands for samples that show nothing
   used_ = 0;
-  if (tile.triangle_count < enough_to_sort) return;
-  std::uint32_t last = TileFragments::none;
+  if (count < enough_to_sort) return;
+  static_assert(TileFragments::none == 0xffffffff);
   for (std::size_t first = 0; first < TileFragments::samples; first += run) {
-    if (all_are(last, tile.id.data() + first)) continue;
-    for (std::size_t i = first; i < first + run; ++i) {
-      if (tile.id[i] == last) continue;
-      last = tile.id[i];
-      if (last != TileFragments::none) begin_[last] = seen;
+    if (all_are(tile.id[first], tile.id.data() + first)) {
+      begin_[std::min(tile.id[first], count)] = seen;
+      continue;
     }
+    for (std::size_t i = first; i < first + run; ++i) begin_[std::min(tile.id[i], count)] = seen;
   }
-  constexpr std::uint32_t ahead = 8;
+  constexpr std::uint32_t ahead = 16, vertices_ahead = 8;
   Origin before{TileFragments::none, 0, 0};
   std::uint32_t row_before = missing;
-  for (std::uint32_t id = 0; id < tile.triangle_count; ++id) {
-    if (id + ahead < tile.triangle_count && begin_[id + ahead] == seen) fetch(tile.triangles[id + ahead]);
+  for (std::uint32_t id = 0; id < count; ++id) {
+    if (id + ahead < count && begin_[id + ahead] == seen) fetch(tile.triangles[id + ahead]);
+    if (id + vertices_ahead < count && begin_[id + vertices_ahead] == seen)
+      fetch_vertices(tile.triangles[id + vertices_ahead]);
     if (begin_[id] != seen) continue;
     if (tile.triangles[id].triangle) {
       make_row(id);
@@ -138,6 +140,20 @@ void AttributeRows::fetch(const TileTriangle& triangle) const {
   if (triangle.triangle && triangle.triangle->is_general()) return;
   const Origin origin = origin_of(triangle);
   hwy::Prefetch(&pass_.objects[origin.object].mesh->triangles[origin.triangle]);
+}
+
+/// The same of its vertices; fetch() has been called some time ago.
+void AttributeRows::fetch_vertices(const TileTriangle& triangle) const {
+  if (triangle.triangle && triangle.triangle->is_general()) return;
+  const Origin origin = origin_of(triangle);
+  const MeshTriangle& mesh_triangle = pass_.objects[origin.object].mesh->triangles[origin.triangle];
+  const VertexBuffer<float>& vertices = vertices_[origin.object];
+  for (std::size_t k = 0; k < 3; ++k) {
+    hwy::Prefetch(vertices.world.empty() ? &vertices.camera[mesh_triangle.position[k]]
+                                         : &vertices.world[mesh_triangle.position[k]]);
+    if (!vertices.normals.empty() && mesh_triangle.normal[k] >= 0)
+      hwy::Prefetch(&vertices.normals[static_cast<std::size_t>(mesh_triangle.normal[k])]);
+  }
 }
 
 std::uint32_t AttributeRows::make_row(std::uint32_t id) {
@@ -231,14 +247,15 @@ void AttributeRows::fill_corners(const TileTriangle& triangle, const FastSurface
   };
   const bool own_normals = pass_.settings.normals == Normals::vertex && !vertices.normals.empty();
   for (std::size_t k = 0; k < 3; ++k, row += how.corner_size) {
-    const float share = vertices.camera[mesh_triangle.position[k]].w;
+    const std::uint32_t v = mesh_triangle.position[k];
+    const float share = vertices.world.empty() ? vertices.camera[v].w : vertices.world[v].w;  // both hold it
     const auto n = mesh_triangle.normal[k];
     if (shading.normal >= 0) {
       const bool own = own_normals && n >= 0;
       put(row + shading.normal, own ? vertices.normals[static_cast<std::size_t>(n)] : Vec4f(source.face_normal, 0),
           share);
     }
-    if (shading.position >= 0) put(row + shading.position, vertices.world[mesh_triangle.position[k]], share);
+    if (shading.position >= 0) put(row + shading.position, vertices.world[v], share);
     if (!how.textured) continue;
     const auto index = mesh_triangle.uv[k];
     const Vec2d uv = index >= 0 ? object.mesh->uvs[static_cast<std::size_t>(index)] : Vec2d(0);

@@ -42,6 +42,7 @@ class AttributeRows {
 
   std::uint32_t make_row(std::uint32_t id);
   void fetch(const TileTriangle& triangle) const;
+  void fetch_vertices(const TileTriangle& triangle) const;
   void fill_piece(const TileTriangle& triangle, const FastSurface& how, float* row) const;
   void fill_corners(const TileTriangle& triangle, const FastSurface& how, float* row) const;
   void fill_steps(const TileTriangle& triangle, const FastSurface& how, float* row) const;

@@ -20,7 +20,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::CappedTag<float, 8>;
+using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
@@ -30,7 +30,7 @@ struct Small {
   using Scalar = std::int32_t;
   using Value = hn::Vec<Count>;
   static HWY_INLINE Value from(Scalar first, Scalar step, int before) {
-    return hn::Add(hn::Set(Count(), first), hn::Mul(hn::Iota(Count(), before), hn::Set(Count(), step)));
+    return hn::Add(hn::Set(Count(), first + before * step), hn::Mul(hn::Iota(Count(), 0), hn::Set(Count(), step)));
   }
   static HWY_INLINE Value same(Scalar value) { return hn::Set(Count(), value); }
   static HWY_INLINE void add(Value& value, const Value& more) { value = hn::Add(value, more); }
@@ -50,10 +50,9 @@ struct Large {
     hn::Vec<Count> low, high;
   };
   static HWY_INLINE Value from(Scalar first, Scalar step, int before) {
-    const auto low = hn::Iota(Count(), static_cast<double>(before));
-    const auto high = hn::Iota(Count(), static_cast<double>(before) + static_cast<double>(hn::Lanes(Count())));
-    const auto start = hn::Set(Count(), first), change = hn::Set(Count(), step);
-    return {hn::Add(start, hn::Mul(low, change)), hn::Add(start, hn::Mul(high, change))};
+    const auto change = hn::Set(Count(), step);
+    const auto low = hn::Add(hn::Set(Count(), first + before * step), hn::Mul(hn::Iota(Count(), 0.0), change));
+    return {low, hn::Add(low, hn::Mul(hn::Set(Count(), static_cast<double>(hn::Lanes(Count()))), change))};
   }
   static HWY_INLINE Value same(Scalar value) { return {hn::Set(Count(), value), hn::Set(Count(), value)}; }
   static HWY_INLINE void add(Value& value, const Value& more) {
@@ -69,6 +68,10 @@ struct Large {
 
 /// Whether all samples of a box are known to lie inside.
 enum class Covers { some, all };
+
+/// What to do with a vector none of whose samples lies inside. To go on costs little; a branch that cannot be foreseen
+/// costs more.
+enum class WhenOutside { skip, go_on };
 
 /// A triangle's edges as `Kind` counts them, from the first sample of `box` on.
 template <class Scalar>
@@ -97,63 +100,115 @@ HWY_INLINE std::uint64_t put(M inside, V inverse_z, std::uint32_t id, std::size_
   float* const depth = tile.inverse_z.data() + at;
   const V before = hn::Load(d, depth);
   const M passed = hn::And(inside, hn::Gt(inverse_z, before));
-  if (tile.keep_replaced) {
-    std::array<std::uint8_t, 8> bits{};
-    hn::StoreMaskBits(d, passed, bits.data());
-    keep_replaced(tile, at, bits[0], tile.replaced);
-  }
   std::uint32_t* const id_at = tile.id.data() + at;
+  const auto id_before = hn::Load(du, id_at);
+  if (tile.keep_replaced) {
+    const M shown = hn::RebindMask(d, hn::Ne(id_before, hn::Set(du, TileFragments::none)));
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(d, hn::And(passed, shown), bits.data());
+    keep_replaced(tile, at, bits[0] | std::uint64_t{bits[1]} << 8, tile.replaced);
+  }
   hn::Store(hn::IfThenElse(passed, inverse_z, before), d, depth);
-  hn::Store(hn::IfThenElse(hn::RebindMask(du, passed), hn::Set(du, id), hn::Load(du, id_at)), du, id_at);
+  hn::Store(hn::IfThenElse(hn::RebindMask(du, passed), hn::Set(du, id), id_before), du, id_at);
   return hn::CountTrue(d, passed);
 }
+
+/// Draws the vectors of a box, and counts.
+template <class Kind>
+class BoxVectors {
+ public:
+  using Value = typename Kind::Value;
+  using Scalar = typename Kind::Scalar;
+  HWY_INLINE BoxVectors(const BoxEdges<Scalar>& edges, std::uint32_t id, TileFragments& tile)
+      : edges_(edges), tile_(tile), id_(id),
+        inverse_area_(hn::Set(D(), edges.inverse_area)), inverse_z_{hn::Set(D(), edges.inverse_z[0]),
+                                                                    hn::Set(D(), edges.inverse_z[1]),
+                                                                    hn::Set(D(), edges.inverse_z[2])} {}
+
+  /// The edges' values in the box's first row, at the vector that begins `before` samples ahead of it.
+  HWY_INLINE std::array<Value, 3> first_row(int before) const {
+    std::array<Value, 3> row;
+    for (std::size_t i = 0; i < 3; ++i) row[i] = Kind::from(edges_.value[i], edges_.step_x[i], before);
+    return row;
+  }
+  template <Covers covers, WhenOutside when_outside>
+  HWY_INLINE void draw(const std::array<Value, 3>& value, M inside, std::size_t at) {
+    const D d;
+    std::array<V, 3> weight;
+    for (std::size_t i = 0; i < 3; ++i) {
+      weight[i] = Kind::to_float(value[i]);
+      if constexpr (covers == Covers::some)
+        inside = hn::And(inside, Kind::above(value[i], weight[i], edges_.threshold[i]));
+    }
+    if (covers == Covers::some && when_outside == WhenOutside::skip && hn::AllFalse(d, inside)) return;
+    covered += hn::CountTrue(d, inside);
+    for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Mul(weight[i], inverse_area_);
+    const V inverse_z = hn::Add(hn::Add(hn::Mul(weight[0], inverse_z_[0]), hn::Mul(weight[1], inverse_z_[1])),
+                                hn::Mul(weight[2], inverse_z_[2]));
+    passed += put(inside, inverse_z, id_, at, tile_);
+  }
+  std::uint64_t passed = 0, covered = 0;
+
+ private:
+  const BoxEdges<Scalar>& edges_;
+  TileFragments& tile_;
+  std::uint32_t id_;
+  V inverse_area_;
+  std::array<V, 3> inverse_z_;
+};
 
 /// Draws the box; how many fragments passed the depth test. Vectors lie where their length divides their place in the
 /// row, and are written as a whole: what the next triangle reads there is then known before it has left the processor.
 template <class Kind, Covers covers>
 HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges, std::uint32_t id,
                                    TileFragments& tile) {
-  using Value = typename Kind::Value;
   using Scalar = typename Kind::Scalar;
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int begin = edges.x & ~(lanes - 1), end = edges.x + edges.width;
-  std::array<Value, 3> row, down, stride;
+  BoxVectors<Kind> vectors(edges, id, tile);
+  auto row = vectors.first_row(begin - edges.x);
+  std::array<typename Kind::Value, 3> down, stride;
   for (std::size_t i = 0; i < 3; ++i) {
-    row[i] = Kind::from(edges.value[i], edges.step_x[i], begin - edges.x);
     down[i] = Kind::same(edges.step_y[i]);
     stride[i] = Kind::same(edges.step_x[i] * static_cast<Scalar>(lanes));
   }
-  const V inverse_area = hn::Set(d, edges.inverse_area);
-  const V inverse_z0 = hn::Set(d, edges.inverse_z[0]), inverse_z1 = hn::Set(d, edges.inverse_z[1]),
-          inverse_z2 = hn::Set(d, edges.inverse_z[2]);
   const M last = hn::FirstN(d, static_cast<std::size_t>((end - begin - 1) % lanes + 1)),
           all = hn::FirstN(d, hn::Lanes(d));
-  std::uint64_t passes = 0, covered = 0;
-  for (int y = 0; y < edges.height; ++y) {
-    std::array<Value, 3> value = row;
-    std::size_t at = static_cast<std::size_t>(edges.y + y) * fast_tile + static_cast<std::size_t>(begin);
+  std::size_t at_row = static_cast<std::size_t>(edges.y) * fast_tile + static_cast<std::size_t>(begin);
+  for (int y = 0; y < edges.height; ++y, at_row += fast_tile) {
+    auto value = row;
+    std::size_t at = at_row;
     for (int x = begin; x < end; x += lanes, at += static_cast<std::size_t>(lanes)) {
-      M inside = end - x <= lanes ? last : all;
-      std::array<V, 3> weight;
-      for (std::size_t i = 0; i < 3; ++i) {
-        weight[i] = Kind::to_float(value[i]);
-        if constexpr (covers == Covers::some)
-          inside = hn::And(inside, Kind::above(value[i], weight[i], edges.threshold[i]));
-      }
-      if (covers == Covers::all || !hn::AllFalse(d, inside)) {
-        covered += hn::CountTrue(d, inside);
-        for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Mul(weight[i], inverse_area);
-        const V inverse_z = hn::Add(hn::Add(hn::Mul(weight[0], inverse_z0), hn::Mul(weight[1], inverse_z1)),
-                                    hn::Mul(weight[2], inverse_z2));
-        passes += put(inside, inverse_z, id, at, tile);
-      }
+      vectors.template draw<covers, WhenOutside::skip>(value, end - x <= lanes ? last : all, at);
       for (std::size_t i = 0; i < 3; ++i) Kind::add(value[i], stride[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) Kind::add(row[i], down[i]);
   }
-  tile.fragments += covered;
-  return passes;
+  tile.fragments += vectors.covered;
+  return vectors.passed;
+}
+
+/// The same for a box of one or two vectors in each row, one below the other: without branches that a processor cannot
+/// foresee.
+HWY_INLINE std::uint64_t cover_narrow_box(const BoxEdges<std::int32_t>& edges, std::uint32_t id, TileFragments& tile) {
+  const D d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const int begin = edges.x & ~(lanes - 1), end = edges.x + edges.width;
+  BoxVectors<Small> vectors(edges, id, tile);
+  std::array<Small::Value, 3> down;
+  for (std::size_t i = 0; i < 3; ++i) down[i] = Small::same(edges.step_y[i]);
+  for (int x = begin; x < end; x += lanes) {
+    auto value = vectors.first_row(x - edges.x);
+    const M inside = hn::FirstN(d, static_cast<std::size_t>(std::min(end - x, lanes)));
+    std::size_t at = static_cast<std::size_t>(edges.y) * fast_tile + static_cast<std::size_t>(x);
+    for (int y = 0; y < edges.height; ++y, at += fast_tile) {
+      vectors.draw<Covers::some, WhenOutside::go_on>(value, inside, at);
+      for (std::size_t i = 0; i < 3; ++i) Small::add(value[i], down[i]);
+    }
+  }
+  tile.fragments += vectors.covered;
+  return vectors.passed;
 }
 
 /// Whether the corners of a box, and so all its samples, lie inside the three edges.
@@ -224,6 +279,9 @@ HWY_INLINE std::uint64_t cover_small(const FastTriangle& triangle, const TileRec
   edges.step_y[2] = -triangle.step_y[0] - triangle.step_y[1];
   edges.value[2] = triangle.area - edges.value[0] - edges.value[1];
   for (std::size_t i = 0; i < 3; ++i) edges.threshold[i] = -static_cast<std::int32_t>(triangle.shape >> (16 + i) & 1);
+  constexpr int narrow = 2 * static_cast<int>(hn::MaxLanes(D()));
+  const int offset = edges.x & (static_cast<int>(hn::Lanes(D())) - 1);
+  if (offset + edges.width <= narrow) return cover_narrow_box(edges, id, tile);
   return cover_box<Small, Covers::some>(edges, id, tile);
 }
 

@@ -24,56 +24,64 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using namespace resolving;
 
-/// The colours of `count` shares of one surface.
-HWY_NOINLINE V3 shade_shares(ResolveTask& task, std::uint32_t surface, const Fragments& fragments, const Share* shares,
-                             std::size_t count, M seen) {
+/// Which triangles the lanes in `seen` show, if they are few; how many, or 0.
+HWY_INLINE std::size_t find_few(const Fragments& fragments, M seen, std::array<Share, FewTriangles::most>& few) {
+  const D d;
+  const DI di;
+  const VI ids = hn::Load(di, reinterpret_cast<const std::int32_t*>(fragments.id.data()));
+  const std::size_t most = std::min(FewTriangles::most, hn::Lanes(d) / 4);
+  std::size_t count = 0;
+  for (M rest = seen; !hn::AllFalse(d, rest); ++count) {
+    if (count == most) return 0;
+    const std::uint32_t id = fragments.id[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
+    const M mask = hn::RebindMask(d, hn::Eq(ids, hn::Set(di, static_cast<std::int32_t>(id))));
+    few[count] = {id, mask};
+    rest = hn::AndNot(mask, rest);
+  }
+  return count;
+}
+
+/// The colours of the fragments in `seen`, which are of one surface, as all are that `fragments` names.
+HWY_NOINLINE V3 shade_surface(ResolveTask& task, std::uint32_t surface, const Fragments& fragments, M seen) {
   const BatchShading& how = task.rows.surfaces()[surface].shading;
   if (how.source == BatchLight::none && !how.texture.texture) return shading::splat3(how.colour);
-  if (fragments.in_row && 4 * count <= most_lanes)
-    return shading::shade_vector(how, FewTriangles(task, how, fragments, shares, count), fragments.z, seen,
-                                 task.texels);
-  return shading::shade_vector(how, ManyTriangles(task, how, fragments, shares, count), fragments.z, seen, task.texels);
+  std::array<Share, FewTriangles::most> few;
+  const std::size_t count = fragments.in_row ? find_few(fragments, seen, few) : 0;
+  if (count > 0)
+    return shading::shade_vector(how, FewTriangles(task, how, fragments, std::span(few).first(count)), fragments.z,
+                                 seen, task.texels);
+  return shading::shade_vector(how, ManyTriangles(task, how, fragments), fragments.z, seen, task.texels);
 }
 
-/// Calls use(colours, lanes) once for every surface among the shares.
+/// Names the triangles that the lanes of `seen` show; `ids` are those in memory at `from`.
+HWY_INLINE void name_triangles(VI ids, const std::uint32_t* from, M seen, Fragments& fragments) {
+  const DI di;
+  const auto some = static_cast<std::int32_t>(from[hn::FindFirstTrue(D(), seen)]);
+  hn::Store(hn::IfThenElse(hn::RebindMask(di, seen), ids, hn::Set(di, some)), di,
+            reinterpret_cast<std::int32_t*>(fragments.id.data()));
+}
+
+/// Calls use(colours, lanes) once for every surface that the lanes of `seen` show.
 template <class Use>
 HWY_INLINE void shade_by_surface(ResolveTask& task, Fragments& fragments, M seen, Use&& use) {
-  const auto surface_of = [&](const Share& share) { return task.tile.triangles[share.id].surface(); };
   if (task.rows.surfaces().size() == 1) {
-    use(shade_shares(task, 0, fragments, fragments.shares.data(), fragments.count, seen), seen);
+    use(shade_surface(task, 0, fragments, seen), seen);
     return;
   }
-  std::array<Share, most_lanes> of_surface;
-  std::size_t left = fragments.count;
-  while (left > 0) {
-    const std::uint32_t surface = surface_of(fragments.shares[0]);
-    std::size_t count = 0, kept = 0;
-    std::uint64_t lanes = 0;
-    for (std::size_t i = 0; i < left; ++i) {
-      const Share share = fragments.shares[i];
-      if (surface_of(share) == surface) {
-        of_surface[count++] = share;
-        lanes |= share.lanes;
-      } else {
-        fragments.shares[kept++] = share;
-      }
-    }
-    left = kept;
-    const M mask = mask_of(lanes);
-    use(shade_shares(task, surface, fragments, of_surface.data(), count, mask), mask);
-  }
-}
-
-/// Which triangles the lanes in `seen` show; `ids` are those in memory at `from`.
-HWY_INLINE void find_shares(VI ids, const std::uint32_t* from, std::uint64_t seen, Fragments& fragments) {
+  const D d;
   const DI di;
-  fragments.count = 0;
-  for (std::uint64_t rest = seen; rest != 0;) {
-    Share& share = fragments.shares[fragments.count++];
-    share.id = from[std::countr_zero(rest)];
-    share.mask = hn::RebindMask(D(), hn::Eq(ids, hn::Set(di, static_cast<std::int32_t>(share.id))));
-    share.lanes = bits_of(share.mask) & rest;
-    rest &= ~share.lanes;
+  HWY_ALIGN std::array<std::int32_t, most_lanes> surface;
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i)
+    surface[i] = static_cast<std::int32_t>(task.tile.triangles[fragments.id[i]].surface());
+  const VI surfaces = hn::Load(di, surface.data());
+  HWY_ALIGN const std::array<std::uint32_t, most_lanes> all = fragments.id;
+  const VI ids = hn::Load(di, reinterpret_cast<const std::int32_t*>(all.data()));
+  for (M rest = seen; !hn::AllFalse(d, rest);) {
+    const std::int32_t next = surface[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
+    const M mask = hn::And(rest, hn::RebindMask(d, hn::Eq(surfaces, hn::Set(di, next))));
+    rest = hn::AndNot(mask, rest);
+    name_triangles(ids, all.data(), mask, fragments);
+    use(shade_surface(task, static_cast<std::uint32_t>(next), fragments, mask), mask);
   }
 }
 
@@ -164,8 +172,8 @@ HWY_INLINE V3 shade_mixed(ResolveTask& task, VI ids, std::size_t at, std::size_t
   V3 colour = shading::splat3(task.background);
   fragments.inverse_z = hn::Load(d, task.tile.inverse_z.data() + at);
   fragments.z = hn::Div(hn::Set(d, 1.0f), fragments.inverse_z);
-  hn::Store(hn::Iota(di, task.rect.x0 + static_cast<int>(x)), di, fragments.column.data());
-  find_shares(ids, task.tile.id.data() + at, bits_of(seen), fragments);
+  hn::Store(hn::Add(hn::Iota(di, 0), hn::Set(di, task.rect.x0 + static_cast<int>(x))), di, fragments.column.data());
+  name_triangles(ids, task.tile.id.data() + at, seen, fragments);
   shade_by_surface(task, fragments, seen, [&](const V3& shaded, M mask) HWY_ATTR {
     colour = choose(mask, shaded, colour);
     task.nan = task.nan || !hn::AllFalse(d, hn::And(is_nan(shaded), mask));
@@ -238,13 +246,13 @@ void count_texels(ResolveTask& task) {
     if (count == 0) return;
     fragments.inverse_z = hn::Load(d, inverse_z.data());
     fragments.z = hn::Div(hn::Set(d, 1.0f), fragments.inverse_z);
-    fragments.count = count;
+    std::fill(fragments.id.begin() + static_cast<std::ptrdiff_t>(count), fragments.id.end(), fragments.id[0]);
     shade_by_surface(task, fragments, hn::FirstN(d, count), [](const V3&, M) HWY_ATTR {});
     count = 0;
   };
   for (const ReplacedFragment& fragment : task.tile.replaced) {
     if (!task.rows.surfaces()[task.tile.triangles[fragment.id].surface()].textured) continue;
-    fragments.shares[count] = {fragment.id, std::uint64_t{1} << count, mask_of(std::uint64_t{1} << count)};
+    fragments.id[count] = fragment.id;
     fragments.column[count] = task.rect.x0 + static_cast<std::int32_t>(fragment.at % fast_tile);
     fragments.row[count] = task.rect.y0 + static_cast<std::int32_t>(fragment.at / fast_tile);
     inverse_z[count] = fragment.inverse_z;

@@ -7,6 +7,9 @@
 #define PIXELSCOPE_FAST_SOURCES_INL_H_
 #endif
 
+#include <array>
+#include <span>
+
 #include "raster/fast/weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -128,13 +131,15 @@ class OneTriangle {
 /// treated at once.
 class FewTriangles {
  public:
+  static constexpr std::size_t most = 4;
+
   HWY_INLINE FewTriangles(ResolveTask& task, const BatchShading& shading, const Fragments& fragments,
-                          const Share* shares, std::size_t count)
-      : stride_(shading.stride), z_(fragments.z), count_(count) {
-    for (std::size_t i = 0; i < count; ++i) {
+                          std::span<const Share> shares)
+      : stride_(shading.stride), z_(fragments.z), count_(shares.size()) {
+    for (std::size_t i = 0; i < count_; ++i) {
       mask_[i] = shares[i].mask;
       begin_[i] = task.rows.row_of(shares[i].id);
-      const Weights weights = weights_of(task.tile.triangles[shares[i].id], fragments, shares[i].lanes);
+      const Weights weights = weights_of(task.tile.triangles[shares[i].id], fragments, shares[i].mask);
       for (std::size_t k = 0; k < 3; ++k)
         weights_[k] = i == 0 ? weights[k] : hn::IfThenElse(mask_[i], weights[k], weights_[k]);
     }
@@ -160,23 +165,17 @@ class FewTriangles {
   V z_;
   std::size_t count_;
   const float* numbers_ = nullptr;
-  std::array<M, most_lanes> mask_;
-  std::array<std::size_t, most_lanes> begin_;
+  std::array<M, most> mask_;
+  std::array<std::size_t, most> begin_;
   Weights weights_;
 };
 
 /// Fragments of many triangles: four scalars of each are read at once, and several fragments interpolated together.
 class ManyTriangles {
  public:
-  HWY_INLINE ManyTriangles(ResolveTask& task, const BatchShading& shading, const Fragments& fragments,
-                           const Share* shares, std::size_t count)
-      : stride_(shading.stride), z_(fragments.z), weights_(GatheredWeights(task, fragments, shares, count).weights) {
-    begin_.fill(task.rows.row_of(shares[0].id));
-    for (std::size_t s = 0; s < count; ++s) {
-      const std::uint32_t begin = task.rows.row_of(shares[s].id);
-      for (std::uint64_t lanes = shares[s].lanes; lanes != 0; lanes &= lanes - 1)
-        begin_[static_cast<std::size_t>(std::countr_zero(lanes))] = begin;
-    }
+  HWY_INLINE ManyTriangles(ResolveTask& task, const BatchShading& shading, const Fragments& fragments)
+      : stride_(shading.stride), z_(fragments.z), weights_(GatheredWeights(task, fragments).weights) {
+    for (std::size_t i = 0; i < hn::Lanes(D()); ++i) begin_[i] = task.rows.row_of(fragments.id[i]);
     numbers_ = task.rows.numbers();
   }
   HWY_INLINE V3 vector(int slot) const {

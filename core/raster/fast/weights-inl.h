@@ -45,14 +45,12 @@ HWY_INLINE M mask_of(std::uint64_t bits) {
 /// The lanes of a vector that show one triangle.
 struct Share {
   std::uint32_t id = 0;
-  std::uint64_t lanes = 0;
   M mask{};
 };
 
 /// The fragments of a vector and where they lie.
 struct Fragments {
-  std::array<Share, most_lanes> shares;
-  std::size_t count = 0;  ///< of the shares
+  alignas(64) std::array<std::uint32_t, most_lanes> id{};  ///< of the tile's triangles; some shown one in empty lanes
   V z, inverse_z;
   alignas(64) std::array<std::int32_t, most_lanes> column{}, row{};  ///< in the picture
   bool in_row = true;                                                ///< columns follow each other
@@ -119,7 +117,7 @@ HWY_INLINE Weights large_weights(const LargeTriangle& large, int column, int row
   return weights;
 }
 
-HWY_INLINE Weights weights_of(const TileTriangle& triangle, const Fragments& fragments, std::uint64_t lanes) {
+HWY_INLINE Weights weights_of(const TileTriangle& triangle, const Fragments& fragments, M mask) {
   if (!triangle.triangle) {
     const std::array<float, 3>& weights = triangle.fragment->weights;
     return {shading::splat(weights[0]), shading::splat(weights[1]), shading::splat(weights[2])};
@@ -130,7 +128,7 @@ HWY_INLINE Weights weights_of(const TileTriangle& triangle, const Fragments& fra
   const LargeTriangle& large = triangle.part->large[record.triangle];
   if (large.fits_double) return large_weights(large, column, row);
   HWY_ALIGN float numbers[3][most_lanes] = {};
-  for (; lanes != 0; lanes &= lanes - 1) {
+  for (std::uint64_t lanes = bits_of(mask); lanes != 0; lanes &= lanes - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
     const std::array<float, 3> weights = weights_at(triangle, fragments.column[i], row);
     for (std::size_t k = 0; k < 3; ++k) numbers[k][i] = weights[k];
@@ -141,37 +139,24 @@ HWY_INLINE Weights weights_of(const TileTriangle& triangle, const Fragments& fra
 /// The weights of fragments of many triangles, all lanes at once but for those of triangles in 64-bit numbers.
 class GatheredWeights {
  public:
-  HWY_INLINE GatheredWeights(const ResolveTask& task, const Fragments& fragments, const Share* shares,
-                             std::size_t count) {
+  HWY_INLINE GatheredWeights(const ResolveTask& task, const Fragments& fragments) {
     static constexpr FastTriangle no_triangle{};
     static constexpr FastFragment no_fragment{};
     std::array<const FastTriangle*, most_lanes> triangles;
     std::array<const FastFragment*, most_lanes> tiny;
-    triangles.fill(&no_triangle);
-    tiny.fill(&no_fragment);
-    std::uint64_t of_triangles = 0, of_tiny = 0, rest = 0;
-    for (std::size_t s = 0; s < count; ++s) {
-      const TileTriangle& triangle = task.tile.triangles[shares[s].id];
-      const bool general = triangle.triangle && triangle.triangle->is_general();
-      (general ? rest : triangle.triangle ? of_triangles : of_tiny) |= shares[s].lanes;
-      if (general) continue;
-      for (std::uint64_t lanes = shares[s].lanes; lanes != 0; lanes &= lanes - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
-        if (triangle.triangle)
-          triangles[i] = triangle.triangle;
-        else
-          tiny[i] = triangle.fragment;
-      }
+    std::uint64_t of_triangles = 0, general = 0;
+    for (std::size_t i = 0; i < hn::Lanes(D()); ++i) {
+      const TileTriangle& shown = task.tile.triangles[fragments.id[i]];
+      triangles[i] = shown.triangle ? shown.triangle : &no_triangle;
+      tiny[i] = shown.fragment ? shown.fragment : &no_fragment;
+      of_triangles |= std::uint64_t{shown.triangle != nullptr} << i;
+      general |= std::uint64_t{triangles[i]->is_general()} << i;
     }
-    const V zero = hn::Zero(D());
-    weights = {zero, zero, zero};
-    if (of_tiny != 0) {
-      const auto four = ps::HWY_NAMESPACE::four_vectors(
-          [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), tiny[i]->weights.data()); });
-      weights = {four.first, four.second, four.third};
-    }
+    const auto four = ps::HWY_NAMESPACE::four_vectors(
+        [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), tiny[i]->weights.data()); });
+    weights = {four.first, four.second, four.third};
     if (of_triangles != 0) add_triangles(triangles, fragments, mask_of(of_triangles));
-    if (rest != 0) add_rest(task, fragments, shares, count);
+    if (general != 0) add_general(task, fragments, general);
   }
   Weights weights;
 
@@ -199,19 +184,15 @@ class GatheredWeights {
     for (std::size_t k = 0; k < 3; ++k)
       weights[k] = hn::IfThenElse(mask, hn::Mul(hn::ConvertTo(d, all[k]), values.fourth), weights[k]);
   }
-  HWY_NOINLINE void add_rest(const ResolveTask& task, const Fragments& fragments, const Share* shares,
-                             std::size_t count) {
+  HWY_NOINLINE void add_general(const ResolveTask& task, const Fragments& fragments, std::uint64_t lanes) {
     const D d;
     HWY_ALIGN float numbers[3][most_lanes];
     for (std::size_t k = 0; k < 3; ++k) hn::Store(weights[k], d, numbers[k]);
-    for (std::size_t s = 0; s < count; ++s) {
-      const TileTriangle& triangle = task.tile.triangles[shares[s].id];
-      if (!triangle.triangle || !triangle.triangle->is_general()) continue;
-      for (std::uint64_t lanes = shares[s].lanes; lanes != 0; lanes &= lanes - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
-        const std::array<float, 3> single = weights_at(triangle, fragments.column[i], fragments.row[i]);
-        for (std::size_t k = 0; k < 3; ++k) numbers[k][i] = single[k];
-      }
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+      const std::array<float, 3> single =
+          weights_at(task.tile.triangles[fragments.id[i]], fragments.column[i], fragments.row[i]);
+      for (std::size_t k = 0; k < 3; ++k) numbers[k][i] = single[k];
     }
     for (std::size_t k = 0; k < 3; ++k) weights[k] = hn::Load(d, numbers[k]);
   }
