@@ -20,7 +20,8 @@ double nice_step(double span) {
 
 std::vector<Tick> linear_ticks(const PlotAxis& axis) {
   std::vector<Tick> ticks;
-  const double step = nice_step(axis.high - axis.low);
+  const double fit = nice_step(axis.high - axis.low);
+  const double step = axis.whole ? std::max(fit, 1.0) : fit;
   for (double k = std::ceil(axis.low / step); k * step <= axis.high * (1 + 1e-12) + 1e-300; ++k)
     ticks.push_back({k * step, tick_text(k * step)});
   return ticks;
@@ -64,8 +65,10 @@ PlotAxis fit_axis(const std::vector<double>& values, AxisScale scale) {
   PlotAxis axis;
   axis.scale = scale;
   double low = INFINITY, high = -INFINITY;
+  axis.whole = !values.empty();
   for (const double value : values) {
     if (!std::isfinite(value)) continue;
+    axis.whole = axis.whole && value == std::floor(value);
     if (scale == AxisScale::logarithmic && value <= 0) {
       axis.zero_place = true;
       continue;
@@ -79,7 +82,7 @@ PlotAxis fit_axis(const std::vector<double>& values, AxisScale scale) {
     axis.low = low / room;
     axis.high = high * room;
   } else {
-    const double room = high > low ? 0.08 * (high - low) : std::max(std::abs(high) * 0.1, 1e-6);
+    const double room = high > low ? 0.08 * (high - low) : high == 0 ? 1 : std::abs(high) / 2;
     axis.low = low >= 0 && low - room < 0 ? 0 : low - room;
     axis.high = high + room;
   }

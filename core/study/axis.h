@@ -18,6 +18,7 @@ struct PlotAxis {
   AxisScale scale = AxisScale::linear;
   double low = 0, high = 1;
   bool zero_place = false;
+  bool whole = false;  ///< all values are whole numbers: on a linear axis no other is labelled
 
   /// Position of a value; outside values are clamped.
   double place(double value) const;

@@ -1,6 +1,7 @@
 #include "study/stability_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -106,6 +107,12 @@ class StabilityRunner {
 std::vector<MeasuredExperiment> run_stability(const StabilityRequest& request, StudyControl& control,
                                               const StabilityUpdate& update, const Clock& clock) {
   return StabilityRunner(request, control, update, clock).run();
+}
+
+std::string telling_series(const std::vector<StabilityRow>& rows) {
+  for (const StabilityRow& row : rows)
+    if (!std::isnan(row.naive) && !std::isnan(row.robust) && row.naive != row.robust) return row.series;
+  return rows.empty() ? "" : rows.front().series;
 }
 
 }  // namespace ps

@@ -45,6 +45,17 @@ TEST(Axis, TicksLieOnTheAxisInOrderAndSomeHaveText) {
     }
 }
 
+TEST(Axis, ALoneValueHasRoomAndWholeNumbersNoFractionsBetween) {
+  for (const double value : {0.0, 1.0, 0.25, 6191.0}) {
+    const PlotAxis axis = fit_axis({value, value}, AxisScale::linear);
+    EXPECT_GE(axis.high - axis.low, value == 0 ? 1 : value / 2);
+    EXPECT_GE(axis.low, 0);
+    EXPECT_LT(axis.place(value), 0.9);
+  }
+  for (const Tick& tick : fit_axis({0, 1}, AxisScale::linear).ticks()) EXPECT_EQ(tick.value, std::round(tick.value));
+  EXPECT_GT(fit_axis({0, 0.5}, AxisScale::linear).ticks().size(), 2u);
+}
+
 TEST(Axis, RoundNumbersAreWrittenOut) {
   EXPECT_EQ(tick_text(10000), "10000");
   EXPECT_EQ(tick_text(0.0005), "0.0005");

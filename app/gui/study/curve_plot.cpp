@@ -28,6 +28,14 @@ PlotAxis axis_for(const std::vector<double>& values) {
   return fit_axis(values, logarithmic ? AxisScale::logarithmic : AxisScale::linear);
 }
 
+/// A lone knob stands in the middle.
+PlotAxis knob_axis(const std::vector<double>& knobs) {
+  PlotAxis axis = axis_for(knobs);
+  const auto [low, high] = std::minmax_element(knobs.begin(), knobs.end());
+  if (axis.scale == AxisScale::linear && *low == *high) axis.low = 2 * *low - axis.high;
+  return axis;
+}
+
 enum class Method { naive, robust };
 
 double value_of(const StabilityRow& row, Method method) {
@@ -136,7 +144,7 @@ CurvesDrawn draw_curves(ImDrawList& list, const Area& area, const Curves& curves
   const float names = theme().font(Face::small)->FontSize + px(6);
   const Area plot{{area.min.x, area.min.y + names}, area.max};
   CurvesDrawn drawn;
-  drawn.frame = draw_plot_frame(list, plot, axis_for(knobs), axis_for(results), {curves.knob, curves.unit});
+  drawn.frame = draw_plot_frame(list, plot, knob_axis(knobs), axis_for(results), {curves.knob, curves.unit});
   list.PushClipRect(area.min, area.max, true);
   draw_names(list, area, curves);
   draw_safe_window(list, curves, drawn.frame);

@@ -62,12 +62,12 @@ void select(StabilityTabState& state, const StabilityExperiment& experiment) {
     begin(state, {std::string(experiment.key)}, StabilityRequest::Kept::take);
 }
 
-/// "6.1 / 0": the worst of the naive method in the first series, with the robust one at the same place.
+/// "6.1 / 0": the worst of the naive method in the series shown first, with the robust one at the same place.
 std::string worst_text(const std::vector<StabilityRow>& rows) {
+  const std::string series = telling_series(rows);
   const StabilityRow* worst = nullptr;
   for (const StabilityRow& row : rows)
-    if (row.series == rows.front().series && !std::isnan(row.naive) && (!worst || row.naive > worst->naive))
-      worst = &row;
+    if (row.series == series && !std::isnan(row.naive) && (!worst || row.naive > worst->naive)) worst = &row;
   return worst ? fmt::format("{} / {}", short_number(worst->naive), short_number(worst->robust)) : "";
 }
 
@@ -205,7 +205,7 @@ std::vector<std::string> series_of(const std::vector<StabilityRow>& rows) {
 
 void series_choice(StabilityTabState& state, const std::vector<StabilityRow>& rows) {
   const auto names = series_of(rows);
-  if (std::find(names.begin(), names.end(), state.series) == names.end()) state.series = names.front();
+  if (std::find(names.begin(), names.end(), state.series) == names.end()) state.series = telling_series(rows);
   if (names.size() < 2) return;
   std::vector<Choice> choices;
   int index = 0;
