@@ -97,7 +97,7 @@ std::vector<Option> texture_rows() {
                 "Outlines and shadows stay those of the flat surface; seen edge-on, the trick shows."},
            .inactive = needs_normal_map}),
       choice<&Settings::parallax>(
-          {.key = "parallax",
+          {.key = "parallax-mapping",
            .label = "Parallax mapping",
            .help =
                {"A height map says how far the surface lies below its triangles; textures are read where the line of "

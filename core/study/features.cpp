@@ -70,11 +70,15 @@ std::optional<std::string_view> unused_reason(const Feature& feature, const Sett
 
 std::vector<Saving> savings(const Settings& settings, const SceneTraits& traits) {
   std::vector<Saving> usable;
+  const TextureFilter filter = settings.texture_filter;
+  const bool finest_only = settings.renderer == Renderer::ray_tracer && filter != TextureFilter::nearest;
   for (const Saving& saving : all_savings) {
     const Option* option = find_option(saving.option);
     if (!option || inactive_reason(*option, settings, traits)) continue;
     Settings then = settings;
     parse_option(*option, saving.value, then);
+    if (finest_only && then.texture_filter != filter && then.texture_filter != TextureFilter::nearest)
+      continue;  // to rays, all other filters are one
     if (is_less(*option, settings, then)) usable.push_back(saving);
   }
   return usable;

@@ -47,7 +47,7 @@ class Search {
     needs_.within_tolerance = start.error <= request_.tolerance;
     measure_features(start);
     // Where the settings themselves stray too far, what costs less strays as well: the search comes from the truth.
-    const Tried found = descend(needs_.within_tolerance ? start : try_out(best));
+    const Tried found = descend(needs_.within_tolerance ? start : cheapest_truth(best));
     needs_.advice = found.settings;
     needs_.error = found.error;
     needs_.work = found.work;
@@ -56,6 +56,15 @@ class Search {
   }
 
  private:
+  /// The reference's settings, in the numbers of the settings asked about if that is within the tolerance. Rounding
+  /// makes a few rays more or less, and the search would not pay one ray for numbers of half the size.
+  Tried cheapest_truth(const Settings& best) {
+    Settings plain = best;
+    plain.precision = request_.base.precision;
+    const Tried tried = try_out(plain);
+    return tried.error <= request_.tolerance || plain.precision == best.precision ? tried : try_out(best);
+  }
+
   struct Rendered {
     Image<Rgb8> levels;
     std::uint64_t work = 0;

@@ -54,7 +54,7 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/reflections", {"samples-per-pixel=4"}},
       {"cgfs/reflections", {"samples-per-pixel=4", "adaptive-sampling=on"}},
       {"cgfs/brick-wall", {}},
-      {"cgfs/relief", {"parallax=steep"}},
+      {"cgfs/relief", {"parallax-mapping=steep"}},
       {"cgpp/teapot", {"renderer=rasterizer", "tessellation=20"}},
       {"octree/attenuation", {}},
       {"cgfs/magnifying-glass", {}},

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "image/metrics.h"
 #include "options/scene_settings.h"
 #include "render/display_frame.h"
@@ -49,6 +51,8 @@ TEST(Needs, OnEveryBuiltinSceneTheAdviceMeetsItsToleranceAndDoesNoMoreWork) {
     if (base.renderer == Renderer::rasterizer && base.shadows == Shadows::traced) best.shadows = Shadows::none;
     best.samples_per_pixel = base.samples_per_pixel;
     best.sample_pattern = base.sample_pattern;
+    Settings plain = best;
+    plain.precision = base.precision;
     // Scenes that show a fault on purpose, or shade as an older method did, are far from the reference as they are:
     // then no cheaper settings meet the tolerance, and the advice may cost as much as the reference.
     const double allowed = 0.05;
@@ -57,7 +61,17 @@ TEST(Needs, OnEveryBuiltinSceneTheAdviceMeetsItsToleranceAndDoesNoMoreWork) {
     // The mean over the whole picture, from pictures made here, is below the worst tile.
     EXPECT_LE(compare_images(levels_of(scene, best), levels_of(scene, needs.advice)).flip, allowed);
     EXPECT_LE(needs.error, allowed);
-    EXPECT_LE(work_of(scene, needs.advice), work_of(scene, needs.within_tolerance ? base : best));
+    EXPECT_LE(work_of(scene, needs.advice),
+              needs.within_tolerance ? work_of(scene, base) : std::max(work_of(scene, best), work_of(scene, plain)));
+    // What shows a fault on purpose does so by its scene's own settings; the program's defaults cost no less than the
+    // advice. Only the book's three bounces between its four spheres are too few.
+    if (builtin.name != "cgfs/reflections" && builtin.name != "cgfs/camera") {
+      Settings ordinary;  // of the same view
+      ordinary.projection = base.projection;
+      ordinary.near = base.near;
+      ordinary.sample_position = base.sample_position;
+      EXPECT_LE(work_of(scene, needs.advice), std::max(work_of(scene, base), work_of(scene, ordinary)));
+    }
     EXPECT_EQ(needs.work, work_of(scene, needs.advice));
     EXPECT_EQ(needs.default_work, work_of(scene, base));
   }

@@ -33,7 +33,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"depth-format", up_to(DepthFormat::unorm)},
       {"coverage", up_to(Coverage::micropolygon)},
       {"edge-arithmetic", up_to(EdgeArithmetic::int32)},
-      {"parallax", up_to(Parallax::occlusion)},
+      {"parallax-mapping", up_to(Parallax::occlusion)},
       {"patches", up_to(Patches::projected_error)},
       {"light-passes", up_to(LightPasses::many)},
       {"fill-rule", up_to(FillRule::exclusive)},
