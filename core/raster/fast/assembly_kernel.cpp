@@ -126,25 +126,28 @@ HWY_INLINE std::uint64_t bits_of(M mask) {
   return bits;
 }
 
-/// The covered samples of tiny triangles, one vector for each place in their boxes.
+/// The covered samples of tiny triangles, one vector for each place in their boxes. Only covered ones have values.
 struct TinySamples {
   HWY_ALIGN std::int32_t covered[most_lanes];  ///< bit k: sample k of the box, row by row of tiny_side
   HWY_ALIGN float inverse_z[tiny_samples][most_lanes];
   HWY_ALIGN float weights[tiny_samples][3][most_lanes];
 };
 
-/// Fills in the samples of the triangles in `wanted`, whose boxes have at most size x size of them.
+/// Fills in the samples of the triangles in `wanted`, whose boxes have at most tiny_side x tiny_side of them.
 HWY_INLINE void cover_tiny(const std::array<Edge, 3>& edges, const std::array<Corner, 3>& corners, V inverse_area,
-                           VI width, VI height, int size, M wanted, TinySamples& samples) {
+                           VI width, VI height, M wanted, TinySamples& samples) {
   const D d;
   const DI di;
-  VI covered = hn::Load(di, samples.covered);
+  VI covered = zero();
+  const auto most = [&](VI sizes)
+                        HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(di, hn::IfThenElseZero(wanted, sizes))); };
+  const std::int32_t columns = most(width), rows = most(height);
   std::array<VI, 3> row{edges[0].value, edges[1].value, edges[2].value};
   const std::array<VI, 3> above{hn::Neg(edges[0].owned), hn::Neg(edges[1].owned), hn::Neg(edges[2].owned)};
-  for (int y = 0; y < size; ++y) {
+  for (int y = 0; y < rows; ++y) {
     const M in_row = hn::And(wanted, hn::Gt(height, number(y)));
     std::array<VI, 3> value = row;
-    for (int x = 0; x < size; ++x) {
+    for (int x = 0; x < columns; ++x) {
       const M inside = hn::And(hn::And(hn::Gt(value[0], above[0]), hn::Gt(value[1], above[1])),
                                hn::And(hn::Gt(value[2], above[2]), hn::And(in_row, hn::Gt(width, number(x)))));
       if (!hn::AllFalse(di, inside)) {
@@ -155,11 +158,8 @@ HWY_INLINE void cover_tiny(const std::array<Edge, 3>& edges, const std::array<Co
         const V inverse_z =
             hn::Add(hn::Add(hn::Mul(weight[0], corners[0].inverse_z), hn::Mul(weight[1], corners[1].inverse_z)),
                     hn::Mul(weight[2], corners[2].inverse_z));
-        const auto keep = [&](V v, float* to) HWY_ATTR {
-          hn::Store(hn::IfThenElse(hn::RebindMask(d, inside), v, hn::Load(d, to)), d, to);
-        };
-        keep(inverse_z, samples.inverse_z[k]);
-        for (std::size_t i = 0; i < 3; ++i) keep(weight[i], samples.weights[k][i]);
+        hn::Store(inverse_z, d, samples.inverse_z[k]);
+        for (std::size_t i = 0; i < 3; ++i) hn::Store(weight[i], d, samples.weights[k][i]);
       }
       for (std::size_t i = 0; i < 3; ++i) value[i] = hn::Add(value[i], edges[i].step_x);
     }
@@ -263,18 +263,14 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
                                   make_edge(rules, c[0], c[1], sign, x, y)};
   const VI size = hn::Mul(sign, area);
   const V inverse_area = hn::Div(hn::Set(d, 1.0f), hn::ConvertTo(d, size));
-  M tiny = hn::Lt(zero(), zero());
-  TinySamples samples;
-  hn::Store(zero(), di, samples.covered);
-  for (const int side : {tiny_side / 2, tiny_side}) {
-    const VI beyond = number(side + 1);
-    const M fits = hn::And(rest, hn::And(hn::Lt(width, beyond), hn::Lt(height, beyond)));
-    if (hn::AllFalse(di, fits)) continue;
-    rest = hn::AndNot(fits, rest);
-    tiny = hn::Or(tiny, fits);
-    cover_tiny(edges, c, inverse_area, width, height, side, fits, samples);
+  const VI beyond = number(tiny_side + 1);
+  const M tiny = hn::And(rest, hn::And(hn::Lt(width, beyond), hn::Lt(height, beyond)));
+  rest = hn::AndNot(tiny, rest);
+  if (!hn::AllFalse(di, tiny)) {
+    TinySamples samples;
+    cover_tiny(edges, c, inverse_area, width, height, tiny, samples);
+    emit_tiny(samples, x0, y0, first, result);
   }
-  if (!hn::AllFalse(di, tiny)) emit_tiny(samples, x0, y0, first, result);
   if (hn::AllFalse(di, rest)) return;
   result.kept |= bits_of(rest) << first;
 
