@@ -112,7 +112,9 @@ class FragmentParts {
     if (light.kind == LightKind::ambient || !(length > 0)) return;
     SpaceItem item{SpaceKind::light_direction, SpaceShape::line, {}, index};
     if (light.kind == LightKind::point) {  // lit where it says: with Gouraud shading that is a corner
-      const Vec3d& lamp = (*inputs_.scene.lights)[static_cast<std::size_t>(light.light)].position;
+      const auto& lights = *inputs_.scene.lights;
+      if (light.light < 0 || static_cast<std::size_t>(light.light) >= lights.size()) return;  // the story is older
+      const Vec3d& lamp = lights[static_cast<std::size_t>(light.light)].position;
       item.points = {lamp - light.to_light, lamp};
     } else {
       item.points = {point_, point_ + light.to_light * (sunward_share * inputs_.bounds.radius / length)};

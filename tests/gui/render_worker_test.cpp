@@ -261,5 +261,19 @@ TEST(InspectWorker, TellsTheNewestPixelOnly) {
   EXPECT_EQ(calls, before);
 }
 
+// Numbers of objects and lights mean something in the story's own scene only.
+TEST(InspectWorker, AStoryIsGivenForItsOwnSceneAlone) {
+  InspectWorker worker(
+      std::make_shared<Prepared>(), [] {},
+      [](const Scene&, const View&, const Settings&, Vec2i, Prepared&, Progress&) { return PixelStory{}; });
+  PictureRequest request = request_with(1);
+  request.scene.name = "one";
+  worker.request({request, {0, 0}});
+  ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
+  EXPECT_NE(worker.story_of("one"), nullptr);
+  EXPECT_EQ(worker.story_of("another"), nullptr);
+  EXPECT_NE(worker.story(), nullptr);
+}
+
 }  // namespace
 }  // namespace ps::gui

@@ -235,5 +235,16 @@ TEST(SpaceModel, GroundDoesNotMakeTheSceneSmall) {
     EXPECT_LT(glm::length(seen - told.model.bounds.centre), told.model.bounds.radius);
 }
 
+// For a moment after another scene is opened a story is older than the scene around it.
+TEST(SpaceModel, AStoryOfASceneWithMoreLightsIsSurvived) {
+  const ToldPixel told = tell("cgfs/shading", {420, 330}, Renderer::rasterizer);
+  ASSERT_GT(count_of(told.model, SpaceKind::light_direction), 1);
+  Scene dark = told.scene;
+  dark.lights = {};
+  const SpaceModel model = build_space(dark, told.view, told.settings, &told.story);
+  EXPECT_EQ(count_of(model, SpaceKind::triangle), count_of(told.model, SpaceKind::triangle));
+  EXPECT_LT(count_of(model, SpaceKind::light_direction), count_of(told.model, SpaceKind::light_direction));
+}
+
 }  // namespace
 }  // namespace ps

@@ -33,6 +33,7 @@ void InspectWorker::request(const StoryRequest& request) {
       const std::lock_guard result_lock(mutex_);
       if (generation != generation_) return;
       story_ = std::move(story);
+      told_of_ = request.picture.scene.name;
       message_ = std::move(message);
       busy_ = false;
       news_ = true;
@@ -55,6 +56,11 @@ void InspectWorker::clear() {
 std::shared_ptr<const PixelStory> InspectWorker::story() const {
   const std::lock_guard lock(mutex_);
   return story_;
+}
+
+std::shared_ptr<const PixelStory> InspectWorker::story_of(const std::string& scene) const {
+  const std::lock_guard lock(mutex_);
+  return told_of_ == scene ? story_ : nullptr;
 }
 
 bool InspectWorker::busy() const {

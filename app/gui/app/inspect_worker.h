@@ -35,6 +35,9 @@ class InspectWorker {
   void clear();
   /// The newest finished story, which may still be that of an earlier request; nullptr if there is none.
   std::shared_ptr<const PixelStory> story() const;
+  /// The same, but nullptr if it was told of another scene than the one of that name: its numbers of objects and lights
+  /// mean nothing there.
+  std::shared_ptr<const PixelStory> story_of(const std::string& scene) const;
   bool busy() const;
   /// A story or an error has come since take_news().
   bool has_news() const { return news_; }
@@ -52,6 +55,7 @@ class InspectWorker {
   std::uint64_t generation_ = 0;
   bool busy_ = false;
   std::shared_ptr<const PixelStory> story_;
+  std::string told_of_;  // name of the scene of story_
   std::string message_;
   std::atomic<bool> news_{false};
 

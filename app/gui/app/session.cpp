@@ -99,7 +99,7 @@ std::optional<Vec2i> Session::pixel() const {
 std::shared_ptr<const PixelStory> Session::story(Side side) const {
   const auto wanted = pixel();
   if (!wanted) return nullptr;
-  return inspectors_[index_of(side)]->story();
+  return inspectors_[index_of(side)]->story_of(document_.scene.name);
 }
 
 bool Session::busy() const {
