@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "inspect/light_words.h"
 #include "inspect/names.h"
 #include "inspect/number_text.h"
 #include "inspect/reason_text.h"
@@ -50,14 +51,7 @@ struct Describer {
                        e.texels.size() == 1 ? "1 texel" : fmt::format("{} texels", e.texels.size()));
   }
   std::string operator()(const LightEvent& e) const {
-    const std::string name = light_name(scene, e.light);
-    if (e.kind != LightKind::ambient && e.below_horizon)
-      return fmt::format("{}: adds nothing, the surface faces away from it", name);
-    if (e.blocker) return fmt::format("{}: blocked by {}", name, primitive_name(scene, *e.blocker));
-    if (e.kind == LightKind::ambient) return fmt::format("{}: {} everywhere", name, number_text(e.diffuse));
-    if (e.visible <= 0) return fmt::format("{}: in shadow", name);
-    const std::string share = e.visible < 1 ? fmt::format("{} of it seen, ", number_text(e.visible)) : std::string();
-    return fmt::format("{}: {}diffuse {}, specular {}", name, share, number_text(e.diffuse), number_text(e.specular));
+    return fmt::format("{}: {}", light_name(scene, e.light), light_effect_text(scene, e, LightWords::whole));
   }
   std::string operator()(const ShadeEvent& e) const {
     return fmt::format("own colour {}: surface {} x light {}", vector_text(e.local), vector_text(e.surface),

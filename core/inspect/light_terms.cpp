@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inspect/light_words.h"
 #include "inspect/names.h"
 #include "inspect/number_text.h"
 #include "inspect/story_tree.h"
@@ -13,9 +14,6 @@ namespace ps {
 namespace {
 
 constexpr Vec3d black{0, 0, 0};
-
-/// Far from a highlight a high power of a cosine is a number like 1e-98: no sum that is shown becomes another by it.
-constexpr double no_light = 1e-30;
 
 /// The colours that the terms of the illumination equation multiply.
 struct SurfaceColours {
@@ -43,20 +41,22 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
                                        int index, double share, int level) {
   const auto& light = event_as<LightEvent>(story.events, index);
   const std::string name = light_name(scene, light.light);
-  if (light.blocker && !light.below_horizon)
-    return {{level, fmt::format("{}: blocked by {}", name, primitive_name(scene, *light.blocker)), black, index}};
   const bool known = light.light >= 0 && static_cast<std::size_t>(light.light) < scene.lights->size();
   const Vec3d tint = known ? (*scene.lights)[static_cast<std::size_t>(light.light)].colour : Vec3d{1, 1, 1};
   const auto line = [&](std::string_view term, double intensity, const Vec3d& surface) {
     const std::string product = product_text(share, intensity, tint, surface);
     return LedgerLine{level, fmt::format("{}{}: {}", name, term, product), share * intensity * tint * surface, index};
   };
-  if (light.visible <= 0 && !light.below_horizon) return {{level, name + ": in shadow", black, index}};
-  if (light.kind == LightKind::ambient) return {line("", light.diffuse, colours.ambient)};
   std::vector<LedgerLine> lines;
-  if (std::abs(light.diffuse) > no_light) lines.push_back(line(" diffuse", light.diffuse, colours.diffuse));
-  if (std::abs(light.specular) > no_light) lines.push_back(line(" specular", light.specular, colours.specular));
-  if (lines.empty()) lines.push_back({level, name + ": adds nothing, the surface faces away", black, index});
+  if (light.kind == LightKind::ambient) {
+    if (!adds_nothing(light.diffuse)) lines.push_back(line("", light.diffuse, colours.ambient));
+  } else {
+    if (!adds_nothing(light.diffuse)) lines.push_back(line(" diffuse", light.diffuse, colours.diffuse));
+    if (!adds_nothing(light.specular)) lines.push_back(line(" specular", light.specular, colours.specular));
+  }
+  if (lines.empty())
+    lines.push_back(
+        {level, fmt::format("{}: {}", name, light_effect_text(scene, light, LightWords::whole)), black, index});
   return lines;
 }
 

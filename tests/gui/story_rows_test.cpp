@@ -82,5 +82,37 @@ TEST(StoryRows, AShadowRayNamesItsLight) {
   EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "shadow ray to light 2: way is free (1 test)");
 }
 
+TEST(StoryRows, ALightThatAddsNothingIsNotTold) {
+  LightEvent lamp;
+  lamp.light = 1;
+  lamp.kind = LightKind::point;
+  lamp.diffuse = 0.5;
+  lamp.specular = 8.7e-98;
+  const auto events = ray_with({{0, lamp}});
+  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "light 2: diffuse 0.5, specular adds nothing");
+}
+
+TEST(StoryRows, AStencilSaysItsCountAndTheFacesBelow) {
+  StencilEvent stencil;
+  stencil.light = 1;
+  stencil.count = stencil.stored = 1;
+  for (const int change : {1, 0, 1, -1}) {
+    VolumeCrossing crossing;
+    crossing.object = 0;
+    crossing.change = change;
+    crossing.enters = change > 0;
+    crossing.part = VolumePart::lit_face;
+    stencil.crossings.push_back(crossing);
+  }
+  const auto events = ray_with({{0, stencil}});
+  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1),
+            "stencil of light 2: 3 of 4 shadow volume faces count, 1 in all: in shadow");
+  const auto lines = row_details(events[1], Scene{});
+  ASSERT_EQ(lines.size(), 3u) << "one for each face that counts";
+  EXPECT_EQ(lines[0], "+1 where the line of sight enters the shadow of object 1 at its lit face");
+  EXPECT_EQ(lines[2], "-1 where the line of sight leaves the shadow of object 1 at its lit face");
+  EXPECT_TRUE(row_details(events[0], Scene{}).empty());
+}
+
 }  // namespace
 }  // namespace ps::gui

@@ -5,12 +5,15 @@
 #include <algorithm>
 
 #include "inspect/describe.h"
+#include "inspect/light_words.h"
 #include "inspect/names.h"
 #include "inspect/number_text.h"
 #include "inspect/reason_text.h"
 
 namespace ps::gui {
 namespace {
+
+constexpr std::string_view detail_mark = "; ";  // between the parts of an event's description
 
 const Event& at(const std::vector<Event>& events, int index) { return events[static_cast<std::size_t>(index)]; }
 int end_of(const std::vector<int>& ends, int index) { return ends[static_cast<std::size_t>(index)]; }
@@ -122,17 +125,6 @@ std::string ray_text(const std::vector<Event>& events, const std::vector<int>& e
   return {};
 }
 
-std::string light_text(const LightEvent& light, const Scene& scene) {
-  const std::string name = fmt::format("light {}", light.light + 1);
-  if (light.kind == LightKind::ambient) return fmt::format("{}: {} everywhere", name, number_text(light.diffuse));
-  if (light.below_horizon) return name + ": surface faces away";
-  if (light.blocker) return fmt::format("{}: blocked by {}", name, primitive_name(scene, *light.blocker));
-  if (light.visible <= 0) return name + ": in shadow";
-  std::string text = fmt::format("{}: diffuse {}", name, number_text(light.diffuse));
-  if (light.specular != 0) text += fmt::format(", specular {}", number_text(light.specular));
-  return text;
-}
-
 }  // namespace
 
 std::vector<int> subtree_ends(const std::vector<Event>& events) {
@@ -189,8 +181,24 @@ std::string row_text(const std::vector<Event>& events, const std::vector<int>& e
   if (std::holds_alternative<RayEvent>(at(events, index).data)) return ray_text(events, ends, scene, index);
   if (const auto* hit = std::get_if<HitEvent>(&at(events, index).data))
     return fmt::format("hit {} at t = {}", primitive_name(scene, hit->id), number_text(hit->t));
-  if (const auto* light = std::get_if<LightEvent>(&at(events, index).data)) return light_text(*light, scene);
-  return describe(at(events, index), scene);
+  if (const auto* light = std::get_if<LightEvent>(&at(events, index).data))
+    return fmt::format("light {}: {}", light->light + 1, light_effect_text(scene, *light, LightWords::brief));
+  const std::string text = describe(at(events, index), scene);
+  // A line of sight may cross dozens of shadow volumes.
+  if (std::holds_alternative<StencilEvent>(at(events, index).data)) return text.substr(0, text.find(detail_mark));
+  return text;
+}
+
+std::vector<std::string> row_details(const Event& event, const Scene& scene) {
+  std::vector<std::string> lines;
+  if (!std::holds_alternative<StencilEvent>(event.data)) return lines;
+  const std::string text = describe(event, scene);
+  for (auto from = text.find(detail_mark); from != std::string::npos;) {
+    const auto begin = from + detail_mark.size();
+    from = text.find(detail_mark, begin);
+    lines.push_back(text.substr(begin, from == std::string::npos ? from : from - begin));
+  }
+  return lines;
 }
 
 EventWeight event_weight(const Event& event) {

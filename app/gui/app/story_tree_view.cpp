@@ -37,6 +37,14 @@ struct TreeDrawing {
   }
   void numbers(int index) const { event_numbers(event(index), scene, then(index)); }
 
+  /// What is too much for the row, a line each.
+  void details(int index) const {
+    const FontScope font(Face::small);
+    int line = 0;
+    for (const std::string& text : row_details(event(index), scene))
+      value_paragraph(fmt::format("{}/detail/{}/{}", name, index, line++), text);
+  }
+
   /// What an event was when the pixel was pinned, in the words of then, under the row that tells it now.
   void was(int index) const {
     if (!pinned || !pinned->step_of(index).changed) return;
@@ -132,6 +140,7 @@ struct TreeDrawing {
     was(index);
     if (cursor.selected == index) {
       ImGui::Indent(ImGui::GetTreeNodeToLabelSpacing());
+      details(index);
       numbers(index);
       ImGui::Unindent(ImGui::GetTreeNodeToLabelSpacing());
     }
