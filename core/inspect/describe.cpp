@@ -119,7 +119,8 @@ struct Describer {
                        vector_text(e.direction), vector_text(e.result));
   }
   std::string operator()(const RejectEvent& e) const {
-    std::string text = fmt::format("{}: {}", primitive_name(scene, e.id), reject_reason_text(e.reason));
+    std::string text = fmt::format("{}: {}", e.id.object < 0 ? "a triangle on the canvas" : primitive_name(scene, e.id),
+                                   reject_reason_text(e.reason));
     if (!e.detail.empty()) text += fmt::format(" ({})", e.detail);
     return text;
   }
@@ -151,7 +152,8 @@ struct Describer {
                        vector_text(e.after), vector_text(e.before));
   }
   std::string operator()(const LineEvent& e) const {
-    return fmt::format("line from {} to {} writes {} at step {}", vector_text(e.from), vector_text(e.to),
+    const std::string what = e.id.object < 0 ? "line" : "edge of " + primitive_name(scene, e.id);
+    return fmt::format("{} from {} to {} writes {} at step {}", what, vector_text(e.from), vector_text(e.to),
                        vector_text(e.colour), e.step);
   }
   std::string operator()(const SampleEvent& e) const {

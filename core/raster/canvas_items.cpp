@@ -103,7 +103,16 @@ void fill_piece(const Pass<Real>& pass, const CanvasTriangle& item, const std::a
       recorder.count(Counter::coverage_tests);
       if (target.wants(Channel::tests)) ++target.frame().tests.at(column, row);
       const auto values = edges->at(column, row);
-      if (!edges->inside(values)) continue;
+      if (!edges->inside(values)) {
+        if constexpr (Recorder::records)
+          recorder.event([&] {
+            return RejectEvent{{},
+                               RejectReason::not_covered,
+                               losing_edge(*edges, values),
+                               edges_in_pixels(values, pass.grid.subpixel_bits)};
+          });
+        continue;
+      }
       recorder.count(Counter::fragments);
       recorder.count(Counter::pixels_written);
       recorder.count(Counter::attributes_interpolated, 3);

@@ -60,14 +60,22 @@ FragmentEvent fragment_event(const Pass<Real>& pass, const TriangleSetup<Real>& 
   return event;
 }
 
+/// The first edge that keeps a sample out: "edge 1", or that it runs through the sample and leaves it to its neighbour.
+inline std::string losing_edge(const TriangleEdges& edges, const std::array<std::int64_t, 3>& values) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (values[i] <= edges.threshold[i])
+      return values[i] == 0 ? "on edge " + std::to_string(i) + ", which does not own its points"
+                            : "edge " + std::to_string(i);
+  return {};
+}
+
 template <class Real>
 RejectEvent not_covered_event(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
                               const std::array<std::int64_t, 3>& values) {
   RejectEvent event;
   event.id = {setup.surface->object, setup.triangle->triangle};
   event.reason = RejectReason::not_covered;
-  for (std::size_t i = 0; i < 3 && event.detail.empty(); ++i)
-    if (values[i] <= setup.edges.threshold[i]) event.detail = "edge " + std::to_string(i);
+  event.detail = losing_edge(setup.edges, values);
   event.edges = edges_in_pixels(values, pass.grid.subpixel_bits);
   name_by_object(setup.surface->sphere, event);
   return event;

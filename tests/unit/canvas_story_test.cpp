@@ -1,0 +1,69 @@
+// What is told of triangles on the canvas that a pixel lies on the side of: CGFS ch. 7, and the fill rule.
+#include <gtest/gtest.h>
+
+#include "inspect/describe.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+/// The two triangles of a square, whose common side runs through the sample of pixel (20, 19).
+struct Square {
+  Scene scene = load_scene("chapters/cgfs_07_filled_triangles/square.scene");
+
+  PixelStory tell(FillRule rule) const {
+    Settings settings = settings_for(scene);
+    settings.renderer = Renderer::rasterizer;
+    settings.sample_position = SamplePosition::corner;
+    settings.fill_rule = rule;
+    Prepared prepared;
+    Progress progress;
+    return inspect(scene, {scene.camera, scene.canvas_width, scene.canvas_height}, settings, {20, 19}, prepared,
+                   progress);
+  }
+};
+
+std::vector<RejectEvent> refusals(const PixelStory& story) {
+  std::vector<RejectEvent> found;
+  for (const Event& event : story.events)
+    if (const auto* reject = std::get_if<RejectEvent>(&event.data)) found.push_back(*reject);
+  return found;
+}
+
+std::size_t fragments(const PixelStory& story) {
+  std::size_t count = 0;
+  for (const Event& event : story.events) count += std::holds_alternative<FragmentEvent>(event.data) ? 1u : 0u;
+  return count;
+}
+
+TEST(CanvasStory, ASideThatNobodyOwnsIsRefusedByBoth) {
+  const Square square;
+  const PixelStory story = square.tell(FillRule::exclusive);
+  EXPECT_EQ(fragments(story), 0u);
+  const auto refused = refusals(story);
+  ASSERT_EQ(refused.size(), 2u);
+  for (const RejectEvent& reject : refused) {
+    EXPECT_EQ(reject.reason, RejectReason::not_covered);
+    EXPECT_NE(reject.detail.find("does not own"), std::string::npos) << reject.detail;
+    ASSERT_TRUE(reject.edges);
+    int zeros = 0;
+    for (const double edge : *reject.edges) zeros += edge == 0 ? 1 : 0;
+    EXPECT_EQ(zeros, 1) << "the sample lies on one side, and inside the two others";
+    EXPECT_EQ(describe({-1, reject}, square.scene).find("a triangle on the canvas"), 0u);
+  }
+}
+
+TEST(CanvasStory, WithTheRuleOneTakesItAndTheOtherGivesItUp) {
+  const Square square;
+  const PixelStory story = square.tell(FillRule::top_left);
+  EXPECT_EQ(fragments(story), 1u);
+  EXPECT_EQ(refusals(story).size(), 1u);
+  const PixelStory all = square.tell(FillRule::inclusive);
+  EXPECT_EQ(fragments(all), 2u);
+  EXPECT_TRUE(refusals(all).empty());
+}
+
+}  // namespace
+}  // namespace ps
