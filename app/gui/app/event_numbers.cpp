@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "gui/widgets/widgets.h"
@@ -32,16 +34,28 @@ std::string column_text(double value) {
   return size < 1 ? fmt::format("{:.1e}", value) : fmt::format("{:.5g}", value);
 }
 
-std::string short_text(double value) { return fmt::format("{:.3g}", value); }
-
 using NumberText = std::string (*)(double);
 
+/// How numbers are written, from what reads best to what takes the least room.
+struct NumberStyle {
+  Face face;
+  NumberText text;
+  const char* usual;  ///< columns are at least as wide as this, so that they do not jump from event to event
+};
+constexpr std::array<NumberStyle, 4> styles{{
+    {Face::mono, column_text, "-0.0000"},
+    {Face::mono, [](double value) { return fmt::format("{:.3g}", value); }, "-0.000"},
+    {Face::small, [](double value) { return fmt::format("{:.3g}", value); }, "-0.000"},
+    {Face::small, [](double value) { return fmt::format("{:.2g}", value); }, "-0.00"},
+}};
+
 /// How wide a column must be for every number of these fields.
-float column_width(const std::vector<EventField>& fields, NumberText text) {
-  float widest = ImGui::CalcTextSize("-0.0000").x;
+float column_width(const std::vector<EventField>& fields, const NumberStyle& style) {
+  const FontScope font(style.face);
+  float widest = ImGui::CalcTextSize(style.usual).x;
   for (const EventField& field : fields)
     if (const auto numbers = numbers_of(field.value))
-      for (const double number : *numbers) widest = std::max(widest, ImGui::CalcTextSize(text(number).c_str()).x);
+      for (const double number : *numbers) widest = std::max(widest, ImGui::CalcTextSize(style.text(number).c_str()).x);
   return widest + px(9);
 }
 
@@ -77,16 +91,18 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
     const FontScope small(Face::small);
     for (const auto& text : texts) names = std::max(names, ImGui::CalcTextSize(text.name.c_str()).x);
   }
-  const FontScope mono(Face::mono);
-  // Where four digits after the point are too many for the room, three in all must do.
-  NumberText number_column = column_text;
-  float column = column_width(fields, number_column);
   const auto used = static_cast<float>(columns_of(fields));
-  if (names + px(8) + column * used > room) {
-    number_column = short_text;
-    column = column_width(fields, number_column);
-  }
-  names = std::min(names + px(8), std::max(room - column * used, px(40)));
+  const auto beside = [&](const NumberStyle& style) { return room - column_width(fields, style) * used; };
+  // Numbers in shorter forms beside their names, or else in the longest form that fits below them.
+  auto style = std::find_if(styles.begin(), styles.begin() + 2,
+                            [&](const NumberStyle& one) { return beside(one) >= names + px(8); });
+  if (style == styles.begin() + 2)
+    style =
+        std::find_if(styles.begin() + 1, styles.end() - 1, [&](const NumberStyle& one) { return beside(one) >= 0; });
+  const float column = column_width(fields, *style);
+  const FontScope digits(style->face);
+  names = std::min(names + px(8), std::max(room - column * used, 0.f));
+  float farthest = 0;  // window pixels
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (counts_a_light(fields[i])) continue;
     if (const std::string old = value_then(then, texts[i]); !old.empty()) {
@@ -97,17 +113,23 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
       ImGui::PopTextWrapPos();
       ImGui::PopStyleColor();
     }
-    bool below = false;
+    float name_width = 0;
     {
       const FontScope small(Face::small);
       ImGui::SetCursorPosX(left);
       ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
       ImGui::TextUnformatted(texts[i].name.c_str());
       ImGui::PopStyleColor();
-      below = ImGui::CalcTextSize(texts[i].name.c_str()).x > names - px(4);
+      name_width = ImGui::CalcTextSize(texts[i].name.c_str()).x;
     }
     // Where a name leaves no room beside it, its value stands below.
-    const auto place = [&](float at) { below ? ImGui::SetCursorPosX(at) : ImGui::SameLine(at); };
+    bool first = true;
+    const auto place = [&](float at) {
+      if (std::exchange(first, false) && left + name_width > at - px(4))
+        ImGui::SetCursorPosX(at);
+      else
+        ImGui::SameLine(at);
+    };
     const auto numbers = numbers_of(fields[i].value);
     if (!numbers) {
       place(left + names);
@@ -116,15 +138,17 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
       ImGui::PopTextWrapPos();
     } else {
       for (std::size_t k = 0; k < numbers->size(); ++k) {
-        const std::string text = number_column((*numbers)[k]);
+        const std::string text = style->text((*numbers)[k]);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         place(left + names + column * static_cast<float>(k + 1) - width);
-        below = false;
         ImGui::TextUnformatted(text.c_str());
+        farthest = std::max(farthest, ImGui::GetItemRectMax().x);
       }
     }
     if (texts[i].exact != texts[i].value) tooltip(texts[i].exact);
   }
+  const float edge = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  controls().record("event-numbers", farthest <= edge ? "all in sight" : "cut");
 }
 
 }  // namespace ps::gui

@@ -156,7 +156,7 @@ void predict_panel(Session& session, PredictState& state) {
     state.answered = true;
   }
   if (state.on) {
-    ImGui::SameLine();
+    same_line_if_room(button_width("Stop asking"));
     if (button("stop", "Stop asking", Emphasis::quiet)) state.on = false;
   }
 }
