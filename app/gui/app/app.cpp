@@ -210,7 +210,7 @@ void App::draw() {
   ImGui::PopStyleVar(3);
   menu_bar();
   const float top = ImGui::GetCursorScreenPos().y, status_height = ImGui::GetFrameHeight() + px(6);
-  layout({{0, top}, {size.x, size.y - status_height}});
+  layout({{0, top}, {size.x, size.y - status_height - status_bar_.bars_height}});
   ImGui::SetCursorScreenPos({px(12), size.y - status_height + px(3)});
   ImGui::BeginChild("status", {size.x - px(24), status_height - px(3)}, false, fixed_window);
   const std::string study = studies_.status();
@@ -218,7 +218,7 @@ void App::draw() {
              study.empty() ? "Click a pixel to see how it got its colour.   ? shows all keys." : study);
   ImGui::EndChild();
   ImGui::End();
-  message_bars(session_, px(8), size.x - px(8), size.y - status_height);
+  message_bars(session_, status_bar_, px(8), size.x - px(8), size.y - status_height);
   if (studies_.unsafe(session_, pictures_)) {
     toggle_bottom(true);
     session_.navigate([](Document& document) { document.layout.bottom_tab = "stability"; });

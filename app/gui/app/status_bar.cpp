@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
@@ -53,6 +54,28 @@ std::string camera_text(const Camera& camera) {
                      vector(camera.forward));
 }
 
+bool passes(const Message& message) { return message.kind == Message::Kind::information; }
+
+std::string newest_news(const Session& session) {
+  const auto& messages = session.messages();
+  const auto newest = std::find_if(messages.rbegin(), messages.rend(), passes);
+  return newest == messages.rend() ? std::string() : newest->text;
+}
+
+/// Behind a bar of its own, so that it is not taken for what is under the mouse. The beginning, where not all fits.
+void news_line(const std::string& news, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + px(1)}, {at.x + px(3), at.y + height},
+                                            colour_u32(palette().line_strong));
+  ImGui::PushClipRect(at, {at.x + width, at.y + 2 * height}, true);
+  ImGui::SetCursorScreenPos({at.x + px(10), at.y});
+  ImGui::TextUnformatted(news.c_str());
+  ImGui::PopClipRect();
+  tooltip(news);
+  controls().record("news", at, {at.x + width, at.y + height}, news);
+}
+
 }  // namespace
 
 std::string hover_text(Session& session, const PicturesState& pictures) {
@@ -88,13 +111,16 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
   else if (state.busy_since < 0)
     state.busy_since = now;
   const bool shown = working && now - state.busy_since >= patience;
-  const float progress_width = px(330);
+  const float progress_width = px(330), gap = px(12);
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  const float room = width - (shown ? progress_width + gap : 0);
+  const std::string news = newest_news(session);
+  const float news_width = news.empty() ? 0 : std::min(ImGui::CalcTextSize(news.c_str()).x + px(10), room * 0.6f);
 
   const std::string hover = flying(pictures) ? camera_text(session.view().camera) : hover_text(session, pictures);
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushClipRect(at, {at.x + width - (shown ? progress_width + px(12) : 0), at.y + px(40)}, true);
+  ImGui::PushClipRect(at, {at.x + room - (news.empty() ? 0 : news_width + gap), at.y + px(40)}, true);
   if (hover.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
     ImGui::TextUnformatted(hint.c_str());
@@ -105,25 +131,36 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
   }
   controls().record("hover", hover);
   ImGui::PopClipRect();
+  if (!news.empty()) {
+    ImGui::SameLine(left + room - news_width);
+    news_line(news, news_width);
+  }
   if (!shown) return;
   ImGui::SameLine(left + width - progress_width);
   progress(session, progress_width);
 }
 
-void message_bars(Session& session, float left, float right, float bottom) {
+void message_bars(Session& session, StatusBarState& state, float left, float right, float bottom) {
   if (session.expire_messages(ImGui::GetTime())) redraw_after(1);
   const auto& messages = session.messages();
-  if (messages.empty()) return;
+  const float before = std::exchange(state.bars_height, 0.f);
+  if (std::all_of(messages.begin(), messages.end(), passes)) {
+    if (before > 0) redraw_after(0);
+    return;
+  }
   ImGui::SetNextWindowPos({left, bottom}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSize({right - left, 0});
   ImGui::Begin("messages", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
   for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (passes(messages[i])) continue;
     if (!message_bar(fmt::format("message/{}", i), kind_of(messages[i].kind), messages[i].text)) continue;
     session.dismiss(i);
     break;
   }
+  state.bars_height = ImGui::GetWindowSize().y;
+  if (state.bars_height != before) redraw_after(0);
   ImGui::End();
 }
 

@@ -12,12 +12,15 @@ std::string hover_text(Session& session, const PicturesState& pictures);
 /// When long work began; the bar shows work only after a while, so that quick work does not flicker.
 struct StatusBarState {
   double busy_since = -1;
+  float bars_height = 0;  ///< that the messages below take from the regions, window pixels
 };
 
-/// The line at the lower edge: what is under the mouse, or `hint` otherwise, and the progress of long work with cancel.
+/// The line at the lower edge: what is under the mouse, or `hint` otherwise; news that pass by themselves; and the
+/// progress of long work with cancel.
 void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const std::string& hint);
 
-/// Messages, one below the other, ending at `bottom` (window pixels), over what is there.
-void message_bars(Session& session, float left, float right, float bottom);
+/// Warnings and errors, which stay until they are read, one below the other, ending at `bottom` (window pixels). What
+/// room they take stands in `state`, so that they cover nothing.
+void message_bars(Session& session, StatusBarState& state, float left, float right, float bottom);
 
 }  // namespace ps::gui
