@@ -106,7 +106,7 @@ void App::add_actions() {
                .label = "Save the pixel's story...",
                .group = "Scene",
                .run = [this] { files_.ask(FilePurpose::save_story, "story.md"); },
-               .enabled = [this] { return session_.story(session_.document().picked) != nullptr; }});
+               .enabled = [this] { return session_.story(told_side(session_)) != nullptr; }});
   actions.add({.name = "picture-b",
                .label = "Compare with a picture file...",
                .group = "Scene",

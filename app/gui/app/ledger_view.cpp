@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gui/widgets/draw.h"
+#include "inspect/shown_term.h"
 
 namespace ps::gui {
 namespace {
@@ -159,20 +160,24 @@ int ledger_view(const std::string& name, const PixelStory& story, int selected_e
   columns.number = std::min(px(number_width), (columns.right - columns.left - px(swatch_size + 8)) / 3);
   choose_digits(story, columns);
   headings(columns);
+  const int shown = shown_term(story, selected_event);
+  std::string selected_term = "none";
   for (std::size_t index = 0; index < story.ledger.size(); ++index) {
     const LedgerLine& line = story.ledger[index];
     const LedgerChange* change = pinned ? &pinned->term_of(index) : nullptr;
     const std::string row = fmt::format("{}/ledger/{}", name, index);
+    if (line.event >= 0 && line.event == shown && selected_term == "none") selected_term = line.term;
     if (tells_only(story, line)) {
       ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
       ImGui::PushTextWrapPos(0);
       value_text(row, line.term);
       ImGui::PopTextWrapPos();
       ImGui::PopStyleColor();
-    } else if (line_row(row, line, line.event >= 0 && line.event == selected_event, columns, change)) {
+    } else if (line_row(row, line, line.event >= 0 && line.event == shown, columns, change)) {
       clicked = line.event;
     }
   }
+  controls().record(name + "/selected-term", selected_term);
   if (pinned) gone_lines(name, pinned->changes);
   return clicked;
 }

@@ -231,7 +231,7 @@ void quiet(const std::string& text) {
 bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   const NameScope scope("listing");
   if (!session.has_scene()) return false;
-  const Side side = session.document().picked;
+  const Side side = told_side(session);
   const auto pixel = session.pixel();
   if (!pixel) {
     state.worker.clear();

@@ -113,6 +113,10 @@ bool telling(const PartingViewState& state, const AlignedRow& row) {
   return event_weight(event) != EventWeight::quiet && !std::holds_alternative<RejectEvent>(event.data);
 }
 
+StoryCursor cursor_at(int event) {
+  return event < 0 ? StoryCursor{} : StoryCursor{event, true, event / events_per_page};
+}
+
 void steps(Session& session, PartingViewState& state, std::array<StoryCursor, 2>& cursors) {
   const int parts_at = row_of(state);
   int shown = 0, equal = 0, quiet = 0;
@@ -126,8 +130,12 @@ void steps(Session& session, PartingViewState& state, std::array<StoryCursor, 2>
     ++shown;
     const bool selected = (row.a >= 0 && cursors[0].selected == row.a) || (row.b >= 0 && cursors[1].selected == row.b);
     if (step(static_cast<int>(i), row, parts_here, selected, state, session.scene())) {
-      if (row.a >= 0) cursors[0] = {row.a, true, row.a / events_per_page};
-      if (row.b >= 0) cursors[1] = {row.b, true, row.b / events_per_page};
+      cursors[0] = cursor_at(row.a);
+      cursors[1] = cursor_at(row.b);
+      // Space and microscope show the side that took the step.
+      const Side picked = session.document().picked;
+      if ((picked == Side::a ? row.a : row.b) < 0)
+        session.navigate([&](Document& document) { document.picked = picked == Side::a ? Side::b : Side::a; });
     }
   }
   state.reveal = false;

@@ -8,6 +8,7 @@
 #include "gui/app/ledger_view.h"
 #include "gui/app/picture_text.h"
 #include "gui/widgets/draw.h"
+#include "inspect/parting/align_stories.h"
 #include "inspect/story_json.h"
 #include "math/conventions.h"
 
@@ -122,6 +123,11 @@ void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const Pixel
   ImGui::PopTextWrapPos();
 }
 
+/// What is selected in a story is shown in space and under the microscope, so it must be the one that these tell.
+void tell(Session& session, Side side) {
+  if (session.document().picked != side) session.navigate([&](Document& document) { document.picked = side; });
+}
+
 /// One of the two stories when both are told: the sum first, since that is what is compared.
 void short_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story) {
   const std::size_t index = index_of(side);
@@ -132,11 +138,15 @@ void short_story(Session& session, PixelPanelState& state, Side side, const Pixe
   if (section(name + "/sum", "The colour as a sum", state.both_sum_open[index]))
     if (const int clicked = ledger_view(name, story, state.cursors[index].selected); clicked >= 0) {
       state.cursors[index].selected = clicked;
+      tell(session, side);
       state.cursors[index].reveal = true;
       state.both_events_open[index] = true;
     }
-  if (section(name + "/events", "What happened", state.both_events_open[index], event_count(story)))
+  if (section(name + "/events", "What happened", state.both_events_open[index], event_count(story))) {
+    const int before = state.cursors[index].selected;
     story_tree_view(name, story, session.scene(), state.cursors[index]);
+    if (state.cursors[index].selected != before) tell(session, side);
+  }
   ImGui::PopID();
 }
 
@@ -183,13 +193,24 @@ void nothing_picked(Session& session) {
   ImGui::PopStyleColor();
 }
 
-/// A new story gets a fresh cursor, unless it is that of the same pixel with the same events.
-void follow(PixelPanelState& state, Side side, const std::shared_ptr<const PixelStory>& story) {
+/// Where event `selected` of one story stands in another of the same pixel, as after a change of options; -1 if it
+/// happens no more.
+int same_event(const PixelStory& before, const PixelStory& after, int selected, const Scene& scene) {
+  if (selected < 0) return -1;
+  for (const AlignedRow& row : align_stories(before, after, scene))
+    if (row.a == selected) return row.b;
+  return -1;
+}
+
+/// A new story gets a fresh cursor; if it is of the same pixel, the selected event stays selected.
+void follow(const Session& session, PixelPanelState& state, Side side, const std::shared_ptr<const PixelStory>& story) {
   auto& told = state.told[index_of(side)];
   if (told == story) return;
   auto& cursor = state.cursors[index_of(side)];
-  if (!told || !story || told->pixel != story->pixel || told->events.size() != story->events.size())
-    cursor = StoryCursor{};
+  const bool same_pixel = told && story && told->pixel == story->pixel;
+  const int selected = same_pixel ? same_event(*told, *story, cursor.selected, session.scene()) : -1;
+  const int page = selected >= 0 ? selected / events_per_page : same_pixel ? cursor.page : 0;
+  cursor = {selected, false, page};
   told = story;
 }
 
@@ -220,7 +241,7 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
       session.navigate([&](Document& document) { document.picked = tab == 0 ? Side::a : Side::b; });
   }
   const std::array stories{session.story(Side::a), session.story(Side::b)};
-  for (const Side side : both_sides) follow(state, side, stories[index_of(side)]);
+  for (const Side side : both_sides) follow(session, state, side, stories[index_of(side)]);
 
   ImGui::BeginChild("story");
   switch (state.shown) {

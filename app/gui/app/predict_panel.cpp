@@ -94,7 +94,7 @@ bool prediction_pending(Session& session, PredictState& state) {
   take_up_lesson(session, state);
   const auto pixel = session.pixel();
   if (!pixel) return false;
-  const Settings& settings = session.settings(session.document().picked);
+  const Settings& settings = session.settings(told_side(session));
   if (state.on && (state.asked_pixel != *pixel || state.asked_settings != settings)) {
     state.asked_pixel = *pixel;
     state.asked_settings = settings;
@@ -108,7 +108,7 @@ bool prediction_pending(Session& session, PredictState& state) {
 
 void predict_panel(Session& session, PredictState& state) {
   const NameScope scope("predict");
-  const Side side = session.document().picked;
+  const Side side = told_side(session);
   const auto pixel = session.pixel();
   if (!pixel) return;
   const auto story = session.story(side);

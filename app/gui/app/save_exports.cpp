@@ -10,7 +10,7 @@ namespace ps::gui {
 
 /// Writes the story of the picked pixel in the form that the file's extension names: md, csv or json.
 void App::save_story_as(std::filesystem::path path) {
-  const auto story = session_.story(session_.document().picked);
+  const auto story = session_.story(told_side(session_));
   if (!story) return;
   if (path.extension().empty()) path += ".md";
   const std::string extension = path.extension().string();

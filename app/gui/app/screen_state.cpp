@@ -36,7 +36,7 @@ void mirror_tab(Session& session, PixelPanelState& panel, ScreenMirror& mirror) 
 }
 
 void mirror_event(Session& session, PixelPanelState& panel, ScreenMirror& mirror) {
-  const Side side = session.document().picked;
+  const Side side = told_side(session);
   if (session.document().event != mirror.event) {
     mirror.event = session.document().event;
     mirror.wanted = mirror.event;

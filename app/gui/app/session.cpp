@@ -424,4 +424,6 @@ void Session::dismiss(std::size_t index) {
   if (index < messages_.size()) messages_.erase(messages_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+Side told_side(const Session& session) { return session.picture_b() ? Side::a : session.document().picked; }
+
 }  // namespace ps::gui

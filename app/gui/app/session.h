@@ -173,4 +173,7 @@ class Session {
   NewestJob loader_;
 };
 
+/// The side whose story is told: the picked one, or A where B is a picture file, which has no story.
+Side told_side(const Session& session);
+
 }  // namespace ps::gui

@@ -10,6 +10,7 @@
 
 #include "gui/app/space_paint.h"
 #include "gui/platform/plain_texture.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
 #include "inspect/describe.h"
@@ -105,7 +106,7 @@ void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pix
   const auto step = std::upper_bound(steps.begin(), steps.end(), selected) - steps.begin();
   const std::string place = selected >= 0 ? fmt::format("{} of {}", step, steps.size())
                             : narrow      ? fmt::format("0 of {}", steps.size())
-                                          : fmt::format("{} events", steps.size());
+                                          : fmt::format("{} event{}", steps.size(), steps.size() == 1 ? "" : "s");
   ImGui::AlignTextToFramePadding();
   value_text("step", place);
   tooltip("The event that is shown, of those of this pixel's story that have a place in the scene.");
@@ -217,17 +218,17 @@ Rgb8 paper_colour() {
 
 void caption(const SpacePanelState& state, const Session& session, int event, const Area& area) {
   if (!state.told || event < 0 || static_cast<std::size_t>(event) >= state.told->events.size()) return;
-  const std::string text = describe(state.told->events[static_cast<std::size_t>(event)], session.scene());
-  ImFont* font = theme().font(Face::body);
-  const float wrap = area.width() - px(32);
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
+  const FontScope font(Face::body);
+  const std::string text =
+      in_lines(describe(state.told->events[static_cast<std::size_t>(event)], session.scene()), area.width() - px(32));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at{area.min.x + px(12), area.max.y - size.y - px(10)};
   auto& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({at.x - px(6), at.y - px(3)}, {at.x + size.x + px(6), at.y + size.y + px(3)},
                      colour_u32(palette().panel, 0.9), px(4));
   list.AddRectFilled({at.x - px(6), at.y - px(3)}, {at.x - px(3), at.y + size.y + px(3)},
                      colour_u32(palette().attention));
-  list.AddText(font, font->FontSize, at, colour_u32(palette().text), text.c_str(), nullptr, wrap);
+  draw_lines(at, text, palette().text);
 }
 
 void select(PixelPanelState& pixel, SpacePanelState& state, Side side, int event) {

@@ -55,9 +55,6 @@ struct SpacePanelState {
   std::function<void()> save;  ///< asks where to write the view; empty = it cannot be written
 };
 
-/// The side whose story is told.
-inline Side told_side(const Session& session) { return session.document().picked; }
-
 /// The scene from outside with the picked pixel's story in it. Selecting an event here selects it in the inspector, and
 /// the other way round. `filled`: it has the whole window; answers whether that shall change.
 bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixel, const PicturesState& pictures,

@@ -119,7 +119,7 @@ void camera_card(const VertexChain& now, const VertexChain& plain) {
 
 void clip_card(Session& session, VertexPanelState& state, const VertexChain& now, const VertexChain& plain) {
   card(4, "clip", "Distances to the planes; negative = cut away (CGFS ch. 11).", [&] {
-    double near = state.edits.near.value_or(session.settings(session.document().picked).near);
+    double near = state.edits.near.value_or(session.settings(told_side(session)).near);
     ImGui::TextUnformatted("near");
     ImGui::SameLine(0, px(8));
     const Option* option = find_option("near");
@@ -201,7 +201,7 @@ void update_vertex(Session& session, VertexPanelState& state, bool shown) {
     state.chain.reset();
     return;
   }
-  const Side side = session.document().picked;
+  const Side side = told_side(session);
   const auto pixel = session.pixel();
   const auto story = session.story(side);
   const Scene& scene = session.scene();
