@@ -91,9 +91,10 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
 
   const float buttons = ImGui::GetFrameHeightWithSpacing() + px(4);
   ImGui::BeginChild("text", {0, -buttons});
-  std::string text = "## " + step.title + "\n\n";
+  std::string text;
   if (index == 0)
     for (const auto& paragraph : lesson->paragraphs) text += paragraph + "\n\n";
+  text += "## " + step.title + "\n\n";
   for (const auto& paragraph : step.paragraphs) text += paragraph + "\n\n";
   for (const auto& hint : step.hints) text += "- " + hint + "\n";
   rich_text(without_emphasis(text));
