@@ -41,7 +41,9 @@ TEST(ShownTerm, EveryEventOfATracedPixelShowsTheLineOfItsOwnRay) {
       continue;
     }
     const EventData& data = events[static_cast<std::size_t>(i)].data;
-    if (shown >= 0) EXPECT_TRUE(told.in_sum(shown)) << i;
+    if (shown >= 0) {
+      EXPECT_TRUE(told.in_sum(shown)) << i;
+    }
     if (const auto* ray = std::get_if<RayEvent>(&data); ray && ray->kind == RayKind::shadow) {
       ++shadow_rays;
       ASSERT_GE(shown, 0) << i;
