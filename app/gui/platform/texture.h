@@ -33,7 +33,10 @@ class Texture {
   int height() const { return height_; }
   bool empty() const { return id_ == 0; }
   /// For ImGui::Image and ImDrawList::AddImage.
-  ImTextureID id() const { return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(id_)); }
+  ImTextureID id() const {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui hands numbers on as pointers
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(id_));
+  }
 
  private:
   unsigned id_ = 0;

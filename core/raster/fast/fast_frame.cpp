@@ -45,7 +45,8 @@ bool can_draw_fast(const Pass<float>& pass) {
   if (pass.grid.subpixel_bits > fast_subpixel_bits || pass.planes.size() > 16) return false;
   if (!pass.scene->canvas_items->empty()) return false;
   if (settings.lighting && settings.shading != Shading::phong) return false;
-  return std::ranges::all_of(pass.surfaces, [&](const auto& surface) { return can_shade(pass, surface); });
+  return std::all_of(pass.surfaces.begin(), pass.surfaces.end(),
+                     [&](const auto& surface) { return can_shade(pass, surface); });
 }
 
 void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& frame, Progress& progress) {
@@ -56,7 +57,7 @@ void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& fra
     timer = Timer();
   };
   const std::vector<bool> culled = cull_objects(pass);
-  frame.counters[Counter::objects_culled] += static_cast<std::uint64_t>(std::ranges::count(culled, true));
+  frame.counters[Counter::objects_culled] += static_cast<std::uint64_t>(std::count(culled.begin(), culled.end(), true));
   const std::vector<VertexBuffer<float>> vertices = run_fast_vertices(pass, culled, parallel, progress);
   done("vertices");
   const std::vector<FastPart> parts = assemble_fast(pass, vertices, culled, parallel, progress);
