@@ -328,9 +328,10 @@ class Intersector {
     const SphereRoots<Real> roots = sphere_roots(query, index, geometry_.spheres[primitive.shape]);
     TestOutcome outcome = TestOutcome::missed;
     if (roots.discriminant >= 0) {
-      const Real t = roots.near > ray.t_min ? roots.near : roots.far;
+      const bool enters = roots.near > ray.t_min;
+      const Real t = enters ? roots.near : roots.far;
       outcome = judge(ray, t, index, best);
-      if (outcome == TestOutcome::accepted) best = {index, t, {}, 0};
+      if (outcome == TestOutcome::accepted) best = {index, t, {}, enters ? 0 : leaves_sphere};
     }
     recorder_.event([&] {
       SphereTestEvent event{primitive.id, outcome, static_cast<double>(roots.discriminant), {}};

@@ -153,7 +153,9 @@ V3 trace(const PacketScene& scene, PacketRay ray, M active, const PacketHit& fir
     if (bounce >= scene.depth || hn::AllFalse(d, mirrors)) return fold(scene, bounces, bounce);
     now.mirrored = mirrors;
     count.reflection_rays += hn::CountTrue(d, mirrors);
-    const V3 direction = mirror(surface.to_eye, surface.normal, dot(surface.normal, surface.to_eye));
+    V cosine = dot(surface.normal, surface.to_eye);
+    cosine = hn::IfThenElse(hn::And(hit.enters, hn::Lt(cosine, zero)), zero, cosine);  // mirrored_direction()
+    const V3 direction = mirror(surface.to_eye, surface.normal, cosine);
     ray = {surface.point, direction, dot(direction, direction),
            hit.index,     zero,      splat(std::numeric_limits<float>::infinity()),
            From::surface};
@@ -273,7 +275,8 @@ HWY_INLINE PacketHit find_with_reuse(const PacketScene& scene, const PacketRay& 
   const M missed = hn::AndNot(hn::Or(known, met), active);
   if (hn::AllFalse(d, missed)) return hit;
   const PacketHit all = find_nearest(scene, rays, missed, count);
-  return {hn::IfThenElse(missed, all.t, hit.t), hn::IfThenElse(missed, all.index, hit.index)};
+  return {hn::IfThenElse(missed, all.t, hit.t), hn::IfThenElse(missed, all.index, hit.index),
+          hn::Or(hn::And(missed, all.enters), hn::AndNot(missed, hit.enters))};
 }
 
 }  // namespace

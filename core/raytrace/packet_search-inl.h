@@ -37,7 +37,8 @@ struct PacketRay {
 
 struct PacketHit {
   V t;
-  V index;  ///< of the sphere; -1 = none
+  V index;   ///< of the sphere; -1 = none
+  M enters;  ///< the ray comes from outside the sphere
 };
 
 /// c of the robust sphere test: the one part that is computed in double.
@@ -70,7 +71,7 @@ HWY_INLINE PacketHit search(const PacketScene& scene, const PacketRay& ray, M ac
                             std::uint64_t& sphere_tests, const V* only = nullptr) {
   const D d;
   const V zero = hn::Zero(d);
-  PacketHit best{ray.t_max, splat(-1)};
+  PacketHit best{ray.t_max, splat(-1), no_lane()};
   M live = active;
   for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
     if (kind == Search::any && hn::AllFalse(d, live)) break;
@@ -91,6 +92,7 @@ HWY_INLINE PacketHit search(const PacketScene& scene, const PacketRay& ray, M ac
     const M crossed = hn::AndNot(own, hn::And(live, hn::Ge(discriminant, zero)));
     const V other = hn::Div(hn::Mul(splat(2), b), ray.a);
     V t = hn::IfThenElse(hn::Lt(other, zero), zero, other);
+    M enters = no_lane();
     if (!hn::AllFalse(d, crossed)) {
       const V c = power_of_origin(ray, sphere);
       const V root = hn::Sqrt(hn::Mul(ray.a, discriminant));
@@ -100,12 +102,14 @@ HWY_INLINE PacketHit search(const PacketScene& scene, const PacketRay& ray, M ac
       const V with_a = hn::Div(q, ray.a);
       const V near = hn::IfThenElse(behind, with_a, with_c);
       const V far = hn::IfThenElse(behind, with_c, with_a);
-      t = hn::IfThenElse(own, t, hn::IfThenElse(hn::Gt(near, ray.t_min), near, far));
+      enters = hn::AndNot(own, hn::Gt(near, ray.t_min));
+      t = hn::IfThenElse(own, t, hn::IfThenElse(enters, near, far));
     }
     const M in_range = hn::And(hn::Gt(t, ray.t_min), hn::Lt(t, best.t));
     const M accepted = hn::And(hn::Or(own, crossed), in_range);
     best.t = hn::IfThenElse(accepted, t, best.t);
     best.index = hn::IfThenElse(accepted, index, best.index);
+    best.enters = hn::Or(hn::And(accepted, enters), hn::AndNot(accepted, best.enters));
     if (kind == Search::any) live = hn::AndNot(accepted, live);
   }
   return best;

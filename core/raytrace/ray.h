@@ -21,13 +21,16 @@ struct Ray {
   std::uint32_t start_detail = 0;   ///< Hit::detail of the place where it starts
 };
 
+/// Hit::detail of a sphere where the ray comes from its inside.
+inline constexpr std::uint32_t leaves_sphere = 1;
+
 /// The nearest intersection found so far.
 template <class Real>
 struct Hit {
   std::uint32_t primitive = no_primitive;
   Real t = 0;
   std::array<Real, 3> weights{};  ///< barycentric; zeros on a sphere
-  std::uint32_t detail = 0;       ///< solids: which face of which part (raytrace/csg.h)
+  std::uint32_t detail = 0;       ///< solids: which face of which part (raytrace/csg.h); spheres: leaves_sphere or 0
   bool found() const { return primitive != no_primitive; }
 };
 

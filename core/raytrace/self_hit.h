@@ -20,6 +20,20 @@ inline Vec3<Real> offset_from_triangle(const Surface<Real>& surface, const Vec3<
   return point;
 }
 
+/// The direction in which a surface mirrors a ray that came from `to_eye`. A ray that enters a sphere sees its outside,
+/// but where it all but passes by, rounding may place the point beyond the horizon, and the mirrored ray would run into
+/// the ball. With self-hit = offset such a ray counts as what it is, parallel to the surface, and runs on.
+template <class Real>
+inline Vec3<Real> mirrored_direction(const Surface<Real>& surface, const Vec3<Real>& to_eye,
+                                     const TraceInputs<Real>& inputs) {
+  const Vec3<Real>& n = surface.shading_normal;
+  const bool beyond_horizon = inputs.settings.self_hit == SelfHit::offset &&
+                              primitive_of(*inputs.geometry, surface.primitive).kind == PrimitiveKind::sphere &&
+                              surface.detail != leaves_sphere && dot(surface.geometric_normal, to_eye) < 0;
+  const Real cosine = dot(n, to_eye);
+  return mirror(to_eye, n, beyond_horizon && cosine < 0 ? Real(0) : cosine);
+}
+
 /// The ray that leaves a surface in `direction`, guarded against meeting that surface again at once:
 ///   offset       a sphere knows that one root is 0, a triangle is met only once, and points on triangles move by the
 ///                bound of their rounding error, so that neighbours are safe too: no false self-hit, no knob

@@ -35,6 +35,7 @@ template <class Real>
 inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedSphere<Real>& sphere) {
   Surface<Real> surface;
   surface.primitive = hit.primitive;
+  surface.detail = hit.detail;
   surface.point = ray.origin + ray.direction * hit.t;
   surface.geometric_normal = normalised(surface.point - sphere.centre);
   surface.shading_normal = surface.geometric_normal;

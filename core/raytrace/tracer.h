@@ -225,7 +225,7 @@ class Tracer {
 
   Vec3<Real> mirrored_colour(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
                              const Medium<Real>& medium) const {
-    const Ray<Real> reflected = leaving_ray(surface, mirror(-ray.direction, surface.shading_normal),
+    const Ray<Real> reflected = leaving_ray(surface, mirrored_direction(surface, -ray.direction, inputs_),
                                             std::numeric_limits<Real>::infinity(), inputs_.reflection_epsilon, inputs_);
     recorder_.count(Counter::reflection_rays);
     return trace(reflected, RayKind::reflection, depth + 1, share, medium, nullptr);

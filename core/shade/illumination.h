@@ -76,10 +76,15 @@ inline Real length(const Vec3<Real>& v) {
   return std::sqrt(dot(v, v));
 }
 
-/// The `incoming` direction (away from the surface) mirrored about `normal`, whose length must be 1.
+/// The `incoming` direction (away from the surface) mirrored about `normal`, whose length must be 1; `cosine` is their
+/// dot product.
+template <class Real>
+inline Vec3<Real> mirror(const Vec3<Real>& incoming, const Vec3<Real>& normal, Real cosine) {
+  return normal * (Real(2) * cosine) - incoming;
+}
 template <class Real>
 inline Vec3<Real> mirror(const Vec3<Real>& incoming, const Vec3<Real>& normal) {
-  return normal * (Real(2) * dot(normal, incoming)) - incoming;
+  return mirror(incoming, normal, dot(normal, incoming));
 }
 
 /// The two directions whose angle decides how bright a highlight is: R and V (Phong), or N and H (Blinn-Phong).
