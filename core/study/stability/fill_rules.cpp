@@ -37,15 +37,14 @@ std::vector<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Wi
   return times;
 }
 
-/// The mesh as a wave moves its inside, corners on half pixels: edges of every slope.
-FlatMesh bent(FlatMesh mesh) {
-  for (Vec2d& p : mesh.points) {
-    const Vec2d still(std::sin(pi * p.x / 655), std::sin(pi * p.y / 655));
-    const double share = std::min(1.0, 4 * still.x) * std::min(1.0, 4 * still.y);
-    const Vec2d moved = p + Vec2d(9 * std::sin(p.y / 23), 9 * std::sin(p.x / 27)) * std::max(0.0, share);
-    p = {std::round(2 * moved.x) / 2, std::round(2 * moved.y) / 2};
-  }
-  return mesh;
+constexpr int window = 655;  ///< its 429,025 pixels lie inside the mesh, however that is turned
+
+/// So many by so many cells, every corner moved by up to a fifth of a cell, turned by half a radian: edges of every
+/// slope, and none of the mesh's rim in the window.
+FlatMesh turned_mesh(int cells, double grid, const StabilityRun& run) {
+  Random random(run.seed);
+  const double middle = window / 2.0, half = middle * std::sqrt(2.0);
+  return turned(jittered_mesh(cells, middle - half, middle + half, 0.2, 0, random), Vec2d(middle, middle), 0.5, grid);
 }
 
 /// 32 x 31 pixels each: the sides run through samples, the diagonals through hardly any.
@@ -56,17 +55,18 @@ FlatMesh rectangles() {
   return mesh;
 }
 
-/// 655 x 655 pixels, as 7,200 triangles with corners on half pixels, or as squares whose sides run through samples.
+/// 7,200 triangles with corners on half pixels, or rectangles whose sides run through samples.
 std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
   Rows rows(run);
   for (const bool squares : {false, true}) {
     run.check();
-    Random random(run.seed);
-    const FlatMesh mesh = squares ? rectangles() : bent(jittered_mesh(60, 0, 655, 0.2, 0, random));
-    const int last = 655;
-    const Painted robust = count_painted(painted_times(mesh, 720, FillRule::top_left, Width::int64), 720, 0, last);
+    const FlatMesh mesh = squares ? rectangles() : turned_mesh(60, 0.5, run);
+    const auto painted = [&](FillRule rule) {
+      return count_painted(painted_times(mesh, window, rule, Width::int64), window, 0, window);
+    };
+    const Painted robust = painted(FillRule::top_left);
     for (const FillRule rule : {FillRule::inclusive, FillRule::exclusive}) {
-      const Painted naive = count_painted(painted_times(mesh, 720, rule, Width::int64), 720, 0, last);
+      const Painted naive = painted(rule);
       const std::string name = std::string(squares ? "sides on samples" : "corners on half pixels") +
                                (rule == FillRule::inclusive ? ", >= 0" : ", > 0");
       const double knob = rule == FillRule::inclusive ? 0 : 1;
@@ -79,13 +79,15 @@ std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
 
 std::vector<StabilityRow> measure_int32(const StabilityRun& run) {
   Rows rows(run);
-  for (const int cells : {16, 8, 6, 4, 3, 2}) {
+  for (const int cells : {16, 8, 6, 5, 4, 3}) {
     run.check();
-    Random random(run.seed);
-    const FlatMesh mesh = jittered_mesh(cells, 0.5, 655.5, 0.2, 0, random);
-    const Painted naive = count_painted(painted_times(mesh, 660, FillRule::top_left, Width::int32), 660, 1, 655);
-    const Painted robust = count_painted(painted_times(mesh, 660, FillRule::top_left, Width::int64), 660, 1, 655);
-    rows.push_back({655.0 / cells, "square mesh", naive.holes, robust.holes, "holes, px of 429,025"});
+    const FlatMesh mesh = turned_mesh(cells, 0, run);
+    const auto holes = [&](Width width) {
+      return count_painted(painted_times(mesh, window, FillRule::top_left, width), window, 0, window).holes;
+    };
+    // A triangle is half a cell.
+    rows.push_back({window / static_cast<double>(cells), "square root of a triangle's area", holes(Width::int32),
+                    holes(Width::int64), "holes, px of 429,025"});
   }
   return rows;
 }
@@ -136,8 +138,8 @@ const StabilityExperiment fill_rule_easy{
     .robust = "top-left rule",
     .explanation =
         "Where a sample lies exactly on a shared edge, both triangles say the same: both paint it, or neither; the "
-        "top-left rule gives it to one of them. How many samples lie on edges is the mesh's own: here 60 x 60 cells, "
-        "each corner moved by up to a fifth of a cell, bent by a wave of 9 px and rounded to half pixels.",
+        "top-left rule gives it to one of them. How many samples lie on edges is the mesh's own: here 60 x 60 cells of "
+        "15 px, each corner moved by up to a fifth of a cell, turned by half a radian and rounded to half pixels.",
     .safe = "Meshes without a sample on an edge.",
     .window = nowhere_safe,
     .measure = measure_easy};
@@ -145,13 +147,13 @@ const StabilityExperiment fill_rule_easy{
 const StabilityExperiment int32_edge_functions{
     .key = "int32-edge-functions",
     .title = "Edge functions in 32 bits",
-    .knob = "length of a triangle's legs (px)",
+    .knob = "square root of a triangle's area (px)",
     .naive = "int32, 8 sub-pixel bits",
     .robust = "int64",
-    .explanation = "An edge value is a product of two lengths in 256ths of a pixel. From 181 by 181 pixels on it needs "
-                   "more than 31 bits and changes its sign.",
-    .safe = "Triangles of up to 128 pixels.",
-    .window = {nowhere, 128},
+    .explanation = "An edge value is twice the area that edge and sample span, in 65,536ths of a square pixel. From "
+                   "181 by 181 pixels, or an area of 128 by 128, on it needs more than 31 bits and changes its sign.",
+    .safe = "Triangles with edges of up to 128 pixels, whose areas are at most half of 128 by 128.",
+    .window = {nowhere, 90},
     .measure = measure_int32};
 
 const StabilityExperiment inclusive_scanlines{

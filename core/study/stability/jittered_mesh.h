@@ -41,6 +41,17 @@ inline FlatMesh jittered_mesh(int cells, double first, double last, double jitte
   return mesh;
 }
 
+/// The mesh turned about its middle by `angle` (radians) and rounded to `grid` pixels, 0 = not at all.
+inline FlatMesh turned(FlatMesh mesh, const Vec2d& middle, double angle, double grid) {
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  const auto place = [&](double v) { return grid > 0 ? std::round(v / grid) * grid : v; };
+  for (Vec2d& point : mesh.points) {
+    const Vec2d p = point - middle;
+    point = {place(middle.x + cosine * p.x - sine * p.y), place(middle.y + sine * p.x + cosine * p.y)};
+  }
+  return mesh;
+}
+
 /// Pixels covered by none and by several triangles.
 struct Painted {
   double pixels = 0, holes = 0, doubles = 0;
