@@ -19,7 +19,7 @@ enum class AimAt { edge, vertex };
 /// 2 `reach` in the middle.
 class Aim {
  public:
-  Aim(const ClosedSphere& mesh, std::uint32_t seed, double reach = 0.5);
+  Aim(const ClosedSphere& mesh, std::uint32_t seed, double reach = 1);
   AimedRay next(AimAt what);
 
  private:
