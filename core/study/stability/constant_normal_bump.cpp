@@ -6,7 +6,7 @@ namespace ps::stability {
 namespace {
 
 struct Rates {
-  double rays = 0, parameter = 0, bump = 0, robust = 0;
+  double rays = 0, parameter = 0, epsilon = 0, weights = 0, bump = 0, robust = 0;
 };
 
 bool meets(const Vec3f& origin, const Vec3f& direction, const TracedTriangle<float>& triangle, float t_min) {
@@ -14,15 +14,17 @@ bool meets(const Vec3f& origin, const Vec3f& direction, const TracedTriangle<flo
   return result.verdict == TriangleVerdict::inside && result.t > t_min;
 }
 
-/// Random triangles with sides of about 1; 20 rays into the half-space that the eye ray came from leave each hit.
+/// Random triangles with sides of about 1, so far from the origin along no axis; 20 rays into the half-space that the
+/// eye ray came from leave each hit. The naive starts take hit and weights from Moeller-Trumbore, the robust one from
+/// the watertight test.
 Rates rates_at(double distance, const StabilityRun& run) {
   run.check();
   Random random(run.seed);
   Rates rates;
   const TracedGeometry<float> geometry;
   const Settings settings;
-  const int triangles = run.count(40000, 2000);
-  const Vec3d centre = Vec3d(distance, 0, 0);
+  const int triangles = run.count(40000, 4000);
+  const Vec3d centre = Vec3d(0.6, 0.64, 0.48) * distance;
   for (int i = 0; i < triangles; ++i) {
     const TracedTriangle<float> triangle{Vec3f(centre + random.in_cube(1)), Vec3f(centre + random.in_cube(1)),
                                          Vec3f(centre + random.in_cube(1))};
@@ -31,19 +33,23 @@ Rates rates_at(double distance, const StabilityRun& run) {
     const Vec3d target = Vec3d(triangle.a) + Vec3d(triangle.b - triangle.a) * u + Vec3d(triangle.c - triangle.a) * v;
     Ray<float> ray{Vec3f(target + random.direction() * 2.0), Vec3f(0), 0, 0, no_primitive};
     ray.direction = Vec3f(target) - ray.origin;
+    const auto naive = triangle_moeller_trumbore<float>(ray.origin, ray.direction, triangle, 0);
     const auto hit = triangle_watertight<float>(ray.origin, Shear<float>(ray.direction), triangle, TriangleGuard::none);
-    if (hit.verdict != TriangleVerdict::inside) continue;
+    if (naive.verdict != TriangleVerdict::inside || hit.verdict != TriangleVerdict::inside) continue;
     Surface<float> surface;
     put_triangle_surface<float>(ray, {0, hit.t, hit.weights}, geometry, {}, triangle, settings, surface);
     const Vec3f& n = surface.geometric_normal;
     const Vec3f facing = surface.back_face ? -n : n;
-    const Vec3f along_ray = ray.origin + ray.direction * hit.t;
+    const Vec3f along_ray = ray.origin + ray.direction * naive.t;
+    const Vec3f weighed = blend(naive.weights, triangle.a, triangle.b, triangle.c);
     for (int k = 0; k < 20; ++k) {
       Vec3f away(random.direction());
       if (dot(away, facing) < 0) away = -away;
       ++rates.rays;
       rates.parameter += meets(along_ray, away, triangle, 0) ? 1 : 0;
-      rates.bump += meets(surface.point + facing * 1e-4f, away, triangle, 0) ? 1 : 0;
+      rates.epsilon += meets(along_ray, away, triangle, 1e-4f) ? 1 : 0;
+      rates.weights += meets(weighed, away, triangle, 0) ? 1 : 0;
+      rates.bump += meets(weighed + facing * 1e-4f, away, triangle, 0) ? 1 : 0;
       const Vec3f origin = offset_from_triangle(surface, away);
       const auto again = triangle_watertight<float>(origin, Shear<float>(away), triangle, TriangleGuard::rounding_of_t);
       rates.robust += again.verdict == TriangleVerdict::inside && again.t > 0 ? 1 : 0;
@@ -57,8 +63,13 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   for (const double distance : {0.0, 1e3, 1e4, 1e5}) {
     const Rates rates = rates_at(distance, run);
     const double robust = percent(rates.robust, rates.rays);
-    rows.push_back({distance, "o + t d", percent(rates.parameter, rates.rays), robust, "% self-hits"});
-    rows.push_back({distance, "normal bump 1e-4", percent(rates.bump, rates.rays), robust, "% self-hits"});
+    const auto add = [&](const char* series, double self_hits) {
+      rows.push_back({distance, series, percent(self_hits, rates.rays), robust, "% self-hits"});
+    };
+    add("o + t d", rates.parameter);
+    add("o + t d, t > 1e-4", rates.epsilon);
+    add("from the weights", rates.weights);
+    add("normal bump 1e-4", rates.bump);
   }
   return rows;
 }
