@@ -164,8 +164,10 @@ TEST(StabilityRays, ZeroTimesInfinity) {
 
 TEST(StabilityRays, GridBorders) {
   const Curve curve("grid-octree-borders");
-  for (const auto& [series, shares] : std::map<std::string, std::array<double, 3>>{
-           {"centres alone", {3.5, 33, 88.7}}, {"mailbox and t <= cell exit", {13.1, 43.6, 76.8}}}) {
+  for (const auto& [series, shares] :
+       std::map<std::string, std::array<double, 3>>{{"centres alone", {3.5, 33, 88.7}},
+                                                    {"mailbox and t <= cell exit", {13.1, 43.6, 76.8}},
+                                                    {"first hit wins", {1.2, 1.6, 2.7}}}) {
     double knob = 4;
     for (const double share : shares) {
       curve.expect_naive(series, knob, share);

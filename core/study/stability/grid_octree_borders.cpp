@@ -98,8 +98,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     run.check();
     Random random(run.seed);
     std::vector<Ball> balls;
-    for (int i = 0; i < 2000; ++i) {  // inside the grid, or what sticks out would be seen without it
-      const double radius = random.between(0.01, 0.045), low = radius, high = 1 - radius;
+    for (int i = 0; i < 2000; ++i) {
+      // Radii of 0.02 to 0.05 in a unit cube; the grid is the cube around them all.
+      constexpr double scale = 1 / 1.1, low = 0.05 * scale, high = 1 - low;
+      const double radius = scale * random.between(0.02, 0.05);
       balls.push_back({{random.between(low, high), random.between(low, high), random.between(low, high)}, radius});
     }
     const Grid overlapping(balls, side, false), centres(balls, side, true);
