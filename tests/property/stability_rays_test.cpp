@@ -186,16 +186,16 @@ TEST(StabilityRays, NaNVertex) {
 
 TEST(StabilityRays, InfiniteVertex) {
   const Curve curve("infinite-vertex");
-  const std::string series = "one vertex of 1,602, triangles in ";
-  // 123.3 nodes a ray for 32.5 elsewhere, of a list in an order that is not told: 3.8 times as many lies between what
-  // the best order makes of it and what an order by chance does.
-  const auto bad = static_cast<double>(1e38f);
-  EXPECT_GT(curve.naive(series + "rings", bad), 1.5 * curve.robust(series + "rings", bad));
-  EXPECT_LT(curve.naive(series + "rings", bad), 3.8 * curve.robust(series + "rings", bad));
-  EXPECT_GT(curve.naive(series + "any order", bad), 3.8 * curve.robust(series + "any order", bad));
-  const auto large = static_cast<double>(1e18f);
-  for (const char* order : {"rings", "any order"})
-    EXPECT_LT(curve.naive(series + order, large), 1.1 * curve.robust(series + order, large));
+  const std::string soup = "5,000 triangles anywhere", rings = "a sphere in rings";
+  const auto bad = static_cast<double>(1e38f), large = static_cast<double>(1e18f);
+  curve.expect_naive(soup, bad, 123.3);
+  curve.expect_robust(soup, bad, 32.5);
+  const double slower = curve.naive(soup, bad) / curve.robust(soup, bad);
+  EXPECT_GT(slower, 3.8 / 1.5) << "seed " << curve.seed();
+  EXPECT_LT(slower, 3.8 * 1.5) << "seed " << curve.seed();
+  EXPECT_LT(curve.naive(rings, bad), 2 * curve.robust(rings, bad)) << "neighbours stay together";
+  for (const std::string& series : {soup, rings})
+    EXPECT_LT(curve.naive(series, large), 1.1 * curve.robust(series, large)) << "squares are finite";
 }
 
 TEST(StabilityRays, NaNInMoellerTrumbore) {
