@@ -115,40 +115,45 @@ std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
   return rows;
 }
 
-/// Edges across a canvas, stepped in float from the corner of their box, against the same in double: of the rows looked
-/// at, how many pixels change sides.
+/// Triangles anywhere on a canvas, their edges stepped in float from the corner of the triangle's box, against the same
+/// in double: of the rows looked at, how many pixels change sides, for each pixel that the edge passes through.
 std::vector<StabilityRow> measure_drift(const StabilityRun& run) {
   Rows rows(run);
+  constexpr int rows_looked_at = 512, beside = 64;  // px on either side of the edge
   for (const int canvas : {1024, 4096, 16384}) {
     Random random(run.seed);
     double naive = 0, robust = 0, edge_pixels = 0;
-    const int edges = run.count(40, 8);
-    for (int e = 0; e < edges; ++e) {
+    const int triangles = run.count(200 * 4096 / canvas, 24);
+    for (int i = 0; i < triangles; ++i) {
       run.check();
       const auto any = [&] { return static_cast<float>(random.between(0, canvas)); };
-      const Vec2f a(any(), any()), b(any(), any());
-      const Vec2f along = b - a;
-      const Vec2d from(a), exact(Vec2d(b) - from);
-      if (std::abs(along.y) < 16) continue;
-      const auto truth_at = [&](double x, double y) { return exact.x * (y - from.y) - exact.y * (x - from.x); };
-      const int x0 = static_cast<int>(std::min(a.x, b.x)), y0 = static_cast<int>(std::min(a.y, b.y));
+      Corners p;
+      for (Vec2f& corner : p) corner = {any(), any()};
+      const int x0 = static_cast<int>(std::min({p[0].x, p[1].x, p[2].x}));
+      const int y0 = static_cast<int>(std::min({p[0].y, p[1].y, p[2].y}));
       const auto centre = [](int pixel) { return static_cast<float>(pixel) + 0.5f; };
-      float row_value = relative_value(a, b, {centre(x0), centre(y0)});
-      for (int y = y0; y < static_cast<int>(std::max(a.y, b.y)); ++y, row_value += along.x) {
-        if (y % 64 != 0) continue;
-        ++edge_pixels;
-        const double crossing = from.x + exact.x * (y + 0.5 - from.y) / exact.y;
-        float value = row_value;
-        const int last = std::min(canvas, static_cast<int>(crossing) + 8);
-        for (int x = x0; x < last; ++x, value -= along.y) {
-          if (x < crossing - 8) continue;
-          const bool truth = truth_at(x + 0.5, y + 0.5) > 0;
-          naive += (value > 0) != truth ? 1 : 0;
-          robust += (relative_value(a, b, {centre(x), centre(y)}) > 0) != truth ? 1 : 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2f a = p[k], b = p[(k + 1) % 3], along = b - a;
+        const Vec2d from(a), exact(Vec2d(b) - from);
+        if (std::abs(along.y) < 1) continue;
+        const auto truth_at = [&](double x, double y) { return exact.x * (y - from.y) - exact.y * (x - from.x); };
+        float row_value = relative_value(a, b, {centre(x0), centre(y0)});
+        for (int y = y0; y < static_cast<int>(std::max(a.y, b.y)); ++y, row_value += along.x) {
+          if (y % (canvas / rows_looked_at) != 0 || static_cast<float>(y) < std::min(a.y, b.y)) continue;
+          edge_pixels += 1 + std::abs(exact.x / exact.y);
+          const double crossing = from.x + exact.x * (y + 0.5 - from.y) / exact.y;
+          float value = row_value;
+          const int last = std::min(canvas, static_cast<int>(crossing) + beside);
+          for (int x = x0; x < last; ++x, value -= along.y) {
+            if (x < crossing - beside) continue;
+            const bool truth = truth_at(x + 0.5, y + 0.5) > 0;
+            naive += (value > 0) != truth ? 1 : 0;
+            robust += (relative_value(a, b, {centre(x), centre(y)}) > 0) != truth ? 1 : 0;
+          }
         }
       }
     }
-    rows.push_back({static_cast<double>(canvas), "edges across the canvas", naive / edge_pixels, robust / edge_pixels,
+    rows.push_back({static_cast<double>(canvas), "triangles on the canvas", naive / edge_pixels, robust / edge_pixels,
                     "wrong px per edge px"});
   }
   return rows;
