@@ -112,7 +112,15 @@ TEST(StabilityDepth, Formats) {
 TEST(StabilityDepth, NearPlane) {
   const Curve curve("near-plane");
   for (const auto& [near, gap] : std::map<double, double>{{1, .063}, {.1, .62}, {.01, 6.1}, {.001, 38}})
-    curve.expect_naive("z = 1000", near, gap, gap * 0.35);
+    curve.expect_naive("z = 1000", near, gap);
+  for (const double near : {1.0, .1, .01}) {
+    const double step = 1e6 / (near * 0x1p24);
+    EXPECT_NEAR(curve.naive("z = 1000", near), step, 0.03 * step) << "z^2 / (near 2^bits)";
+  }
+  // Farther than a code reaches: from z = 1000 to where the next one begins.
+  const double codes = 0x1p24 - 1, here = codes * (1 - 0.001 / 1000) / (1 - 0.001 / 10000);
+  const double next = 0.001 / (1 - (std::floor(here + 0.5) + 0.5) / codes * (1 - 0.001 / 10000));
+  EXPECT_NEAR(curve.naive("z = 1000", .001), next - 1000, 1);
 }
 
 TEST(StabilityDepth, SixteenBitsOfZ) {
