@@ -102,19 +102,29 @@ std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
 
 constexpr int screen = 256, finest = 2048;
 
-/// A picture of discs and grain, so that it has edges and detail at every size.
+/// A picture of waves from 4 pixels of the screen to a quarter of it, smooth from texel to texel, and of grain, which
+/// is not: the waves are what fewer texels than pixels lose, the grain what more texels bring in.
 std::vector<float> master(std::uint32_t seed) {
-  std::vector<float> values(static_cast<std::size_t>(finest) * finest, 0.5f);
+  constexpr int waves = 24;
+  constexpr float contrast = 0.12f, grain = 0.1f;  // rms of all waves; span of the grain
   Random random(seed);
-  for (int i = 0; i < 400; ++i) {
-    const double x = random.between(0, finest), y = random.between(0, finest), r = std::pow(2, random.between(3, 8));
-    const float value = static_cast<float>(random.unit());
-    for (int row = std::max(0, static_cast<int>(y - r)); row < std::min<double>(finest, y + r); ++row)
-      for (int column = std::max(0, static_cast<int>(x - r)); column < std::min<double>(finest, x + r); ++column)
-        if (std::hypot(column - x, row - y) < r)
-          values[static_cast<std::size_t>(row) * finest + static_cast<std::size_t>(column)] = value;
+  std::vector<float> values(static_cast<std::size_t>(finest) * finest);
+  for (float& value : values) value = 0.5f + grain * (static_cast<float>(random.unit()) - 0.5f);
+  const float strength = contrast * std::sqrt(2.0f / waves);
+  std::vector<Vec2f> along(finest);
+  for (int wave = 0; wave < waves; ++wave) {
+    const double length = std::pow(2, random.between(2, 6)) * finest / screen, turn = random.between(0, 2 * pi);
+    const double phase = random.between(0, 2 * pi), kx = 2 * pi * std::cos(turn) / length;
+    const double ky = 2 * pi * std::sin(turn) / length;
+    for (int x = 0; x < finest; ++x)
+      along[static_cast<std::size_t>(x)] = Vec2f(Vec2d(std::cos(kx * x), std::sin(kx * x)));
+    for (int y = 0; y < finest; ++y) {
+      // sin(a + b) of the row's b
+      const Vec2f row = Vec2f(Vec2d(std::sin(ky * y + phase), std::cos(ky * y + phase))) * strength;
+      float* const first = &values[static_cast<std::size_t>(y) * finest];
+      for (std::size_t x = 0; x < finest; ++x) first[x] += along[x].x * row.x + along[x].y * row.y;
+    }
   }
-  for (float& value : values) value = 0.9f * value + 0.1f * static_cast<float>(random.unit());
   return values;
 }
 
