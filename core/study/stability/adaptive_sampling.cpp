@@ -2,75 +2,163 @@
 
 #include <fmt/format.h>
 
+#include "inspect/recorder.h"
+#include "raytrace/tracer.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {
 namespace {
 
-/// Three balls on a floor of fine squares under a sky of balls that are smaller than a pixel.
-std::string scene_text() {
-  std::string text = R"(
+/// Three balls on a floor of half a unit's squares, which run to the horizon, and balls smaller than a pixel; a quarter
+/// of the usual size, since a plane shows a texture of 8 x 8 squares on each unit.
+std::string scene_text(const std::string& tiny_balls) {
+  return R"(
 viewport_size = 1 x 1
 projection_plane_d = 1
 background = black
-sphere { center = (0, -0.2, 3) radius = 0.8 color = (220, 60, 40) specular = 100 }
-sphere { center = (-1.6, 0, 4) radius = 0.7 color = (60, 160, 60) specular = 10 }
-sphere { center = (1.6, 0, 4) radius = 0.7 color = (60, 110, 200) specular = 300 }
+sphere { center = (0, -0.25, 0.75) radius = 0.25 color = (255, 0, 0) specular = 500 }
+sphere { center = (-0.5, 0, 1) radius = 0.25 color = (0, 255, 0) specular = 10 }
+sphere { center = (0.5, 0, 1) radius = 0.25 color = (0, 0, 255) specular = 500 }
 texture { name = squares  generator = checker  size = 8 }
-plane { point = (0, -1, 0) normal = (0, 1, 0) color = white texture = squares }
-light { type = ambient intensity = 0.3 }
-light { type = point intensity = 0.7 position = (2, 3, 0) }
-)";
+plane { point = (0, -0.25, 0) normal = (0, 1, 0) color = white texture = squares }
+light { type = ambient intensity = 0.25 }
+light { type = point intensity = 0.75 position = (0.5, 0.25, 0) }
+light { type = directional intensity = 0.25 direction = (1, 4, 4) }
+)" + tiny_balls;
+}
+
+/// `count` of them in the sky.
+std::string tiny_balls(int count) {
+  std::string text;
   Random random(7);
-  for (int i = 0; i < 200; ++i)
-    text += fmt::format("sphere {{ center = ({:.4f}, {:.4f}, 4) radius = 0.0025 color = white }}\n",
-                        random.between(-1.9, 1.9), random.between(0.9, 1.9));
+  for (int i = 0; i < count; ++i)
+    text += fmt::format("sphere {{ center = ({:.4f}, {:.4f}, 1) radius = 0.0006 color = white }}\n",
+                        random.between(-0.475, 0.475), random.between(0.225, 0.475));
   return text;
 }
 
+/// Everything is nearer than it is usually.
+constexpr double near = 0.1;
+
 struct Result {
-  double rmse = 0, rays = 0;
+  double rmse = 0, rays = 0;  ///< levels; for each pixel
 };
 
+double rmse(const Image<Vec3f>& a, const Image<Vec3f>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double d = static_cast<double>(a.pixels()[i][c]) - static_cast<double>(b.pixels()[i][c]);
+      sum += d * d;
+    }
+  return 255 * std::sqrt(sum / (3 * static_cast<double>(a.pixels().size())));
+}
+
+/// Whitted's sampling of one pixel: a square whose corners differ by more than the threshold is cut in four, a few
+/// times, and every other one has the mean of its corners.
+class SquareCorners {
+ public:
+  static constexpr int depth = 4, steps = 1 << depth;
+
+  /// `colour_at(i, j)` looks through the place i and j steps from the pixel's top left.
+  template <class ColourAt>
+  Vec3f mean(float threshold, ColourAt&& colour_at) {
+    known_.fill(false);
+    return mean(0, 0, steps, threshold, colour_at);
+  }
+
+ private:
+  static constexpr std::size_t places = steps + 1;
+
+  template <class ColourAt>
+  Vec3f mean(int i, int j, int size, float threshold, ColourAt&& colour_at) {
+    const auto corner = [&](int x, int y) {
+      const std::size_t place = static_cast<std::size_t>(y) * places + static_cast<std::size_t>(x);
+      if (!known_[place]) colours_[place] = colour_at(x, y);
+      known_[place] = true;
+      return colours_[place];
+    };
+    const std::array all{corner(i, j), corner(i + size, j), corner(i, j + size), corner(i + size, j + size)};
+    float difference = 0;
+    for (int c = 0; c < 3; ++c) {
+      const auto [least, most] = std::minmax({all[0][c], all[1][c], all[2][c], all[3][c]});
+      difference = std::max(difference, most - least);
+    }
+    if (difference <= threshold || size == 1) return (all[0] + all[1] + all[2] + all[3]) * 0.25f;
+    const int half = size / 2;
+    Vec3f sum(0);
+    for (const int y : {j, j + half})
+      for (const int x : {i, i + half}) sum += mean(x, y, half, threshold, colour_at);
+    return sum * 0.25f;
+  }
+
+  std::array<Vec3f, places * places> colours_;
+  std::array<bool, places * places> known_{};
+};
+
+/// The rays at the corners of pixels are shared by up to four of them.
+Result sample_corners(const TraceInputs<float>& inputs, int side, double levels, const Image<Vec3f>& truth,
+                      const StabilityRun& run) {
+  Silent nobody;
+  const Tracer<float, Silent> tracer(inputs, nobody);
+  double rays = 0;
+  const auto look = [&](int column, int row, const Vec2d& offset) {
+    ++rays;
+    return tracer.trace_eye_ray(tracer.eye_ray(column, row, offset)).colour;
+  };
+  Image<Vec3f> shared(side + 1, side + 1), picture(side, side);
+  for (int y = 0; y <= side; ++y)
+    for (int x = 0; x <= side; ++x) shared.at(x, y) = look(x, y, Vec2d(0));
+  SquareCorners corners;
+  for (int y = 0; y < side; ++y) {
+    run.check();
+    for (int x = 0; x < side; ++x)
+      picture.at(x, y) = corners.mean(static_cast<float>(levels / 255), [&](int i, int j) {
+        if (i % SquareCorners::steps == 0 && j % SquareCorners::steps == 0)
+          return shared.at(x + i / SquareCorners::steps, y + j / SquareCorners::steps);
+        return look(x, y, Vec2d(i, j) / double(SquareCorners::steps));
+      });
+  }
+  return {rmse(picture, truth), rays / (side * side)};
+}
+
 std::vector<StabilityRow> measure(const StabilityRun& run) {
-  const Scene scene = parse_scene(scene_text(), "balls", ".");
-  const int side = run.side(256, 128);
-  const auto frame_of = [&](const Settings& settings) {
-    return picture_of(scene, {scene.camera, side, side}, settings, Channel::none, run);
+  const Scene scene = parse_scene(scene_text(tiny_balls(1)), "balls", ".");
+  constexpr int side = 256;  // a smaller one shows other squares
+  const View view{scene.camera, side, side};
+  const auto with = [](int samples, SamplePattern pattern) {
+    Settings settings;
+    settings.near = near;
+    settings.texture_filter = TextureFilter::nearest;
+    settings.samples_per_pixel = samples;
+    settings.sample_pattern = pattern;
+    return settings;
   };
-  Settings best;
-  best.samples_per_pixel = run.effort < 1 ? 256 : 1024;
+  const auto frame_of = [&](const Settings& settings) { return picture_of(scene, view, settings, Channel::none, run); };
+  const Settings best = run.effort < 1 ? with(144, SamplePattern::jitter) : with(1024, SamplePattern::grid);
   const Image<Vec3f> truth = frame_of(best).colour;
-  const auto measure_one = [&](const Settings& settings) {
-    const Frame frame = frame_of(settings);
-    double sum = 0;
-    for (std::size_t i = 0; i < truth.pixels().size(); ++i)
-      for (int c = 0; c < 3; ++c) {
-        const double d = static_cast<double>(frame.colour.pixels()[i][c]) - static_cast<double>(truth.pixels()[i][c]);
-        sum += d * d;
-      }
-    const double pixels = static_cast<double>(truth.pixels().size());
-    return Result{255 * std::sqrt(sum / (3 * pixels)), static_cast<double>(frame.counters[Counter::eye_rays]) / pixels};
-  };
-  Settings jitter;
-  jitter.samples_per_pixel = 16;
-  jitter.sample_pattern = SamplePattern::jitter;
-  const Result robust = measure_one(jitter);
+  const Settings one = with(1, SamplePattern::grid), jitter = with(16, SamplePattern::jitter);
+  const Result robust{rmse(frame_of(jitter).colour, truth), 16};
+  Prepared prepared;
+  const auto inputs = make_trace_inputs<float>(scene, view, one, prepared);
   Rows rows(run);
   for (const double levels : {128.0, 64.0, 16.0, 4.0, 1.0}) {
-    Settings adaptive = jitter;
-    adaptive.adaptive_sampling = true;
-    adaptive.adaptive_threshold = levels / 255;
-    const Result naive = measure_one(adaptive);
+    const Result naive = sample_corners(inputs, side, levels, truth, run);
     rows.push_back({levels, "error", naive.rmse, robust.rmse, "RMSE, levels"});
     rows.push_back({levels, "cost", naive.rays, robust.rays, "eye rays per pixel"});
   }
+  for (const int samples : {1, 4, 16, 64})
+    rows.push_back({static_cast<double>(samples), "grid and jitter",
+                    rmse(frame_of(with(samples, SamplePattern::grid)).colour, truth),
+                    rmse(frame_of(with(samples, SamplePattern::jitter)).colour, truth), "RMSE, levels"});
   return rows;
 }
 
+/// The sampling of the program itself: 16 rays where those of neighbouring pixels differ.
 StabilityPicture picture(double levels) {
-  StabilityPicture picture{.scene = scene_text()};
+  StabilityPicture picture{.scene = scene_text(tiny_balls(200))};
+  picture.robust.near = near;
   picture.robust.samples_per_pixel = 16;
   picture.robust.sample_pattern = SamplePattern::jitter;
   picture.naive = picture.robust;
@@ -87,8 +175,8 @@ const StabilityExperiment adaptive_sampling_misses{
     .key = "adaptive-sampling-misses",
     .title = "Adaptive sampling never sees what it missed",
     .knob = "threshold (levels)",
-    .naive = "16 samples where neighbours differ",
-    .robust = "16 samples everywhere",
+    .naive = "corners of squares, cut in four where they differ, four times",
+    .robust = "16 jittered samples everywhere",
     .explanation = "More samples go where the first ones differ. What all of the first ones missed stays missed at any "
                    "threshold, so the error has a floor while the cost goes on rising.",
     .safe = "Pictures without anything smaller than a pixel.",
