@@ -72,8 +72,10 @@ const StabilityExperiment z_fail_caps{
     .knob = "extrusion, or far plane",
     .naive = "open, short or cut volumes",
     .robust = "caps at both ends, nothing cut at the far plane",
-    .explanation = "Depth fail counts what lies behind a surface, so the volume must be closed there. Where a view "
-                   "leaves through a cap that is missing, ends too early or is cut off, a face is not counted.",
+    .explanation =
+        "Depth fail counts what lies behind a surface, so the volume must be closed there. Where a view "
+        "leaves through a cap that is missing, ends too early or is cut off, a face is not counted. Measured is "
+        "the floor under a square roof, from 5 before its middle or from under it.",
     .safe = "Closed volumes that reach beyond everything, with a far plane at infinity.",
     .window = nowhere_safe,
     .measure = measure};
