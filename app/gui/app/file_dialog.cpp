@@ -152,7 +152,10 @@ void FileDialog::list_folder(std::optional<Answer>& answer) {
 std::optional<FileDialog::Answer> FileDialog::draw() {
   const char* title = title_of(purpose_);
   const bool opens = std::exchange(wanted_, false);
-  if (opens) ImGui::OpenPopup(title);
+  if (opens) {
+    ImGui::OpenPopup(title);
+    ++asked_;
+  }
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(px(620), window.x - px(20)), 0});
@@ -166,8 +169,11 @@ std::optional<FileDialog::Answer> FileDialog::draw() {
   typed_.copy(buffer.data(), buffer.size() - 1);
   ImGui::SetNextItemWidth(-1);
   if (opens) ImGui::SetKeyboardFocusHere();
+  // A line of its own each time: Dear ImGui selects all of a suggestion, so that typing replaces it, only in a new one.
+  ImGui::PushID(asked_);
   const bool entered = ImGui::InputTextWithHint("##path", hint_of(purpose_), buffer.data(), buffer.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::PopID();
   typed_ = buffer.data();
   controls().record("file/path", typed_);
   const std::string nothing = typed_.empty() ? "Choose a file or type its path." : "";

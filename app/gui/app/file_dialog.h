@@ -38,6 +38,7 @@ class FileDialog {
   std::filesystem::path folder_;
   std::string typed_;
   bool wanted_ = false;
+  int asked_ = 0;  ///< how often
 };
 
 }  // namespace ps::gui
