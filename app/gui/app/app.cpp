@@ -417,7 +417,7 @@ void App::bottom_tab(const std::string& tab) {
   else if (tab == "vertex")
     fill_or_not = vertex_panel(session_, vertex_, filled);
   else if (tab == "pixels")
-    pixels_panel(session_, pixels_, pictures_);
+    fill_or_not = pixels_panel(session_, pixels_, pictures_, filled);
   else if (tab == "timings")
     timings_panel(session_);
   else

@@ -52,7 +52,8 @@ bool pixel_row(Session& session, const std::string& name, Vec2i pixel, const std
   return clicked;
 }
 
-void worst_list(Session& session, PixelsPanelState& state, const PicturesState& pictures) {
+/// Answers whether to fill the window, or no longer.
+bool worst_list(Session& session, PixelsPanelState& state, const PicturesState& pictures, bool filled) {
   static constexpr std::array kinds{Choice{"difference", "A against B", "Pixels whose levels differ most."},
                                     Choice{"cost-a", "Cost of A", "Most tests for a pixel of A."},
                                     Choice{"cost-b", "Cost of B", "Most tests for a pixel of B."}};
@@ -61,13 +62,15 @@ void worst_list(Session& session, PixelsPanelState& state, const PicturesState& 
     state.ranked = static_cast<PixelsPanelState::Ranked>(kind);
   toggle("apart", "One for each neighbourhood", state.apart,
          {.tooltip = "Leaves out pixels within six of one that is worse, so that one edge does not fill the list."});
+  same_line_if_room(button_width("Fill"));
+  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Gives these lists the whole window (Esc)."});
   if (state.worst.empty()) {
     ImGui::TextWrapped("%s",
                        !still(session) || (state.ranked != PixelsPanelState::Ranked::difference && state.cost.busy())
                            ? "Working ..."
                        : state.ranked == PixelsPanelState::Ranked::difference ? "A and B do not differ anywhere."
                                                                               : "No pixel took any test.");
-    return;
+    return fill;
   }
   const std::string_view unit = state.ranked == PixelsPanelState::Ranked::difference ? "levels" : "tests";
   int place = 0;
@@ -90,6 +93,7 @@ void worst_list(Session& session, PixelsPanelState& state, const PicturesState& 
       end_tooltip();
     }
   }
+  return fill;
 }
 
 /// The brightness of a pixel over its changes, A and B each a line.
@@ -290,9 +294,9 @@ void update_pixels(Session& session, PixelsPanelState& state, const PicturesStat
     state.watched.note(pictures.pictures[0].levels, pictures.pictures[1].levels);
 }
 
-void pixels_panel(Session& session, PixelsPanelState& state, const PicturesState& pictures) {
+bool pixels_panel(Session& session, PixelsPanelState& state, const PicturesState& pictures, bool filled) {
   const NameScope scope("pixels");
-  if (!session.has_scene()) return;
+  if (!session.has_scene()) return false;
   refresh(session, state, pictures);
   ImGui::BeginChild("pixels");
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetContentRegionAvail().y;
@@ -311,7 +315,8 @@ void pixels_panel(Session& session, PixelsPanelState& state, const PicturesState
     draw();
     ImGui::EndChild();
   };
-  part(0, "worst-list", [&] { worst_list(session, state, pictures); });
+  bool fill = false;
+  part(0, "worst-list", [&] { fill = worst_list(session, state, pictures, filled); });
   if (columns == 3 || !beside) {
     part(1, "watched-list", [&] { watched_list(session, state); });
     part(2, "region-view", [&] { region_view(session, state); });
@@ -323,6 +328,7 @@ void pixels_panel(Session& session, PixelsPanelState& state, const PicturesState
     });
   }
   ImGui::EndChild();
+  return fill;
 }
 
 }  // namespace ps::gui

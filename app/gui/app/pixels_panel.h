@@ -37,8 +37,8 @@ struct PixelsPanelState {
 };
 
 /// The pixels that differ most or cost most, watched pixels, and statistics of a rectangle. A click on a pixel picks
-/// it.
-void pixels_panel(Session& session, PixelsPanelState& state, const PicturesState& pictures);
+/// it. `filled`: it has the whole window; answers whether that shall change.
+bool pixels_panel(Session& session, PixelsPanelState& state, const PicturesState& pictures, bool filled);
 
 /// Brings watched pixels up to date; also while the panel is not shown.
 void update_pixels(Session& session, PixelsPanelState& state, const PicturesState& pictures);
