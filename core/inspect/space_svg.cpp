@@ -12,6 +12,7 @@ namespace {
 // Okabe and Ito's colours, as in the window.
 constexpr std::string_view ink = "#202020", quiet = "#707070", orange = "#e69f00", sky_blue = "#56b4e9",
                            green = "#009e73", purple = "#cc79a7", yellow = "#f0e442", paper = "#ffffff";
+constexpr double letter_width = 6.2;  // of a label, about
 constexpr std::string_view dashed = "8 5", dotted = "2 4";
 
 double ray_width(double contribution) { return 1.2 + 2.8 * std::sqrt(std::clamp(contribution, 0.0, 1.0)); }
@@ -85,7 +86,8 @@ class SpaceSvg {
     const SvgStyle style = style_of(item);
     switch (item.shape) {
     case SpaceShape::line:
-      return line(item.points[0], item.points[1], style);
+      for (std::size_t i = 1; i < item.points.size(); ++i) line(item.points[i - 1], item.points[i], style);
+      return;
     case SpaceShape::arrow:
       line(item.points[0], item.points[1], style);
       return head(item.points[0], item.points[1], style);
@@ -117,6 +119,10 @@ class SpaceSvg {
     for (const Vec2d& other : labels_)
       if (std::abs(other.y - corner.y) < 16 && std::abs(other.x - corner.x) < 130) return;
     labels_.push_back(corner);
+    // On a plate of its own, since lines run everywhere.
+    const double width = letter_width * static_cast<double>(item.label.size()) + 6;
+    const Vec2d low = corner + Vec2d(-3, -13), high = corner + Vec2d(width - 3, 5);
+    svg_.polygon({low, {high.x, low.y}, high, {low.x, high.y}}, {{}, 0, {}, paper, 0.85});
     svg_.text(corner, item.label, 13);
   }
 

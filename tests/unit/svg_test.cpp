@@ -91,6 +91,25 @@ TEST(Svg, SpaceViewDrawsTheStory) {
   }
 }
 
+// A box of a model's tree is one way along all of its twelve edges, whichever way the model is turned.
+TEST(Svg, BoxesOfAModelAreDrawnWhole) {
+  Told told("cgfs/crates", Renderer::ray_tracer, {113, 43});
+  told.settings.accelerator = Accelerator::two_level;
+  told.story = inspect(told.scene, told.view, told.settings, {113, 43}, told.prepared, told.progress);
+  SpaceModel model = build_space(told.scene, told.view, told.settings, &told.story);
+  std::erase_if(model.items, [](const SpaceItem& item) {
+    return item.kind != SpaceKind::node || item.shape != SpaceShape::line;
+  });
+  ASSERT_FALSE(model.items.empty());
+  const SpaceOrbit orbit = preset_orbit(SpacePreset::outside, model.bounds, told.scene.camera, 1.5);
+  const SpacePicture picture = draw_space_picture(told.scene, orbit_view(orbit, told.scene.camera, 900, 600),
+                                                  0.02 * orbit.distance, told.prepared, told.progress);
+  SpaceSvgOptions options;
+  options.nodes = true;
+  options.deepest_level = model.deepest_level;
+  EXPECT_GE(count(space_svg(model, picture, options), "<line "), 12 * model.items.size());
+}
+
 TEST(Svg, MicroscopeDrawsThePixel) {
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
     Told told("cgfs/crates", renderer, {113, 43});

@@ -251,6 +251,16 @@ void advance_play(Session& session, SpacePanelState& state, PixelPanelState& pix
   if (state.play.running) redraw_after(std::max(0.0, state.play.next_at - now));
 }
 
+/// What of the model is drawn now.
+SpaceLook look_of(const SpacePanelState& state) {
+  SpaceLook look;
+  look.groups = state.groups;
+  look.least_contribution = state.least_contribution;
+  look.deepest_level = static_cast<int>(state.deepest_level);
+  look.up_to_event = state.play.up_to;
+  return look;
+}
+
 bool same_vertex(const std::optional<VertexChain>& a, const std::optional<VertexChain>& b) {
   return a.has_value() == b.has_value() && (!a || (a->id == b->id && a->world == b->world && a->camera == b->camera));
 }
@@ -279,14 +289,14 @@ void update_space(Session& session, SpacePanelState& state) {
 
 std::string space_drawing(const Session& session, const SpacePanelState& state) {
   if (!state.picture || !session.has_scene()) return {};
-  const auto shown = [&](SpaceGroup group) { return state.groups[static_cast<std::size_t>(group)]; };
+  // What the panel leaves out, and what has not happened yet, is not in the drawing either.
+  SpaceModel shown = state.model;
+  const SpaceLook look = look_of(state);
+  std::erase_if(shown.items, [&](const SpaceItem& item) { return !is_shown(item, look); });
   SpaceSvgOptions options;
-  options.least_contribution = state.least_contribution;
-  options.deepest_level = static_cast<int>(state.deepest_level);
-  options.nodes = shown(SpaceGroup::nodes);
-  options.grid = shown(SpaceGroup::grid);
-  options.rejected = shown(SpaceGroup::rejected);
-  return space_svg(state.model, *state.picture, options);
+  options.deepest_level = look.deepest_level;
+  options.nodes = options.grid = options.rejected = true;
+  return space_svg(shown, *state.picture, options);
 }
 
 bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixel, const PicturesState& pictures,
@@ -336,11 +346,7 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
                         {area.min.x + static_cast<float>(view.width), area.min.y + static_cast<float>(view.height)}};
   list.PushClipRect(area.min, area.max, true);
   add_plain_texture(list, state.texture, drawn_area.min, drawn_area.max);
-  SpaceLook look;
-  look.groups = state.groups;
-  look.least_contribution = state.least_contribution;
-  look.deepest_level = static_cast<int>(state.deepest_level);
-  look.up_to_event = state.play.up_to;
+  SpaceLook look = look_of(state);
   look.highlighted = selected;
   if (!state.through_camera) look.picture = &pictures.pictures[index_of(side)].texture;
   const ImVec2 far_away{-1e6f, -1e6f};
