@@ -479,7 +479,9 @@ class Intersector {
     event.outcome = outcome;
     if (own_surface) event.rejected_by = "the ray starts on it";
     if (own_surface || result.verdict == TriangleVerdict::parallel) return event;
-    if (result.verdict == TriangleVerdict::guarded) event.rejected_by = "t is within its rounding error of 0";
+    // Behind its start the ray does not need the guard: that is before its range by itself.
+    if (result.verdict == TriangleVerdict::guarded && result.t >= 0)
+      event.rejected_by = "t is within its rounding error of 0";
     if (outcome == TestOutcome::missed)
       event.rejected_by = "weight of corner " + std::to_string(result.corner + 1) + " is negative";
     const auto& w = result.weights;

@@ -1,0 +1,30 @@
+// Why a triangle that a ray's line meets is no hit: the reason in words against the number beside it.
+#include <gtest/gtest.h>
+
+#include "inspect/events.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+// Shadow rays start on the far side of their own cube: it has triangles behind them, too.
+TEST(TriangleReason, WhatLiesBehindARayIsNotARoundingError) {
+  const Scene scene = load_scene("cgfs/crates");
+  Prepared prepared;
+  Progress progress;
+  const PixelStory story = inspect(scene, {scene.camera, 600, 600}, Settings{}, {340, 130}, prepared, progress);
+  int behind = 0;
+  for (const Event& event : story.events) {
+    const auto* test = std::get_if<TriangleTestEvent>(&event.data);
+    if (!test || test->outcome != TestOutcome::before_range || !test->t) continue;
+    if (*test->t < -0.1) {
+      ++behind;
+      EXPECT_EQ(test->rejected_by, "") << "t = " << *test->t;
+    }
+  }
+  EXPECT_GT(behind, 0);
+}
+
+}  // namespace
+}  // namespace ps
