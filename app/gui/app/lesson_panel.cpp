@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -14,6 +15,12 @@ namespace {
 std::string without_emphasis(const std::string& text) {
   static const std::regex mark(R"((^|[^*])\*([^*\s](?:[^*]*[^*\s])?)\*(?!\*))");
   return std::regex_replace(text, mark, "$1$2");
+}
+
+void quiet_line(const char* name, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  value_paragraph(name, text);
+  ImGui::PopStyleColor();
 }
 
 }  // namespace
@@ -83,14 +90,12 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
     const FontScope font(Face::heading);
     ImGui::TextWrapped("%s", lesson->title.c_str());
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::PushTextWrapPos(0);
-  value_text("place", fmt::format("step {} of {}   {}", index + 1, count, lesson->source));
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  quiet_line("place", fmt::format("step {} of {}", index + 1, count));
 
   const float buttons = ImGui::GetFrameHeightWithSpacing() + px(4);
   ImGui::BeginChild("text", {0, -buttons});
+  // Where the panel is small, each line that does not scroll is one less to read.
+  if (index == 0) quiet_line("source", lesson->source);
   std::string text;
   if (index == 0)
     for (const auto& paragraph : lesson->paragraphs) text += paragraph + "\n\n";
