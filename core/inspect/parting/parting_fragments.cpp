@@ -163,6 +163,16 @@ Parting fragments_won_differently(const Comparison& c, const Sighting& a, const 
       a.seen, b.seen};
 }
 
+namespace {
+
+bool is_csg(const Scene& scene, const PixelId& id) {
+  const auto& objects = scene.geometry->objects;
+  return id.object >= 0 && static_cast<std::size_t>(id.object) < objects.size() &&
+         std::holds_alternative<Csg>(objects[static_cast<std::size_t>(id.object)].shape);
+}
+
+}  // namespace
+
 Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Sighting& b) {
   const bool ray_is_a = c.a.story.renderer == Renderer::ray_tracer;
   const Sighting& ray = ray_is_a ? a : b;
@@ -177,6 +187,9 @@ Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Si
   const auto says = [&](PartingCause cause, const std::string& text) { return Parting{cause, text, a.seen, b.seen}; };
   const std::string saw = fmt::format("The ray of {} hits {}, and {} shows {}", ray_is_a ? "A" : "B",
                                       primitive_name(c.scene, ray.id), letter, primitive_name(c.scene, drawn.id));
+  if (is_csg(c.scene, ray.id))
+    return says(PartingCause::tessellation,
+                saw + ": the rasterizer leaves out objects made by CSG, whose surface is only known ray by ray.");
   if (is_tessellated(c.scene, ray.id) || is_tessellated(c.scene, drawn.id))
     return says(PartingCause::tessellation,
                 saw + ": an exact curve for the ray, flat triangles with corners on the curve for the rasterizer.");
