@@ -1,7 +1,11 @@
 // What is told of triangles on the canvas that a pixel lies on the side of: CGFS ch. 7, and the fill rule.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "inspect/describe.h"
+#include "inspect/microscope/microscope.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -63,6 +67,39 @@ TEST(CanvasStory, WithTheRuleOneTakesItAndTheOtherGivesItUp) {
   const PixelStory all = square.tell(FillRule::inclusive);
   EXPECT_EQ(fragments(all), 2u);
   EXPECT_TRUE(refusals(all).empty());
+}
+
+// The microscope shows what the story tells: the sample on the side of both, and who owns it.
+TEST(CanvasStory, TheMicroscopeShowsTheTriangles) {
+  const Square square;
+  Settings settings = settings_for(square.scene);
+  settings.renderer = Renderer::rasterizer;
+  settings.sample_position = SamplePosition::corner;
+  for (const auto& [rule, owners] :
+       {std::pair{FillRule::exclusive, 0}, {FillRule::top_left, 1}, {FillRule::inclusive, 2}}) {
+    settings.fill_rule = rule;
+    Prepared prepared;
+    Progress progress;
+    const View view{square.scene.camera, square.scene.canvas_width, square.scene.canvas_height};
+    const Microscope scope(square.scene, view, settings, {20, 19}, prepared, progress);
+    const MicroReading reading = scope.read({0, 1}, prepared, progress);  // the lower left corner
+    ASSERT_EQ(reading.triangles.size(), 2u);
+    int covered = 0;
+    for (const MicroTriangle& triangle : reading.triangles) {
+      EXPECT_EQ(std::count(triangle.ties.begin(), triangle.ties.end(), true), 1);
+      EXPECT_DOUBLE_EQ(triangle.weights_2d[0] + triangle.weights_2d[1] + triangle.weights_2d[2], 1);
+      covered += triangle.covered ? 1 : 0;
+    }
+    EXPECT_EQ(covered, owners);
+    EXPECT_EQ(reading.front >= 0, owners > 0);
+    ASSERT_EQ(scope.samples().size(), 1u);
+    EXPECT_EQ(scope.samples()[0].lit, owners > 0);
+    // The side runs through the pixel from corner to corner: the picture has one colour above it and another below.
+    const auto& picture = scope.enlarged();
+    const int side = picture.width();
+    EXPECT_EQ(picture.at(side / 4, side / 4), (Rgb8{0, 0, 255}));
+    EXPECT_EQ(picture.at(side * 3 / 4, side * 3 / 4), (Rgb8{0, 255, 0}));
+  }
 }
 
 }  // namespace

@@ -147,8 +147,9 @@ void triangle_list(MicroscopePanelState& state, const MicroReading& reading, con
     const MicroTriangle& triangle = reading.triangles[i];
     const int index = static_cast<int>(i);
     const std::string_view fate = index == reading.front ? "in front" : triangle.covered ? "covers" : "does not cover";
-    const std::string text = fmt::format("{}  {}: {}{}", i + 1, triangle.name, fate,
-                                         triangle.covered ? ", z " + ps::number_text(triangle.z) : "");
+    const std::string text =
+        fmt::format("{}  {}: {}{}", i + 1, triangle.name, fate,
+                    triangle.covered && !triangle.on_canvas ? ", z " + ps::number_text(triangle.z) : "");
     if (!tree_row(fmt::format("triangle/{}", i), text, TreeKind::leaf, index == chosen).clicked) continue;
     state.selected = index;
     const int event = story ? event_of_triangle(*story, triangle) : -1;

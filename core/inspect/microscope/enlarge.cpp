@@ -30,4 +30,24 @@ EnlargedView enlarge(const View& view, const Settings& settings, const Vec2d& lo
   return enlarged;
 }
 
+std::vector<CanvasItem> enlarged_canvas(const std::vector<CanvasItem>& items, const View& view, const Vec2d& low,
+                                        double side, int pixels) {
+  // The canvas counts from its middle, y up; pictures from their top left, y down.
+  const Vec2d middle(view.width / 2, view.height - view.height / 2);
+  const Vec2d new_middle(pixels / 2, pixels - pixels / 2);
+  std::vector<CanvasItem> enlarged;
+  for (const CanvasItem& item : items) {
+    const auto* triangle = std::get_if<CanvasTriangle>(&item);
+    if (!triangle || !triangle->filled) continue;
+    CanvasTriangle large = *triangle;
+    large.outline.reset();
+    for (Vec2d& point : large.points) {
+      const Vec2d at = (Vec2d(middle.x + point.x, middle.y - point.y) - low) * (pixels / side);
+      point = {at.x - new_middle.x, new_middle.y - at.y};
+    }
+    enlarged.push_back(large);
+  }
+  return enlarged;
+}
+
 }  // namespace ps

@@ -1,6 +1,9 @@
 #pragma once
+#include <vector>
+
 #include "options/settings.h"
 #include "render/view.h"
+#include "scene/canvas_item.h"
 
 namespace ps {
 
@@ -15,5 +18,10 @@ struct EnlargedView {
 /// eye stays where it is and looks through a smaller piece of the same projection plane, so that both renderers draw
 /// what lies inside a pixel with the rays, or the projection, that they always use.
 EnlargedView enlarge(const View& view, const Settings& settings, const Vec2d& low, double side, int pixels);
+
+/// Filled triangles of the canvas as they lie on that picture, without their outlines. Lines are left out: they are
+/// walked pixel by pixel, so there is nothing between the pixels.
+std::vector<CanvasItem> enlarged_canvas(const std::vector<CanvasItem>& items, const View& view, const Vec2d& low,
+                                        double side, int pixels);
 
 }  // namespace ps

@@ -10,6 +10,7 @@
 #include "raster/coverage/walk.h"
 #include "raster/fragment_event.h"
 #include "raster/geometry.h"
+#include "raster/guard_band.h"
 #include "raster/multisample.h"
 #include "raster/near_pixel.h"
 #include "raster/shade_fragment.h"
@@ -26,18 +27,25 @@ struct NearTriangle {
   std::vector<Real> attributes;  ///< of its corners, and what follows them (fragment.h)
 };
 
+/// A filled triangle on the canvas, which is drawn after the scene.
+struct NearCanvasTriangle {
+  std::array<FixedPoint, 3> corners;
+  int number = 0;  ///< among the triangles of the canvas
+};
+
 template <class Real>
 class FragmentsIn final : public Microscope::Fragments {
  public:
   FragmentsIn(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
               Progress& progress)
       : pass_(make_pass<Real>(scene, view, settings, Channel::none, prepared)), pixel_(pixel) {
+    find_canvas_triangles(*scene.canvas_items);
     if (settings.draw != Draw::filled) return;
     const ScreenGeometry<Real> geometry = make_geometry(pass_, std::optional(pixel), {settings.threads, {}}, progress);
     for (const PrimitiveRef& ref : drawing_order(pass_, geometry)) {
       const Batch<Real>& batch = geometry.batches[ref.batch];
       const ScreenTriangle<Real>& triangle = batch.triangles[ref.index];
-      if (!is_near(triangle)) continue;
+      if (!is_near(triangle.corners)) continue;
       const auto first = batch.attributes.begin() + static_cast<std::ptrdiff_t>(triangle.attributes);
       const auto most = std::min<std::ptrdiff_t>(batch.attributes.end() - first, most_scalars);
       near_.push_back({triangle, {first, first + most}});
@@ -52,11 +60,13 @@ class FragmentsIn final : public Microscope::Fragments {
     MicroReading reading;
     reading.point = grid.sample;
     for (const NearTriangle<Real>& near : near_) reading.triangles.push_back(measure(near, grid));
+    for (const NearCanvasTriangle& near : on_canvas_) reading.triangles.push_back(measure(near, grid));
     reading.front = front_of(reading.triangles);
     reading.seen = "the background";
     if (reading.front < 0) return reading;
     reading.seen = reading.triangles[static_cast<std::size_t>(reading.front)].name;
-    reading.texture = texture_of(near_[static_cast<std::size_t>(reading.front)], grid);
+    if (static_cast<std::size_t>(reading.front) < near_.size())
+      reading.texture = texture_of(near_[static_cast<std::size_t>(reading.front)], grid);
     return reading;
   }
 
@@ -83,10 +93,27 @@ class FragmentsIn final : public Microscope::Fragments {
   /// Corners, constants of flat shading, and the corners' weights of a piece that was cut.
   static constexpr std::ptrdiff_t most_scalars = 3 * static_cast<std::ptrdiff_t>(max_attributes) + 6 + 9;
 
-  bool is_near(const ScreenTriangle<Real>& triangle) const {
+  void find_canvas_triangles(const std::vector<CanvasItem>& items) {
+    int number = 0;
+    for (const CanvasItem& item : items) {
+      const auto* triangle = std::get_if<CanvasTriangle>(&item);
+      if (!triangle) continue;
+      NearCanvasTriangle near{{}, number++};
+      bool in_reach = triangle->filled;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2<Real> at(static_cast<Real>(triangle->points[k].x) + pass_.projection.centre.x,
+                            pass_.projection.centre.y - static_cast<Real>(triangle->points[k].y));
+        in_reach = in_reach && std::max(std::abs(at.x), std::abs(at.y)) < static_cast<Real>(guard_band);
+        if (in_reach) near.corners[k] = to_fixed(at, pass_.grid.subpixel_bits);
+      }
+      if (in_reach && is_near(near.corners) && make_edges(near.corners, pass_.grid)) on_canvas_.push_back(near);
+    }
+  }
+
+  bool is_near(const std::array<FixedPoint, 3>& corners) const {
     static_assert(micro_margin <= far_from_pixel);
     Vec2d low(1e30), high(-1e30);
-    for (const FixedPoint& corner : triangle.corners) {
+    for (const FixedPoint& corner : corners) {
       const Vec2d at = in_pixel(corner);
       low = {std::min(low.x, at.x), std::min(low.y, at.y)};
       high = {std::max(high.x, at.x), std::max(high.y, at.y)};
@@ -138,13 +165,34 @@ class FragmentsIn final : public Microscope::Fragments {
     return out;
   }
 
+  ps::MicroTriangle measure(const NearCanvasTriangle& near, const CoverageGrid& grid) const {
+    const auto edges = make_edges(near.corners, grid);
+    const auto values = edges->at(pixel_.x, pixel_.y);
+    ps::MicroTriangle out;
+    out.on_canvas = true;
+    out.id = {-1, near.number};
+    out.name = "triangle " + std::to_string(near.number + 1) + " on the canvas";
+    out.edges = edges_in_pixels(values, grid.subpixel_bits);
+    out.covered = edges->inside(values);
+    for (std::size_t i = 0; i < 3; ++i) {
+      out.corners[i] = in_pixel(near.corners[i]);
+      out.ties[i] = values[i] == 0;
+      out.owns[i] = edges->threshold[i] < 0;
+      out.weights_2d[i] = out.weights[i] =
+          static_cast<double>(static_cast<Real>(values[i]) * (Real(1) / static_cast<Real>(edges->area)));
+    }
+    return out;
+  }
+
   /// The triangle that is seen where several cover a point: the nearest, or with no depth buffer the last one drawn.
+  /// Those of the canvas, which stand last, lie over all others.
   int front_of(const std::vector<ps::MicroTriangle>& triangles) const {
     const bool nearest = pass_.settings.visibility == Visibility::depth_buffer;
     int front = -1;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (!triangles[i].covered) continue;
-      if (front < 0 || !nearest || triangles[i].z < triangles[static_cast<std::size_t>(front)].z)
+      if (front < 0 || !nearest || triangles[i].on_canvas ||
+          triangles[i].z < triangles[static_cast<std::size_t>(front)].z)
         front = static_cast<int>(i);
     }
     return front;
@@ -186,6 +234,7 @@ class FragmentsIn final : public Microscope::Fragments {
   Pass<Real> pass_;
   Vec2i pixel_;
   std::vector<NearTriangle<Real>> near_;
+  std::vector<NearCanvasTriangle> on_canvas_;
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ Microscope::~Microscope() = default;
 Microscope::Microscope(Scene scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
                        Progress& progress, MicroDetail detail)
     : scene_(std::move(scene)), view_(view), settings_(settings), pixel_(pixel) {
-  scene_.canvas_items = {};  // they are drawn over the finished picture, pixel by pixel
+  if (settings.renderer != Renderer::rasterizer) scene_.canvas_items = {};  // nobody else draws them
   if (detail == MicroDetail::first) {
     const Timer timer;
     draw_enlarged(coarse_pixels, prepared, progress);
@@ -63,7 +63,10 @@ void Microscope::draw_enlarged(int pixels, Prepared& prepared, Progress& progres
   const EnlargedView wide = enlarge(view_, settings_, Vec2d(pixel_) - micro_margin, 1 + 2 * micro_margin, pixels);
   RenderRequest request;
   request.channels = Channel::ids;
-  const Frame frame = render(scene_, wide.view, wide.settings, request, prepared, progress);
+  Scene wide_scene = scene_;
+  wide_scene.canvas_items = Part<std::vector<CanvasItem>>(
+      enlarged_canvas(*scene_.canvas_items, view_, Vec2d(pixel_) - micro_margin, 1 + 2 * micro_margin, pixels));
+  const Frame frame = render(wide_scene, wide.view, wide.settings, request, prepared, progress);
   enlarged_ = display_frame(frame, settings_);
   enlarged_ids_ = frame.ids;
 }

@@ -34,6 +34,7 @@ struct MicroTriangle {
   std::optional<Vec2d> uv, uv_2d;      ///< perspective-correct, and by the weights of the screen
   bool covered = false;
   bool back_face = false;
+  bool on_canvas = false;  ///< drawn flat, after the scene: no depth, and no weights but those of the screen
 };
 
 /// A level of a texture around the place that was read. Places are in texels of the level from the top left of the

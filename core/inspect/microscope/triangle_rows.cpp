@@ -27,6 +27,7 @@ std::vector<MicroRow> triangle_rows(const MicroTriangle& triangle) {
   owner.exact = owner.values;
   rows.push_back(std::move(owner));
   rows.push_back(numbers("weight on screen", triangle.weights_2d));
+  if (triangle.on_canvas) return rows;
   rows.push_back(numbers("weight in space", triangle.weights));
   rows.push_back(numbers("z: screen, space", {triangle.z_2d, triangle.z}));
   if (triangle.uv) {
