@@ -13,7 +13,7 @@
 namespace ps {
 namespace {
 
-struct Told {
+struct ToldSum {
   PixelStory story;
   bool in_sum(int event) const {
     return std::any_of(story.ledger.begin(), story.ledger.end(),
@@ -21,7 +21,7 @@ struct Told {
   }
 };
 
-Told tell_pixel(const std::string& name, Vec2i pixel, Renderer renderer) {
+ToldSum tell_pixel(const std::string& name, Vec2i pixel, Renderer renderer) {
   const Scene scene = load_scene(name);
   Settings settings = settings_for(scene);
   settings.renderer = renderer;
@@ -31,7 +31,7 @@ Told tell_pixel(const std::string& name, Vec2i pixel, Renderer renderer) {
 }
 
 TEST(ShownTerm, EveryEventOfATracedPixelShowsTheLineOfItsOwnRay) {
-  const Told told = tell_pixel("cgfs/reflections", {540, 340}, Renderer::ray_tracer);
+  const ToldSum told = tell_pixel("cgfs/reflections", {540, 340}, Renderer::ray_tracer);
   const auto& events = told.story.events;
   int shadow_rays = 0, bounces = 0, hits = 0;
   for (int i = 0; i < static_cast<int>(events.size()); ++i) {
@@ -68,7 +68,7 @@ TEST(ShownTerm, EveryEventOfATracedPixelShowsTheLineOfItsOwnRay) {
 }
 
 TEST(ShownTerm, AFragmentShowsWhatItWroteAndOneThatLostNothing) {
-  const Told told = tell_pixel("cgfs/depth", {108, 262}, Renderer::rasterizer);
+  const ToldSum told = tell_pixel("cgfs/depth", {108, 262}, Renderer::rasterizer);
   const auto& events = told.story.events;
   int won = 0, lost = 0;
   for (int i = 0; i < static_cast<int>(events.size()); ++i) {

@@ -97,9 +97,8 @@ TEST(Svg, BoxesOfAModelAreDrawnWhole) {
   told.settings.accelerator = Accelerator::two_level;
   told.story = inspect(told.scene, told.view, told.settings, {113, 43}, told.prepared, told.progress);
   SpaceModel model = build_space(told.scene, told.view, told.settings, &told.story);
-  std::erase_if(model.items, [](const SpaceItem& item) {
-    return item.kind != SpaceKind::node || item.shape != SpaceShape::line;
-  });
+  std::erase_if(model.items,
+                [](const SpaceItem& item) { return item.kind != SpaceKind::node || item.shape != SpaceShape::line; });
   ASSERT_FALSE(model.items.empty());
   const SpaceOrbit orbit = preset_orbit(SpacePreset::outside, model.bounds, told.scene.camera, 1.5);
   const SpacePicture picture = draw_space_picture(told.scene, orbit_view(orbit, told.scene.camera, 900, 600),

@@ -23,7 +23,7 @@ std::vector<MicroRow> triangle_rows(const MicroTriangle& triangle) {
   std::vector<MicroRow> rows{numbers("edge value, px²", triangle.edges)};
   MicroRow owner{"edge owns ties", {}, {}};
   for (std::size_t i = 0; i < 3; ++i)
-    owner.values.push_back(std::string(triangle.owns[i] ? "yes" : "no") + (triangle.ties[i] ? ", a tie" : ""));
+    owner.values.push_back(std::string(triangle.owns[i] ? "yes" : "no") + (triangle.ties[i] ? ", tie" : ""));
   owner.exact = owner.values;
   rows.push_back(std::move(owner));
   rows.push_back(numbers("weight on screen", triangle.weights_2d));
