@@ -187,6 +187,7 @@ void App::draw() {
   session_.update();
   flying_now_ = fly_camera(session_, pictures_, passed);
   collect_pictures(session_, pictures_);
+  if (session_.has_scene()) follow_stories(session_, pixel_panel_);
   mirror_screen(session_, pixel_panel_, mirror_);
   update_pin(session_, pixel_panel_.pin);
   listing_.worker.take_news();

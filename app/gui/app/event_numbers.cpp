@@ -34,6 +34,12 @@ std::string column_text(double value) {
   return size < 1 ? fmt::format("{:.1e}", value) : fmt::format("{:.5g}", value);
 }
 
+/// Three digits in all, but whole thousands as such.
+std::string brief_text(double value) {
+  const double size = std::abs(value);
+  return size >= 1000 && size < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
 using NumberText = std::string (*)(double);
 
 /// How numbers are written, from what reads best to what takes the least room.
@@ -44,8 +50,8 @@ struct NumberStyle {
 };
 constexpr std::array<NumberStyle, 4> styles{{
     {Face::mono, column_text, "-0.0000"},
-    {Face::mono, [](double value) { return fmt::format("{:.3g}", value); }, "-0.000"},
-    {Face::small, [](double value) { return fmt::format("{:.3g}", value); }, "-0.000"},
+    {Face::mono, brief_text, "-0.000"},
+    {Face::small, brief_text, "-0.000"},
     {Face::small, [](double value) { return fmt::format("{:.2g}", value); }, "-0.00"},
 }};
 

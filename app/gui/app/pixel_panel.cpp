@@ -216,6 +216,10 @@ void follow(const Session& session, PixelPanelState& state, Side side, const std
 
 }  // namespace
 
+void follow_stories(const Session& session, PixelPanelState& state) {
+  for (const Side side : both_sides) follow(session, state, side, session.story(side));
+}
+
 void pixel_panel(Session& session, PixelPanelState& state, const std::function<void(const std::string&)>& copy) {
   const NameScope scope("pixel");
   const auto picked = session.pixel();

@@ -30,4 +30,8 @@ struct PixelPanelState {
 /// `copy` puts text on the clipboard.
 void pixel_panel(Session& session, PixelPanelState& state, const std::function<void(const std::string&)>& copy);
 
+/// Keeps what is selected selected when stories of the same pixel come; also while the panel is not shown, since other
+/// views show the selected event, too.
+void follow_stories(const Session& session, PixelPanelState& state);
+
 }  // namespace ps::gui
