@@ -107,6 +107,9 @@ TEST(StoryRows, AStencilSaysItsCountAndTheFacesBelow) {
   const auto events = ray_with({{0, stencil}});
   EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1),
             "stencil of light 2: 3 of 4 shadow volume faces count, 1 in all: in shadow");
+  EXPECT_EQ(short_description(events[1], Scene{}),
+            "stencil of light 2: 3 of 4 shadow volume faces count, 1 in all: in shadow")
+      << "which the space view writes over its foot";
   const auto lines = row_details(events[1], Scene{});
   ASSERT_EQ(lines.size(), 3u) << "one for each face that counts";
   EXPECT_EQ(lines[0], "+1 where the line of sight enters the shadow of object 1 at its lit face");

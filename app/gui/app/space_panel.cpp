@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include "gui/app/space_paint.h"
+#include "gui/app/story_rows.h"
 #include "gui/platform/plain_texture.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
-#include "inspect/describe.h"
 #include "inspect/space_svg.h"
 
 namespace ps::gui {
@@ -219,8 +219,8 @@ Rgb8 paper_colour() {
 void caption(const SpacePanelState& state, const Session& session, int event, const Area& area) {
   if (!state.told || event < 0 || static_cast<std::size_t>(event) >= state.told->events.size()) return;
   const FontScope font(Face::body);
-  const std::string text =
-      in_lines(describe(state.told->events[static_cast<std::size_t>(event)], session.scene()), area.width() - px(32));
+  const std::string text = in_lines(
+      short_description(state.told->events[static_cast<std::size_t>(event)], session.scene()), area.width() - px(32));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at{area.min.x + px(12), area.max.y - size.y - px(10)};
   auto& list = *ImGui::GetWindowDrawList();

@@ -183,10 +183,13 @@ std::string row_text(const std::vector<Event>& events, const std::vector<int>& e
     return fmt::format("hit {} at t = {}", primitive_name(scene, hit->id), number_text(hit->t));
   if (const auto* light = std::get_if<LightEvent>(&at(events, index).data))
     return fmt::format("light {}: {}", light->light + 1, light_effect_text(scene, *light, LightWords::brief));
-  std::string text = describe(at(events, index), scene);
+  return short_description(at(events, index), scene);
+}
+
+std::string short_description(const Event& event, const Scene& scene) {
+  std::string text = describe(event, scene);
   // A line of sight may cross dozens of shadow volumes.
-  if (std::holds_alternative<StencilEvent>(at(events, index).data))
-    text.resize(std::min(text.size(), text.find(detail_mark)));
+  if (std::holds_alternative<StencilEvent>(event.data)) text.resize(std::min(text.size(), text.find(detail_mark)));
   return text;
 }
 

@@ -29,6 +29,9 @@ std::string run_text(const std::vector<Event>& events, const StoryRow& run);
 /// An event as a short line. For rays it tells what came of them, since their numbers are in the table below the row.
 std::string row_text(const std::vector<Event>& events, const std::vector<int>& ends, const Scene& scene, int index);
 
+/// An event in its own words without what row_details() tells.
+std::string short_description(const Event& event, const Scene& scene);
+
 /// What an event tells beyond its row, line by line: the faces of shadow volumes that a stencil counted. Mostly empty.
 std::vector<std::string> row_details(const Event& event, const Scene& scene);
 
