@@ -193,7 +193,8 @@ TEST(StabilityShading, Outlines) {
 
 TEST(StabilityNumbers, FarFromTheOrigin) {
   const Curve curve("far-from-origin", 1);  // the largest of few is a matter of chance
-  for (const auto& [distance, px] : std::map<double, double>{{1e3, .015}, {1e4, .16}, {1e5, 1.5}, {1e6, 14.5}, {1e7, 210}})
+  for (const auto& [distance, px] :
+       std::map<double, double>{{1e3, .015}, {1e4, .16}, {1e5, 1.5}, {1e6, 14.5}, {1e7, 210}})
     curve.expect_naive("rms", distance, px);
   for (const auto& [distance, px] : std::map<double, double>{{1e3, .17}, {1e4, 2.5}, {1e5, 18}, {1e6, 157}})
     curve.expect_naive("largest", distance, px);
