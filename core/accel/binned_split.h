@@ -182,7 +182,10 @@ class BinSet {
   }
 
  private:
-  static double groups(std::uint32_t count) { return static_cast<double>((count + 3) / 4); }
+  static double groups(std::uint32_t count) {
+    const std::uint32_t whole = (count + 3) / 4;
+    return whole;
+  }
 
   Split<Real> describe(int axis, int bin) const {
     Split<Real> split;

@@ -74,7 +74,10 @@ std::vector<WideCost> wide_costs(const Bvh<float>& bvh) {
     const BvhNode<float>& node = bvh.nodes[i];
     const float area = node.box.half_area();
     WideCost& cost = costs[i];
-    const auto as_leaf = [&] { return area * block_cost * static_cast<float>((cost.count + 3) / 4); };
+    const auto as_leaf = [&] {
+      const auto blocks = (cost.count + 3) / 4;  // in whole numbers: a started block counts
+      return area * block_cost * static_cast<float>(blocks);
+    };
     if (node.count > 0) {
       cost.first = node.first;
       cost.count = node.count;

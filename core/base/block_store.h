@@ -20,7 +20,7 @@ std::size_t kept_block_bytes();
 template <class T>
 class BlockAllocator {
  public:
-  using value_type = T;  // NOLINT(readability-identifier-naming): the name that allocators have
+  using value_type = T;
   BlockAllocator() = default;
   template <class U>
   BlockAllocator(const BlockAllocator<U>&) {}  // NOLINT(google-explicit-constructor): allocators convert

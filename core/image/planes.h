@@ -33,9 +33,9 @@ inline ScalarImage filtered(const ScalarImage& plane, const Kernel& along_x, con
   ScalarImage result(width, height);
   for (int y = 0; y < height; ++y) {
     const auto to = result.row(y);
-    for (int i = -ry; i <= ry; ++i) {
-      const auto from = across.row(std::clamp(y + i, 0, height - 1));
-      const double weight = along_y[static_cast<std::size_t>(i + ry)];
+    for (int i = 0; i <= 2 * ry; ++i) {
+      const auto from = across.row(std::clamp(y + i - ry, 0, height - 1));
+      const double weight = along_y[static_cast<std::size_t>(i)];
       for (std::size_t x = 0; x < to.size(); ++x) to[x] += weight * from[x];
     }
   }

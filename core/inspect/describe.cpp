@@ -101,8 +101,8 @@ struct Describer {
     return text;
   }
   std::string crossing_text(const VolumeCrossing& c) const {
-    const std::string what = fmt::format("{:+} where the line of sight {} the shadow of {}", c.change,
-                                         c.enters ? "enters" : "leaves", object_name(scene, c.object));
+    std::string what = fmt::format("{:+} where the line of sight {} the shadow of {}", c.change,
+                                   c.enters ? "enters" : "leaves", object_name(scene, c.object));
     switch (c.part) {
     case VolumePart::lit_face:
       return what + " at its lit face";

@@ -40,7 +40,7 @@ std::string object_name(const Scene& scene, int object) {
 
 std::string primitive_name(const Scene& scene, const PixelId& id) {
   const auto& objects = scene.geometry->objects;
-  const std::string name = object_name(scene, id.object);
+  std::string name = object_name(scene, id.object);
   if (id.object < 0 || static_cast<std::size_t>(id.object) >= objects.size()) return name;
   const auto& shape = objects[static_cast<std::size_t>(id.object)].shape;
   if (const auto* csg = std::get_if<Csg>(&shape)) {

@@ -28,8 +28,8 @@ std::string exact_number_text(double value) {
 std::string against_text(double value, double other) {
   if (value == other) return fmt::format("{:.9g} against the same", value);
   for (int digits = 4; digits < 17 && std::isfinite(value) && std::isfinite(other); ++digits) {
-    std::string text = fmt::format("{:.{}g}", value, digits), stored = fmt::format("{:.{}g}", other, digits);
-    if (text != stored) return text + " against " + stored;
+    const std::string text = fmt::format("{:.{}g}", value, digits), stored = fmt::format("{:.{}g}", other, digits);
+    if (text != stored) return fmt::format("{} against {}", text, stored);
   }
   return exact_number_text(value) + " against " + exact_number_text(other);
 }

@@ -49,7 +49,7 @@ Image<Rgb8> paled(const SpacePicture& picture, const std::vector<bool>& ground, 
     const bool is_ground = object < ground.size() && ground[object];
     const double keep = std::isinf(picture.depth.pixels()[i]) ? 0 : is_ground ? ground_strength : strength;
     const auto mix = [&](std::uint8_t level, std::uint8_t other) {
-      return static_cast<std::uint8_t>(level * keep + other * (1 - keep) + 0.5);
+      return static_cast<std::uint8_t>(std::lround(level * keep + other * (1 - keep)));
     };
     p = {mix(p.r, paper.r), mix(p.g, paper.g), mix(p.b, paper.b)};
   }

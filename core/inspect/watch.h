@@ -54,9 +54,7 @@ inline thread_local WatchCollector* watch_collector = nullptr;
 
 template <class Value>
 WatchValue watch_value(const Value& value) {
-  if constexpr (std::is_same_v<Value, bool>)
-    return value;
-  else if constexpr (std::is_integral_v<Value>)
+  if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>)
     return static_cast<std::int64_t>(value);
   else if constexpr (std::is_floating_point_v<Value>)
     return static_cast<double>(value);

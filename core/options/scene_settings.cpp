@@ -1,5 +1,7 @@
 #include "options/scene_settings.h"
 
+#include <fmt/format.h>
+
 #include "base/check.h"
 #include "options/option.h"
 
@@ -9,7 +11,7 @@ Settings settings_for(const Scene& scene) {
   Settings settings;
   for (const auto& [key, value] : scene.settings) {
     try {
-      parse_assignment(key + "=" + value, settings);
+      parse_assignment(fmt::format("{}={}", key, value), settings);
     } catch (const InputError& error) {
       throw InputError("scene " + scene.name + ": " + error.what());
     }

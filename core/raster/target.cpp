@@ -2,21 +2,28 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "render/eye_directions.h"
 
 namespace ps::raster {
+namespace {
+
+template <class T>
+void fill(std::span<T> pixels, const T& value) {
+  std::fill(pixels.begin(), pixels.end(), value);
+}
+
+}  // namespace
 
 void fill_background(const Scene& scene, const TileRect& rect, Frame& frame) {
   const auto first = static_cast<std::size_t>(rect.x0);
   const auto count = static_cast<std::size_t>(rect.width());
   for (int row = rect.y0; row < rect.y1; ++row) {
-    std::ranges::fill(frame.colour.row(row).subspan(first, count), Vec3f(scene.background));
-    if (!frame.colour_double.empty())
-      std::ranges::fill(frame.colour_double.row(row).subspan(first, count), scene.background);
-    if (!frame.depth.empty())
-      std::ranges::fill(frame.depth.row(row).subspan(first, count), std::numeric_limits<float>::infinity());
-    if (!frame.ids.empty()) std::ranges::fill(frame.ids.row(row).subspan(first, count), PixelId{});
+    fill(frame.colour.row(row).subspan(first, count), Vec3f(scene.background));
+    if (!frame.colour_double.empty()) fill(frame.colour_double.row(row).subspan(first, count), scene.background);
+    if (!frame.depth.empty()) fill(frame.depth.row(row).subspan(first, count), std::numeric_limits<float>::infinity());
+    if (!frame.ids.empty()) fill(frame.ids.row(row).subspan(first, count), PixelId{});
   }
 }
 

@@ -62,6 +62,7 @@ class Aligner {
  private:
   static std::vector<std::string> keys(const EventTree& tree, const std::vector<int>& events) {
     std::vector<std::string> keys;
+    keys.reserve(events.size());
     for (const int event : events) keys.push_back(key_of(tree.event(event).data));
     return keys;
   }

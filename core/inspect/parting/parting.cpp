@@ -183,7 +183,7 @@ Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b)
   if (c.with_listing() && differs(c, "sample-position")) {
     // A listing samples the corner, so that nearly all numbers differ a little. What differs much is told before that.
     c.slack = half_a_pixel;
-    if (const Parting far = find_step(c); is_plain(far.cause)) return far;
+    if (Parting far = find_step(c); is_plain(far.cause)) return far;
     c.slack = 0;
   }
   return find_step(c);
