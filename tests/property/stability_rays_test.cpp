@@ -150,6 +150,7 @@ TEST(StabilityRays, HolesInATree) {
     EXPECT_EQ(curve.robust("rays at vertices", distance), 0);
     EXPECT_LT(curve.robust("cost", distance), 1.05 * curve.naive("cost", distance)) << "1.2 % more nodes elsewhere";
   }
+  curve.expect_naive("rays at edges", 1e5, 2137, noise(2137, 40000));
   EXPECT_EQ(curve.robust("rays at edges", 1e5), 0);
 }
 
