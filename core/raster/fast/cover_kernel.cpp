@@ -14,214 +14,15 @@
 #include "hwy/highway.h"
 
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
+#include "raster/fast/cover_box-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace ps::raster::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<float>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-
-/// Edge values as 32-bit integers, for small triangles.
-struct Small {
-  using Count = hn::Rebind<std::int32_t, D>;
-  using Scalar = std::int32_t;
-  using Value = hn::Vec<Count>;
-  static HWY_INLINE Value from(Scalar first, Scalar step, int before) {
-    return hn::Add(hn::Set(Count(), first + before * step), hn::Mul(hn::Iota(Count(), 0), hn::Set(Count(), step)));
-  }
-  static HWY_INLINE Value same(Scalar value) { return hn::Set(Count(), value); }
-  static HWY_INLINE void add(Value& value, const Value& more) { value = hn::Add(value, more); }
-  static HWY_INLINE V to_float(const Value& value) { return hn::ConvertTo(D(), value); }
-  static HWY_INLINE M above(const Value& value, V, std::int32_t threshold) {
-    return hn::RebindMask(D(), hn::Gt(value, hn::Set(Count(), threshold)));
-  }
-};
-
-/// Edge values as doubles, which hold integers below 2^53 exactly and round once on their way to float, as a 64-bit
-/// integer does. Rounded, an integer is above 0, or above -1, where it was before.
-struct Large {
-  using Half = hn::Half<D>;
-  using Count = hn::Rebind<double, Half>;
-  using Scalar = double;
-  struct Value {
-    hn::Vec<Count> low, high;
-  };
-  static HWY_INLINE Value from(Scalar first, Scalar step, int before) {
-    const auto change = hn::Set(Count(), step);
-    const auto low = hn::Add(hn::Set(Count(), first + before * step), hn::Mul(hn::Iota(Count(), 0.0), change));
-    return {low, hn::Add(low, hn::Mul(hn::Set(Count(), static_cast<double>(hn::Lanes(Count()))), change))};
-  }
-  static HWY_INLINE Value same(Scalar value) { return {hn::Set(Count(), value), hn::Set(Count(), value)}; }
-  static HWY_INLINE void add(Value& value, const Value& more) {
-    value = {hn::Add(value.low, more.low), hn::Add(value.high, more.high)};
-  }
-  static HWY_INLINE V to_float(const Value& value) {
-    return hn::Combine(D(), hn::DemoteTo(Half(), value.high), hn::DemoteTo(Half(), value.low));
-  }
-  static HWY_INLINE M above(const Value&, V rounded, double threshold) {
-    return hn::Gt(rounded, hn::Set(D(), static_cast<float>(threshold)));
-  }
-};
-
-/// Whether all samples of a box are known to lie inside.
-enum class Covers { some, all };
-
-/// What to do with a vector none of whose samples lies inside. To go on costs little; a branch that cannot be foreseen
-/// costs more.
-enum class WhenOutside { skip, go_on };
-
-/// A triangle's edges as `Kind` counts them, from the first sample of `box` on.
-template <class Scalar>
-struct BoxEdges {
-  std::array<Scalar, 3> value{}, step_x{}, step_y{}, threshold{};
-  float inverse_area = 0;
-  const float* inverse_z = nullptr;
-  int x = 0, y = 0;  ///< of the box, in the tile
-  int width = 0, height = 0;
-};
-
-HWY_INLINE void keep_replaced(const TileFragments& tile, std::size_t at, std::uint64_t lanes,
-                              std::vector<ReplacedFragment>& replaced) {
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const std::size_t i = at + hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes);
-    if (tile.id[i] == TileFragments::none) continue;
-    replaced.push_back({tile.inverse_z[i], tile.id[i], static_cast<std::uint32_t>(i)});
-  }
-}
-
-/// The fragments of one vector: those that pass the depth test replace what was there. How many do. Whether any does
-/// cannot be foreseen, so there is no branch on it.
-HWY_INLINE std::uint64_t put(M inside, V inverse_z, std::uint32_t id, std::size_t at, TileFragments& tile) {
-  const D d;
-  const hn::Rebind<std::uint32_t, D> du;
-  float* const depth = tile.inverse_z.data() + at;
-  const V before = hn::Load(d, depth);
-  const M passed = hn::And(inside, hn::Gt(inverse_z, before));
-  std::uint32_t* const id_at = tile.id.data() + at;
-  const auto id_before = hn::Load(du, id_at);
-  if (tile.keep_replaced) {
-    const M shown = hn::RebindMask(d, hn::Ne(id_before, hn::Set(du, TileFragments::none)));
-    std::array<std::uint8_t, 8> bits{};
-    hn::StoreMaskBits(d, hn::And(passed, shown), bits.data());
-    keep_replaced(tile, at, bits[0] | std::uint64_t{bits[1]} << 8, tile.replaced);
-  }
-  hn::Store(hn::IfThenElse(passed, inverse_z, before), d, depth);
-  hn::Store(hn::IfThenElse(hn::RebindMask(du, passed), hn::Set(du, id), id_before), du, id_at);
-  return hn::CountTrue(d, passed);
-}
-
-/// Draws the vectors of a box, and counts.
-template <class Kind>
-class BoxVectors {
- public:
-  using Value = typename Kind::Value;
-  using Scalar = typename Kind::Scalar;
-  HWY_INLINE BoxVectors(const BoxEdges<Scalar>& edges, std::uint32_t id, TileFragments& tile)
-      : edges_(edges), tile_(tile), id_(id),
-        inverse_area_(hn::Set(D(), edges.inverse_area)), inverse_z_{hn::Set(D(), edges.inverse_z[0]),
-                                                                    hn::Set(D(), edges.inverse_z[1]),
-                                                                    hn::Set(D(), edges.inverse_z[2])} {}
-
-  /// The edges' values in the box's first row, at the vector that begins `before` samples ahead of it.
-  HWY_INLINE std::array<Value, 3> first_row(int before) const {
-    std::array<Value, 3> row;
-    for (std::size_t i = 0; i < 3; ++i) row[i] = Kind::from(edges_.value[i], edges_.step_x[i], before);
-    return row;
-  }
-  template <Covers covers, WhenOutside when_outside>
-  HWY_INLINE void draw(const std::array<Value, 3>& value, M inside, std::size_t at) {
-    const D d;
-    std::array<V, 3> weight;
-    for (std::size_t i = 0; i < 3; ++i) {
-      weight[i] = Kind::to_float(value[i]);
-      if constexpr (covers == Covers::some)
-        inside = hn::And(inside, Kind::above(value[i], weight[i], edges_.threshold[i]));
-    }
-    if (covers == Covers::some && when_outside == WhenOutside::skip && hn::AllFalse(d, inside)) return;
-    covered += hn::CountTrue(d, inside);
-    for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Mul(weight[i], inverse_area_);
-    const V inverse_z = hn::Add(hn::Add(hn::Mul(weight[0], inverse_z_[0]), hn::Mul(weight[1], inverse_z_[1])),
-                                hn::Mul(weight[2], inverse_z_[2]));
-    passed += put(inside, inverse_z, id_, at, tile_);
-  }
-  std::uint64_t passed = 0, covered = 0;
-
- private:
-  const BoxEdges<Scalar>& edges_;
-  TileFragments& tile_;
-  std::uint32_t id_;
-  V inverse_area_;
-  std::array<V, 3> inverse_z_;
-};
-
-/// Draws the box; how many fragments passed the depth test. Vectors lie where their length divides their place in the
-/// row, and are written as a whole: what the next triangle reads there is then known before it has left the processor.
-template <class Kind, Covers covers>
-HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges, std::uint32_t id,
-                                   TileFragments& tile) {
-  using Scalar = typename Kind::Scalar;
-  const D d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const int begin = edges.x & ~(lanes - 1), end = edges.x + edges.width;
-  BoxVectors<Kind> vectors(edges, id, tile);
-  auto row = vectors.first_row(begin - edges.x);
-  std::array<typename Kind::Value, 3> down, stride;
-  for (std::size_t i = 0; i < 3; ++i) {
-    down[i] = Kind::same(edges.step_y[i]);
-    stride[i] = Kind::same(edges.step_x[i] * static_cast<Scalar>(lanes));
-  }
-  const M last = hn::FirstN(d, static_cast<std::size_t>((end - begin - 1) % lanes + 1)),
-          all = hn::FirstN(d, hn::Lanes(d));
-  std::size_t at_row = static_cast<std::size_t>(edges.y) * fast_tile + static_cast<std::size_t>(begin);
-  for (int y = 0; y < edges.height; ++y, at_row += fast_tile) {
-    auto value = row;
-    std::size_t at = at_row;
-    for (int x = begin; x < end; x += lanes, at += static_cast<std::size_t>(lanes)) {
-      vectors.template draw<covers, WhenOutside::skip>(value, end - x <= lanes ? last : all, at);
-      for (std::size_t i = 0; i < 3; ++i) Kind::add(value[i], stride[i]);
-    }
-    for (std::size_t i = 0; i < 3; ++i) Kind::add(row[i], down[i]);
-  }
-  tile.fragments += vectors.covered;
-  return vectors.passed;
-}
-
-/// The same for a box of one or two vectors in each row, one below the other: without branches that a processor cannot
-/// foresee.
-HWY_INLINE std::uint64_t cover_narrow_box(const BoxEdges<std::int32_t>& edges, std::uint32_t id, TileFragments& tile) {
-  const D d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const int begin = edges.x & ~(lanes - 1), end = edges.x + edges.width;
-  BoxVectors<Small> vectors(edges, id, tile);
-  std::array<Small::Value, 3> down;
-  for (std::size_t i = 0; i < 3; ++i) down[i] = Small::same(edges.step_y[i]);
-  for (int x = begin; x < end; x += lanes) {
-    auto value = vectors.first_row(x - edges.x);
-    const M inside = hn::FirstN(d, static_cast<std::size_t>(std::min(end - x, lanes)));
-    std::size_t at = static_cast<std::size_t>(edges.y) * fast_tile + static_cast<std::size_t>(x);
-    for (int y = 0; y < edges.height; ++y, at += fast_tile) {
-      vectors.draw<Covers::some, WhenOutside::go_on>(value, inside, at);
-      for (std::size_t i = 0; i < 3; ++i) Small::add(value[i], down[i]);
-    }
-  }
-  tile.fragments += vectors.covered;
-  return vectors.passed;
-}
-
-/// Whether the corners of a box, and so all its samples, lie inside the three edges.
-template <class Scalar>
-HWY_INLINE bool covers_corners(const BoxEdges<Scalar>& edges) {
-  const Scalar across = static_cast<Scalar>(edges.width - 1), down = static_cast<Scalar>(edges.height - 1);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Scalar least =
-        edges.value[i] + std::min(edges.step_x[i] * across, Scalar{0}) + std::min(edges.step_y[i] * down, Scalar{0});
-    if (!(least > edges.threshold[i])) return false;
-  }
-  return true;
-}
+using namespace covering;
 
 /// Without vectors: edges whose values double may not hold.
 std::uint64_t cover_exactly(const BoxEdges<std::int64_t>& edges, std::uint32_t id, TileFragments& tile) {
@@ -296,6 +97,8 @@ std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, 
   edges.step_x = triangle.edges.step_x;
   edges.step_y = triangle.edges.step_y;
   edges.threshold = triangle.edges.threshold;
+  const BoxLies lies = place_of_box(edges);
+  if (lies == BoxLies::outside) return 0;
   if (!triangle.fits_double) return cover_exactly(edges, id, tile);
   BoxEdges<double> wide;
   place(box, rect, wide);
@@ -308,7 +111,7 @@ std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, 
     wide.threshold[i] = static_cast<double>(edges.threshold[i]);
   }
   const bool at_vector = edges.x % static_cast<int>(hn::Lanes(D())) == 0;
-  if (at_vector && covers_corners(edges)) return cover_box<Large, Covers::all>(wide, id, tile);
+  if (at_vector && lies == BoxLies::inside) return cover_box<Large, Covers::all>(wide, id, tile);
   return cover_box<Large, Covers::some>(wide, id, tile);
 }
 
