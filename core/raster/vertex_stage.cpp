@@ -120,6 +120,7 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
   return buffers;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): Real is a type
 #define PS_INSTANTIATE(Real)                                                                                           \
   template VertexNeeds vertex_needs(const Pass<Real>&, std::size_t);                                                   \
   template std::vector<bool> cull_objects(const Pass<Real>&);                                                          \
@@ -128,5 +129,6 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
 PS_INSTANTIATE(float)
 PS_INSTANTIATE(double)
 #undef PS_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace ps::raster
