@@ -56,6 +56,7 @@ Scene load_scene(const std::string& path_or_builtin_name) {
   if (fs::exists(path))
     throw InputError({path_or_builtin_name, 0, 0}, "an unknown kind of file", "a .scene or .obj file");
   std::vector<std::string_view> names;
+  names.reserve(files.size());
   for (const BuiltinFile& file : files) names.push_back(file.name);
   throw InputError({path_or_builtin_name, 0, 0}, "no such file or built-in scene",
                    names.empty() ? "a .scene or .obj file"
