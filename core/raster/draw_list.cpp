@@ -16,15 +16,26 @@ namespace {
 /// One mesh for each object; empty pointers for instances that keep their model's.
 struct Meshes {
   std::vector<std::shared_ptr<const Mesh>> of_object;
+  std::vector<std::shared_ptr<const MeshCorners>> corners;
 
+  void add(std::shared_ptr<const Mesh> mesh) {
+    corners.push_back(mesh ? std::make_shared<const MeshCorners>(make_mesh_corners(*mesh)) : nullptr);
+    of_object.push_back(std::move(mesh));
+  }
   std::size_t heap_bytes() const {
-    std::size_t bytes = of_object.capacity() * sizeof(of_object[0]);
+    std::size_t bytes = of_object.capacity() * sizeof(of_object[0]) + owned_bytes(corners);
     for (const auto& mesh : of_object)
       if (mesh) bytes += sizeof(Mesh) + owned_bytes(mesh->positions, mesh->normals, mesh->uvs, mesh->triangles);
     return bytes;
   }
 };
-using Bounds = std::vector<BoundingSphere>;
+/// What the draw list holds of the scene's own models.
+struct Models {
+  std::vector<BoundingSphere> bounds;
+  std::vector<std::shared_ptr<const MeshCorners>> corners;
+
+  std::size_t heap_bytes() const { return owned_bytes(bounds, corners); }
+};
 
 Key& add(Key& key, const Vec3d& v) { return key.add(v.x).add(v.y).add(v.z); }
 
@@ -73,22 +84,25 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
         const Material& material = scene.materials->at(sphere->material);
         if (material.texture >= 0 || material.normal_map >= 0 || material.height_map >= 0)
           add_world_map_uvs(mesh, sphere->centre);
-        meshes.of_object.push_back(std::make_shared<const Mesh>(std::move(mesh)));
+        meshes.add(std::make_shared<const Mesh>(std::move(mesh)));
       } else if (solid) {
-        meshes.of_object.push_back(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));
+        meshes.add(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));
       } else {
-        meshes.of_object.push_back(curved_model(scene, object, settings.patches, seen_from));
+        meshes.add(curved_model(scene, object, settings.patches, seen_from));
       }
     }
     return meshes;
   });
 }
 
-std::shared_ptr<const Bounds> mesh_bounds(const Scene& scene, Prepared& prepared) {
-  return prepared.get<Bounds>(Key("mesh-bounds").add(scene.geometry.revision()), [&] {
-    Bounds bounds;
-    for (const auto& mesh : scene.geometry->meshes) bounds.push_back(bounding_sphere(*mesh));
-    return bounds;
+std::shared_ptr<const Models> known_models(const Scene& scene, Prepared& prepared) {
+  return prepared.get<Models>(Key("models").add(scene.geometry.revision()), [&] {
+    Models models;
+    for (const auto& mesh : scene.geometry->meshes) {
+      models.bounds.push_back(bounding_sphere(*mesh));
+      models.corners.push_back(std::make_shared<const MeshCorners>(make_mesh_corners(*mesh)));
+    }
+    return models;
   });
 }
 
@@ -114,17 +128,18 @@ Mat3d normal_matrix(const Mat3d& linear, NormalTransform how) {
   return linear;
 }
 
-DrawObject place_instance(const Scene& scene, int index, const Instance& instance, const Bounds& bounds,
+DrawObject place_instance(const Scene& scene, int index, const Instance& instance, const Models& models,
                           NormalTransform how) {
   const Transform& transform = instance.transform;
   DrawObject draw;
   draw.object = index;
   draw.mesh = scene.geometry->meshes.at(instance.mesh);
+  draw.corners = models.corners.at(instance.mesh);
   draw.linear = linear_part(transform);
   draw.normal_matrix = normal_matrix(draw.linear, how);
   draw.translation = transform.translation;
   draw.front_only = instance.sides == Sides::front;
-  const BoundingSphere& model = bounds.at(instance.mesh);
+  const BoundingSphere& model = models.bounds.at(instance.mesh);
   draw.bounds = {draw.world(model.centre), model.radius * largest_stretch(draw.linear)};
   draw.materials = instance.material ? std::vector<std::uint32_t>{*instance.material} : draw.mesh->materials;
   return draw;
@@ -142,7 +157,7 @@ std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, con
                     : std::holds_alternative<Sphere>(o.shape) || std::holds_alternative<Solid>(o.shape);
   });
   const auto spheres = any_sphere ? tessellations(scene, view, settings, viewport, prepared) : nullptr;
-  const auto bounds = mesh_bounds(scene, prepared);
+  const auto models = known_models(scene, prepared);
   std::vector<DrawObject> list;
   list.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -151,6 +166,7 @@ std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, con
       DrawObject draw;
       draw.object = index;
       draw.mesh = spheres->of_object[i];
+      draw.corners = spheres->corners[i];
       draw.sphere = true;
       draw.bounds = {sphere->centre, sphere->radius};
       draw.materials = {sphere->material};
@@ -159,6 +175,7 @@ std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, con
       DrawObject draw;
       draw.object = index;
       draw.mesh = spheres->of_object[i];
+      draw.corners = spheres->corners[i];
       draw.sphere = true;
       draw.front_only = solid->sides == Sides::front || is_flat(solid->form);
       draw.bounds = bounding_sphere(*draw.mesh);
@@ -166,9 +183,10 @@ std::vector<DrawObject> make_draw_list(const Scene& scene, const View& view, con
       list.push_back(std::move(draw));
     } else if (std::holds_alternative<Instance>(objects[i].shape)) {  // CSG has no triangles: left_out() says so
       list.push_back(
-          place_instance(scene, index, std::get<Instance>(objects[i].shape), *bounds, settings.normal_transform));
+          place_instance(scene, index, std::get<Instance>(objects[i].shape), *models, settings.normal_transform));
       if (spheres && spheres->of_object[i]) {
         list.back().mesh = spheres->of_object[i];
+        list.back().corners = spheres->corners[i];
         list.back().sphere = true;
         const BoundingSphere model = bounding_sphere(*list.back().mesh);
         list.back().bounds = {list.back().world(model.centre), model.radius * largest_stretch(list.back().linear)};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "math/vec.h"
+#include "raster/mesh_corners.h"
 #include "render/prepared.h"
 #include "render/view.h"
 #include "render/viewport.h"
@@ -15,6 +16,7 @@ namespace ps::raster {
 struct DrawObject {
   int object = 0;                    ///< index into Geometry::objects
   std::shared_ptr<const Mesh> mesh;  ///< in model space; tessellated spheres and solids are in world space
+  std::shared_ptr<const MeshCorners> corners;  ///< of `mesh`
   bool sphere = false;               ///< tessellated here: its triangles have no numbers of their own
   bool front_only = false;           ///< backs are not drawn, whatever backface-culling says
   Mat3d linear{1.0};                 ///< model to world, for positions: rotation * scale

@@ -49,9 +49,12 @@ struct VertexBuffer {
   BlockVector<Vec4<Real>> world;    ///< empty unless shading needs it; from the fast path with 1 / z
   BlockVector<Vec4<Real>> normals;  ///< world space, length 1; empty unless shading needs them
   BlockVector<VertexPlace> places;  ///< only from the fast path, and while one pixel is inspected
+  /// Only from the fast path, where shading needs both and each vertex has its own normal: of every vertex the normal
+  /// and then the world position, both divided by z, with 1 / z as the last number. In place of `world` and `normals`.
+  BlockVector<Vec4<Real>> lit;
 
-  /// While one pixel is inspected few triangles are drawn: their corners' world positions and normals are made from
-  /// these when they are asked for, where shading needs them.
+  /// Where few triangles ask (while one pixel is inspected, and of the fast path's those that something cuts), their
+  /// corners' world positions and normals are made from these when they are asked for, where shading needs them.
   const DrawObject* world_of = nullptr;
   const DrawObject* normals_of = nullptr;
 

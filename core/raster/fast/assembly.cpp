@@ -36,11 +36,10 @@ class PartAssembler {
                static_cast<std::size_t>((pass.viewport.rows + fast_tile - 1) >> fast_tile_bits)) {}
 
   void run(std::span<const TriangleRun> runs) {
-    std::size_t total = 0;
-    for (const TriangleRun& run : runs) total += run.last - run.first;
-    part_.triangles.resize(total / 2);
-    part_.fragments.resize(2 * total + most_fragments);
-    order_.reserve(2 * total);
+    for (const TriangleRun& run : runs) total_ += run.last - run.first;
+    part_.triangles.resize(total_ / 2 + TriangleBlock::capacity);
+    part_.fragments.resize(2 * total_ + most_fragments);
+    order_.resize(2 * total_ + most_fragments);
     part_.tile_start.assign(tiles_ + 1, 0);
     for (const TriangleRun& run : runs)
       for (std::size_t first = run.first; first < run.last; first += TriangleBlock::capacity)
@@ -51,50 +50,73 @@ class PartAssembler {
 
  private:
   void add_block(std::size_t object, std::size_t first, std::size_t count) {
-    const DrawObject& drawn = pass_.objects[object];
-    const VertexBuffer<float>& vertices = vertices_[object];
-    const MeshTriangle* triangles = &drawn.mesh->triangles[first];
-    if (part_.fragments.size() < part_.fragment_count + most_fragments)
-      part_.fragments.resize(2 * part_.fragment_count + most_fragments);
+    make_room();
+    done_ += count;
+    block_.triangles = part_.triangles.data() + part_.count;
     block_.fragments = part_.fragments.data() + part_.fragment_count;
-    kernel_(rules(drawn), {triangles, static_cast<int>(count), vertices.camera.data(), vertices.places.data()}, block_);
+    kernel_(rules(pass_.objects[object]), triangle_block(object, first, count), block_);
     part_.counters[Counter::triangles_in] += count - static_cast<std::size_t>(std::popcount(block_.left));
     part_.counters[Counter::triangles_degenerate] += block_.degenerate;
     part_.counters[Counter::triangles_backfacing] += block_.back_facing;
     part_.counters[Counter::triangles_clipped_away] += block_.clipped_away;
     part_.counters[Counter::triangles_drawn] += block_.drawn;
     part_.counters[Counter::coverage_tests] += block_.coverage_tests;
-    const auto surface_of = [&](std::size_t i) {
-      return pass_.first_surface[object] + (drawn.materials.size() == 1 ? 0 : triangles[i].material);
-    };
     for (std::uint64_t rest = block_.kept | block_.left | block_.tiny; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      const auto triangle = static_cast<std::uint32_t>(first + i);
-      if ((block_.tiny >> i & 1) != 0) {
-        add_fragments(block_.fragment_count[i], surface_of(i), static_cast<std::uint32_t>(object), triangle);
-      } else if ((block_.left >> i & 1) != 0) {
+      if ((block_.tiny >> i & 1) != 0)
+        note_fragments(block_.fragment_count[i]);
+      else if ((block_.left >> i & 1) != 0)
         add_general(object, first + i);
-      } else {
-        FastTriangle& made = add(block_.triangles[i]);
-        made.object = static_cast<std::uint32_t>(object);
-        made.triangle = triangle;
-        made.surface = surface_of(i);
-      }
+      else
+        note_triangle(part_.triangles[part_.count++], whole_triangle);
     }
   }
 
-  /// The next fragments that the kernel made are those of this triangle.
-  void add_fragments(std::size_t count, std::uint32_t surface, std::uint32_t object, std::uint32_t triangle) {
+  TriangleBlock triangle_block(std::size_t object, std::size_t first, std::size_t count) const {
+    const DrawObject& drawn = pass_.objects[object];
+    TriangleBlock block;
+    block.corners = &drawn.corners->positions[first];
+    if (drawn.materials.size() > 1) block.triangles = &drawn.mesh->triangles[first];
+    block.count = static_cast<int>(count);
+    block.points = vertices_[object].camera.data();
+    block.places = vertices_[object].places.data();
+    block.object = static_cast<std::uint32_t>(object);
+    block.first_surface = pass_.first_surface[object];
+    block.first = static_cast<std::uint32_t>(first);
+    return block;
+  }
+
+  /// For whatever a block may bring. Where it is short, for as much as all blocks bring if they go on like this.
+  void make_room() {
+    const auto enlarge = [&](auto& list, std::size_t used, std::size_t room) {
+      if (list.size() >= used + room) return;
+      const double whole = static_cast<double>(total_) / static_cast<double>(std::max<std::size_t>(done_, 1));
+      list.resize(used + used / 8 + room + static_cast<std::size_t>(static_cast<double>(used) * (whole - 1)));
+    };
+    enlarge(part_.triangles, part_.count, TriangleBlock::capacity);
+    enlarge(part_.fragments, part_.fragment_count, most_fragments);
+    enlarge(order_, order_count_, most_fragments);
+  }
+
+  /// The next fragments that the kernel made belong to one triangle. Neighbours mostly lie in one tile.
+  void note_fragments(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      FastFragment& fragment = part_.fragments[part_.fragment_count++];
-      fragment.surface = surface;
-      fragment.object = object;
-      fragment.triangle = triangle;
-      const auto tile = (fragment.place >> (16 + fast_tile_bits)) * static_cast<std::uint32_t>(tile_columns_) +
-                        ((fragment.place & 0xffff) >> fast_tile_bits);
-      ++part_.tile_start[tile + 1];
-      order_.push_back(tile);
+      const std::uint32_t place = part_.fragments[part_.fragment_count++].place;
+      const auto tile = (place >> (16 + fast_tile_bits)) * static_cast<std::uint32_t>(tile_columns_) +
+                        ((place & 0xffff) >> fast_tile_bits);
+      order_[order_count_++] = tile;
+      if (tile != last_tile_) {
+        part_.tile_start[last_tile_ + 1] += in_last_tile_;
+        last_tile_ = tile;
+        in_last_tile_ = 0;
+      }
+      ++in_last_tile_;
     }
+  }
+
+  void note_triangle(const FastTriangle& triangle, std::uint32_t kind) {
+    order_[order_count_++] = kind;
+    for_tiles(triangle, [&](std::size_t tile) { ++part_.tile_start[tile + 1]; });
   }
 
   /// A triangle that something cuts, or a large one: in as many pieces as it gives.
@@ -112,17 +134,10 @@ class PartAssembler {
       general.surface = piece.surface;
       general.object = static_cast<std::uint32_t>(object);
       general.triangle = static_cast<std::uint32_t>(i);
-      add(general);
+      cut_.push_back(general);
+      if (order_count_ == order_.size()) order_.resize(2 * order_count_);
+      note_triangle(general, cut_triangle);
     }
-  }
-
-  FastTriangle& add(const FastTriangle& triangle) {
-    if (part_.count == part_.triangles.size()) part_.triangles.resize(part_.count + part_.count / 2 + 16);
-    FastTriangle& place = part_.triangles[part_.count++];
-    place = triangle;
-    order_.push_back(whole_triangle);
-    for_tiles(triangle, [&](std::size_t tile) { ++part_.tile_start[tile + 1]; });
-    return place;
   }
 
   template <class Visit>
@@ -135,16 +150,21 @@ class PartAssembler {
   }
 
   void sort_into_tiles() {
+    part_.tile_start[last_tile_ + 1] += in_last_tile_;
     for (std::size_t t = 0; t < tiles_; ++t) part_.tile_start[t + 1] += part_.tile_start[t];
     part_.entries.resize(part_.tile_start[tiles_]);
     std::vector<std::uint32_t> next(part_.tile_start.begin(), part_.tile_start.end() - 1);
-    std::uint32_t triangle = 0, fragment = 0;
-    for (const std::uint32_t tile : order_) {
-      if (tile != whole_triangle) {
-        part_.entries[next[tile]++] = FastPart::fragment | fragment++;
+    std::uint32_t triangle = 0, fragment = 0, cut = static_cast<std::uint32_t>(part_.count);
+    if (part_.triangles.size() < part_.count + cut_.size()) part_.triangles.resize(part_.count + cut_.size());
+    std::copy(cut_.begin(), cut_.end(), part_.triangles.begin() + static_cast<std::ptrdiff_t>(part_.count));
+    part_.count += cut_.size();
+    for (std::size_t i = 0; i < order_count_; ++i) {
+      const std::uint32_t kind = order_[i];
+      if (kind < cut_triangle) {
+        part_.entries[next[kind]++] = FastPart::fragment | fragment++;
       } else {
-        for_tiles(part_.triangles[triangle], [&](std::size_t t) { part_.entries[next[t]++] = triangle; });
-        ++triangle;
+        const std::uint32_t number = kind == whole_triangle ? triangle++ : cut++;
+        for_tiles(part_.triangles[number], [&](std::size_t t) { part_.entries[next[t]++] = number; });
       }
     }
   }
@@ -172,9 +192,13 @@ class PartAssembler {
   int tile_columns_;
   std::size_t tiles_;
   static constexpr std::size_t most_fragments = TriangleBlock::capacity * tiny_samples;
-  static constexpr std::uint32_t whole_triangle = 0xffffffff;
-  /// What has been added, in order: the tile of a fragment, or whole_triangle.
+  static constexpr std::uint32_t whole_triangle = 0xffffffff, cut_triangle = whole_triangle - 1;
+  /// What has been added, in order: the tile of a fragment, or which list the triangle is the next of.
   BlockVector<std::uint32_t> order_;
+  std::size_t order_count_ = 0;
+  std::vector<FastTriangle> cut_;  ///< those assembled one by one; behind the others in the end
+  std::size_t total_ = 0, done_ = 0;
+  std::uint32_t last_tile_ = 0, in_last_tile_ = 0;
   AssembledBlock block_;
 };
 

@@ -54,10 +54,16 @@ struct LargeTriangle {
 /// A few triangles that follow each other in their object's mesh, and its vertices.
 struct TriangleBlock {
   static constexpr int capacity = 64;
-  const MeshTriangle* triangles = nullptr;
+  const std::array<std::uint32_t, 3>* corners = nullptr;  ///< indices of vertices
+  const MeshTriangle* triangles = nullptr;                ///< the same, where their materials differ
   int count = 0;
   const Vec4f* points = nullptr;
   const VertexPlace* places = nullptr;
+  std::uint32_t object = 0;         ///< index into Pass::objects
+  std::uint32_t first_surface = 0;  ///< of the object, index into Pass::surfaces
+  std::uint32_t first = 0;          ///< number of the first triangle in the mesh
+
+  std::uint32_t surface(std::size_t i) const { return first_surface + (triangles ? triangles[i].material : 0); }
 };
 
 /// What is the same for all triangles of an object. Lengths are in units of 2^-unit_bits pixels: those of FixedPoint,
@@ -81,15 +87,16 @@ inline constexpr int fast_subpixel_bits = 8;  ///< at most
 inline constexpr int tiny_side = 4;
 inline constexpr std::size_t tiny_samples = std::size_t{tiny_side} * tiny_side;
 
-/// What became of a block's triangles; bit i is triangle i.
+/// What became of a block's triangles; bit i is triangle i. Those that are drawn are appended to `triangles` and, as
+/// fragments, to `fragments`, triangle after triangle.
 struct AssembledBlock {
-  std::uint64_t kept = 0;  ///< drawn: `triangles` holds them
-  std::uint64_t tiny = 0;  ///< drawn as fragments, which `fragments` holds, triangle after triangle
+  std::uint64_t kept = 0;  ///< drawn: in `triangles`
+  std::uint64_t tiny = 0;  ///< drawn: in `fragments`
   std::uint64_t left = 0;  ///< to be assembled one by one: cut by something, or large
   /// Numbers of; without what is left.
   std::uint64_t degenerate = 0, back_facing = 0, clipped_away = 0, drawn = 0, coverage_tests = 0;
-  alignas(64) std::array<FastTriangle, TriangleBlock::capacity> triangles;
   std::array<std::uint8_t, TriangleBlock::capacity> fragment_count;  ///< of each tiny triangle
+  FastTriangle* triangles = nullptr;                                 ///< room for every triangle
   FastFragment* fragments = nullptr;                                 ///< room for tiny_samples of every triangle
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 
 #include "options/simd_choice.h"
 #include "raster/fast/assembly.h"
@@ -41,13 +42,19 @@ HWY_INLINE VI zero() { return hn::Zero(DI()); }
 /// Those bits of VertexPlace::outside that stand for planes.
 HWY_INLINE VI planes() { return number(static_cast<std::int32_t>(VertexPlace::no_place - 1)); }
 
-/// The vertices that are corner `k` of the triangles from number `first` on; lanes beyond the last get the last.
+/// The vertices of the triangles from number `first` on, one array for each corner; lanes beyond the last get the last.
 using Vertices = std::array<std::uint32_t, most_lanes>;
-HWY_INLINE Vertices vertices_of(const TriangleBlock& block, std::size_t k, std::size_t first) {
-  const auto last = static_cast<std::size_t>(block.count) - 1;
-  Vertices vertices;
-  for (std::size_t lane = 0; lane < hn::Lanes(DI()); ++lane)
-    vertices[lane] = block.triangles[std::min(first + lane, last)].position[k];
+HWY_INLINE std::array<Vertices, 3> vertices_of(const TriangleBlock& block, std::size_t first) {
+  const auto all = static_cast<std::size_t>(block.count);
+  std::array<Vertices, 3> vertices;
+  const auto take = [&](std::size_t lane, std::size_t from) HWY_ATTR {
+    for (std::size_t k = 0; k < 3; ++k) vertices[k][lane] = block.corners[from][k];
+  };
+  if (first + most_lanes <= all) {
+    for (std::size_t lane = 0; lane < most_lanes; ++lane) take(lane, first + lane);
+  } else {
+    for (std::size_t lane = 0; lane < most_lanes; ++lane) take(lane, std::min(first + lane, all - 1));
+  }
   return vertices;
 }
 
@@ -169,7 +176,8 @@ HWY_INLINE void cover_tiny(const std::array<Edge, 3>& edges, const std::array<Co
 }
 
 /// Appends the samples as fragments, triangle after triangle.
-HWY_INLINE void emit_tiny(const TinySamples& samples, VI x0, VI y0, std::size_t first, AssembledBlock& result) {
+HWY_INLINE void emit_tiny(const TriangleBlock& block, const TinySamples& samples, VI x0, VI y0, std::size_t first,
+                          AssembledBlock& result) {
   const DI di;
   HWY_ALIGN std::int32_t corner[most_lanes];
   hn::Store(hn::Or(x0, hn::ShiftLeft<16>(y0)), di, corner);
@@ -180,11 +188,15 @@ HWY_INLINE void emit_tiny(const TinySamples& samples, VI x0, VI y0, std::size_t 
   for (std::uint64_t lanes = tiny; lanes != 0; lanes &= lanes - 1) {
     const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes);
     const FastFragment* const begin = to;
+    const std::uint32_t surface = block.surface(first + i), triangle = block.first + static_cast<std::uint32_t>(first + i);
     for (std::uint64_t rest = static_cast<std::uint32_t>(samples.covered[i]); rest != 0; rest &= rest - 1) {
       const std::size_t k = hwy::Num0BitsBelowLS1Bit_Nonzero64(rest);
       to->place = static_cast<std::uint32_t>(corner[i]) + static_cast<std::uint32_t>((k & 3) | (k >> 2) << 16);
       to->inverse_z = samples.inverse_z[k][i];
       for (std::size_t e = 0; e < 3; ++e) to->weights[e] = samples.weights[k][e][i];
+      to->surface = surface;
+      to->object = block.object;
+      to->triangle = triangle;
       ++to;
     }
     result.fragment_count[first + i] = static_cast<std::uint8_t>(to - begin);
@@ -193,6 +205,15 @@ HWY_INLINE void emit_tiny(const TinySamples& samples, VI x0, VI y0, std::size_t 
 }
 static_assert(tiny_side == 4);
 
+/// The surfaces of the triangles from number `first` on.
+HWY_INLINE VI surfaces_of(const TriangleBlock& block, std::size_t first) {
+  HWY_ALIGN std::int32_t surfaces[most_lanes];
+  const auto last = static_cast<std::size_t>(block.count) - 1;
+  for (std::size_t i = 0; i < most_lanes; ++i)
+    surfaces[i] = static_cast<std::int32_t>(block.surface(std::min(first + i, last)));
+  return hn::Load(DI(), surfaces);
+}
+
 HWY_INLINE VI lowest(const VI& a, const VI& b, const VI& c) { return hn::Min(hn::Min(a, b), c); }
 HWY_INLINE VI highest(const VI& a, const VI& b, const VI& c) { return hn::Max(hn::Max(a, b), c); }
 
@@ -200,8 +221,7 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
                                 AssembledBlock& result) {
   const D d;
   const DI di;
-  const std::array<Vertices, 3> vertices{vertices_of(block, 0, first), vertices_of(block, 1, first),
-                                         vertices_of(block, 2, first)};
+  const std::array<Vertices, 3> vertices = vertices_of(block, first);
   std::array<Corner, 3> c{load_points(block, vertices[0]), load_points(block, vertices[1]),
                           load_points(block, vertices[2])};
   const Facing face = facing(c, rules.handedness);
@@ -269,7 +289,7 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
   if (!hn::AllFalse(di, tiny)) {
     TinySamples samples;
     cover_tiny(edges, c, inverse_area, width, height, tiny, samples);
-    emit_tiny(samples, x0, y0, first, result);
+    emit_tiny(block, samples, x0, y0, first, result);
   }
   if (hn::AllFalse(di, rest)) return;
   result.kept |= bits_of(rest) << first;
@@ -280,15 +300,20 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
   const auto bits = [&](V v) HWY_ATTR { return hn::BitCast(di, v); };
   hn::StoreInterleaved4(edges[0].value, edges[1].value, size, bits(inverse_area), di, numbers[0].data());
   hn::StoreInterleaved4(edges[0].step_x, edges[1].step_x, edges[0].step_y, edges[1].step_y, di, numbers[1].data());
-  hn::StoreInterleaved4(bits(c[0].inverse_z), bits(c[1].inverse_z), bits(c[2].inverse_z), zero(), di,
+  VI surfaces = number(static_cast<std::int32_t>(block.first_surface));
+  if (block.triangles) surfaces = surfaces_of(block, first);
+  hn::StoreInterleaved4(bits(c[0].inverse_z), bits(c[1].inverse_z), bits(c[2].inverse_z), surfaces, di,
                         numbers[2].data());
-  hn::StoreInterleaved4(hn::Or(x0, hn::ShiftLeft<16>(y0)), shape, zero(), zero(), di, numbers[3].data());
+  hn::StoreInterleaved4(hn::Or(x0, hn::ShiftLeft<16>(y0)), shape, number(static_cast<std::int32_t>(block.object)),
+                        hn::Iota(di, static_cast<std::int32_t>(block.first + first)), di, numbers[3].data());
   const hn::FixedTag<std::int32_t, 4> quarter;
-  for (std::size_t i = 0; i < hn::Lanes(di); ++i) {
-    auto* to = reinterpret_cast<std::int32_t*>(&result.triangles[first + i]);
+  for (std::uint64_t lanes = bits_of(rest); lanes != 0; lanes &= lanes - 1) {
+    const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes);
+    auto* to = reinterpret_cast<std::int32_t*>(result.triangles++);
     for (std::size_t k = 0; k < 4; ++k) hn::Store(hn::Load(quarter, numbers[k].data() + 4 * i), quarter, to + 4 * k);
   }
 }
+static_assert(offsetof(FastTriangle, surface) == 44 && offsetof(FastTriangle, object) == 56);
 
 }  // namespace
 

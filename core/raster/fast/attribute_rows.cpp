@@ -1,6 +1,7 @@
 #include "raster/fast/attribute_rows.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "hwy/cache_control.h"
 #include "raster/corner_attributes.h"
@@ -139,15 +140,22 @@ void AttributeRows::start(const TileFragments& tile) {
 void AttributeRows::fetch(const TileTriangle& triangle) const {
   if (triangle.triangle && triangle.triangle->is_general()) return;
   const Origin origin = origin_of(triangle);
-  hwy::Prefetch(&pass_.objects[origin.object].mesh->triangles[origin.triangle]);
+  hwy::Prefetch(&pass_.objects[origin.object].corners->positions[origin.triangle]);
+  if (vertices_[origin.object].lit.empty())
+    hwy::Prefetch(&pass_.objects[origin.object].mesh->triangles[origin.triangle]);
 }
 
 /// The same of its vertices; fetch() has been called some time ago.
 void AttributeRows::fetch_vertices(const TileTriangle& triangle) const {
   if (triangle.triangle && triangle.triangle->is_general()) return;
   const Origin origin = origin_of(triangle);
-  const MeshTriangle& mesh_triangle = pass_.objects[origin.object].mesh->triangles[origin.triangle];
   const VertexBuffer<float>& vertices = vertices_[origin.object];
+  if (!vertices.lit.empty()) {
+    for (const std::uint32_t v : pass_.objects[origin.object].corners->positions[origin.triangle])
+      hwy::Prefetch(&vertices.lit[std::size_t{2} * v]);
+    return;
+  }
+  const MeshTriangle& mesh_triangle = pass_.objects[origin.object].mesh->triangles[origin.triangle];
   for (std::size_t k = 0; k < 3; ++k) {
     hwy::Prefetch(vertices.world.empty() ? &vertices.camera[mesh_triangle.position[k]]
                                          : &vertices.world[mesh_triangle.position[k]]);
@@ -167,9 +175,18 @@ std::uint32_t AttributeRows::make_row(std::uint32_t id) {
   if (triangle.triangle && triangle.triangle->is_general())
     fill_piece(triangle, how, row);
   else
-    fill_corners(triangle, how, row);
+    fill_from_vertices(triangle, how, row);
   if (how.shading.steps_at >= 0) fill_steps(triangle, how, row);
   return begin_[id] = begin;
+}
+
+void AttributeRows::fill_from_vertices(const TileTriangle& triangle, const FastSurface& how, float* row) const {
+  static_assert(2 * sizeof(Vec4f) == 2 * four * sizeof(float));
+  if (how.shading.normal == 0 && how.shading.position == four && !vertices_[origin_of(triangle).object].lit.empty())
+    fill_lit(triangle, how, row);
+  else if (how.shading.normal >= 0 || how.shading.position >= 0 || how.shading.face_normal_at >= 0)
+    fill_corners(triangle, how, row);
+  if (how.textured) fill_uvs(triangle, how, row);
 }
 
 /// What uv_derivatives() computes for the triangle as a whole.
@@ -229,6 +246,16 @@ void AttributeRows::fill_piece(const TileTriangle& triangle, const FastSurface& 
   }
 }
 
+/// The vertex stage has made the numbers of a corner as they stand in the row.
+void AttributeRows::fill_lit(const TileTriangle& triangle, const FastSurface& how, float* row) const {
+  const Origin origin = origin_of(triangle);
+  const Vec4f* const lit = vertices_[origin.object].lit.data();
+  for (const std::uint32_t v : pass_.objects[origin.object].corners->positions[origin.triangle]) {
+    std::memcpy(row, lit + std::size_t{2} * v, 2 * sizeof(Vec4f));
+    row += how.corner_size;
+  }
+}
+
 void AttributeRows::fill_corners(const TileTriangle& triangle, const FastSurface& how, float* row) const {
   const Origin origin = origin_of(triangle);
   const BatchShading& shading = how.shading;
@@ -242,25 +269,27 @@ void AttributeRows::fill_corners(const TileTriangle& triangle, const FastSurface
     float* const to = row + shading.face_normal_at;
     for (int axis = 0; axis < 3; ++axis) to[axis] = source.face_normal[axis];
   }
-  const auto put = [](float* to, const Vec4f& value, float share) {
-    for (int i = 0; i < four; ++i) to[i] = value[i] * share;
-  };
-  const bool own_normals = pass_.settings.normals == Normals::vertex && !vertices.normals.empty();
   for (std::size_t k = 0; k < 3; ++k, row += how.corner_size) {
-    const std::uint32_t v = mesh_triangle.position[k];
-    const float share = vertices.world.empty() ? vertices.camera[v].w : vertices.world[v].w;  // both hold it
-    const auto n = mesh_triangle.normal[k];
-    if (shading.normal >= 0) {
-      const bool own = own_normals && n >= 0;
-      put(row + shading.normal, own ? vertices.normals[static_cast<std::size_t>(n)] : Vec4f(source.face_normal, 0),
-          share);
-    }
-    if (shading.position >= 0) put(row + shading.position, vertices.world[v], share);
-    if (!how.textured) continue;
+    const float share = vertices.camera[mesh_triangle.position[k]].w;
+    const auto put = [&](int slot, const Vec3f& value) {
+      if (slot < 0) return;
+      for (int axis = 0; axis < 3; ++axis) row[slot + axis] = value[axis] * share;
+    };
+    if (shading.normal >= 0) put(shading.normal, source.normal(k, pass_.settings.normals));
+    if (shading.position >= 0) put(shading.position, source.position(k));
+  }
+}
+
+void AttributeRows::fill_uvs(const TileTriangle& triangle, const FastSurface& how, float* row) const {
+  const Origin origin = origin_of(triangle);
+  const Mesh& mesh = *pass_.objects[origin.object].mesh;
+  const MeshTriangle& mesh_triangle = mesh.triangles[origin.triangle];
+  for (std::size_t k = 0; k < 3; ++k, row += how.corner_size) {
+    const float share = vertices_[origin.object].camera[mesh_triangle.position[k]].w;
     const auto index = mesh_triangle.uv[k];
-    const Vec2d uv = index >= 0 ? object.mesh->uvs[static_cast<std::size_t>(index)] : Vec2d(0);
-    row[shading.texture.uv] = static_cast<float>(uv.x) * share;
-    row[shading.texture.uv + 1] = static_cast<float>(uv.y) * share;
+    const Vec2d uv = index >= 0 ? mesh.uvs[static_cast<std::size_t>(index)] : Vec2d(0);
+    row[how.shading.texture.uv] = static_cast<float>(uv.x) * share;
+    row[how.shading.texture.uv + 1] = static_cast<float>(uv.y) * share;
   }
 }
 

@@ -44,7 +44,10 @@ class AttributeRows {
   void fetch(const TileTriangle& triangle) const;
   void fetch_vertices(const TileTriangle& triangle) const;
   void fill_piece(const TileTriangle& triangle, const FastSurface& how, float* row) const;
+  void fill_from_vertices(const TileTriangle& triangle, const FastSurface& how, float* row) const;
+  void fill_lit(const TileTriangle& triangle, const FastSurface& how, float* row) const;
   void fill_corners(const TileTriangle& triangle, const FastSurface& how, float* row) const;
+  void fill_uvs(const TileTriangle& triangle, const FastSurface& how, float* row) const;
   void fill_steps(const TileTriangle& triangle, const FastSurface& how, float* row) const;
 
   const Pass<float>& pass_;

@@ -45,6 +45,36 @@ HWY_INLINE V3 load(const Vec3d* from) {
   return v;
 }
 
+struct Floats {
+  VF x, y, z;
+};
+
+/// matrix * normal, length 1 (unless it has none).
+HWY_INLINE Floats unit_normals(const Mat3d& matrix, const Vec3d* normals) {
+  const V3 n = multiply(matrix, load(normals));
+  const V length = hn::Sqrt(hn::Add(hn::Add(hn::Mul(n.x, n.x), hn::Mul(n.y, n.y)), hn::Mul(n.z, n.z)));
+  const auto some = hn::Gt(length, hn::Zero(D()));
+  const auto unit = [&](V v) HWY_ATTR { return hn::DemoteTo(DF(), hn::IfThenElse(some, hn::Div(v, length), v)); };
+  return {unit(n.x), unit(n.y), unit(n.z)};
+}
+
+constexpr std::size_t most_lanes = 8;
+
+/// Normals and positions of a vector's vertices in turn.
+HWY_INLINE void store_lit(const Floats& normal, const Floats& world, VF inverse_z, Vec4f* lit) {
+  const DF df;
+  const hn::FixedTag<float, 4> four;
+  HWY_ALIGN std::array<float, 4 * most_lanes> normals, positions;
+  hn::StoreInterleaved4(hn::Mul(normal.x, inverse_z), hn::Mul(normal.y, inverse_z), hn::Mul(normal.z, inverse_z),
+                        hn::Zero(df), df, normals.data());
+  hn::StoreInterleaved4(hn::Mul(world.x, inverse_z), hn::Mul(world.y, inverse_z), hn::Mul(world.z, inverse_z),
+                        inverse_z, df, positions.data());
+  for (std::size_t i = 0; i < hn::Lanes(df); ++i) {
+    hn::StoreU(hn::Load(four, normals.data() + 4 * i), four, &lit[2 * i].x);
+    hn::StoreU(hn::Load(four, positions.data() + 4 * i), four, &lit[2 * i + 1].x);
+  }
+}
+
 /// Calls body(first) for whole vectors; the last one may overlap with the one before. Fewer elements than a vector are
 /// copied to a place with room, and back.
 template <class Body>
@@ -54,11 +84,11 @@ HWY_INLINE void for_vectors(std::size_t count, Body&& body) {
   if (count % lanes != 0) body(count - lanes);
 }
 
-HWY_INLINE void transform_vector(const VertexTransform& t, const Vec3d* positions, Vec4f* points, VertexPlace* places,
-                                 Vec4f* world) {
+HWY_INLINE void transform_vector(const VertexTransform& t, const VertexInput& input, const VertexOutput& output,
+                                 std::size_t first) {
   const DF df;
   const DI di;
-  V3 p = multiply(t.linear, load(positions));
+  V3 p = multiply(t.linear, load(input.positions + first));
   p = {hn::Add(p.x, splat(t.translation.x)), hn::Add(p.y, splat(t.translation.y)),
        hn::Add(p.z, splat(t.translation.z))};
   const V3 in_world = p;
@@ -66,10 +96,11 @@ HWY_INLINE void transform_vector(const VertexTransform& t, const Vec3d* position
                {hn::Sub(p.x, splat(t.eye.x)), hn::Sub(p.y, splat(t.eye.y)), hn::Sub(p.z, splat(t.eye.z))});
   const VF x = hn::DemoteTo(df, p.x), y = hn::DemoteTo(df, p.y), z = hn::DemoteTo(df, p.z);
   const VF inverse_z = hn::Div(hn::Set(df, 1.0f), z);
-  hn::StoreInterleaved4(x, y, z, inverse_z, df, &points->x);
-  if (world)
-    hn::StoreInterleaved4(hn::DemoteTo(df, in_world.x), hn::DemoteTo(df, in_world.y), hn::DemoteTo(df, in_world.z),
-                          inverse_z, df, &world->x);
+  hn::StoreInterleaved4(x, y, z, inverse_z, df, &output.points[first].x);
+  const Floats world{hn::DemoteTo(df, in_world.x), hn::DemoteTo(df, in_world.y), hn::DemoteTo(df, in_world.z)};
+  if (output.world) hn::StoreInterleaved4(world.x, world.y, world.z, inverse_z, df, &output.world[first].x);
+  if (output.lit)
+    store_lit(unit_normals(t.normal_matrix, input.normals + first), world, inverse_z, output.lit + 2 * first);
 
   const VF column =
       hn::Add(hn::Set(df, t.projection.centre.x), hn::Div(hn::Mul(x, hn::Set(df, t.projection.scale.x)), z));
@@ -93,40 +124,35 @@ HWY_INLINE void transform_vector(const VertexTransform& t, const Vec3d* position
     const VF inside = hn::IfThenElseZero(placed, position);
     return hn::ShiftLeft<1>(hn::NearestInt(hn::Mul(inside, hn::Set(df, t.subpixels))));
   };
-  hn::StoreInterleaved4(fixed(column), fixed(row), outside, hn::Zero(di), di, &places->column);
+  hn::StoreInterleaved4(fixed(column), fixed(row), outside, hn::Zero(di), di, &output.places[first].column);
 }
 
 HWY_INLINE void transform_normal_vector(const Mat3d& matrix, const Vec3d* normals, Vec4f* result) {
-  const DF df;
-  const V3 n = multiply(matrix, load(normals));
-  const V length = hn::Sqrt(hn::Add(hn::Add(hn::Mul(n.x, n.x), hn::Mul(n.y, n.y)), hn::Mul(n.z, n.z)));
-  const auto some = hn::Gt(length, hn::Zero(D()));
-  const auto unit = [&](V v) HWY_ATTR { return hn::DemoteTo(df, hn::IfThenElse(some, hn::Div(v, length), v)); };
-  hn::StoreInterleaved4(unit(n.x), unit(n.y), unit(n.z), hn::Zero(df), df, &result->x);
+  const Floats unit = unit_normals(matrix, normals);
+  hn::StoreInterleaved4(unit.x, unit.y, unit.z, hn::Zero(DF()), DF(), &result->x);
 }
-
-constexpr std::size_t most_lanes = 8;
 
 }  // namespace
 
 static_assert(sizeof(Vec3d) == 3 * sizeof(double) && sizeof(Vec4f) == 16 && sizeof(VertexPlace) == 16);
 
-void transform_positions(const VertexTransform& transform, const Vec3d* positions, std::size_t count, Vec4f* points,
-                         VertexPlace* places, Vec4f* world) {
-  if (count >= hn::Lanes(D())) {
-    for_vectors(count, [&](std::size_t i) HWY_ATTR {
-      transform_vector(transform, positions + i, points + i, places + i, world ? world + i : nullptr);
-    });
+void transform_positions(const VertexTransform& transform, const VertexInput& input, const VertexOutput& output) {
+  if (input.count >= hn::Lanes(D())) {
+    for_vectors(input.count, [&](std::size_t i) HWY_ATTR { transform_vector(transform, input, output, i); });
     return;
   }
-  std::array<Vec3d, most_lanes> from{};
-  std::array<Vec4f, most_lanes> to_points, to_world;
-  std::array<VertexPlace, most_lanes> to_places;
-  std::copy_n(positions, count, from.begin());
-  transform_vector(transform, from.data(), to_points.data(), to_places.data(), to_world.data());
-  std::copy_n(to_points.begin(), count, points);
-  std::copy_n(to_places.begin(), count, places);
-  if (world) std::copy_n(to_world.begin(), count, world);
+  std::array<Vec3d, most_lanes> positions{}, normals{};
+  std::array<Vec4f, most_lanes> points, world;
+  std::array<Vec4f, 2 * most_lanes> lit;
+  std::array<VertexPlace, most_lanes> places;
+  std::copy_n(input.positions, input.count, positions.begin());
+  if (input.normals) std::copy_n(input.normals, input.count, normals.begin());
+  transform_vector(transform, {positions.data(), normals.data(), most_lanes},
+                   {points.data(), places.data(), world.data(), output.lit ? lit.data() : nullptr}, 0);
+  std::copy_n(points.begin(), input.count, output.points);
+  std::copy_n(places.begin(), input.count, output.places);
+  if (output.world) std::copy_n(world.begin(), input.count, output.world);
+  if (output.lit) std::copy_n(lit.begin(), 2 * input.count, output.lit);
 }
 
 void transform_normals(const Mat3d& matrix, const Vec3d* normals, std::size_t count, Vec4f* result) {

@@ -16,6 +16,7 @@ VertexTransform transform_of(const Pass<float>& pass, const DrawObject& object) 
   transform.planes = pass.planes.data();
   transform.plane_count = pass.planes.size();
   transform.subpixels = static_cast<float>(1 << pass.grid.subpixel_bits);
+  transform.normal_matrix = object.normal_matrix;
   return transform;
 }
 
@@ -31,8 +32,13 @@ std::vector<VertexBuffer<float>> run_fast_vertices(const Pass<float>& pass, cons
     const VertexNeeds needs = vertex_needs(pass, i);
     objects[i].camera.resize(mesh.positions.size());
     objects[i].places.resize(mesh.positions.size());
-    if (needs.world) objects[i].world.resize(mesh.positions.size());
     add_vertex_jobs(jobs, i, mesh.positions.size(), false);
+    if (needs.world && needs.normals && pass.objects[i].corners->paired_normals) {
+      objects[i].lit.resize(2 * mesh.positions.size());
+      objects[i].world_of = objects[i].normals_of = &pass.objects[i];
+      continue;
+    }
+    if (needs.world) objects[i].world.resize(mesh.positions.size());
     if (needs.normals) {
       objects[i].normals.resize(mesh.normals.size());
       add_vertex_jobs(jobs, i, mesh.normals.size(), true);
@@ -44,11 +50,16 @@ std::vector<VertexBuffer<float>> run_fast_vertices(const Pass<float>& pass, cons
     const DrawObject& object = pass.objects[job.object];
     VertexBuffer<float>& made = objects[job.object];
     const std::size_t count = job.last - job.first;
-    if (job.normals)
+    if (job.normals) {
       kernels.normals(object.normal_matrix, &object.mesh->normals[job.first], count, &made.normals[job.first]);
-    else
-      kernels.positions(transform_of(pass, object), &object.mesh->positions[job.first], count, &made.camera[job.first],
-                        &made.places[job.first], made.world.empty() ? nullptr : &made.world[job.first]);
+      return;
+    }
+    kernels.positions(transform_of(pass, object),
+                      {&object.mesh->positions[job.first],
+                       made.lit.empty() ? nullptr : &object.mesh->normals[job.first], count},
+                      {&made.camera[job.first], &made.places[job.first],
+                       made.world.empty() ? nullptr : &made.world[job.first],
+                       made.lit.empty() ? nullptr : &made.lit[2 * job.first]});
   });
   return objects;
 }

@@ -13,11 +13,26 @@ struct VertexTransform {
   const ClipPlane<float>* planes = nullptr;
   std::size_t plane_count = 0;
   float subpixels = 256;  ///< in a pixel
+  Mat3d normal_matrix{1.0};
 };
 
-/// The results go to the same index; `world` may be nullptr.
-using TransformPositions = void (*)(const VertexTransform& transform, const Vec3d* positions, std::size_t count,
-                                    Vec4f* points, VertexPlace* places, Vec4f* world);
+/// Vertices of one object, one after the other.
+struct VertexInput {
+  const Vec3d* positions = nullptr;
+  const Vec3d* normals = nullptr;  ///< only for VertexOutput::lit
+  std::size_t count = 0;
+};
+
+/// The same members of VertexBuffer; the last two may be nullptr.
+struct VertexOutput {
+  Vec4f* points = nullptr;
+  VertexPlace* places = nullptr;
+  Vec4f* world = nullptr;
+  Vec4f* lit = nullptr;
+};
+
+using TransformPositions = void (*)(const VertexTransform& transform, const VertexInput& input,
+                                    const VertexOutput& output);
 using TransformNormals = void (*)(const Mat3d& matrix, const Vec3d* normals, std::size_t count, Vec4f* result);
 
 /// Repeat raster/vertex_stage.cpp and CanvasProjection::from_top_left to the last bit, several vertices at once.
