@@ -14,15 +14,15 @@ namespace ps::raster {
 
 /// An object of the scene as triangles: an instance of a model, or a sphere or solid made of triangles for this view.
 struct DrawObject {
-  int object = 0;                    ///< index into Geometry::objects
-  std::shared_ptr<const Mesh> mesh;  ///< in model space; tessellated spheres and solids are in world space
+  int object = 0;                              ///< index into Geometry::objects
+  std::shared_ptr<const Mesh> mesh;            ///< in model space; tessellated spheres and solids are in world space
   std::shared_ptr<const MeshCorners> corners;  ///< of `mesh`
-  bool sphere = false;               ///< tessellated here: its triangles have no numbers of their own
-  bool front_only = false;           ///< backs are not drawn, whatever backface-culling says
-  Mat3d linear{1.0};                 ///< model to world, for positions: rotation * scale
-  Mat3d normal_matrix{1.0};          ///< model to world, for normals, as `normal-transform` asks
-  Vec3d translation{0, 0, 0};        ///< world units
-  BoundingSphere bounds;             ///< world space
+  bool sphere = false;                         ///< tessellated here: its triangles have no numbers of their own
+  bool front_only = false;                     ///< backs are not drawn, whatever backface-culling says
+  Mat3d linear{1.0};                           ///< model to world, for positions: rotation * scale
+  Mat3d normal_matrix{1.0};                    ///< model to world, for normals, as `normal-transform` asks
+  Vec3d translation{0, 0, 0};                  ///< world units
+  BoundingSphere bounds;                       ///< world space
   /// For each material slot of the mesh the index into Scene::materials; one slot for spheres and overrides.
   std::vector<std::uint32_t> materials;
 

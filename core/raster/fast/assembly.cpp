@@ -38,8 +38,6 @@ class PartAssembler {
   void run(std::span<const TriangleRun> runs) {
     for (const TriangleRun& run : runs) total_ += run.last - run.first;
     part_.triangles.resize(total_ / 2 + TriangleBlock::capacity);
-    part_.fragments.resize(2 * total_ + most_fragments);
-    order_.resize(2 * total_ + most_fragments);
     part_.tile_start.assign(tiles_ + 1, 0);
     for (const TriangleRun& run : runs)
       for (std::size_t first = run.first; first < run.last; first += TriangleBlock::capacity)
@@ -53,7 +51,6 @@ class PartAssembler {
     make_room();
     done_ += count;
     block_.triangles = part_.triangles.data() + part_.count;
-    block_.fragments = part_.fragments.data() + part_.fragment_count;
     kernel_(rules(pass_.objects[object]), triangle_block(object, first, count), block_);
     part_.counters[Counter::triangles_in] += count - static_cast<std::size_t>(std::popcount(block_.left));
     part_.counters[Counter::triangles_degenerate] += block_.degenerate;
@@ -61,14 +58,24 @@ class PartAssembler {
     part_.counters[Counter::triangles_clipped_away] += block_.clipped_away;
     part_.counters[Counter::triangles_drawn] += block_.drawn;
     part_.counters[Counter::coverage_tests] += block_.coverage_tests;
-    for (std::uint64_t rest = block_.kept | block_.left | block_.tiny; rest != 0; rest &= rest - 1) {
+    if (block_.left != 0)
+      add_left(object, first);
+    else
+      part_.count += static_cast<std::size_t>(std::popcount(block_.kept));
+  }
+
+  /// The kernel's triangles, and between them those that it has left, in order.
+  void add_left(std::size_t object, std::size_t first) {
+    std::array<FastTriangle, TriangleBlock::capacity> kept;
+    std::copy_n(part_.triangles.begin() + static_cast<std::ptrdiff_t>(part_.count), std::popcount(block_.kept),
+                kept.begin());
+    std::size_t next = 0;
+    for (std::uint64_t rest = block_.kept | block_.left; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      if ((block_.tiny >> i & 1) != 0)
-        note_fragments(block_.fragment_count[i]);
-      else if ((block_.left >> i & 1) != 0)
+      if ((block_.left >> i & 1) != 0)
         add_general(object, first + i);
       else
-        note_triangle(part_.triangles[part_.count++], whole_triangle);
+        add(kept[next++]);
     }
   }
 
@@ -88,35 +95,15 @@ class PartAssembler {
 
   /// For whatever a block may bring. Where it is short, for as much as all blocks bring if they go on like this.
   void make_room() {
-    const auto enlarge = [&](auto& list, std::size_t used, std::size_t room) {
-      if (list.size() >= used + room) return;
-      const double whole = static_cast<double>(total_) / static_cast<double>(std::max<std::size_t>(done_, 1));
-      list.resize(used + used / 8 + room + static_cast<std::size_t>(static_cast<double>(used) * (whole - 1)));
-    };
-    enlarge(part_.triangles, part_.count, TriangleBlock::capacity);
-    enlarge(part_.fragments, part_.fragment_count, most_fragments);
-    enlarge(order_, order_count_, most_fragments);
+    if (part_.triangles.size() >= part_.count + TriangleBlock::capacity) return;
+    const double share = static_cast<double>(part_.count) / static_cast<double>(std::max<std::size_t>(done_, 1));
+    part_.triangles.resize(part_.count + part_.count / 8 + TriangleBlock::capacity +
+                           static_cast<std::size_t>(share * static_cast<double>(total_ - done_)));
   }
 
-  /// The next fragments that the kernel made belong to one triangle. Neighbours mostly lie in one tile.
-  void note_fragments(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t place = part_.fragments[part_.fragment_count++].place;
-      const auto tile = (place >> (16 + fast_tile_bits)) * static_cast<std::uint32_t>(tile_columns_) +
-                        ((place & 0xffff) >> fast_tile_bits);
-      order_[order_count_++] = tile;
-      if (tile != last_tile_) {
-        part_.tile_start[last_tile_ + 1] += in_last_tile_;
-        last_tile_ = tile;
-        in_last_tile_ = 0;
-      }
-      ++in_last_tile_;
-    }
-  }
-
-  void note_triangle(const FastTriangle& triangle, std::uint32_t kind) {
-    order_[order_count_++] = kind;
-    for_tiles(triangle, [&](std::size_t tile) { ++part_.tile_start[tile + 1]; });
+  void add(const FastTriangle& triangle) {
+    if (part_.count == part_.triangles.size()) part_.triangles.resize(part_.count + part_.count / 2 + 16);
+    part_.triangles[part_.count++] = triangle;
   }
 
   /// A triangle that something cuts, or a large one: in as many pieces as it gives.
@@ -134,9 +121,7 @@ class PartAssembler {
       general.surface = piece.surface;
       general.object = static_cast<std::uint32_t>(object);
       general.triangle = static_cast<std::uint32_t>(i);
-      cut_.push_back(general);
-      if (order_count_ == order_.size()) order_.resize(2 * order_count_);
-      note_triangle(general, cut_triangle);
+      add(general);
     }
   }
 
@@ -150,23 +135,14 @@ class PartAssembler {
   }
 
   void sort_into_tiles() {
-    part_.tile_start[last_tile_ + 1] += in_last_tile_;
+    const std::span<const FastTriangle> triangles(part_.triangles.data(), part_.count);
+    for (const FastTriangle& triangle : triangles)
+      for_tiles(triangle, [&](std::size_t tile) { ++part_.tile_start[tile + 1]; });
     for (std::size_t t = 0; t < tiles_; ++t) part_.tile_start[t + 1] += part_.tile_start[t];
     part_.entries.resize(part_.tile_start[tiles_]);
     std::vector<std::uint32_t> next(part_.tile_start.begin(), part_.tile_start.end() - 1);
-    std::uint32_t triangle = 0, fragment = 0, cut = static_cast<std::uint32_t>(part_.count);
-    if (part_.triangles.size() < part_.count + cut_.size()) part_.triangles.resize(part_.count + cut_.size());
-    std::copy(cut_.begin(), cut_.end(), part_.triangles.begin() + static_cast<std::ptrdiff_t>(part_.count));
-    part_.count += cut_.size();
-    for (std::size_t i = 0; i < order_count_; ++i) {
-      const std::uint32_t kind = order_[i];
-      if (kind < cut_triangle) {
-        part_.entries[next[kind]++] = FastPart::fragment | fragment++;
-      } else {
-        const std::uint32_t number = kind == whole_triangle ? triangle++ : cut++;
-        for_tiles(part_.triangles[number], [&](std::size_t t) { part_.entries[next[t]++] = number; });
-      }
-    }
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+      for_tiles(triangles[i], [&](std::size_t tile) { part_.entries[next[tile]++] = i; });
   }
 
   AssemblyRules rules(const DrawObject& object) const {
@@ -191,14 +167,7 @@ class PartAssembler {
   FastPart& part_;
   int tile_columns_;
   std::size_t tiles_;
-  static constexpr std::size_t most_fragments = TriangleBlock::capacity * tiny_samples;
-  static constexpr std::uint32_t whole_triangle = 0xffffffff, cut_triangle = whole_triangle - 1;
-  /// What has been added, in order: the tile of a fragment, or which list the triangle is the next of.
-  BlockVector<std::uint32_t> order_;
-  std::size_t order_count_ = 0;
-  std::vector<FastTriangle> cut_;  ///< those assembled one by one; behind the others in the end
-  std::size_t total_ = 0, done_ = 0;
-  std::uint32_t last_tile_ = 0, in_last_tile_ = 0;
+  std::size_t total_ = 0, done_ = 0;  ///< triangles in all, and so far
   AssembledBlock block_;
 };
 

@@ -33,17 +33,6 @@ struct FastTriangle {
 };
 static_assert(sizeof(FastTriangle) == 64);
 
-/// A covered sample of a tiny triangle, which is no more than a few of these.
-struct FastFragment {
-  std::uint32_t place = 0;  ///< in the picture: column, and from bit 16 on row
-  float inverse_z = 0;
-  std::array<float, 3> weights{};  ///< on the screen
-  std::uint32_t surface = 0;       ///< index into Pass::surfaces
-  std::uint32_t object = 0;        ///< index into Pass::objects
-  std::uint32_t triangle = 0;      ///< of the object's mesh
-};
-static_assert(sizeof(FastFragment) == 32);
-
 /// The edges of a piece of FastPart::cut.
 struct LargeTriangle {
   TriangleEdges edges;
@@ -83,38 +72,29 @@ struct AssemblyRules {
 };
 inline constexpr int fast_subpixel_bits = 8;  ///< at most
 
-/// Triangles whose box has at most this many samples on each side are tiny.
+/// Of triangles whose box has at most this many samples on each side it is found out whether they cover any.
 inline constexpr int tiny_side = 4;
-inline constexpr std::size_t tiny_samples = std::size_t{tiny_side} * tiny_side;
 
-/// What became of a block's triangles; bit i is triangle i. Those that are drawn are appended to `triangles` and, as
-/// fragments, to `fragments`, triangle after triangle.
+/// What became of a block's triangles; bit i is triangle i.
 struct AssembledBlock {
-  std::uint64_t kept = 0;  ///< drawn: in `triangles`
-  std::uint64_t tiny = 0;  ///< drawn: in `fragments`
+  std::uint64_t kept = 0;  ///< drawn, and may cover something: appended to `triangles`
   std::uint64_t left = 0;  ///< to be assembled one by one: cut by something, or large
   /// Numbers of; without what is left.
   std::uint64_t degenerate = 0, back_facing = 0, clipped_away = 0, drawn = 0, coverage_tests = 0;
-  std::array<std::uint8_t, TriangleBlock::capacity> fragment_count;  ///< of each tiny triangle
-  FastTriangle* triangles = nullptr;                                 ///< room for every triangle
-  FastFragment* fragments = nullptr;                                 ///< room for tiny_samples of every triangle
+  FastTriangle* triangles = nullptr;  ///< room for every triangle
 };
 
 /// Repeats raster/assemble.cpp for many triangles at once.
 using AssembleBlock = void (*)(const AssemblyRules& rules, const TriangleBlock& block, AssembledBlock& result);
 AssembleBlock assemble_kernel(Simd simd);
 
-/// The triangles of some runs, in order, sorted into the tiles that their boxes touch. Tiny ones only as fragments.
+/// The triangles of some runs, in order, sorted into the tiles that their boxes touch.
 struct FastPart {
-  static constexpr std::uint32_t fragment = 1u << 31;  ///< in `entries`: an index into `fragments`
-
   BlockVector<FastTriangle> triangles;
   std::size_t count = 0;
-  BlockVector<FastFragment> fragments;
-  std::size_t fragment_count = 0;
   Batch<float> cut;                       ///< those that were assembled one by one
   std::vector<LargeTriangle> large;       ///< the same
-  BlockVector<std::uint32_t> entries;     ///< indices into `triangles` or `fragments`, tile after tile
+  BlockVector<std::uint32_t> entries;     ///< indices into `triangles`, tile after tile
   std::vector<std::uint32_t> tile_start;  ///< of each tile in `entries`, and the end
   Counters counters;
 

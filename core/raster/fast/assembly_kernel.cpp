@@ -133,77 +133,28 @@ HWY_INLINE std::uint64_t bits_of(M mask) {
   return bits;
 }
 
-/// The covered samples of tiny triangles, one vector for each place in their boxes. Only covered ones have values.
-struct TinySamples {
-  HWY_ALIGN std::int32_t covered[most_lanes];  ///< bit k: sample k of the box, row by row of tiny_side
-  HWY_ALIGN float inverse_z[tiny_samples][most_lanes];
-  HWY_ALIGN float weights[tiny_samples][3][most_lanes];
-};
-
-/// Fills in the samples of the triangles in `wanted`, whose boxes have at most tiny_side x tiny_side of them.
-HWY_INLINE void cover_tiny(const std::array<Edge, 3>& edges, const std::array<Corner, 3>& corners, V inverse_area,
-                           VI width, VI height, M wanted, TinySamples& samples) {
-  const D d;
+/// Which of the triangles in `wanted`, whose boxes have at most tiny_side x tiny_side samples, cover any.
+HWY_INLINE M cover_some(const std::array<Edge, 3>& edges, VI width, VI height, M wanted) {
   const DI di;
-  VI covered = zero();
   const auto most = [&](VI sizes)
                         HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(di, hn::IfThenElseZero(wanted, sizes))); };
   const std::int32_t columns = most(width), rows = most(height);
   std::array<VI, 3> row{edges[0].value, edges[1].value, edges[2].value};
   const std::array<VI, 3> above{hn::Neg(edges[0].owned), hn::Neg(edges[1].owned), hn::Neg(edges[2].owned)};
+  M some = hn::MaskFromVec(zero());
   for (int y = 0; y < rows; ++y) {
-    const M in_row = hn::And(wanted, hn::Gt(height, number(y)));
+    const M in_row = hn::Gt(height, number(y));
     std::array<VI, 3> value = row;
     for (int x = 0; x < columns; ++x) {
       const M inside = hn::And(hn::And(hn::Gt(value[0], above[0]), hn::Gt(value[1], above[1])),
                                hn::And(hn::Gt(value[2], above[2]), hn::And(in_row, hn::Gt(width, number(x)))));
-      if (!hn::AllFalse(di, inside)) {
-        const auto k = static_cast<std::size_t>(y * tiny_side + x);
-        covered = hn::Or(covered, hn::IfThenElseZero(inside, number(std::int32_t{1} << k)));
-        std::array<V, 3> weight;
-        for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Mul(hn::ConvertTo(d, value[i]), inverse_area);
-        const V inverse_z =
-            hn::Add(hn::Add(hn::Mul(weight[0], corners[0].inverse_z), hn::Mul(weight[1], corners[1].inverse_z)),
-                    hn::Mul(weight[2], corners[2].inverse_z));
-        hn::Store(inverse_z, d, samples.inverse_z[k]);
-        for (std::size_t i = 0; i < 3; ++i) hn::Store(weight[i], d, samples.weights[k][i]);
-      }
+      some = hn::Or(some, inside);
       for (std::size_t i = 0; i < 3; ++i) value[i] = hn::Add(value[i], edges[i].step_x);
     }
     for (std::size_t i = 0; i < 3; ++i) row[i] = hn::Add(row[i], edges[i].step_y);
   }
-  hn::Store(covered, di, samples.covered);
+  return hn::And(some, wanted);
 }
-
-/// Appends the samples as fragments, triangle after triangle.
-HWY_INLINE void emit_tiny(const TriangleBlock& block, const TinySamples& samples, VI x0, VI y0, std::size_t first,
-                          AssembledBlock& result) {
-  const DI di;
-  HWY_ALIGN std::int32_t corner[most_lanes];
-  hn::Store(hn::Or(x0, hn::ShiftLeft<16>(y0)), di, corner);
-  FastFragment* to = result.fragments;
-  const auto drawn = hn::Ne(hn::Load(di, samples.covered), zero());
-  const std::uint64_t tiny = bits_of(drawn);
-  result.tiny |= tiny << first;
-  for (std::uint64_t lanes = tiny; lanes != 0; lanes &= lanes - 1) {
-    const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes);
-    const FastFragment* const begin = to;
-    const std::uint32_t surface = block.surface(first + i), triangle = block.first + static_cast<std::uint32_t>(first + i);
-    for (std::uint64_t rest = static_cast<std::uint32_t>(samples.covered[i]); rest != 0; rest &= rest - 1) {
-      const std::size_t k = hwy::Num0BitsBelowLS1Bit_Nonzero64(rest);
-      to->place = static_cast<std::uint32_t>(corner[i]) + static_cast<std::uint32_t>((k & 3) | (k >> 2) << 16);
-      to->inverse_z = samples.inverse_z[k][i];
-      for (std::size_t e = 0; e < 3; ++e) to->weights[e] = samples.weights[k][e][i];
-      to->surface = surface;
-      to->object = block.object;
-      to->triangle = triangle;
-      ++to;
-    }
-    result.fragment_count[first + i] = static_cast<std::uint8_t>(to - begin);
-  }
-  result.fragments = to;
-}
-static_assert(tiny_side == 4);
 
 /// The surfaces of the triangles from number `first` on.
 HWY_INLINE VI surfaces_of(const TriangleBlock& block, std::size_t first) {
@@ -285,12 +236,7 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
   const V inverse_area = hn::Div(hn::Set(d, 1.0f), hn::ConvertTo(d, size));
   const VI beyond = number(tiny_side + 1);
   const M tiny = hn::And(rest, hn::And(hn::Lt(width, beyond), hn::Lt(height, beyond)));
-  rest = hn::AndNot(tiny, rest);
-  if (!hn::AllFalse(di, tiny)) {
-    TinySamples samples;
-    cover_tiny(edges, c, inverse_area, width, height, tiny, samples);
-    emit_tiny(block, samples, x0, y0, first, result);
-  }
+  if (!hn::AllFalse(di, tiny)) rest = hn::Or(hn::AndNot(tiny, rest), cover_some(edges, width, height, tiny));
   if (hn::AllFalse(di, rest)) return;
   result.kept |= bits_of(rest) << first;
 
@@ -319,7 +265,7 @@ static_assert(offsetof(FastTriangle, surface) == 44 && offsetof(FastTriangle, ob
 
 void assemble_block(const AssemblyRules& rules, const TriangleBlock& block, AssembledBlock& result) {
   const DI di;
-  result.kept = result.tiny = result.left = 0;
+  result.kept = result.left = 0;
   result.degenerate = result.back_facing = result.clipped_away = result.drawn = result.coverage_tests = 0;
   const auto all = static_cast<std::size_t>(block.count);
   for (std::size_t first = 0; first < all; first += hn::Lanes(di))

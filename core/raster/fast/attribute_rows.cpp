@@ -69,16 +69,6 @@ std::vector<FastSurface> fast_surfaces(const Pass<float>& pass) {
 
 namespace {
 
-/// Where a triangle that nothing cut comes from.
-struct Origin {
-  std::uint32_t object = 0, triangle = 0, surface = 0;
-  bool operator==(const Origin&) const = default;
-};
-Origin origin_of(const TileTriangle& seen) {
-  if (seen.triangle) return {seen.triangle->object, seen.triangle->triangle, seen.triangle->surface};
-  return {seen.fragment->object, seen.fragment->triangle, seen.fragment->surface};
-}
-
 /// Changes of the weights along x and along y, as uv_derivatives() takes them.
 std::array<std::array<float, 3>, 2> weight_steps(const std::array<std::array<std::int64_t, 3>, 2>& steps,
                                                  float inverse_area) {
@@ -118,28 +108,18 @@ void AttributeRows::start(const TileFragments& tile) {
     for (std::size_t i = first; i < first + run; ++i) begin_[std::min(tile.id[i], count)] = seen;
   }
   constexpr std::uint32_t ahead = 16, vertices_ahead = 8;
-  Origin before{TileFragments::none, 0, 0};
-  std::uint32_t row_before = missing;
   for (std::uint32_t id = 0; id < count; ++id) {
     if (id + ahead < count && begin_[id + ahead] == seen) fetch(tile.triangles[id + ahead]);
     if (id + vertices_ahead < count && begin_[id + vertices_ahead] == seen)
       fetch_vertices(tile.triangles[id + vertices_ahead]);
-    if (begin_[id] != seen) continue;
-    if (tile.triangles[id].triangle) {
-      make_row(id);
-      continue;
-    }
-    const Origin origin = origin_of(tile.triangles[id]);
-    if (origin != before) row_before = make_row(id);
-    begin_[id] = row_before;
-    before = origin;
+    if (begin_[id] == seen) make_row(id);
   }
 }
 
 /// The triangle will soon be read.
 void AttributeRows::fetch(const TileTriangle& triangle) const {
-  if (triangle.triangle && triangle.triangle->is_general()) return;
-  const Origin origin = origin_of(triangle);
+  if (triangle.triangle->is_general()) return;
+  const FastTriangle& origin = *triangle.triangle;
   hwy::Prefetch(&pass_.objects[origin.object].corners->positions[origin.triangle]);
   if (vertices_[origin.object].lit.empty())
     hwy::Prefetch(&pass_.objects[origin.object].mesh->triangles[origin.triangle]);
@@ -147,8 +127,8 @@ void AttributeRows::fetch(const TileTriangle& triangle) const {
 
 /// The same of its vertices; fetch() has been called some time ago.
 void AttributeRows::fetch_vertices(const TileTriangle& triangle) const {
-  if (triangle.triangle && triangle.triangle->is_general()) return;
-  const Origin origin = origin_of(triangle);
+  if (triangle.triangle->is_general()) return;
+  const FastTriangle& origin = *triangle.triangle;
   const VertexBuffer<float>& vertices = vertices_[origin.object];
   if (!vertices.lit.empty()) {
     for (const std::uint32_t v : pass_.objects[origin.object].corners->positions[origin.triangle])
@@ -172,7 +152,7 @@ std::uint32_t AttributeRows::make_row(std::uint32_t id) {
   if (numbers_.size() < used_) numbers_.resize(2 * used_ + 4096);
   float* const row = numbers_.data() + begin;
   if (how.corner_size == 0 && how.shading.face_normal_at < 0) return begin_[id] = begin;
-  if (triangle.triangle && triangle.triangle->is_general())
+  if (triangle.triangle->is_general())
     fill_piece(triangle, how, row);
   else
     fill_from_vertices(triangle, how, row);
@@ -182,7 +162,7 @@ std::uint32_t AttributeRows::make_row(std::uint32_t id) {
 
 void AttributeRows::fill_from_vertices(const TileTriangle& triangle, const FastSurface& how, float* row) const {
   static_assert(2 * sizeof(Vec4f) == 2 * four * sizeof(float));
-  if (how.shading.normal == 0 && how.shading.position == four && !vertices_[origin_of(triangle).object].lit.empty())
+  if (how.shading.normal == 0 && how.shading.position == four && !vertices_[triangle.triangle->object].lit.empty())
     fill_lit(triangle, how, row);
   else if (how.shading.normal >= 0 || how.shading.position >= 0 || how.shading.face_normal_at >= 0)
     fill_corners(triangle, how, row);
@@ -193,19 +173,7 @@ void AttributeRows::fill_from_vertices(const TileTriangle& triangle, const FastS
 void AttributeRows::fill_steps(const TileTriangle& triangle, const FastSurface& how, float* row) const {
   std::array<std::array<float, 3>, 2> changes;
   std::array<float, 3> inverse_z;
-  if (!triangle.triangle) {
-    const Origin origin = origin_of(triangle);
-    const VertexBuffer<float>& vertices = vertices_[origin.object];
-    const MeshTriangle& mesh_triangle = pass_.objects[origin.object].mesh->triangles[origin.triangle];
-    std::array<FixedPoint, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const VertexPlace& place = vertices.places[mesh_triangle.position[k]];
-      corners[k] = {place.column, place.row};
-      inverse_z[k] = vertices.camera[mesh_triangle.position[k]].w;
-    }
-    const TriangleEdges edges = *make_edges(corners, pass_.grid);
-    changes = weight_steps({edges.step_x, edges.step_y}, 1.0f / static_cast<float>(edges.area));
-  } else if (triangle.triangle->is_general()) {
+  if (triangle.triangle->is_general()) {
     const LargeTriangle& large = triangle.part->large[triangle.triangle->triangle];
     changes = weight_steps({large.edges.step_x, large.edges.step_y}, large.inverse_area);
     inverse_z = triangle.triangle->inverse_z;
@@ -248,7 +216,7 @@ void AttributeRows::fill_piece(const TileTriangle& triangle, const FastSurface& 
 
 /// The vertex stage has made the numbers of a corner as they stand in the row.
 void AttributeRows::fill_lit(const TileTriangle& triangle, const FastSurface& how, float* row) const {
-  const Origin origin = origin_of(triangle);
+  const FastTriangle& origin = *triangle.triangle;
   const Vec4f* const lit = vertices_[origin.object].lit.data();
   for (const std::uint32_t v : pass_.objects[origin.object].corners->positions[origin.triangle]) {
     std::memcpy(row, lit + std::size_t{2} * v, 2 * sizeof(Vec4f));
@@ -257,7 +225,7 @@ void AttributeRows::fill_lit(const TileTriangle& triangle, const FastSurface& ho
 }
 
 void AttributeRows::fill_corners(const TileTriangle& triangle, const FastSurface& how, float* row) const {
-  const Origin origin = origin_of(triangle);
+  const FastTriangle& origin = *triangle.triangle;
   const BatchShading& shading = how.shading;
   const DrawObject& object = pass_.objects[origin.object];
   const MeshTriangle& mesh_triangle = object.mesh->triangles[origin.triangle];
@@ -281,7 +249,7 @@ void AttributeRows::fill_corners(const TileTriangle& triangle, const FastSurface
 }
 
 void AttributeRows::fill_uvs(const TileTriangle& triangle, const FastSurface& how, float* row) const {
-  const Origin origin = origin_of(triangle);
+  const FastTriangle& origin = *triangle.triangle;
   const Mesh& mesh = *pass_.objects[origin.object].mesh;
   const MeshTriangle& mesh_triangle = mesh.triangles[origin.triangle];
   for (std::size_t k = 0; k < 3; ++k, row += how.corner_size) {

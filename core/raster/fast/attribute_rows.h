@@ -26,7 +26,7 @@ class AttributeRows {
       : pass_(pass), vertices_(vertices), surfaces_(surfaces) {}
 
   /// The rows will be those of this tile. Of many triangles it makes them for all that is seen, in drawing order, in
-  /// which vertices mostly follow each other in memory; fragments of one triangle then share a row.
+  /// which vertices mostly follow each other in memory.
   void start(const TileFragments& tile);
   /// Where the row of the tile's triangle `id` begins in numbers(), which may move when a row is made.
   std::uint32_t row_of(std::uint32_t id) {

@@ -69,6 +69,9 @@ enum class Covers { some, all };
 /// costs more.
 enum class WhenOutside { skip, go_on };
 
+/// What becomes of a fragment that a nearer one replaces.
+enum class Replaced { forgotten, kept };
+
 /// A triangle's edges as `Kind` counts them, from the first sample of `box` on.
 template <class Scalar>
 struct BoxEdges {
@@ -90,6 +93,7 @@ HWY_INLINE void keep_replaced(const TileFragments& tile, std::size_t at, std::ui
 
 /// The fragments of one vector: those that pass the depth test replace what was there. How many do. Whether any does
 /// cannot be foreseen, so there is no branch on it.
+template <Replaced replaced>
 HWY_INLINE std::uint64_t put(M inside, V inverse_z, std::uint32_t id, std::size_t at, TileFragments& tile) {
   const D d;
   const hn::Rebind<std::uint32_t, D> du;
@@ -98,7 +102,7 @@ HWY_INLINE std::uint64_t put(M inside, V inverse_z, std::uint32_t id, std::size_
   const M passed = hn::And(inside, hn::Gt(inverse_z, before));
   std::uint32_t* const id_at = tile.id.data() + at;
   const auto id_before = hn::Load(du, id_at);
-  if (tile.keep_replaced) {
+  if constexpr (replaced == Replaced::kept) {
     const M shown = hn::RebindMask(d, hn::Ne(id_before, hn::Set(du, TileFragments::none)));
     std::array<std::uint8_t, 8> bits{};
     hn::StoreMaskBits(d, hn::And(passed, shown), bits.data());
@@ -110,7 +114,7 @@ HWY_INLINE std::uint64_t put(M inside, V inverse_z, std::uint32_t id, std::size_
 }
 
 /// Draws the vectors of a box, and counts.
-template <class Kind>
+template <class Kind, Replaced replaced>
 class BoxVectors {
  public:
   using Value = typename Kind::Value;
@@ -141,7 +145,7 @@ class BoxVectors {
     for (std::size_t i = 0; i < 3; ++i) weight[i] = hn::Mul(weight[i], inverse_area_);
     const V inverse_z = hn::Add(hn::Add(hn::Mul(weight[0], inverse_z_[0]), hn::Mul(weight[1], inverse_z_[1])),
                                 hn::Mul(weight[2], inverse_z_[2]));
-    passed += put(inside, inverse_z, id_, at, tile_);
+    passed += put<replaced>(inside, inverse_z, id_, at, tile_);
   }
   std::uint64_t passed = 0, covered = 0;
 
@@ -155,14 +159,14 @@ class BoxVectors {
 
 /// Draws the box; how many fragments passed the depth test. Vectors lie where their length divides their place in the
 /// row, and are written as a whole: what the next triangle reads there is then known before it has left the processor.
-template <class Kind, Covers covers>
+template <class Kind, Covers covers, Replaced replaced>
 HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges, std::uint32_t id,
                                    TileFragments& tile) {
   using Scalar = typename Kind::Scalar;
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int begin = edges.x & ~(lanes - 1), end = edges.x + edges.width;
-  BoxVectors<Kind> vectors(edges, id, tile);
+  BoxVectors<Kind, replaced> vectors(edges, id, tile);
   auto row = vectors.first_row(begin - edges.x);
   std::array<typename Kind::Value, 3> down, stride;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -187,11 +191,12 @@ HWY_INLINE std::uint64_t cover_box(const BoxEdges<typename Kind::Scalar>& edges,
 
 /// The same for a box of one or two vectors in each row, one below the other: without branches that a processor cannot
 /// foresee.
+template <Replaced replaced>
 HWY_INLINE std::uint64_t cover_narrow_box(const BoxEdges<std::int32_t>& edges, std::uint32_t id, TileFragments& tile) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int begin = edges.x & ~(lanes - 1), end = edges.x + edges.width;
-  BoxVectors<Small> vectors(edges, id, tile);
+  BoxVectors<Small, replaced> vectors(edges, id, tile);
   std::array<Small::Value, 3> down;
   for (std::size_t i = 0; i < 3; ++i) down[i] = Small::same(edges.step_y[i]);
   for (int x = begin; x < end; x += lanes) {
@@ -199,7 +204,7 @@ HWY_INLINE std::uint64_t cover_narrow_box(const BoxEdges<std::int32_t>& edges, s
     const M inside = hn::FirstN(d, static_cast<std::size_t>(std::min(end - x, lanes)));
     std::size_t at = static_cast<std::size_t>(edges.y) * fast_tile + static_cast<std::size_t>(x);
     for (int y = 0; y < edges.height; ++y, at += fast_tile) {
-      vectors.draw<Covers::some, WhenOutside::go_on>(value, inside, at);
+      vectors.template draw<Covers::some, WhenOutside::go_on>(value, inside, at);
       for (std::size_t i = 0; i < 3; ++i) Small::add(value[i], down[i]);
     }
   }

@@ -25,6 +25,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using namespace covering;
 
 /// Without vectors: edges whose values double may not hold.
+template <Replaced replaced>
 std::uint64_t cover_exactly(const BoxEdges<std::int64_t>& edges, std::uint32_t id, TileFragments& tile) {
   std::uint64_t passes = 0;
   for (int y = 0; y < edges.height; ++y)
@@ -43,7 +44,7 @@ std::uint64_t cover_exactly(const BoxEdges<std::int64_t>& edges, std::uint32_t i
       const std::size_t at = static_cast<std::size_t>(edges.y + y) * fast_tile + static_cast<std::size_t>(edges.x + x);
       if (!(inverse_z > tile.inverse_z[at])) continue;
       ++passes;
-      if (tile.keep_replaced) keep_replaced(tile, at, 1, tile.replaced);
+      if constexpr (replaced == Replaced::kept) keep_replaced(tile, at, 1, tile.replaced);
       tile.inverse_z[at] = inverse_z;
       tile.id[at] = id;
     }
@@ -62,6 +63,7 @@ void place(const PixelBox& box, const TileRect& rect, BoxEdges<Scalar>& edges) {
   edges.height = box.y1 - box.y0;
 }
 
+template <Replaced replaced>
 HWY_INLINE std::uint64_t cover_small(const FastTriangle& triangle, const TileRect& rect, std::uint32_t id,
                                      TileFragments& tile) {
   const PixelBox whole = triangle.box();
@@ -82,10 +84,11 @@ HWY_INLINE std::uint64_t cover_small(const FastTriangle& triangle, const TileRec
   for (std::size_t i = 0; i < 3; ++i) edges.threshold[i] = -static_cast<std::int32_t>(triangle.shape >> (16 + i) & 1);
   constexpr int narrow = 2 * static_cast<int>(hn::MaxLanes(D()));
   const int offset = edges.x & (static_cast<int>(hn::Lanes(D())) - 1);
-  if (offset + edges.width <= narrow) return cover_narrow_box(edges, id, tile);
-  return cover_box<Small, Covers::some>(edges, id, tile);
+  if (offset + edges.width <= narrow) return cover_narrow_box<replaced>(edges, id, tile);
+  return cover_box<Small, Covers::some, replaced>(edges, id, tile);
 }
 
+template <Replaced replaced>
 std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, const std::array<float, 3>& inverse_z,
                           const TileRect& rect, std::uint32_t id, TileFragments& tile) {
   const PixelBox box = common(whole, rect);
@@ -99,7 +102,7 @@ std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, 
   edges.threshold = triangle.edges.threshold;
   const BoxLies lies = place_of_box(edges);
   if (lies == BoxLies::outside) return 0;
-  if (!triangle.fits_double) return cover_exactly(edges, id, tile);
+  if (!triangle.fits_double) return cover_exactly<replaced>(edges, id, tile);
   BoxEdges<double> wide;
   place(box, rect, wide);
   wide.inverse_area = edges.inverse_area;
@@ -111,53 +114,40 @@ std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, 
     wide.threshold[i] = static_cast<double>(edges.threshold[i]);
   }
   const bool at_vector = edges.x % static_cast<int>(hn::Lanes(D())) == 0;
-  if (at_vector && lies == BoxLies::inside) return cover_box<Large, Covers::all>(wide, id, tile);
-  return cover_box<Large, Covers::some>(wide, id, tile);
+  if (at_vector && lies == BoxLies::inside) return cover_box<Large, Covers::all, replaced>(wide, id, tile);
+  return cover_box<Large, Covers::some, replaced>(wide, id, tile);
+}
+
+template <Replaced replaced>
+void cover_entries(const TileRect& rect, const FastPart& part, std::span<const std::uint32_t> entries,
+                   TileFragments& tile) {
+  constexpr std::size_t ahead = 16;
+  const FastTriangle* const triangles = part.triangles.data();
+  TileTriangle* const seen = tile.triangles.data();
+  std::uint64_t* const passed_of = tile.passed.data();
+  std::uint32_t id = tile.triangle_count;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (i + ahead < entries.size()) hwy::Prefetch(&triangles[entries[i + ahead]]);
+    const FastTriangle& triangle = triangles[entries[i]];
+    const std::uint64_t passed =
+        triangle.is_general()
+            ? cover_large<replaced>(part.large[triangle.triangle], part.cut.triangles[triangle.triangle].box,
+                                    triangle.inverse_z, rect, id, tile)
+            : cover_small<replaced>(triangle, rect, id, tile);
+    passed_of[triangle.surface] += passed;
+    seen[id] = {&triangle, &part};
+    id += passed > 0 ? 1 : 0;
+  }
+  tile.triangle_count = id;
 }
 
 }  // namespace
 
-/// A fragment of a tiny triangle. Whether it is the nearest cannot be foreseen, so there is no branch on it.
-HWY_INLINE void cover_fragment(const FastFragment& fragment, const FastPart& part, TileFragments& tile) {
-  constexpr std::uint32_t in_tile = fast_tile - 1;
-  const std::size_t at = (fragment.place >> 16 & in_tile) << fast_tile_bits | (fragment.place & in_tile);
-  const float before = tile.inverse_z[at];
-  const std::uint32_t id_before = tile.id[at], id = tile.triangle_count;
-  const bool passed = fragment.inverse_z > before;
-  if (tile.keep_replaced && passed) keep_replaced(tile, at, 1, tile.replaced);
-  tile.inverse_z[at] = passed ? fragment.inverse_z : before;
-  tile.id[at] = passed ? id : id_before;
-  tile.triangles[id] = {nullptr, &fragment, &part};
-  tile.triangle_count = id + (passed ? 1 : 0);
-  tile.passed[fragment.surface] += passed ? 1 : 0;
-  ++tile.fragments;
-}
-
 void cover(const TileRect& rect, const FastPart& part, std::span<const std::uint32_t> entries, TileFragments& tile) {
-  constexpr std::size_t ahead = 16;
-  const auto fetch = [&](std::uint32_t entry) {
-    if ((entry & FastPart::fragment) != 0)
-      hwy::Prefetch(&part.fragments[entry & ~FastPart::fragment]);
-    else
-      hwy::Prefetch(&part.triangles[entry]);
-  };
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (i + ahead < entries.size()) fetch(entries[i + ahead]);
-    const std::uint32_t entry = entries[i];
-    if ((entry & FastPart::fragment) != 0) {
-      cover_fragment(part.fragments[entry & ~FastPart::fragment], part, tile);
-      continue;
-    }
-    const FastTriangle& triangle = part.triangles[entry];
-    const std::uint32_t id = tile.triangle_count;
-    const std::uint64_t passed =
-        triangle.is_general() ? cover_large(part.large[triangle.triangle], part.cut.triangles[triangle.triangle].box,
-                                            triangle.inverse_z, rect, id, tile)
-                              : cover_small(triangle, rect, id, tile);
-    tile.passed[triangle.surface] += passed;
-    tile.triangles[id] = {&triangle, nullptr, &part};
-    tile.triangle_count += passed > 0;
-  }
+  if (tile.keep_replaced)
+    cover_entries<Replaced::kept>(rect, part, entries, tile);
+  else
+    cover_entries<Replaced::forgotten>(rect, part, entries, tile);
 }
 
 }  // namespace ps::raster::HWY_NAMESPACE

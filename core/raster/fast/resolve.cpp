@@ -52,7 +52,6 @@ PixelId shown_id(const Pass<float>& pass, const TileFragments& tile, std::uint32
   const TileTriangle& seen = tile.triangles[id];
   const Surface<float>& surface = pass.surfaces[seen.surface()];
   if (surface.sphere) return {surface.object, 0};
-  if (!seen.triangle) return {surface.object, static_cast<std::int32_t>(seen.fragment->triangle)};
   const std::uint32_t number = seen.triangle->triangle;
   return {surface.object,
           seen.triangle->is_general() ? seen.part->cut.triangles[number].triangle : static_cast<std::int32_t>(number)};

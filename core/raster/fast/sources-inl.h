@@ -22,14 +22,8 @@ class RunWeights {
   /// The first vector begins in `column` of the picture.
   HWY_INLINE RunWeights(const TileTriangle& triangle, int column, int row) : triangle_(triangle), row_(row) {
     const DI di;
-    if (!triangle.triangle) {
-      const std::array<float, 3>& weights = triangle.fragment->weights;
-      for (std::size_t k = 0; k < 3; ++k) same_[k] = shading::splat(weights[k]);
-      return;
-    }
     const FastTriangle& record = *triangle.triangle;
     if (!record.is_general()) {
-      kind_ = Kind::small;
       inverse_area_ = shading::splat(record.inverse_area);
       area_ = hn::Set(di, record.area);
       const int dx = column - record.box().x0, dy = row - record.box().y0;
@@ -59,8 +53,6 @@ class RunWeights {
   HWY_INLINE Weights next(int column) {
     const D d;
     switch (kind_) {
-    case Kind::same:
-      return same_;
     case Kind::small: {
       const VI third = hn::Sub(hn::Sub(area_, value_[0]), value_[1]);
       const Weights weights{hn::Mul(hn::ConvertTo(d, value_[0]), inverse_area_),
@@ -88,17 +80,16 @@ class RunWeights {
       return {hn::Load(d, numbers[0]), hn::Load(d, numbers[1]), hn::Load(d, numbers[2])};
     }
     }
-    return same_;
+    return {};
   }
 
  private:
-  enum class Kind { same, small, large, exact };
+  enum class Kind { small, large, exact };
   using Wide = hn::Vec<hn::Repartition<double, D>>;
 
   const TileTriangle& triangle_;
   int row_;
-  Kind kind_ = Kind::same;
-  Weights same_;
+  Kind kind_ = Kind::small;
   V inverse_area_;
   VI area_;
   std::array<VI, 2> value_, stride_;  ///< of the edges, Kind::small

@@ -7,13 +7,12 @@
 
 namespace ps::raster {
 
-/// A triangle, or a fragment of a tiny one, that was nearer somewhere in the tile, when it came, than all before.
+/// A triangle that was nearer somewhere in the tile, when it came, than all before.
 struct TileTriangle {
-  const FastTriangle* triangle = nullptr;  ///< nullptr for a fragment
-  const FastFragment* fragment = nullptr;
+  const FastTriangle* triangle = nullptr;
   const FastPart* part = nullptr;
 
-  std::uint32_t surface() const { return triangle ? triangle->surface : fragment->surface; }
+  std::uint32_t surface() const { return triangle->surface; }
 };
 
 /// A fragment that a nearer one replaced.

@@ -54,12 +54,11 @@ std::vector<VertexBuffer<float>> run_fast_vertices(const Pass<float>& pass, cons
       kernels.normals(object.normal_matrix, &object.mesh->normals[job.first], count, &made.normals[job.first]);
       return;
     }
-    kernels.positions(transform_of(pass, object),
-                      {&object.mesh->positions[job.first],
-                       made.lit.empty() ? nullptr : &object.mesh->normals[job.first], count},
-                      {&made.camera[job.first], &made.places[job.first],
-                       made.world.empty() ? nullptr : &made.world[job.first],
-                       made.lit.empty() ? nullptr : &made.lit[2 * job.first]});
+    kernels.positions(
+        transform_of(pass, object),
+        {&object.mesh->positions[job.first], made.lit.empty() ? nullptr : &object.mesh->normals[job.first], count},
+        {&made.camera[job.first], &made.places[job.first], made.world.empty() ? nullptr : &made.world[job.first],
+         made.lit.empty() ? nullptr : &made.lit[2 * job.first]});
   });
   return objects;
 }

@@ -36,12 +36,6 @@ HWY_INLINE std::uint64_t bits_of(M mask) {
   return bits;
 }
 
-HWY_INLINE M mask_of(std::uint64_t bits) {
-  std::array<std::uint8_t, 8> bytes{};
-  for (std::size_t i = 0; i < 2; ++i) bytes[i] = static_cast<std::uint8_t>(bits >> (8 * i));
-  return hn::LoadMaskBits(D(), bytes.data());
-}
-
 /// The lanes of a vector that show one triangle.
 struct Share {
   std::uint32_t id = 0;
@@ -64,7 +58,6 @@ HWY_INLINE std::int32_t edge_value(std::int32_t value, std::int32_t step_x, std:
 
 /// The weights of one fragment of a triangle.
 HWY_INLINE std::array<float, 3> weights_at(const TileTriangle& triangle, int column, int row) {
-  if (!triangle.triangle) return triangle.fragment->weights;
   const FastTriangle& record = *triangle.triangle;
   std::array<float, 3> weights;
   if (record.is_general()) {
@@ -118,10 +111,6 @@ HWY_INLINE Weights large_weights(const LargeTriangle& large, int column, int row
 }
 
 HWY_INLINE Weights weights_of(const TileTriangle& triangle, const Fragments& fragments, M mask) {
-  if (!triangle.triangle) {
-    const std::array<float, 3>& weights = triangle.fragment->weights;
-    return {shading::splat(weights[0]), shading::splat(weights[1]), shading::splat(weights[2])};
-  }
   const FastTriangle& record = *triangle.triangle;
   const int column = fragments.column[0], row = fragments.row[0];
   if (!record.is_general()) return small_weights(record, column, row);
@@ -140,29 +129,20 @@ HWY_INLINE Weights weights_of(const TileTriangle& triangle, const Fragments& fra
 class GatheredWeights {
  public:
   HWY_INLINE GatheredWeights(const ResolveTask& task, const Fragments& fragments) {
-    static constexpr FastTriangle no_triangle{};
-    static constexpr FastFragment no_fragment{};
     std::array<const FastTriangle*, most_lanes> triangles;
-    std::array<const FastFragment*, most_lanes> tiny;
-    std::uint64_t of_triangles = 0, general = 0;
+    std::uint64_t general = 0;
     for (std::size_t i = 0; i < hn::Lanes(D()); ++i) {
-      const TileTriangle& shown = task.tile.triangles[fragments.id[i]];
-      triangles[i] = shown.triangle ? shown.triangle : &no_triangle;
-      tiny[i] = shown.fragment ? shown.fragment : &no_fragment;
-      of_triangles |= std::uint64_t{shown.triangle != nullptr} << i;
+      triangles[i] = task.tile.triangles[fragments.id[i]].triangle;
       general |= std::uint64_t{triangles[i]->is_general()} << i;
     }
-    const auto four = ps::HWY_NAMESPACE::four_vectors(
-        [&](std::size_t i) HWY_ATTR { return hn::LoadU(Four(), tiny[i]->weights.data()); });
-    weights = {four.first, four.second, four.third};
-    if (of_triangles != 0) add_triangles(triangles, fragments, mask_of(of_triangles));
+    add_triangles(triangles, fragments);
     if (general != 0) add_general(task, fragments, general);
   }
   Weights weights;
 
  private:
   HWY_INLINE void add_triangles(const std::array<const FastTriangle*, most_lanes>& triangles,
-                                const Fragments& fragments, M mask) {
+                                const Fragments& fragments) {
     const D d;
     const DI di;
     const auto numbers = [&](std::size_t at) HWY_ATTR {
@@ -181,8 +161,7 @@ class GatheredWeights {
     const VI second = value(values.second, steps.second, steps.fourth);
     const VI third = hn::Sub(hn::Sub(hn::BitCast(di, values.third), first), second);
     const std::array<VI, 3> all{first, second, third};
-    for (std::size_t k = 0; k < 3; ++k)
-      weights[k] = hn::IfThenElse(mask, hn::Mul(hn::ConvertTo(d, all[k]), values.fourth), weights[k]);
+    for (std::size_t k = 0; k < 3; ++k) weights[k] = hn::Mul(hn::ConvertTo(d, all[k]), values.fourth);
   }
   HWY_NOINLINE void add_general(const ResolveTask& task, const Fragments& fragments, std::uint64_t lanes) {
     const D d;
@@ -198,7 +177,7 @@ class GatheredWeights {
   }
 };
 static_assert(offsetof(FastTriangle, value) == 0 && offsetof(FastTriangle, step_x) == 16 &&
-              offsetof(FastTriangle, corner) == 48 && offsetof(FastFragment, weights) == 8);
+              offsetof(FastTriangle, corner) == 48);
 
 }  // namespace resolving
 }  // namespace ps::raster::HWY_NAMESPACE
