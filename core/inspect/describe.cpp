@@ -62,6 +62,10 @@ struct Describer {
                        vector_text(e.local), number_text(e.reflective), vector_text(e.reflected),
                        vector_text(e.result));
   }
+  std::string operator()(const CutoffEvent& e) const {
+    return fmt::format("followed no further: what comes next is {} of the pixel, less than reflection-cutoff = {}",
+                       number_text(e.share), number_text(e.least));
+  }
   std::string operator()(const SolidTestEvent& e) const {
     std::string text = fmt::format("{}: {}", object_name(scene, e.id.object), outcome_text(e.outcome));
     for (std::size_t i = 0; i < e.crossings.size(); ++i)

@@ -96,6 +96,8 @@ Fields fields(const ReflectionEvent& e) {
           {"result", list(e.result)}};
 }
 
+Fields fields(const CutoffEvent& e) { return {{"share", e.share}, {"least", e.least}}; }
+
 Fields fields(const RejectEvent& e) {
   Fields f{{"id", e.id}, {"reason", std::string(reject_reason_key(e.reason))}};
   if (!e.detail.empty()) f.push_back({"detail", e.detail});
@@ -268,7 +270,8 @@ constexpr std::array<std::string_view, std::variant_size_v<EventData>> kinds{
     "ray",        "node",       "sphere-test", "triangle-test", "hit",      "miss",    "texture",
     "light",      "shade",      "reflection",  "reject",        "fragment", "write",   "line",
     "pixel",      "solid-test", "refraction",  "coverage",      "sample",   "compare", "reuse",
-    "normal-map", "shadow-map", "stencil",     "environment",   "parallax"};
+    "normal-map", "shadow-map", "stencil",     "environment",   "parallax", "cutoff"};
+static_assert(!kinds.back().empty());
 
 }  // namespace
 

@@ -133,6 +133,12 @@ struct ReflectionEvent {
   Vec3d local{0, 0, 0}, reflected{0, 0, 0}, result{0, 0, 0};
 };
 
+/// A surface whose further rays would bring less than reflection-cutoff: it shows its own colour.
+struct CutoffEvent {
+  double share = 0;  ///< of the pixel's colour that they would bring
+  double least = 0;  ///< the setting
+};
+
 /// Light that comes through a surface (CGFS ch. 5).
 struct RefractionEvent {
   double transparency = 0;
@@ -263,7 +269,7 @@ using EventData =
     std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent, TextureEvent, LightEvent,
                  ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent, WriteEvent, LineEvent, PixelEvent,
                  SolidTestEvent, RefractionEvent, CoverageEvent, SampleEvent, CompareEvent, ReuseEvent, NormalMapEvent,
-                 ShadowMapEvent, StencilEvent, EnvironmentEvent, ParallaxEvent>;
+                 ShadowMapEvent, StencilEvent, EnvironmentEvent, ParallaxEvent, CutoffEvent>;
 
 /// One event with its place in the tree: `parent` is the index of the event it belongs to, -1 at the top.
 struct Event {

@@ -25,6 +25,20 @@ std::vector<Option> reflection_rows() {
              return {};
            }},
           0, 64, "bounces"),
+      real<&Settings::reflection_cutoff>(
+          {.key = "reflection-cutoff",
+           .label = "Least share of a bounce",
+           .help = {"A bounce that would bring less than this share of the pixel's colour is not followed: the surface "
+                    "shows its own colour, as at the greatest depth.",
+                    "Hall and Greenberg, IEEE CG&A 1983 (adaptive depth control)",
+                    "Too large: weak mirrors mirror nothing. 0 follows every bounce up to the depth."},
+           .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
+             if (const auto reason = needs_rays(s, t)) return reason;
+             if (!t.reflective && !t.transparent) return "no material of the scene reflects or is transparent";
+             if (s.reflection_depth == 0) return "needs reflection-depth above 0";
+             return {};
+           }},
+          0, 1, OptionScale::linear),
       real<&Settings::reflection_epsilon>(
           {.key = "reflection-epsilon",
            .label = "Reflection epsilon",

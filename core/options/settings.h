@@ -119,6 +119,7 @@ struct Settings {
   int shadow_filter = 1;
   int stencil_bits = 8;
   int reflection_depth = 3;
+  double reflection_cutoff = 0;
   bool refraction = true;
   TransparencyShare transparency = TransparencyShare::fixed;
 

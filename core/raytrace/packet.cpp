@@ -136,6 +136,7 @@ V3 trace(const PacketScene& scene, PacketRay ray, M active, const PacketHit& fir
   Bounce bounces[65];
   int bounce = 0;
   PacketHit hit = first;
+  V share = splat(1);
   while (true) {
     const M found = hn::And(active, hn::Ge(hit.index, hn::Zero(d)));
     Bounce& now = bounces[bounce];
@@ -149,7 +150,8 @@ V3 trace(const PacketScene& scene, PacketRay ray, M active, const PacketHit& fir
     now.local = {hn::Add(hn::Mul(surface.colour.x, light.x), zero), hn::Add(hn::Mul(surface.colour.y, light.y), zero),
                  hn::Add(hn::Mul(surface.colour.z, light.z), zero)};
     now.reflective = surface.reflective;
-    const M mirrors = hn::And(found, hn::Gt(surface.reflective, zero));
+    share = hn::Mul(share, surface.reflective);
+    const M mirrors = hn::And(hn::And(found, hn::Gt(surface.reflective, zero)), hn::Ge(share, splat(scene.cutoff)));
     if (bounce >= scene.depth || hn::AllFalse(d, mirrors)) return fold(scene, bounces, bounce);
     now.mirrored = mirrors;
     count.reflection_rays += hn::CountTrue(d, mirrors);

@@ -34,7 +34,8 @@ struct PacketScene {
   Vec3f eye{0}, right{0}, up{0}, forward{0};
   Vec3f background{0};
   float near = 0, far = 0;
-  int depth = 0;  ///< bounces
+  int depth = 0;     ///< bounces
+  float cutoff = 0;  ///< share of the pixel that a bounce brings at least
   bool lighting = true, highlights = true, shadows = true, any_hit = true;
   bool tree = false;  ///< the clear path would visit one tree node for each ray
   int step = 1;       ///< of subsampling, in pixels; 1 = each pixel is searched for

@@ -63,6 +63,7 @@ std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const 
   scene.near = inputs.near;
   scene.far = inputs.far;
   scene.depth = settings.reflection_depth;
+  scene.cutoff = inputs.reflection_cutoff;
   scene.lighting = settings.lighting;
   scene.highlights = settings.specular;
   scene.shadows = settings.shadows != Shadows::none;

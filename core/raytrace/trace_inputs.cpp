@@ -58,6 +58,7 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   inputs.triangle_epsilon = static_cast<Real>(settings.triangle_epsilon);
   inputs.shadow_epsilon = static_cast<Real>(settings.shadow_epsilon);
   inputs.reflection_epsilon = static_cast<Real>(settings.reflection_epsilon);
+  inputs.reflection_cutoff = static_cast<Real>(settings.reflection_cutoff);
   inputs.box_padding = padding<Real>(settings);
   return inputs;
 }

@@ -34,7 +34,7 @@ struct TraceInputs {
   Viewport<Real> viewport;
   Vec3<Real> eye{0}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};  ///< the camera frame; forward has length d
   Real near = 0, far = 0;
-  Real triangle_epsilon = 0, shadow_epsilon = 0, reflection_epsilon = 0;
+  Real triangle_epsilon = 0, shadow_epsilon = 0, reflection_epsilon = 0, reflection_cutoff = 0;
   Real box_padding = 0;  ///< how far boxes are grown, in units of the sizes of the coordinates involved
 };
 

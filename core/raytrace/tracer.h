@@ -212,7 +212,15 @@ class Tracer {
     const Vec3<Real> local = local_colour(ray, surface, material, first);
     const Real reflective = material.reflective;
     if (depth >= inputs_.settings.reflection_depth) return local;
-    if (material.transparency > 0) return see_through(ray, surface, material, local, depth, share, medium);
+    const Real through = material.transparency;
+    const Real further = share * (through + (Real(1) - through) * reflective);
+    if ((through > 0 || reflective > 0) && further < inputs_.reflection_cutoff) {
+      recorder_.event([&] {
+        return CutoffEvent{static_cast<double>(further), static_cast<double>(inputs_.reflection_cutoff)};
+      });
+      return local;
+    }
+    if (through > 0) return see_through(ray, surface, material, local, depth, share, medium);
     if (!(reflective > 0)) return local;
 
     const Vec3<Real> reflected = mirrored_colour(ray, surface, depth, share * reflective, medium);
@@ -244,10 +252,11 @@ class Tracer {
     Shares shares{rest * (Real(1) - material.reflective), rest * material.reflective + through * fresnel,
                   through * (Real(1) - fresnel)};
     if (shares.mirrored > 0 && shares.refracted > 0) {
-      if (share * shares.mirrored < least_branch_share<Real>) {
+      const Real least = std::max(least_branch_share<Real>, inputs_.reflection_cutoff);
+      if (share * shares.mirrored < least) {
         shares.refracted += shares.mirrored;
         shares.mirrored = 0;
-      } else if (share * shares.refracted < least_branch_share<Real>) {
+      } else if (share * shares.refracted < least) {
         shares.mirrored += shares.refracted;
         shares.refracted = 0;
       }

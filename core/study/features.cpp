@@ -20,16 +20,22 @@ constexpr std::array<Feature, 8> table{{
 }};
 
 /// Of each option the cheapest value first.
-constexpr std::array<Saving, 26> all_savings{{
-    {"renderer", "rasterizer"},   {"lighting", "off"},           {"shadows", "none"},
-    {"specular", "off"},          {"reflection-depth", "0"},     {"reflection-depth", "1"},
-    {"reflection-depth", "2"},    {"reflection-depth", "3"},     {"reflection-depth", "4"},
-    {"reflection-depth", "6"},    {"reflection-depth", "8"},     {"reflection-depth", "12"},
-    {"refraction", "off"},        {"transparency", "fixed"},     {"attenuation", "off"},
-    {"textures", "off"},          {"texture-filter", "nearest"}, {"texture-filter", "bilinear"},
-    {"texture-filter", "mipmap"}, {"normals", "triangle"},       {"shading", "flat"},
-    {"shading", "gouraud"},       {"samples-per-pixel", "1"},    {"samples-per-pixel", "4"},
-    {"samples-per-pixel", "16"},  {"precision", "float"},
+constexpr std::array<Saving, 30> all_savings{{
+    {"renderer", "rasterizer"},    {"lighting", "off"},
+    {"shadows", "none"},           {"specular", "off"},
+    {"reflection-depth", "0"},     {"reflection-depth", "1"},
+    {"reflection-depth", "2"},     {"reflection-depth", "3"},
+    {"reflection-depth", "4"},     {"reflection-depth", "5"},
+    {"reflection-depth", "6"},     {"reflection-depth", "8"},
+    {"reflection-depth", "12"},    {"reflection-cutoff", "0.1"},
+    {"reflection-cutoff", "0.05"}, {"reflection-cutoff", "0.02"},
+    {"refraction", "off"},         {"transparency", "fixed"},
+    {"attenuation", "off"},        {"textures", "off"},
+    {"texture-filter", "nearest"}, {"texture-filter", "bilinear"},
+    {"texture-filter", "mipmap"},  {"normals", "triangle"},
+    {"shading", "flat"},           {"shading", "gouraud"},
+    {"samples-per-pixel", "1"},    {"samples-per-pixel", "4"},
+    {"samples-per-pixel", "16"},   {"precision", "float"},
 }};
 
 const Option& row(std::string_view key) {
@@ -47,6 +53,7 @@ std::size_t rank(const Option& option, std::string_view value) {
 
 /// Is it cheaper than what is set now? Only then is it a saving, and no search goes in circles.
 bool is_less(const Option& option, const Settings& now, const Settings& then) {
+  if (option.key == "reflection-cutoff") return option.get(then) > option.get(now);  // more is left out
   if (option.kind == OptionKind::integer || option.kind == OptionKind::real) return option.get(then) < option.get(now);
   return rank(option, option_text(option, then)) < rank(option, option_text(option, now));
 }

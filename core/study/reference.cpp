@@ -99,6 +99,7 @@ Settings reference_settings(const Settings& base, const SceneTraits& traits) {
   best.subsampling = 1;
   best.self_hit = SelfHit::offset;
   best.reflection_depth = std::max(base.reflection_depth, least_bounces);
+  best.reflection_cutoff = 0;
   if (best.renderer == Renderer::ray_tracer && base.shadows != Shadows::none) best.shadows = Shadows::traced;
   best.colour_depth = ColourDepth::bits24;
   return best;

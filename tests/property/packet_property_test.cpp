@@ -109,6 +109,11 @@ TEST(Packets, EverySettingThatTheFastPathCovers) {
   expect_fast([](Settings& s) { s.shadow_any_hit = false; });
   expect_fast([](Settings& s) { s.reflection_depth = 0; });
   expect_fast([](Settings& s) { s.reflection_depth = 64; });
+  for (const double cutoff : {0.01, 0.1, 0.2, 0.5, 1.0})
+    expect_fast([&](Settings& s) {
+      s.reflection_depth = 64;
+      s.reflection_cutoff = cutoff;
+    });
   expect_fast([](Settings& s) { s.accelerator = Accelerator::none; });
   expect_fast([](Settings& s) { s.sample_position = SamplePosition::corner; });
   expect_fast([](Settings& s) { s.near = 3; });

@@ -90,6 +90,7 @@ struct Drawer {
   void operator()(const ShadeEvent& e) const { swatch(e.local); }
   void operator()(const ReflectionEvent& e) const { swatch(e.result); }
   void operator()(const RefractionEvent& e) const { swatch(e.result); }
+  void operator()(const CutoffEvent&) const { pen.cross(p.text_quiet); }
   void operator()(const SampleEvent& e) const { swatch(e.colour); }
   void operator()(const CompareEvent& e) const {
     pen.square(e.subdivides ? p.right : p.text_quiet, e.subdivides ? Fill::filled : Fill::hollow);

@@ -47,11 +47,12 @@ std::optional<Parting> part_at_children(const Comparison& c, const Sighting& a, 
                                         std::string_view kind, int depth) {
   if (from_a.empty() != from_b.empty()) {
     const bool in_a = !from_a.empty();
-    return Parting{PartingCause::missing_bounce,
-                   fmt::format("{} follows the {} ray from bounce {} on, {} does not{}.", in_a ? "A" : "B", kind,
-                               depth + 1, in_a ? "B" : "A",
-                               because(c, {"reflection-depth", "refraction", "renderer", "environment"})),
-                   in_a ? from_a.front() : a.seen, in_a ? b.seen : from_b.front()};
+    return Parting{
+        PartingCause::missing_bounce,
+        fmt::format("{} follows the {} ray from bounce {} on, {} does not{}.", in_a ? "A" : "B", kind, depth + 1,
+                    in_a ? "B" : "A",
+                    because(c, {"reflection-depth", "reflection-cutoff", "refraction", "renderer", "environment"})),
+        in_a ? from_a.front() : a.seen, in_a ? b.seen : from_b.front()};
   }
   if (from_a.empty()) return std::nullopt;
   return part_at_sighting(c, sight_of_ray(c.a.story, from_a.front()), sight_of_ray(c.b.story, from_b.front()),
