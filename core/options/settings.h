@@ -29,6 +29,7 @@ enum class Patches { as_made, projected_error };
 enum class LightPasses { one, many };
 enum class Environment { none, cube_map, room_map };
 enum class Shadows { traced, none, map, stencil_depth_fail, stencil_depth_pass };
+enum class ShadowRays { all, useful };
 enum class SelfHit { offset, epsilon, normal_bump };
 enum class EpsilonUnit { ray_parameter, distance };
 enum class Accelerator { bvh, none, bounding_spheres, box, octree, two_level, embree };
@@ -112,6 +113,7 @@ struct Settings {
   double reflection_epsilon = 0.001;
   EpsilonUnit epsilon_unit = EpsilonUnit::ray_parameter;
   bool shadow_any_hit = true;
+  ShadowRays shadow_rays = ShadowRays::all;
   bool shadow_cache = false;
   int shadow_map_size = 1024;
   double shadow_bias = 0.01;

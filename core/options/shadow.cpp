@@ -152,6 +152,17 @@ std::vector<Option> shadow_rows() {
                     "Only speed changes."},
            .inactive = needs_shadow_rays,
            .effect = OptionEffect::speed}),
+      choice<&Settings::shadow_rays>(
+          {.key = "shadow-rays",
+           .label = "Shadow rays",
+           .help = {"To which lights a lit point sends a shadow ray.", "CGFS ch. 4",
+                    "The colours stay the same: where a light adds nothing, it does not matter what stands before it. "
+                    "Only the picture of shadows no longer marks those points."},
+           .inactive = needs_shadow_rays},
+          {{"all", "to every light", "As in the book: also where the light comes from behind the surface."},
+           {"useful", "to lights that add something",
+            "Where the light is in front of the surface, or makes a "
+            "highlight."}}),
   };
 }
 

@@ -69,8 +69,8 @@ HWY_INLINE V3 mirror(const V3& direction, const V3& normal, V n_dot_direction) {
 /// Lanes that the light does not reach.
 HWY_INLINE M shadowed(const PacketScene& scene, const PacketSurface& surface, V index, const V3& to_light, float t_max,
                       M active, Count& count) {
-  if (!scene.shadows) return no_lane();
   const D d;
+  if (!scene.shadows || hn::AllFalse(d, active)) return no_lane();
   count.shadow_rays += hn::CountTrue(d, active);
   const PacketRay ray{surface.point, to_light,     dot(to_light, to_light), index, hn::Zero(d),
                       splat(t_max),  From::surface};
@@ -100,7 +100,8 @@ HWY_INLINE V3 light_at(const PacketScene& scene, const PacketSurface& surface, V
     const bool is_point = light.kind == LightKind::point;
     const V3 to_light = is_point ? subtract(splat(light.vector), surface.point) : splat(light.vector);
     const float t_max = is_point ? 1.0f : std::numeric_limits<float>::infinity();
-    const M lit = hn::AndNot(shadowed(scene, surface, index, to_light, t_max, active, count), active);
+    const M asking = scene.useful_only ? hn::And(active, adds_light(points, to_light)) : active;
+    const M lit = hn::AndNot(shadowed(scene, surface, index, to_light, t_max, asking, count), asking);
     if (!hn::AllFalse(d, lit)) add_casting_light(light, points, lit, sum);
   }
   return sum;

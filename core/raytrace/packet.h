@@ -37,8 +37,9 @@ struct PacketScene {
   int depth = 0;     ///< bounces
   float cutoff = 0;  ///< share of the pixel that a bounce brings at least
   bool lighting = true, highlights = true, shadows = true, any_hit = true;
-  bool tree = false;  ///< the clear path would visit one tree node for each ray
-  int step = 1;       ///< of subsampling, in pixels; 1 = each pixel is searched for
+  bool useful_only = false;  ///< shadow rays only to lights that add something
+  bool tree = false;         ///< the clear path would visit one tree node for each ray
+  int step = 1;              ///< of subsampling, in pixels; 1 = each pixel is searched for
 };
 
 /// The scene for the fast path, or nothing if it does not cover what is asked for.

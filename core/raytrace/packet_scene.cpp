@@ -68,6 +68,7 @@ std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const 
   scene.highlights = settings.specular;
   scene.shadows = settings.shadows != Shadows::none;
   scene.any_hit = settings.shadow_any_hit;
+  scene.useful_only = settings.shadow_rays == ShadowRays::useful;
   const SamplingPlan plan = sampling_plan(settings);
   if (plan.mode == SamplingMode::subsampling) scene.step = plan.step;
   scene.tree = inputs.bvh && !inputs.bvh->nodes.empty();

@@ -55,17 +55,22 @@ void PacketShader::find_shadows(unsigned lanes, std::span<const Ray<float>> rays
       packet_.point[static_cast<std::size_t>(axis)][lane] = surface.point[axis];
       packet_.normal[static_cast<std::size_t>(axis)][lane] = surface.shading_normal[axis];
     }
-    find_shadows_of(lane, surface);
+    find_shadows_of(lane, rays[lane], surface);
   }
 }
 
-void PacketShader::find_shadows_of(std::size_t lane, const Surface<float>& surface) {
+void PacketShader::find_shadows_of(std::size_t lane, const Ray<float>& ray, const Surface<float>& surface) {
+  const LitPoint<float> point{surface.point, surface.shading_normal, -ray.direction};
+  const ShadingMaterial<float>& material = inputs_.materials[surface.material];
+  const IlluminationOptions options = illumination_options(inputs_.settings);
+  const bool useful_only = inputs_.settings.shadow_rays == ShadowRays::useful;
   for (std::size_t k = 0; k < tables_.lights.size(); ++k) {
     const ShadingLight<float>& light = tables_.lights[k];
     if (light.kind == LightKind::ambient) continue;
     const bool is_point = light.kind == LightKind::point;
     const Vec3f to_light = is_point ? light.vector - surface.point : light.vector;
     const float t_max = is_point ? 1.0f : std::numeric_limits<float>::infinity();
+    if (useful_only && !adds_light(point, material, to_light, options)) continue;
     if (tracer_.find_blocker(surface, static_cast<int>(k), to_light, t_max)) blocked_[k] |= 1u << lane;
   }
 }

@@ -327,12 +327,14 @@ class Tracer {
     Lighting<Real> lighting{Vec3<Real>(1), Vec3<Real>(0)};
     if (inputs_.settings.lighting) {
       const LitPoint<Real> point{surface.point, surface.shading_normal, -ray.direction};
+      const IlluminationOptions options = illumination_options(inputs_.settings);
+      const bool useful_only = inputs_.settings.shadow_rays == ShadowRays::useful;
       const auto blocked = [&](int light, const Vec3<Real>& to_light, Real t_max) {
+        if (useful_only && !adds_light(point, material, to_light, options)) return std::optional<PixelId>();
         const std::optional<PixelId> blocker = find_blocker(surface, light, to_light, t_max);
         if (blocker && first && light < 32) first->shadow_mask |= 1u << light;
         return blocker;
       };
-      const IlluminationOptions options = illumination_options(inputs_.settings);
       lighting = illuminate<Real>(point, material, inputs_.lights, options, blocked, recorder_);
     }
     const Vec3<Real> local = surface_colour * lighting.light + lighting.extra;

@@ -113,6 +113,15 @@ inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const V
   return angle;
 }
 
+/// Whether a casting light that nothing blocks adds anything to the point: only then it matters what stands between.
+template <class Real>
+inline bool adds_light(const LitPoint<Real>& point, const ShadingMaterial<Real>& material, const Vec3<Real>& to_light,
+                       const IlluminationOptions& options) {
+  if (dot(point.normal, to_light) > 0) return true;
+  if (options.illumination == Illumination::radiometric || !options.specular || !material.specular) return false;
+  return highlight_angle(point, to_light, options.highlight).dot_product > 0;
+}
+
 /// What stands between a point and a light. A blocked light gives nothing; where a shadow map's taps disagree, a share.
 template <class Real>
 struct Blocking {

@@ -97,6 +97,9 @@ Benches gains_benches() {
       gain("any-hit/book", "nearest", book_picture, nothing, [](Settings& s) { s.shadow_any_hit = false; }),
       gain(
           "shadow-cache/book", "no cache", book_picture, [](Settings& s) { s.shadow_cache = true; }, nothing),
+      gain(
+          "useful-shadow-rays/book", "all", book_picture, [](Settings& s) { s.shadow_rays = ShadowRays::useful; },
+          nothing),
       gain("cache-constants/book", "no cache", book_picture, nothing, [](Settings& s) { s.cache_constants = false; }),
       gain(
           "threads/teapot", "one thread", mesh, [](Settings& s) { s.threads = 2; }, nothing),

@@ -107,6 +107,11 @@ TEST(Packets, EverySettingThatTheFastPathCovers) {
   expect_fast([](Settings& s) { s.specular = false; });
   expect_fast([](Settings& s) { s.shadows = Shadows::none; });
   expect_fast([](Settings& s) { s.shadow_any_hit = false; });
+  expect_fast([](Settings& s) { s.shadow_rays = ShadowRays::useful; });
+  expect_fast([](Settings& s) {
+    s.shadow_rays = ShadowRays::useful;
+    s.specular = false;
+  });
   expect_fast([](Settings& s) { s.reflection_depth = 0; });
   expect_fast([](Settings& s) { s.reflection_depth = 64; });
   for (const double cutoff : {0.01, 0.1, 0.2, 0.5, 1.0})

@@ -64,14 +64,12 @@ TEST(Needs, OnEveryBuiltinSceneTheAdviceMeetsItsToleranceAndDoesNoMoreWork) {
     EXPECT_LE(work_of(scene, needs.advice),
               needs.within_tolerance ? work_of(scene, base) : std::max(work_of(scene, best), work_of(scene, plain)));
     // What shows a fault on purpose does so by its scene's own settings; the program's defaults cost no less than the
-    // advice. Only the book's three bounces between its four spheres are too few.
-    if (builtin.name != "cgfs/reflections" && builtin.name != "cgfs/camera") {
-      Settings ordinary;  // of the same view
-      ordinary.projection = base.projection;
-      ordinary.near = base.near;
-      ordinary.sample_position = base.sample_position;
-      EXPECT_LE(work_of(scene, needs.advice), std::max(work_of(scene, base), work_of(scene, ordinary)));
-    }
+    // advice.
+    Settings ordinary;  // of the same view
+    ordinary.projection = base.projection;
+    ordinary.near = base.near;
+    ordinary.sample_position = base.sample_position;
+    EXPECT_LE(work_of(scene, needs.advice), std::max(work_of(scene, base), work_of(scene, ordinary)));
     EXPECT_EQ(needs.work, work_of(scene, needs.advice));
     EXPECT_EQ(needs.default_work, work_of(scene, base));
   }

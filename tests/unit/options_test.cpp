@@ -50,6 +50,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"environment", up_to(Environment::room_map)},
       {"sample-pattern", up_to(SamplePattern::r2)},
       {"self-hit", up_to(SelfHit::normal_bump)},
+      {"shadow-rays", up_to(ShadowRays::useful)},
       {"epsilon-unit", up_to(EpsilonUnit::distance)},
       {"accelerator", EmbreeTriangles::available() ? up_to(Accelerator::embree) : up_to(Accelerator::two_level)},
       {"slab-test", up_to(SlabTest::naive)},
