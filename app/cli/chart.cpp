@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "base/check.h"
 #include "cli/command.h"
@@ -22,7 +23,8 @@ struct ChartArguments {
   std::vector<std::string> folders;
   std::vector<std::string> sweeps;
   std::string metric = "rmse", region, reference, shard = "1/1", output;
-  int repeats = 5, samples = 16;
+  int repeats = 5;
+  std::optional<int> samples;
   bool linear = false;
 };
 
@@ -32,7 +34,6 @@ ChartRequest make_request(const ChartArguments& arguments) {
   request.error.metric = parse_error_metric(arguments.metric);
   request.error.values = arguments.linear ? ErrorValues::linear : ErrorValues::display;
   if (!arguments.region.empty()) request.error.region = parse_region_text(arguments.region);
-  request.reference = {arguments.reference, arguments.samples};
   request.repeats = arguments.repeats;
   request.folder = arguments.output;
   std::vector<SweepAxis> axes;
@@ -46,6 +47,7 @@ ChartRequest make_request(const ChartArguments& arguments) {
   const SceneTraits traits = scene_traits(request.scene);
   for (const std::string& sentence : idle_axes(axes, request.base, traits)) fmt::print(stderr, "{}\n", sentence);
   request.points = sweep_points(axes, request.base, settings_for(document.base), traits);
+  request.reference = {arguments.reference, arguments.samples.value_or(reference_samples_for(request.points))};
   return request;
 }
 
@@ -115,7 +117,10 @@ void add_chart_command(CLI::App& app, Action& chosen) {
   command->add_option("--region", arguments->region, "compare only this part")->type_name("X,Y,W,H");
   command->add_option("--repeats", arguments->repeats, "timed runs of each point")->check(CLI::Range(1, 1000));
   command->add_option("--reference", arguments->reference, "a picture to compare with; without it one is rendered");
-  command->add_option("--reference-samples", arguments->samples, "samples for each pixel of the rendered reference")
+  command
+      ->add_option(
+          "--reference-samples", arguments->samples,
+          "samples for each pixel of the rendered reference; without it four times those of any point, at least 16")
       ->check(CLI::Range(1, 4096));
   command->add_option("--shard", arguments->shard, "only part i of n of the sweep")->type_name("i/n");
   command->add_option("--out", arguments->output, "folder for the results; a cut-off run continues there")->required();

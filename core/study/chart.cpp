@@ -170,6 +170,13 @@ Shard parse_shard(std::string_view text) {
   return {index % count, count};
 }
 
+int reference_samples_for(std::span<const SweepPoint> points) {
+  int samples = 16;
+  for (const SweepPoint& point : points)
+    while (samples < 4 * std::max(point.value.samples_per_pixel, point.value.multisampling)) samples *= 4;
+  return samples;
+}
+
 Chart run_chart(const ChartRequest& request, StudyControl& control, const ChartUpdate& update, const Clock& clock) {
   if (request.repeats < 1) throw InputError(fmt::format("repeats: found {}, expected at least 1", request.repeats));
   return Runner(request, control, update, clock).run();

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,10 @@ struct ChartRequest {
   /// Where results are kept as they arrive, and found again when the same chart is asked for; empty = nowhere.
   std::filesystem::path folder;
 };
+
+/// Samples for each pixel of a reference that is closer to the truth than every point: four times the most that any of
+/// them takes, at least 16. A power of 4.
+int reference_samples_for(std::span<const SweepPoint> points);
 
 /// Called after each run, on the thread that runs the chart.
 using ChartUpdate = std::function<void(const Chart&, const StudyStatus&)>;

@@ -199,7 +199,8 @@ std::span<const NamedSweep> named_sweeps() {
       {"samples", "Samples per pixel", {"samples-per-pixel=1,4,16,64"}},
       {"shadow-methods",
        "Shadow methods",
-       {"renderer=rasterizer", "shadows", "shadow-map-size=16,64,256,1024,4096", "shadow-filter"}},
+       {"renderer=rasterizer", "shadows=none,map,stencil-depth-pass,stencil-depth-fail",
+        "shadow-map-size=16,64,256,1024,4096", "shadow-filter"}},
       {"coverage-strategies", "Coverage strategies", {"renderer=rasterizer", "coverage"}},
   };
   static const std::vector<NamedSweep> usable = [] {

@@ -92,6 +92,27 @@ TEST(Chart, ShardsMergedEqualTheWhole) {
   EXPECT_THROW(merge_charts({scratch.path() / "none"}, ErrorMetric::rmse), InputError);
 }
 
+TEST(Chart, TheReferenceTakesMoreSamplesThanAnyPoint) {
+  const auto samples = [](std::initializer_list<int> of_points) {
+    std::vector<SweepPoint> points;
+    for (const int samples_per_pixel : of_points) {
+      points.emplace_back();
+      points.back().value.samples_per_pixel = samples_per_pixel;
+    }
+    return reference_samples_for(points);
+  };
+  EXPECT_EQ(samples({}), 16);
+  EXPECT_EQ(samples({1}), 16);
+  EXPECT_EQ(samples({1, 4}), 16);
+  EXPECT_EQ(samples({5}), 64);
+  EXPECT_EQ(samples({1, 16, 4}), 64);
+  EXPECT_EQ(samples({64, 1}), 256);
+  std::vector<SweepPoint> points(1);
+  points[0].value.renderer = Renderer::rasterizer;
+  points[0].value.multisampling = 16;
+  EXPECT_EQ(reference_samples_for(points), 64);
+}
+
 TEST(Chart, ShardTextCountsFromOneOrFromZero) {
   EXPECT_EQ(parse_shard("2/4").index, 2);
   EXPECT_EQ(parse_shard("4/4").index, 0);

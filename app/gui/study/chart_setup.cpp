@@ -90,7 +90,8 @@ ChartRequest make_request(const ChartPlan& plan, const ChartSetup& setup, ErrorM
   request.points = plan.points;
   request.error = {metric, setup.values, {}};
   if (setup.part == ChartPart::rectangle) request.error.region = session.region();
-  request.reference = {setup.reference_file, setup.reference_samples};
+  request.reference = {setup.reference_file,
+                       setup.reference_samples > 0 ? setup.reference_samples : reference_samples_for(plan.points)};
   request.repeats = setup.repeats;
   request.priority = WorkerPriority::background;
   return request;
@@ -110,10 +111,10 @@ std::string command_of(const ChartPlan& plan, const ChartSetup& setup, ErrorMetr
   if (setup.values == ErrorValues::linear) arguments.emplace_back("--linear");
   if (const auto& r = session.region(); r && setup.part == ChartPart::rectangle) add("--region", region_text(*r));
   add("--repeats", std::to_string(setup.repeats));
-  if (setup.reference_file.empty())
-    add("--reference-samples", std::to_string(setup.reference_samples));
-  else
+  if (!setup.reference_file.empty())
     add("--reference", setup.reference_file);
+  else if (setup.reference_samples > 0)
+    add("--reference-samples", std::to_string(setup.reference_samples));
   Document document = session.document();
   side_of(document, setup.side).settings = plan.base;
   return chart_command(document, setup.side, arguments);

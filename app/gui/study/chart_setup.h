@@ -20,7 +20,7 @@ struct ChartSetup {
   ErrorValues values = ErrorValues::display;
   ChartPart part = ChartPart::whole;
   int repeats = 5;
-  int reference_samples = 16;  ///< a square number
+  int reference_samples = 0;   ///< a square number; 0 = as many as the sweep needs (reference_samples_for)
   std::string reference_file;  ///< empty = one is rendered
   std::string search;          ///< for an option to add
 };

@@ -137,8 +137,10 @@ void comparison(ChartSetup& setup, const Session& session) {
 
 void reference(ChartSetup& setup, const std::function<void()>& browse) {
   static constexpr std::array samples{
+      Choice{"auto", "auto", "Four times as many as any point takes, at least 16."},
       Choice{"1", "1", "One sample for each pixel: what the settings could be at best."},
-      Choice{"4", "4", "Four samples for each pixel."}, Choice{"16", "16", "Sixteen samples for each pixel."},
+      Choice{"4", "4", "Four samples for each pixel."},
+      Choice{"16", "16", "Sixteen samples for each pixel."},
       Choice{"64", "64", "Takes 64 times as long as one picture in double."},
       Choice{"256", "256", "Takes 256 times as long as one picture in double."}};
   if (setup.reference_file.empty()) {
@@ -148,7 +150,8 @@ void reference(ChartSetup& setup, const std::function<void()>& browse) {
     int index = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
       if (samples[i].key == now) index = static_cast<int>(i);
-    if (choice("samples", samples, index)) setup.reference_samples = 1 << (2 * index);  // the keys are the powers of 4
+    // Behind "auto" the keys are the powers of 4.
+    if (choice("samples", samples, index)) setup.reference_samples = index == 0 ? 0 : 1 << (2 * (index - 1));
   } else {
     quiet_text(fmt::format("The picture {}", setup.reference_file));
     if (button("render-reference", "Render one instead")) setup.reference_file.clear();
