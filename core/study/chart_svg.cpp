@@ -137,11 +137,13 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
     if (!places[i].shown) continue;
     if (const auto leader = label_leader(wishes[i], places[i], largest_mark_radius))
       lines += line(plot_corner + leader->first, plot_corner + leader->second, "#909090", 1);
-    // A white rim keeps it legible where a line runs behind it.
-    words += text_at(plot_corner.x + places[i].corner.x, plot_corner.y + places[i].corner.y + label_size - 1, "start",
-                     of_wish[i]->what.label, label_size,
-                     fmt::format(" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"",
-                                 of_wish[i]->on_front ? "#202020" : "#606060"));
+    // A white rim keeps it legible where a line runs behind it. It is a text of its own: not every program that shows
+    // SVG knows paint-order, and without it the rim would cover the letters.
+    const char* const colour = of_wish[i]->on_front ? "#202020" : "#606060";
+    for (const std::string& look :
+         {std::string(" stroke=\"#ffffff\" stroke-width=\"3\" fill=\"#ffffff\""), fmt::format(" fill=\"{}\"", colour)})
+      words += text_at(plot_corner.x + places[i].corner.x, plot_corner.y + places[i].corner.y + label_size - 1, "start",
+                       of_wish[i]->what.label, label_size, look);
   }
   return lines + words;
 }

@@ -234,4 +234,31 @@ TEST(Chart, FilesHoldTheTableOfTheDesign) {
   EXPECT_NE(chart_json(chart).find("\"processor\""), std::string::npos);
 }
 
+TEST(Chart, LabelsLieOverTheirRimsInAnyViewer) {
+  ChartRequest request = small_request();
+  StudyControl control;
+  const Chart chart = run_chart(request, control);
+  const std::string svg = chart_svg(chart);
+  EXPECT_EQ(svg.find("paint-order"), std::string::npos) << "ImageMagick and others draw the stroke last";
+  const auto times = [&](const std::string& text) {
+    std::size_t found = 0;
+    for (std::size_t at = svg.find(text); at != std::string::npos; at = svg.find(text, at + 1)) ++found;
+    return found;
+  };
+  std::size_t shown = 0;
+  for (const ChartPoint& point : chart.points) {
+    const std::string words = ">" + point.what.label + "</text>";
+    const std::size_t first = svg.find(words);
+    if (first == std::string::npos) continue;
+    ++shown;
+    EXPECT_EQ(times(words), 2u) << point.what.label;
+    const std::string rim = svg.substr(svg.rfind('<', first), first - svg.rfind('<', first));
+    const std::size_t second = svg.find(words, first + 1);
+    const std::string letters = svg.substr(svg.rfind('<', second), second - svg.rfind('<', second));
+    EXPECT_NE(rim.find("stroke=\"#ffffff\""), std::string::npos) << rim;
+    EXPECT_EQ(letters.find("stroke"), std::string::npos) << letters;
+  }
+  EXPECT_GT(shown, 0u);
+}
+
 }  // namespace
