@@ -14,8 +14,8 @@ using namespace ps;
 
 constexpr int side = 101;
 
-// A ball of radius 1, three units away, lit from the right and from behind. Where the eye ray of a pixel meets it, and which way the
-// surface looks there, is worked out here in double.
+// A ball of radius 1, three units away, lit from the right and from behind. Where the eye ray of a pixel meets it, and
+// which way the surface looks there, is worked out here in double.
 Scene ball(const char* material) {
   return parse_scene(std::string("viewport_size = 1 x 1\nprojection_plane_d = 1\n"
                                  "light { type = directional intensity = 1 direction = (1, 0, 1) }\n"

@@ -13,6 +13,7 @@
 #include "hwy/highway.h"
 
 #if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
+#include "math/mask_bits-inl.h"
 #include "math/quarters-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -125,13 +126,7 @@ HWY_INLINE Edge make_edge(const AssemblyRules& rules, const Corner& a, const Cor
   return edge;
 }
 
-HWY_INLINE std::uint64_t bits_of(M mask) {
-  std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(DI(), mask, bytes.data());
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < 2; ++i) bits |= std::uint64_t{bytes[i]} << (8 * i);
-  return bits;
-}
+HWY_INLINE std::uint64_t bits_of(M mask) { return ps::HWY_NAMESPACE::bits_of(DI(), mask); }
 
 /// Which of the triangles in `wanted`, whose boxes have at most tiny_side x tiny_side samples, cover any.
 HWY_INLINE M cover_some(const std::array<Edge, 3>& edges, VI width, VI height, M wanted) {

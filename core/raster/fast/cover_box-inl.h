@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "hwy/highway.h"
+#include "math/mask_bits-inl.h"
 #include "raster/fast/tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -104,9 +105,7 @@ HWY_INLINE std::uint64_t put(M inside, V inverse_z, std::uint32_t id, std::size_
   const auto id_before = hn::Load(du, id_at);
   if constexpr (replaced == Replaced::kept) {
     const M shown = hn::RebindMask(d, hn::Ne(id_before, hn::Set(du, TileFragments::none)));
-    std::array<std::uint8_t, 8> bits{};
-    hn::StoreMaskBits(d, hn::And(passed, shown), bits.data());
-    keep_replaced(tile, at, bits[0] | std::uint64_t{bits[1]} << 8, tile.replaced);
+    keep_replaced(tile, at, ps::HWY_NAMESPACE::bits_of(d, hn::And(passed, shown)), tile.replaced);
   }
   hn::Store(hn::IfThenElse(passed, inverse_z, before), d, depth);
   hn::Store(hn::IfThenElse(hn::RebindMask(du, passed), hn::Set(du, id), id_before), du, id_at);

@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstddef>
 
+#include "math/mask_bits-inl.h"
 #include "raster/fast/resolve.h"
 #include "raster/shade_batch-inl.h"
 
@@ -27,14 +28,6 @@ using VI = hn::Vec<DI>;
 using Four = hn::FixedTag<float, 4>;
 
 constexpr std::size_t most_lanes = hn::MaxLanes(D());
-
-HWY_INLINE std::uint64_t bits_of(M mask) {
-  std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(D(), mask, bytes.data());
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < (most_lanes + 7) / 8; ++i) bits |= std::uint64_t{bytes[i]} << (8 * i);
-  return bits;
-}
 
 /// The lanes of a vector that show one triangle.
 struct Share {
@@ -117,7 +110,7 @@ HWY_INLINE Weights weights_of(const TileTriangle& triangle, const Fragments& fra
   const LargeTriangle& large = triangle.part->large[record.triangle];
   if (large.fits_double) return large_weights(large, column, row);
   HWY_ALIGN float numbers[3][most_lanes] = {};
-  for (std::uint64_t lanes = bits_of(mask); lanes != 0; lanes &= lanes - 1) {
+  for (std::uint64_t lanes = ps::HWY_NAMESPACE::bits_of(D(), mask); lanes != 0; lanes &= lanes - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
     const std::array<float, 3> weights = weights_at(triangle, fragments.column[i], row);
     for (std::size_t k = 0; k < 3; ++k) numbers[k][i] = weights[k];
