@@ -186,7 +186,7 @@ std::string notes(const std::string& text, double y) {
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t blank = std::min(text.find(' ', from), text.size());
     const std::string word = text.substr(from, blank - from);
-    if (!so_far.empty() && estimated_width(so_far + " " + word, note_size) > plot_size.x) put();
+    if (!so_far.empty() && estimated_width(fmt::format("{} {}", so_far, word), note_size) > plot_size.x) put();
     so_far += (so_far.empty() ? "" : " ") + word;
     from = blank + 1;
   }

@@ -12,8 +12,8 @@ using raster::FixedPoint;
 enum class Width { int64, int32 };
 
 /// Draws a mesh with the product's edge functions and counts how often each pixel is painted.
-std::vector<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Width width) {
-  std::vector<int> times(static_cast<std::size_t>(side * side), 0);
+Image<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Width width) {
+  Image<int> times(side, side);
   const CoverageGrid grid{8, rule, {0.5, 0.5}};
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto p = mesh.corners(i);
@@ -31,7 +31,7 @@ std::vector<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Wi
           for (std::size_t k = 0; k < 3; ++k)
             inside = inside && raster::inside_edge(raster::wrapped(value[k], 8), edges->threshold[k]);
         }
-        times[static_cast<std::size_t>(y * side + x)] += inside ? 1 : 0;
+        times.at(x, y) += inside ? 1 : 0;
       }
   }
   return times;
@@ -62,7 +62,7 @@ std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
     run.check();
     const FlatMesh mesh = squares ? rectangles() : turned_mesh(60, 0.5, run);
     const auto painted = [&](FillRule rule) {
-      return count_painted(painted_times(mesh, window, rule, Width::int64), window, 0, window);
+      return count_painted(painted_times(mesh, window, rule, Width::int64), 0, window);
     };
     const Painted robust = painted(FillRule::top_left);
     for (const FillRule rule : {FillRule::inclusive, FillRule::exclusive}) {
@@ -83,7 +83,7 @@ std::vector<StabilityRow> measure_int32(const StabilityRun& run) {
     run.check();
     const FlatMesh mesh = turned_mesh(cells, 0, run);
     const auto holes = [&](Width width) {
-      return count_painted(painted_times(mesh, window, FillRule::top_left, width), window, 0, window).holes;
+      return count_painted(painted_times(mesh, window, FillRule::top_left, width), 0, window).holes;
     };
     // A triangle is half a cell.
     rows.push_back({window / static_cast<double>(cells), "square root of a triangle's area", holes(Width::int32),
@@ -94,7 +94,7 @@ std::vector<StabilityRow> measure_int32(const StabilityRun& run) {
 
 /// The book's DrawFilledTriangle (CGFS ch. 7): from the rounded left edge to the rounded right edge, both included,
 /// from the first row to the last, both included.
-void book_triangle(std::array<Vec2d, 3> p, int side, std::vector<int>& times) {
+void book_triangle(std::array<Vec2d, 3> p, Image<int>& times) {
   for (Vec2d& corner : p) corner = {std::round(corner.x), std::round(corner.y)};
   if (p[1].y < p[0].y) std::swap(p[0], p[1]);
   if (p[2].y < p[0].y) std::swap(p[0], p[2]);
@@ -106,7 +106,7 @@ void book_triangle(std::array<Vec2d, 3> p, int side, std::vector<int>& times) {
     const double b =
         y < static_cast<int>(p[1].y) ? upper.at(y - static_cast<int>(p[0].y)) : lower.at(y - static_cast<int>(p[1].y));
     for (int x = static_cast<int>(std::lround(std::min(a, b))); x <= static_cast<int>(std::lround(std::max(a, b))); ++x)
-      if (x >= 0 && y >= 0 && x < side && y < side) ++times[static_cast<std::size_t>(y * side + x)];
+      if (times.contains(x, y)) ++times.at(x, y);
   }
 }
 
@@ -117,11 +117,11 @@ std::vector<StabilityRow> measure_inclusive(const StabilityRun& run) {
     Random random(run.seed);
     const int cells = static_cast<int>(600 / size);
     const FlatMesh mesh = jittered_mesh(cells, 10, 10 + cells * size, 0.3, 0, random);
-    std::vector<int> times(640 * 640, 0);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) book_triangle(mesh.corners(i), 640, times);
+    Image<int> times(640, 640);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) book_triangle(mesh.corners(i), times);
     const int last = 10 + static_cast<int>(cells * size);
-    const Painted naive = count_painted(times, 640, 11, last);
-    const Painted robust = count_painted(painted_times(mesh, 640, FillRule::top_left, Width::int64), 640, 11, last);
+    const Painted naive = count_painted(times, 11, last);
+    const Painted robust = count_painted(painted_times(mesh, 640, FillRule::top_left, Width::int64), 11, last);
     rows.push_back({size, "mesh", percent(naive.doubles, naive.pixels), percent(robust.doubles, robust.pixels),
                     "% of pixels painted more than once"});
   }

@@ -21,7 +21,7 @@ enum class Way {
 /// A uniform grid over the unit cube.
 class Grid {
  public:
-  Grid(const std::vector<Ball>& balls, int side, bool centres_only) : side_(side), cells_(cell_count()) {
+  Grid(const std::vector<Ball>& balls, int side, bool centres_only) : side_(side), cells_(index(0, 0, side)) {
     for (std::size_t i = 0; i < balls.size(); ++i) {
       const Vec3d reach(centres_only ? 0.0 : balls[i].radius);
       std::array<int, 3> low{}, high{};
@@ -85,8 +85,11 @@ class Grid {
   }
 
  private:
-  std::size_t cell_count() const { return static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_ * side_); }
-  std::size_t index(int x, int y, int z) const { return static_cast<std::size_t>((z * side_ + y) * side_ + x); }
+  /// Of the cell (x, y, z) in `cells_`; that of (0, 0, side) is the number of cells.
+  std::size_t index(int x, int y, int z) const {
+    const auto side = static_cast<std::size_t>(side_);
+    return (static_cast<std::size_t>(z) * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(x);
+  }
   int cell_of(double place) const { return std::clamp(static_cast<int>(std::floor(place * side_)), 0, side_ - 1); }
   int side_;
   std::vector<std::vector<int>> cells_;

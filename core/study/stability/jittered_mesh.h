@@ -2,6 +2,7 @@
 #include <array>
 #include <functional>
 
+#include "image/image.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {
@@ -58,11 +59,11 @@ struct Painted {
 };
 
 /// Counts over the pixels [first, last) in both directions.
-inline Painted count_painted(const std::vector<int>& times, int side, int first, int last) {
+inline Painted count_painted(const Image<int>& times, int first, int last) {
   Painted painted;
   for (int y = first; y < last; ++y)
     for (int x = first; x < last; ++x) {
-      const int n = times[static_cast<std::size_t>(y * side + x)];
+      const int n = times.at(x, y);
       ++painted.pixels;
       painted.holes += n == 0 ? 1 : 0;
       painted.doubles += n > 1 ? 1 : 0;

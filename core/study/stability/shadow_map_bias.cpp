@@ -105,13 +105,20 @@ std::vector<StabilityRow> measure_acne(const StabilityRun& run) {
   return rows;
 }
 
+/// The slope bias (texels) for so many taps in a row: to the middle of the outermost, and half of it with some to
+/// spare.
+double slope_for(int taps) {
+  const int aside = taps / 2;
+  return aside + 0.6;
+}
+
 std::vector<StabilityRow> measure_filter(const StabilityRun& run) {
   const Scene scene = ball_on_floor(30);
   const ShadowMap map = map_of(scene, 512, run);
   Rows rows(run);
   for (const int taps : {1, 3, 5, 7})
     rows.push_back({static_cast<double>(taps), "sun at 30 degrees", acne(scene, map, {0, 1, taps}, run),
-                    acne(scene, map, {0, taps / 2 + 0.6, taps}, run), "% of lit floor dark"});
+                    acne(scene, map, {0, slope_for(taps), taps}, run), "% of lit floor dark"});
   return rows;
 }
 
@@ -160,7 +167,7 @@ StabilityPicture picture_filter(double taps) {
   StabilityPicture result = picture(0);
   result.naive.shadow_filter = result.robust.shadow_filter = static_cast<int>(taps);
   result.naive.shadow_slope_bias = 1;
-  result.robust.shadow_slope_bias = static_cast<int>(taps) / 2 + 0.6;
+  result.robust.shadow_slope_bias = slope_for(result.robust.shadow_filter);
   return result;
 }
 

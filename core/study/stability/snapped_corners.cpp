@@ -12,8 +12,8 @@ using raster::CoverageGrid;
 using raster::FixedPoint;
 
 /// Which triangle each pixel belongs to when corners are rounded to so many bits.
-std::vector<int> owners(const FlatMesh& mesh, int side, int bits) {
-  std::vector<int> owner(static_cast<std::size_t>(side * side), -1);
+Image<int> owners(const FlatMesh& mesh, int side, int bits) {
+  Image<int> owner(side, side, -1);
   const CoverageGrid grid{bits, FillRule::top_left, {0.5, 0.5}};
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto p = mesh.corners(i);
@@ -24,7 +24,7 @@ std::vector<int> owners(const FlatMesh& mesh, int side, int bits) {
     const raster::PixelBox box = raster::sample_box(corner, grid);
     for (int y = std::max(0, box.y0); y < std::min(side, box.y1); ++y)
       for (int x = std::max(0, box.x0); x < std::min(side, box.x1); ++x)
-        if (edges->inside(edges->at(x, y))) owner[static_cast<std::size_t>(y * side + x)] = static_cast<int>(i);
+        if (edges->inside(edges->at(x, y))) owner.at(x, y) = static_cast<int>(i);
   }
   return owner;
 }
@@ -37,14 +37,14 @@ std::vector<StabilityRow> measure_bits(const StabilityRun& run) {
     Random random(run.seed);
     const int cells = std::max(3, static_cast<int>(512 / edge));
     const FlatMesh mesh = jittered_mesh(cells, 2.3, 514.7, 0.3, 0, random);
-    const std::vector<int> truth = owners(mesh, side, finest);
+    const Image<int> truth = owners(mesh, side, finest);
     const auto wrong = [&](int bits) {
-      const std::vector<int> owner = owners(mesh, side, bits);
+      const Image<int> owner = owners(mesh, side, bits);
       double changed = 0, all = 0;
-      for (std::size_t i = 0; i < truth.size(); ++i)
-        if (truth[i] >= 0) {
+      for (std::size_t i = 0; i < truth.pixels().size(); ++i)
+        if (truth.pixels()[i] >= 0) {
           ++all;
-          changed += owner[i] != truth[i] ? 1 : 0;
+          changed += owner.pixels()[i] != truth.pixels()[i] ? 1 : 0;
         }
       return percent(changed, all);
     };

@@ -3,6 +3,7 @@
 
 #include "image/anisotropic.h"
 #include "image/mip_level.h"
+#include "image/planes.h"
 #include "image/texture_sampling.h"
 #include "study/stability/support.h"
 
@@ -19,7 +20,7 @@ Vec2d floor_at(double column, double row) {
 
 struct Floor {
   MipChain chain;
-  std::vector<double> truth;  ///< levels, of many bilinear lookups in each pixel
+  ScalarImage truth;  ///< levels, of many bilinear lookups in each pixel
 };
 
 /// Squares along one axis, 1 and -1 in turns, mixed between the middles of neighbouring texels.
@@ -33,7 +34,7 @@ Floor make_floor(const StabilityRun& run) {
   auto texels = std::make_shared<Image<Vec3f>>(texels_per_unit, texels_per_unit);
   for (int y = 0; y < texels_per_unit; ++y)
     for (int x = 0; x < texels_per_unit; ++x) texels->at(x, y) = Vec3f((x / square + y / square) % 2 == 0 ? 1 : 0);
-  Floor floor{make_mip_chain(texels), {}};
+  Floor floor{make_mip_chain(texels), ScalarImage(width, height)};
   const int side = run.effort < 1 ? 16 : 64;
   for (int row = 0; row < height; ++row) {
     run.check();
@@ -47,7 +48,7 @@ Floor make_floor(const StabilityRun& run) {
           // Bilinear filtering of a product is the product of both axes' linear ones.
           sum += (1 + square_wave(p.x * texels_per_unit) * square_wave(p.y * texels_per_unit)) / 2;
         }
-      floor.truth.push_back(255 * sum / (side * side));
+      floor.truth.at(column, row) = 255 * sum / (side * side);
     }
   }
   return floor;
@@ -76,7 +77,7 @@ Error error_of(const Floor& floor, TextureFilter filter, double bias, int anisot
         lookup.level = mip_level(derivatives, bias);
         colour = sample_texture(floor.chain, uv, lookup).colour;
       }
-      const double off = 255 * colour.x - floor.truth[static_cast<std::size_t>(row * width + column)];
+      const double off = 255 * colour.x - floor.truth.at(column, row);
       error.whole += off * off;
       if (row < height / 4) error.far += off * off;
     }
@@ -129,9 +130,9 @@ std::vector<float> master(std::uint32_t seed) {
 }
 
 /// The same picture with `side` x `side` texels, each the mean of what it covers.
-std::vector<double> reduced(const std::vector<float>& values, int side) {
+ScalarImage reduced(const std::vector<float>& values, int side) {
   const int step = finest / side;
-  std::vector<double> result;
+  ScalarImage result(side, side);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
       double sum = 0;
@@ -139,24 +140,23 @@ std::vector<double> reduced(const std::vector<float>& values, int side) {
         for (int i = 0; i < step; ++i)
           sum += static_cast<double>(
               values[static_cast<std::size_t>(y * step + j) * finest + static_cast<std::size_t>(x * step + i)]);
-      result.push_back(255 * sum / (step * step));
+      result.at(x, y) = 255 * sum / (step * step);
     }
   return result;
 }
 
 std::vector<StabilityRow> measure_size(const StabilityRun& run) {
   const std::vector<float> values = master(run.seed);
-  const std::vector<double> truth = reduced(values, screen);
+  const ScalarImage truth = reduced(values, screen);
   Rows rows(run);
   for (const int side : {16, 64, 128, 256, 512, 1024, 2048}) {
     run.check();
-    const std::vector<double> texels = reduced(values, side);
+    const ScalarImage texels = reduced(values, side);
     double sum = 0;
     for (int y = 0; y < screen; ++y)
       for (int x = 0; x < screen; ++x) {
-        const auto texel = [&](int v) { return static_cast<std::size_t>((2 * v + 1) * side / (2 * screen)); };
-        const double off = texels[texel(y) * static_cast<std::size_t>(side) + texel(x)] -
-                           truth[static_cast<std::size_t>(y * screen + x)];
+        const auto texel = [&](int v) { return (2 * v + 1) * side / (2 * screen); };
+        const double off = texels.at(texel(x), texel(y)) - truth.at(x, y);
         sum += off * off;
       }
     // A mip chain's level of the screen's size is that mean by construction.

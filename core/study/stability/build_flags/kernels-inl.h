@@ -127,14 +127,16 @@ V traced(V origin, V direction, float t_min, int depth) {
 }
 
 std::uint8_t level(float value) {
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): lround() would be a call into code with other flags
   return static_cast<std::uint8_t>(value < 0 ? 0 : value > 255 ? 255 : static_cast<int>(value + 0.5f));
 }
 
 void flag_book_picture(int side, std::uint8_t* pixels) {
+  const int half = side / 2;
   for (int row = 0; row < side; ++row)
     for (int column = 0; column < side; ++column) {
-      const V direction{static_cast<float>(column - side / 2) / static_cast<float>(side),
-                        static_cast<float>(side / 2 - 1 - row) / static_cast<float>(side), 1};
+      const V direction{static_cast<float>(column - half) / static_cast<float>(side),
+                        static_cast<float>(half - 1 - row) / static_cast<float>(side), 1};
       const V colour = traced({0, 0, 0}, direction, 1, 3);
       *pixels++ = level(colour.x);
       *pixels++ = level(colour.y);
