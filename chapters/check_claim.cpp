@@ -73,11 +73,11 @@ double measure(const Claim& claim, const Document& document, Progress& progress)
   Bench bench(document, progress);
   switch (claim.metric) {
   case ClaimMetric::differing_pixels:
-    return static_cast<double>(compare_images(bench.levels(Side::a), bench.levels(Side::b)).differing);
+    return static_cast<double>(compare_channels(bench.levels(Side::a), bench.levels(Side::b)).differing);
   case ClaimMetric::mean_difference:
-    return compare_images(bench.levels(Side::a), bench.levels(Side::b)).mae;
+    return compare_channels(bench.levels(Side::a), bench.levels(Side::b)).mae;
   case ClaimMetric::max_difference:
-    return compare_images(bench.levels(Side::a), bench.levels(Side::b)).max;
+    return compare_channels(bench.levels(Side::a), bench.levels(Side::b)).max;
   case ClaimMetric::counter_a:
     return static_cast<double>(bench.frame(Side::a).counters[claim.counter]);
   case ClaimMetric::counter_b:

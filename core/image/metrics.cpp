@@ -1,6 +1,7 @@
 #include "image/metrics.h"
 
 #include <cmath>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,11 @@ void require_same_size(int width_a, int height_a, int width_b, int height_b) {
 }
 
 bool finite(const Vec3d& c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
+bool same(double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); }
+
+Vec3d channels(const Rgb8& c) { return {c.r, c.g, c.b}; }
+Vec3d channels(const Vec3f& c) { return Vec3d(c); }
+Vec3d channels(const Vec3d& c) { return c; }
 
 /// Mean of the similarities of the three channels, so that a wrong hue counts too.
 double colour_ssim(const Image<Vec3d>& a, const Image<Vec3d>& b, double range) {
@@ -60,53 +66,54 @@ struct Sums {
 
 }  // namespace
 
-Comparison compare_images(const Image<Rgb8>& a, const Image<Rgb8>& b) {
+template <class Colour>
+Comparison compare_channels(const Image<Colour>& a, const Image<Colour>& b) {
   require_same_size(a.width(), a.height(), b.width(), b.height());
-  constexpr double range = 255;
+  constexpr double range = std::is_same_v<Colour, Rgb8> ? 255 : 1;
   Comparison result;
   Sums sums;
-  Image<Vec3d> levels_a(a.width(), a.height());
-  Image<Vec3d> levels_b(a.width(), a.height());
-  for (std::size_t i = 0; i < levels_a.pixels().size(); ++i) {
-    const Rgb8 p = a.pixels()[i];
-    const Rgb8 q = b.pixels()[i];
-    levels_a.pixels()[i] = {p.r, p.g, p.b};
-    levels_b.pixels()[i] = {q.r, q.g, q.b};
-    if (p != q) ++result.differing;
-    sums.add(levels_a.pixels()[i], levels_b.pixels()[i]);
+  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+    const Vec3d p = channels(a.pixels()[i]), q = channels(b.pixels()[i]);
+    if (!(same(p.r, q.r) && same(p.g, q.g) && same(p.b, q.b))) ++result.differing;
+    if (finite(p) && finite(q))
+      sums.add(p, q);
+    else
+      ++result.not_finite;
   }
   sums.report(range, result);
   result.identical = result.differing == 0;
+  return result;
+}
+template Comparison compare_channels(const Image<Rgb8>& a, const Image<Rgb8>& b);
+template Comparison compare_channels(const Image<Vec3f>& a, const Image<Vec3f>& b);
+template Comparison compare_channels(const Image<Vec3d>& a, const Image<Vec3d>& b);
+
+Comparison compare_images(const Image<Rgb8>& a, const Image<Rgb8>& b) {
+  Comparison result = compare_channels(a, b);
   if (result.identical) return result;
-  result.ssim = colour_ssim(levels_a, levels_b, range);
+  Image<Vec3d> levels_a(a.width(), a.height());
+  Image<Vec3d> levels_b(a.width(), a.height());
+  for (std::size_t i = 0; i < levels_a.pixels().size(); ++i) {
+    levels_a.pixels()[i] = channels(a.pixels()[i]);
+    levels_b.pixels()[i] = channels(b.pixels()[i]);
+  }
+  result.ssim = colour_ssim(levels_a, levels_b, 255);
   result.flip = flip(a, b);
   return result;
 }
 
 Comparison compare_linear(const Image<Vec3f>& a, const Image<Vec3f>& b) {
-  require_same_size(a.width(), a.height(), b.width(), b.height());
-  constexpr double range = 1;
-  Comparison result;
-  Sums sums;
+  Comparison result = compare_channels(a, b);
+  if (result.identical) return result;
   Image<Vec3d> shown_a(a.width(), a.height());
   Image<Vec3d> shown_b(a.width(), a.height());
-  const auto same = [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); };
   for (std::size_t i = 0; i < shown_a.pixels().size(); ++i) {
-    const Vec3f p = a.pixels()[i];
-    const Vec3f q = b.pixels()[i];
-    if (!(same(p.r, q.r) && same(p.g, q.g) && same(p.b, q.b))) ++result.differing;
-    if (!finite(Vec3d(p)) || !finite(Vec3d(q))) {
-      ++result.not_finite;
-      continue;  // black in both, for SSIM and FLIP
-    }
-    sums.add(Vec3d(p), Vec3d(q));
-    shown_a.pixels()[i] = clamp_colour(Vec3d(p));
-    shown_b.pixels()[i] = clamp_colour(Vec3d(q));
+    const Vec3d p = channels(a.pixels()[i]), q = channels(b.pixels()[i]);
+    if (!finite(p) || !finite(q)) continue;  // black in both
+    shown_a.pixels()[i] = clamp_colour(p);
+    shown_b.pixels()[i] = clamp_colour(q);
   }
-  sums.report(range, result);
-  result.identical = result.differing == 0;
-  if (result.identical) return result;
-  result.ssim = colour_ssim(shown_a, shown_b, range);
+  result.ssim = colour_ssim(shown_a, shown_b, 1);
   result.flip = flip(shown_a, shown_b);
   return result;
 }

@@ -25,6 +25,13 @@ struct Comparison {
 /// Compares display levels. FLIP takes them as sRGB. Throws InputError if the sizes differ.
 Comparison compare_images(const Image<Rgb8>& a, const Image<Rgb8>& b);
 
+/// The same without SSIM and FLIP, which take nearly all of the time; floats are taken as they are.
+template <class Colour>
+Comparison compare_channels(const Image<Colour>& a, const Image<Colour>& b);
+extern template Comparison compare_channels(const Image<Rgb8>& a, const Image<Rgb8>& b);
+extern template Comparison compare_channels(const Image<Vec3f>& a, const Image<Vec3f>& b);
+extern template Comparison compare_channels(const Image<Vec3d>& a, const Image<Vec3d>& b);
+
 /// Compares floats as they are; SSIM and FLIP see them clamped to [0, 1], FLIP as linear light.
 Comparison compare_linear(const Image<Vec3f>& a, const Image<Vec3f>& b);
 

@@ -134,6 +134,28 @@ TEST(Metrics, SumsFollowTheirFormulas) {
   EXPECT_THROW(ps::compare_images(a, Image<Rgb8>(5, 4)), ps::InputError);
 }
 
+TEST(Metrics, ChannelsAloneGiveTheSameSums) {
+  Image<Rgb8> a(4, 5, {10, 20, 30});
+  Image<Rgb8> b = a;
+  b.at(1, 2) = {13, 16, 30};
+  b.at(3, 4) = {10, 255, 31};
+  const auto all = ps::compare_images(a, b), sums = ps::compare_channels(a, b);
+  EXPECT_EQ(sums.differing, 2);
+  EXPECT_FALSE(sums.identical);
+  EXPECT_EQ(sums.mae, all.mae);
+  EXPECT_EQ(sums.rmse, all.rmse);
+  EXPECT_EQ(sums.psnr, all.psnr);
+  EXPECT_EQ(sums.max, 235);
+  EXPECT_TRUE(ps::compare_channels(a, a).identical);
+  EXPECT_THROW(ps::compare_channels(a, Image<Rgb8>(5, 4)), ps::InputError);
+
+  Image<ps::Vec3d> c(2, 1, ps::Vec3d(1)), d = c;
+  d.at(1, 0).b += 0x1p-40;  // too little for a float
+  EXPECT_EQ(ps::compare_channels(c, d).differing, 1);
+  EXPECT_EQ(ps::compare_channels(c, d).max, 0x1p-40);
+  EXPECT_EQ(ps::compare_channels(c, d).mae, 0x1p-40 / 6);
+}
+
 // Traps of mean metrics, with the values found by other programs.
 TEST(Metrics, KnowsItsKnownBlindSpots) {
   const auto flat = [](int level) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "image/metrics.h"
 #include "inspect/recorder.h"
 #include "raytrace/tracer.h"
 #include "scene/scene_file.h"
@@ -45,15 +46,7 @@ struct Result {
   double rmse = 0, rays = 0;  ///< levels; for each pixel
 };
 
-double rmse(const Image<Vec3f>& a, const Image<Vec3f>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i)
-    for (int c = 0; c < 3; ++c) {
-      const double d = static_cast<double>(a.pixels()[i][c]) - static_cast<double>(b.pixels()[i][c]);
-      sum += d * d;
-    }
-  return 255 * std::sqrt(sum / (3 * static_cast<double>(a.pixels().size())));
-}
+double rmse(const Image<Vec3f>& a, const Image<Vec3f>& b) { return 255 * compare_channels(a, b).rmse; }
 
 /// Whitted's sampling of one pixel: a square whose corners differ by more than the threshold is cut in four, a few
 /// times, and every other one has the mean of its corners.

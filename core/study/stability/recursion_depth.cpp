@@ -1,6 +1,7 @@
 #include <array>
-#include <cmath>
 
+#include "image/metrics.h"
+#include "image/mixing.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -16,19 +17,12 @@ static std::vector<StabilityRow> measure_recursion_depth(const StabilityRun& run
   const int side = run.side(600);
   const auto picture = [&](int depth) {
     settings.reflection_depth = depth;
-    return picture_of(scene, {scene.camera, side, side}, settings, Channel::none, run).colour_double;
+    auto colours = picture_of(scene, {scene.camera, side, side}, settings, Channel::none, run).colour_double;
+    for (Vec3d& colour : colours.pixels()) colour = clamp_colour(colour);
+    return colours;
   };
   const Image<Vec3d> truth = picture(60);
-  const auto rmse = [&](int depth) {
-    const Image<Vec3d> shown = picture(depth);
-    double sum = 0;
-    for (std::size_t i = 0; i < truth.pixels().size(); ++i)
-      for (int c = 0; c < 3; ++c) {
-        const double d = std::min(shown.pixels()[i][c], 1.0) - std::min(truth.pixels()[i][c], 1.0);
-        sum += d * d;
-      }
-    return 255 * std::sqrt(sum / (3.0 * static_cast<double>(truth.pixels().size())));
-  };
+  const auto rmse = [&](int depth) { return 255 * compare_channels(picture(depth), truth).rmse; };
   constexpr int enough = 8;
   const double robust = rmse(enough);
   Rows rows(run);
