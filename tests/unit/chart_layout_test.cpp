@@ -54,6 +54,9 @@ TEST(Axis, ALoneValueHasRoomAndWholeNumbersNoFractionsBetween) {
   }
   for (const Tick& tick : fit_axis({0, 1}, AxisScale::linear).ticks()) EXPECT_EQ(tick.value, std::round(tick.value));
   EXPECT_GT(fit_axis({0, 0.5}, AxisScale::linear).ticks().size(), 2u);
+  const PlotAxis close = fit_axis({0.97, std::nextafter(0.97, 1)}, AxisScale::linear);
+  EXPECT_LT(close.ticks().size(), 15u);
+  EXPECT_NEAR(close.place(0.97), 0.5, 1e-6);
 }
 
 TEST(Axis, RoundNumbersAreWrittenOut) {
