@@ -98,12 +98,18 @@ ChartPoint* find_point(Chart& chart, int number) {
   return found == chart.points.end() ? nullptr : &*found;
 }
 
-/// Puts pictures and samples into the points of `chart` that are there; with `add`, adds those that are not.
+[[noreturn]] void refuse_other_chart(const std::filesystem::path& folder) {
+  throw InputError(folder.string() + ": holds another chart; choose another folder or empty this one");
+}
+
+/// Puts pictures and samples into the points of `chart` that are there; with `add`, adds those that are not. What is
+/// there must be of the same settings.
 enum class Missing { ignore, add };
 void apply(const std::vector<Json>& lines, const std::filesystem::path& folder, Chart& chart, Missing missing) {
   for (const Json& line : lines) {
     if (line.contains("picture")) {
       ChartPoint* point = find_point(chart, line.at("picture"));
+      if (point && line.at("settings") != point->what.settings) refuse_other_chart(folder);
       if (!point && missing == Missing::add) point = &chart.points.emplace_back();
       if (point) read_picture(line, folder, *point);
     } else if (line.contains("sample")) {
@@ -128,8 +134,7 @@ ChartLog::ChartLog(const std::filesystem::path& folder, Chart& chart, const Imag
       try {
         Chart there;
         read_head(lines.front(), there);
-        if (!(there.identity == chart.identity))
-          throw InputError(folder.string() + ": holds another chart; choose another folder or empty this one");
+        if (!(there.identity == chart.identity)) refuse_other_chart(folder);
         apply(lines, folder, chart, Missing::ignore);
       } catch (const nlohmann::json::exception& e) {
         throw InputError(path.string() + ": damaged: " + e.what());

@@ -158,6 +158,11 @@ TEST(Chart, AFolderOfAnotherChartIsNotOverwritten) {
   request.view.width = 44;
   EXPECT_THROW(run_chart(request, control), InputError);
   EXPECT_EQ(read_whole_file(scratch.file("runs.jsonl")), before);
+  ChartRequest other_sweep = small_request();
+  std::reverse(other_sweep.points.begin(), other_sweep.points.end());
+  other_sweep.folder = scratch.path();
+  EXPECT_THROW(run_chart(other_sweep, control), InputError);
+  EXPECT_EQ(read_whole_file(scratch.file("runs.jsonl")), before);
 }
 
 TEST(Chart, RepeatsAreInterleavedAndQuartilesAreThoseOfTheSamples) {
