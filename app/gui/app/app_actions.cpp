@@ -272,13 +272,13 @@ void App::add_pixel_actions() {
                  .group = "Pixel",
                  .keys = key,
                  .kind = ActionKind::repeat,
-                 .run = [this, by] { nudge(by); }});
+                 .run = [this, by = by] { nudge(by); }});
     actions.add({.name = fmt::format("pixel-{}-far", name),
                  .label = fmt::format("Ten pixels {}", label),
                  .group = "Pixel",
                  .keys = fmt::format("Shift+{}", key),
                  .kind = ActionKind::repeat,
-                 .run = [this, by] { nudge(by * far_nudge); }});
+                 .run = [this, by = by] { nudge(by * far_nudge); }});
   }
 }
 
@@ -339,15 +339,15 @@ void App::add_camera_actions() {
     const char *name, *label, *keys;
     double right, up;
   };
-  for (const auto& [name, label, keys, right, up] :
+  for (const Turn& by :
        {Turn{"turn-left", "Turn left", "Ctrl+Left", -1, 0}, Turn{"turn-right", "Turn right", "Ctrl+Right", 1, 0},
         Turn{"turn-up", "Turn up", "Ctrl+Up", 0, 1}, Turn{"turn-down", "Turn down", "Ctrl+Down", 0, -1}})
-    actions.add({.name = name,
-                 .label = label,
+    actions.add({.name = by.name,
+                 .label = by.label,
                  .group = "Camera",
-                 .keys = keys,
+                 .keys = by.keys,
                  .kind = ActionKind::repeat,
-                 .run = [this, right, up] { turn(right * turn_step, up * turn_step); }});
+                 .run = [this, by] { turn(by.right * turn_step, by.up * turn_step); }});
   actions.add({.name = "fly",
                .label = "Fly: W A S D Q E move the camera",
                .group = "Camera",
@@ -362,23 +362,23 @@ void App::add_camera_actions() {
     const char *name, *label, *keys;
     double right, up, forward;
   };
-  for (const auto& [name, label, keys, right, up, forward] :
+  for (const Push& by :
        {Push{"light-away", "Light away from the camera", "I", 0, 0, 1},
         Push{"light-near", "Light nearer", "K", 0, 0, -1}, Push{"light-left", "Light left", "J", -1, 0, 0},
         Push{"light-right", "Light right", "L", 1, 0, 0}, Push{"light-down", "Light down", "U", 0, -1, 0},
         Push{"light-up", "Light up", "O", 0, 1, 0}})
-    actions.add({.name = name,
-                 .label = label,
-                 .group = "Light",
-                 .keys = keys,
-                 .kind = ActionKind::repeat,
-                 .run = [this, right, up,
-                         forward] { move_light(right * light_share, up * light_share, forward * light_share); },
-                 .enabled =
-                     [this] {
-                       return selected_light(session_.scene(), options_panel_.selected_light) <
-                              static_cast<int>(session_.scene().lights->size());
-                     }});
+    actions.add(
+        {.name = by.name,
+         .label = by.label,
+         .group = "Light",
+         .keys = by.keys,
+         .kind = ActionKind::repeat,
+         .run = [this, by] { move_light(by.right * light_share, by.up * light_share, by.forward * light_share); },
+         .enabled =
+             [this] {
+               return selected_light(session_.scene(), options_panel_.selected_light) <
+                      static_cast<int>(session_.scene().lights->size());
+             }});
   add_gestures(actions);
 }
 

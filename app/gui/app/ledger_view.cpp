@@ -19,7 +19,7 @@ constexpr double room_for_one_line = 250;  // beside the numbers, for the words
 constexpr double narrow = 256;             // smaller letters below this width
 
 ImU32 swatch_colour(const Vec3d& value) {
-  const auto level = [](double v) { return static_cast<int>(std::clamp(v, 0.0, 1.0) * 255 + 0.5); };
+  const auto level = [](double v) { return std::lround(std::clamp(v, 0.0, 1.0) * 255); };
   return IM_COL32(level(value.x), level(value.y), level(value.z), 255);
 }
 
@@ -48,7 +48,7 @@ void number_at(ImDrawList& list, ImFont* font, float right, float top, const std
 }
 
 std::string number_in(const Columns& columns, double value) {
-  const std::string text = short_number(value);
+  std::string text = short_number(value);
   if (!columns.brief || text.size() <= most_brief) return text;
   // As wide as most others, and read without thinking; only what would become 0 is written with a power.
   const std::string plain = fmt::format("{:.4f}", value);

@@ -65,7 +65,7 @@ std::string changes_since(const Document& document, Side side) {
 
 }  // namespace
 
-PinState::PinState(std::function<void()> wake) : prepared(std::make_shared<Prepared>()) {
+PinState::PinState(const std::function<void()>& wake) : prepared(std::make_shared<Prepared>()) {
   for (auto& worker : workers) worker = std::make_unique<InspectWorker>(prepared, wake);
 }
 

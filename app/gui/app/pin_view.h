@@ -28,7 +28,7 @@ struct PinnedStory {
 /// The stories of the document's pinned pixel, as they were when it was pinned.
 struct PinState {
   /// `wake` is called from other threads when a story has come.
-  explicit PinState(std::function<void()> wake);
+  explicit PinState(const std::function<void()>& wake);
 
   std::optional<Pin> told;  ///< the pin that the stories below belong to,
   std::string told_scene;   ///< in this scene

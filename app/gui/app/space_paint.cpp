@@ -186,6 +186,7 @@ class Painter {
     const auto polygon = projection_.polygon(item.points);
     if (polygon.size() < 3) return;
     std::vector<ImVec2> corners;
+    corners.reserve(polygon.size());
     for (const SpacePlace& place : polygon) corners.push_back(window(place));
     double alpha = 0.5;
     if (item.kind == SpaceKind::triangle_on_image) alpha = item.emphasised ? 0.25 : 0.1;

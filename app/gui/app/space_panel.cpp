@@ -212,7 +212,7 @@ void move_by_mouse(SpacePanelState& state, double aspect) {
 
 Rgb8 paper_colour() {
   const ImVec4 paper = palette().field;
-  const auto level = [](float share) { return static_cast<std::uint8_t>(share * 255 + 0.5f); };
+  const auto level = [](float share) { return static_cast<std::uint8_t>(std::lround(share * 255)); };
   return {level(paper.x), level(paper.y), level(paper.z)};
 }
 
