@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/output_file.h"
 #include "cli/scene_arguments.h"
 #include "image/file.h"
 #include "study/precision_map.h"
@@ -20,6 +21,8 @@ struct PrecisionArguments {
 };
 
 int run_precision(const PrecisionArguments& arguments) {
+  for (const std::string& file : {arguments.faults, arguments.gap})
+    if (!file.empty()) require_output_file(file, OutputKind::picture);
   const Document document = load_document(arguments.scene);
   const View view = view_of(document);
   Prepared prepared;

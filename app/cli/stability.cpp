@@ -10,6 +10,7 @@
 #include "base/machine.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/output_file.h"
 #include "image/file.h"
 #include "study/stability/pictures.h"
 #include "study/stability_study.h"
@@ -36,6 +37,7 @@ void print_rows(const StabilityExperiment& experiment, const std::vector<Stabili
 
 int save_strip(const std::vector<const StabilityExperiment*>& chosen, const std::string& file) {
   if (chosen.size() != 1) throw InputError("--strip: expected the name of one experiment");
+  require_output_file(file, OutputKind::picture);
   const auto strip = film_strip(*chosen.front(), {}, interruptible_progress());
   if (!strip) throw InputError(fmt::format("--strip: {} has no picture", chosen.front()->key));
   save_image(file, *strip);

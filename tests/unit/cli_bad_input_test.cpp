@@ -93,6 +93,9 @@ TEST(CliBadInput, Files) {
   expect_refused({"render", scene, "--out", folder.file("nowhere/a.png")}, "does not exist");
   expect_refused({"render", scene, "--out", folder.file("a.gif")}, ".gif");
   expect_refused({"render", scene}, "--out");
+  expect_refused({"precision", scene, "--out", folder.file("a.gif")}, ".gif");
+  expect_refused({"precision", scene, "--gap", folder.file("nowhere/a.png")}, "does not exist");
+  expect_refused({"stability", "bvh-holes", "--strip", folder.file("a.gif")}, ".gif");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"good.scene"});
 }
 
