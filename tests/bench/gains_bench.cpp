@@ -2,12 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <cstring>
 #include <functional>
 #include <memory>
 
 #include "bench/bench.h"
 #include "bench/meshes.h"
+#include "image/metrics.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -47,12 +47,10 @@ GainPicture mesh_picture(int width, int height) {
   return {mesh_scene(mesh), framed_view(*mesh, width, height), plain_settings()};
 }
 
-/// How many pixels of a picture may differ: none, unless the gain is bought with a guess.
+/// The share of pixels that differ. None may, unless the gain is bought with a guess.
 double share_of_differing(const Frame& a, const Frame& b) {
-  std::size_t differing = 0;
-  for (std::size_t i = 0; i < a.colour.pixels().size(); ++i)
-    differing += std::memcmp(&a.colour.pixels()[i], &b.colour.pixels()[i], sizeof(Vec3f)) != 0 ? 1 : 0;
-  return static_cast<double>(differing) / static_cast<double>(a.colour.pixels().size());
+  return static_cast<double>(compare_channels(a.colour, b.colour).differing) /
+         static_cast<double>(a.colour.pixels().size());
 }
 
 Job gain_job(const GainPicture& start, const Change& with, const Change& without, double allowed_share) {

@@ -57,7 +57,7 @@ Job teller_job(const std::shared_ptr<Inspected>& inspected, Renderer renderer, T
 }
 
 std::shared_ptr<Inspected> builtin_scene(const std::string& name) {
-  const auto inspected = std::make_shared<Inspected>();
+  auto inspected = std::make_shared<Inspected>();
   inspected->scene = load_scene(name);
   const Scene& scene = inspected->scene;
   inspected->view = {scene.camera, scene.canvas_width, scene.canvas_height};
@@ -68,7 +68,7 @@ std::shared_ptr<Inspected> builtin_scene(const std::string& name) {
 }
 
 std::shared_ptr<Inspected> million_triangles() {
-  const auto inspected = std::make_shared<Inspected>();
+  auto inspected = std::make_shared<Inspected>();
   const auto mesh = bench_mesh("1M");
   inspected->scene = mesh_scene(mesh);
   inspected->view = framed_view(*mesh, 1024, 768);

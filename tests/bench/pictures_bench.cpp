@@ -21,7 +21,8 @@ Job picture_job(const std::string& name, Renderer renderer) {
   const auto picture = std::make_shared<Picture>();
   picture->scene = load_scene(name);
   picture->view = {picture->scene.camera, 1280, 720};
-  for (const auto& [key, value] : picture->scene.settings) parse_assignment(key + "=" + value, picture->settings);
+  for (const auto& [key, value] : picture->scene.settings)
+    parse_assignment(fmt::format("{}={}", key, value), picture->settings);
   picture->settings.renderer = renderer;
   Job job;
   job.ours = [picture] {

@@ -93,8 +93,7 @@ Job query_job(const std::string& mesh, RayKinds kind, EmbreeMode mode, EmbreeQue
   }
   job.ours();
   job.yardstick();
-  const std::string difference = compare_hits(sides->our_hits, sides->embree_hits, job.note);
-  job.check = [difference] { return difference; };
+  job.check = [difference = compare_hits(sides->our_hits, sides->embree_hits, job.note)] { return difference; };
   job.amount = static_cast<double>(rays.size()) * 1e-6;
   return job;
 }

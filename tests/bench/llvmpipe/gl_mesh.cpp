@@ -44,6 +44,7 @@ void GlScene::upload_mesh(const Mesh& mesh) {
                GL_STATIC_DRAW);
   const auto attribute = [](GLuint place, GLint size, std::size_t offset) {
     glEnableVertexAttribArray(place);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes the offset as a pointer
     glVertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, sizeof(GlVertex), reinterpret_cast<const void*>(offset));
   };
   attribute(0, 3, offsetof(GlVertex, position));
