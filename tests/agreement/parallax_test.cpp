@@ -233,7 +233,7 @@ TEST(Parallax, RoundThingsUseTheirOwnLengths) {
       // At an angle phi off the middle the shift along the surface is 0.01 * 2 pi * tan(angle between n and v).
       for (const int x : {columns / 2 - 12, columns / 2 + 12}) {
         const int y = rows / 2;
-        const Vec3d ray{(x + 0.5 - columns / 2) / rows, 0, 1};
+        const Vec3d ray{(x + 0.5 - columns / 2.0) / rows, 0, 1};
         const double square = dot(ray, ray), t = (4 - std::sqrt(16 - 15 * square)) / square;
         const Vec3d point = ray * t, normal = point - Vec3d{0, 0, 4};
         const double cosine = dot(normal, -point) / std::sqrt(dot(point, point));

@@ -39,7 +39,8 @@ void expect_drawn(const std::filesystem::path& path) {
     for (int x = 0; x < picture.width(); ++x) {
       const ps::Rgb8 p = picture.at(x, y);
       colours.insert(p.r << 16 | p.g << 8 | p.b);
-      if (!(p == first)) ++quarters[static_cast<std::size_t>((y * 2 / picture.height()) * 2 + x * 2 / picture.width())];
+      const int row = y * 2 / picture.height(), column = x * 2 / picture.width();
+      if (!(p == first)) ++quarters[2 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
     }
   EXPECT_GT(colours.size(), 40u) << path;
   EXPECT_GT(*std::max_element(quarters.begin(), quarters.end()), 100u) << path;

@@ -15,6 +15,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "support/closed_sphere.h"
+#include "support/same_bits.h"
 #include "support/trials.h"
 
 namespace {
@@ -115,8 +116,7 @@ std::vector<Ray<Real>> aimed_rays(const TracedGeometry<Real>& geometry, const Pl
 template <class Real>
 bool same_bits(const Hit<Real>& a, const Hit<Real>& b) {
   if (a.primitive != b.primitive) return false;
-  return !a.found() || (std::memcmp(&a.t, &b.t, sizeof a.t) == 0 &&
-                        std::memcmp(a.weights.data(), b.weights.data(), sizeof a.weights) == 0);
+  return !a.found() || (test::same_bits(a.t, b.t) && test::same_bits(a.weights, b.weights));
 }
 
 /// How many of the rays find something else with `inputs` than by testing everything.

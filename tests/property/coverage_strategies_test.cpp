@@ -249,10 +249,9 @@ TEST(CoverageStrategies, FillAMeshAsTheRuleSays) {
         const auto input = make_input({points[a], points[b], points[c]}, {8, rule, {0.5, 0.5}}, size);
         if (input) painted.merge(walk(way, *input, input->whole).covered);
       };
-      for (int y = 0; y < cells; ++y)
-        for (int x = 0; x < cells; ++x) {
-          const auto a = static_cast<std::size_t>(y * (cells + 1) + x), b = a + 1;
-          const auto c = a + static_cast<std::size_t>(cells) + 1, d = c + 1;
+      for (std::size_t y = 0; y < cells; ++y)
+        for (std::size_t x = 0; x < cells; ++x) {
+          const std::size_t a = y * (cells + 1) + x, b = a + 1, c = a + cells + 1, d = c + 1;
           draw(a, b, d);
           draw(d, c, a);
         }

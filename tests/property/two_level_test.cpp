@@ -14,6 +14,7 @@
 #include "scene/load.h"
 #include "support/closed_sphere.h"
 #include "support/random_scene.h"
+#include "support/same_bits.h"
 #include "support/trials.h"
 
 namespace {
@@ -156,9 +157,8 @@ template <class Real>
 bool same_hit(const BothWays<Real>& ways, const Hit<Real>& a, const Hit<Real>& b) {
   if (a.found() != b.found()) return false;
   if (!a.found()) return true;
-  return id_of(*ways.unfolded.geometry, a) == id_of(*ways.shared.geometry, b) &&
-         std::memcmp(&a.t, &b.t, sizeof a.t) == 0 &&
-         std::memcmp(a.weights.data(), b.weights.data(), sizeof a.weights) == 0;
+  return id_of(*ways.unfolded.geometry, a) == id_of(*ways.shared.geometry, b) && test::same_bits(a.t, b.t) &&
+         test::same_bits(a.weights, b.weights);
 }
 
 template <class Real>

@@ -199,7 +199,7 @@ TEST(Teapot, TessellationAgreesWithDeCasteljauAndKeepsCorners) {
 TEST(Teapot, SeamsAreClosedAndOnlyTheSixOpenEdgesRemain) {
   for (const int n : {2, 3, 10, 16}) {
     const Mesh mesh = make_teapot({.divisions = n});
-    EXPECT_EQ(mesh.triangles.size(), static_cast<std::size_t>(64 * n * n - 8 * n));
+    EXPECT_EQ(static_cast<int>(mesh.triangles.size()), 64 * n * n - 8 * n);
     int open = 0;
     for (const auto& [edge, use] : edges(mesh)) {
       ASSERT_LE(use.forward, 1);

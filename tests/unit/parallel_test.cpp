@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "image/image.h"
+
 namespace {
 
 using namespace ps;
@@ -99,14 +101,14 @@ TEST(Parallel, DoesNothingForNoWork) {
 
 TEST(Tiles, CoverEachPixelOnce) {
   for (const auto& [width, height, size] : {std::array{1, 1, 32}, {33, 65, 32}, {600, 600, 64}, {7, 100, 1}}) {
-    std::vector<int> hits(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    Image<int> hits(width, height);
     for (const TileRect& tile : make_tiles(width, height, size)) {
       EXPECT_LE(tile.width(), size);
       EXPECT_LE(tile.height(), size);
       for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; ++x) ++hits[static_cast<std::size_t>(y * width + x)];
+        for (int x = tile.x0; x < tile.x1; ++x) ++hits.at(x, y);
     }
-    for (const int count : hits) EXPECT_EQ(count, 1);
+    for (const int count : hits.pixels()) EXPECT_EQ(count, 1);
   }
 }
 

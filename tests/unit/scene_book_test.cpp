@@ -144,12 +144,12 @@ TEST(SceneBook, TheBallIsTheProgramsBall) {
   ASSERT_EQ(ball.positions.size(), 240U);
   ASSERT_EQ(ball.triangles.size(), 450U);
   const json& turns = reference()["sphere15"]["cos_sin_hex_ieee754_be_from_v8"];
-  for (int ring = 0; ring <= 15; ++ring) {
-    const double y = 2.0 / 15 * (ring - 7.5);
+  for (std::size_t ring = 0; ring <= 15; ++ring) {
+    const double y = 2.0 / 15 * (static_cast<double>(ring) - 7.5);
     const double radius = std::sqrt(1 - y * y);
-    for (int i = 0; i < 15; ++i) {
-      const ps::Vec3d& position = ball.positions[static_cast<std::size_t>(ring * 15 + i)];
-      const json& turn = turns[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < 15; ++i) {
+      const ps::Vec3d& position = ball.positions[ring * 15 + i];
+      const json& turn = turns[i];
       EXPECT_NEAR(position.x, radius * from_hex(turn["cos"]), 1e-14);
       EXPECT_DOUBLE_EQ(position.y, y);
       EXPECT_NEAR(position.z, radius * from_hex(turn["sin"]), 1e-14);
