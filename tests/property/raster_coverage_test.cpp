@@ -124,10 +124,9 @@ TEST(SharedEdges, HalfPixelMeshIsCoveredExactlyOnce) {
           if (edges->inside(edges->at(x, y)))
             ++painted[static_cast<std::size_t>(y) * 260 + static_cast<std::size_t>(x)];
     };
-    for (int y = 0; y < cells; ++y)
-      for (int x = 0; x < cells; ++x) {
-        const auto a = static_cast<std::size_t>(y * (cells + 1) + x), b = a + 1;
-        const auto c = a + static_cast<std::size_t>(cells) + 1, d = c + 1;
+    for (std::size_t y = 0; y < cells; ++y)
+      for (std::size_t x = 0; x < cells; ++x) {
+        const std::size_t a = y * (cells + 1) + x, b = a + 1, c = a + cells + 1, d = c + 1;
         if ((x + y) % 2) {
           draw(a, b, d);
           draw(a, d, c);

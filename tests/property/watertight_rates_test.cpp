@@ -46,6 +46,7 @@ class Aim {
   }
   std::vector<AimedRay> many(AimedRay (Aim::*next)(), int count) {
     std::vector<AimedRay> rays;
+    rays.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) rays.push_back((this->*next)());
     return rays;
   }

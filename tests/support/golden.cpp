@@ -74,7 +74,7 @@ std::filesystem::path reference_path(const std::string& name) {
 }
 
 std::filesystem::path fresh_output_folder(const std::string& name) {
-  const auto folder = output_folder() / name;
+  auto folder = output_folder() / name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;

@@ -144,6 +144,7 @@ Scene random_scene(unsigned seed) {
   if (random.chance(0.5)) scene.camera = {turn * scene.camera.position, turn[0], turn[1], turn[2], 1, 1, 1};
 
   std::vector<Material> materials;
+  materials.reserve(6);
   for (int i = 0; i < 6; ++i) materials.push_back(material(random));
   scene.materials = Part(std::move(materials));
   scene.textures = Part(std::vector<Texture>{checkerboard()});

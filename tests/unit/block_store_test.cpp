@@ -42,6 +42,7 @@ TEST(BlockStore, KeepsNoMoreThanItsLimit) {
 /// Every thread writes its own blocks as a whole and finds them unchanged.
 TEST(BlockStore, GivesEachThreadBlocksOfItsOwn) {
   std::vector<std::thread> threads;
+  threads.reserve(4);
   std::vector<int> wrong(4, 0);
   for (int t = 0; t < 4; ++t)
     threads.emplace_back([t, &wrong] {

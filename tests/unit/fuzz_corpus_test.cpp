@@ -29,6 +29,7 @@ std::vector<std::string> kept_files(const Target& target) {
     if (entry.is_regular_file() && entry.path().extension() != ".json") paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> files;
+  files.reserve(paths.size());
   for (const auto& path : paths) files.push_back(ps::read_whole_file(path));
   return files;
 }

@@ -184,8 +184,8 @@ TEST(Listing, LightAddsUp) {
   const Image<Rgb8> drawn = display_frame(render(scene, view, settings), settings);
   settings.renderer = Renderer::textbook;
   const Image<Rgb8> listed = display_frame(render(scene, view, settings), settings);
-  EXPECT_EQ(listed.at(20, 19), Rgb8(240, 180, 80));  // on the seam
-  EXPECT_EQ(listed.at(24, 19), Rgb8(120, 90, 40));
+  EXPECT_EQ(listed.at(20, 19), (Rgb8{240, 180, 80}));  // on the seam
+  EXPECT_EQ(listed.at(24, 19), (Rgb8{120, 90, 40}));
   int different = 0;
   for (int y = 0; y < view.height; ++y)
     for (int x = 0; x < view.width; ++x) different += listed.at(x, y) == drawn.at(x, y) ? 0 : 1;

@@ -28,6 +28,7 @@ TEST(MipChain, HalvesDownToOneTexel) {
   const auto sizes = [](int width, int height) {
     const auto chain = ps::make_mip_chain(noise_texture(width, height, 1));
     std::vector<std::pair<int, int>> result;
+    result.reserve(static_cast<std::size_t>(chain.levels()));
     for (int i = 0; i < chain.levels(); ++i) result.emplace_back(chain.level(i).width(), chain.level(i).height());
     return result;
   };

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
                      }() +
                      "\n",
                  4, 2003, "'1'", "at most 1000 corners"},
-        BadModel{"long_line", "v 0 0 0" + std::string(10'000'000, ' ') + "\n", 1, 1, "a line of 10000007 bytes",
+        BadModel{"long_line", "v 0 0 0" + std::string(8'000'000, ' ') + "\n", 1, 1, "a line of 8000007 bytes",
                  "at most 65536 bytes"},
         BadModel{"utf16", std::string("\xFF\xFEv\0 \0", 6), 1, 1, "UTF-16 text", "UTF-8 text"},
         BadModel{"nul", std::string("v 0 0 0\nv 1 \0 0\n", 16), 2, 0, "a NUL byte", "text"},

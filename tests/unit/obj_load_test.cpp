@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -187,7 +188,7 @@ TEST(ObjLoad, IsFramedWholeFromTheFront) {
     std::string text;
     for (const std::string x : {"-", ""})
       for (const std::string y : {"-", ""})
-        for (const std::string z : {"-", ""}) text += "v " + x + size + " " + y + size + " " + z + size + "\n";
+        for (const std::string z : {"-", ""}) text += fmt::format("v {}{} {}{} {}{}\n", x, size, y, size, z, size);
     const ps::Scene scene = folder.load(text + "f 1 2 3\nf 6 7 8\n");
     const ps::Camera& camera = scene.camera;
     EXPECT_EQ(camera.forward, ps::Vec3d(0, 0, -1));

@@ -120,7 +120,7 @@ TEST(Permalink, HoldsTheRectangleAndThePictureInBsPlace) {
 TEST(Permalink, RectangleIsCutOffAtThePicturesEdges) {
   Document across = parse_permalink("region=500,590,200,20");
   attach_scene(across, test::book_spheres());
-  EXPECT_EQ(across.view.region, TileRect(500, 590, 600, 600));
+  EXPECT_EQ(across.view.region, (TileRect{500, 590, 600, 600}));
   Document outside = parse_permalink("region=600,0,10,10");
   attach_scene(outside, test::book_spheres());
   EXPECT_EQ(outside.view.region, std::nullopt);
