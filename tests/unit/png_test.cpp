@@ -95,9 +95,9 @@ TEST(Png, TellsWhatIsWrong) {
   expect(header(1, 0x80000000u, rgb) + data + end, "1 x 2147483648");
   expect(header(0x80000000u, 0x80000000u, rgb) + data + end, "2147483648 x 2147483648");
   expect(header(1u << 15, (1u << 13) + 1, rgb) + data + end, "at most 268435456 pixels");
-  for (const int type : {1, 5, 7})
-    expect(header(1, 1, std::string{8, char(type), 0, 0, 0}) + data + end, "colour type");
-  for (const int depth : {0, 3, 99}) expect(header(1, 1, std::string{char(depth), 0, 0, 0, 0}) + data + end, "bits");
+  const std::string rest = data + end;
+  for (const int type : {1, 5, 7}) expect(header(1, 1, std::string{8, char(type), 0, 0, 0}) + rest, "colour type");
+  for (const int depth : {0, 3, 99}) expect(header(1, 1, std::string{char(depth), 0, 0, 0, 0}) + rest, "bits");
   expect(header(1, 1, std::string{8, 2, 1, 0, 0}) + data + end, "compression method");
   expect(header(1, 1, std::string{8, 2, 0, 1, 0}) + data + end, "filter method");
   expect(header(1, 1, std::string{8, 2, 0, 0, 2}) + data + end, "interlace method");
@@ -106,7 +106,7 @@ TEST(Png, TellsWhatIsWrong) {
   expect(header(1, 1, rgb) + header(1, 1, rgb).substr(8) + data + end, "second IHDR");
   expect(data + end, "no PNG signature");
   expect(header(1, 1, rgb) + chunk("IDAT", "\x78\x01") + end, "cannot be decoded");
-  expect(header(1, 1, rgb) + chunk("IDAT", stored("\0")) + end, "cannot be decoded");
+  expect(header(1, 1, rgb) + chunk("IDAT", stored(std::string(1, '\0'))) + end, "cannot be decoded");
   // A picture of 2^28 pixels whose data are missing is refused without that much memory being filled.
   expect(header(1u << 14, 1u << 14, rgb) + data + end, "cannot be decoded");
 }
