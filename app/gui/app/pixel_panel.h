@@ -14,7 +14,7 @@ namespace ps::gui {
 /// What the inspector remembers of itself.
 struct PixelPanelState {
   /// `wake` as for PinState.
-  explicit PixelPanelState(std::function<void()> wake) : pin(std::move(wake)) {}
+  explicit PixelPanelState(const std::function<void()>& wake) : pin(wake) {}
 
   /// One story is that of the document's picked side.
   enum class Shown { one, both, parting } shown = Shown::one;
