@@ -21,9 +21,9 @@ ClipPolygon<double> triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 double area(const ClipPolygon<double>& p) {
   double sum = 0;
-  for (int i = 1; i + 1 < p.size; ++i) {
-    const Vec3d n = cross(p.corners[static_cast<std::size_t>(i)].position - p.corners[0].position,
-                          p.corners[static_cast<std::size_t>(i + 1)].position - p.corners[0].position);
+  for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(p.size); ++i) {
+    const Vec3d n =
+        cross(p.corners[i].position - p.corners[0].position, p.corners[i + 1].position - p.corners[0].position);
     sum += std::sqrt(dot(n, n)) / 2;
   }
   return sum;
@@ -89,6 +89,7 @@ TEST(Clip, NeighboursGetTheSameCornerOnASharedEdge) {
       for (const Vec3f& p : {first, second, third}) polygon.push({p, {}});
       clip_polygon(polygon, plane);
       std::vector<Vec3f> corners;
+      corners.reserve(static_cast<std::size_t>(polygon.size));
       for (int i = 0; i < polygon.size; ++i) corners.push_back(polygon.corners[static_cast<std::size_t>(i)].position);
       return corners;
     };
