@@ -24,7 +24,30 @@ std::size_t frame_bytes(const Frame& frame) {
          frame.depth.pixels().size_bytes() + frame.ids.pixels().size_bytes();
 }
 
-ChartIdentity identity_of(const ChartRequest& request, const std::string& reference) {
+/// The Fowler-Noll-Vo hash of bytes, as FNV-1a.
+class Fingerprint {
+ public:
+  void add(std::string_view bytes) {
+    for (const char byte : bytes) hash_ = (hash_ ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  }
+  std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+std::string fingerprint_of(const ChartRequest& request, const Image<Rgb8>& reference) {
+  Fingerprint all;
+  for (const Rgb8& pixel : reference.pixels()) all.add({reinterpret_cast<const char*>(&pixel), sizeof pixel});
+  const Camera& camera = request.view.camera;
+  for (const Vec3d& v : {camera.position, camera.right, camera.up, camera.forward})
+    all.add(fmt::format("{},{},{};", v.x, v.y, v.z));
+  all.add(fmt::format("{},{},{};", camera.viewport_width, camera.viewport_height, camera.projection_plane_d));
+  for (const SweepPoint& point : request.points) all.add(point.settings + "\n");
+  return all.text();
+}
+
+ChartIdentity identity_of(const ChartRequest& request, const Reference& reference) {
   ChartIdentity identity;
   identity.scene = request.scene.name;
   identity.width = request.view.width;
@@ -33,9 +56,10 @@ ChartIdentity identity_of(const ChartRequest& request, const std::string& refere
   identity.region = "all";
   if (const auto& r = request.error.region)
     identity.region = fmt::format("{},{},{},{}", r->x0, r->y0, r->width(), r->height());
-  identity.reference = reference;
+  identity.reference = reference.description;
   identity.base = fmt::format("{}", fmt::join(changed_options(request.base), ";"));
   identity.points = static_cast<int>(request.points.size());
+  identity.fingerprint = fingerprint_of(request, reference.picture.levels);
   return identity;
 }
 
@@ -48,7 +72,7 @@ class Runner {
   Chart run() {
     reference_ = make_reference(request_.scene, request_.view, request_.base, request_.reference, request_.error,
                                 request_.priority, control_.progress());
-    chart_.identity = identity_of(request_, reference_.description);
+    chart_.identity = identity_of(request_, reference_);
     chart_.machine = this_machine();
     chart_.metric = request_.error.metric;
     chart_.reference_halves = reference_.halves;

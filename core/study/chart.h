@@ -41,6 +41,8 @@ struct ChartIdentity {
   std::string reference;  ///< its description
   std::string base;       ///< the settings under the sweep: "K=V;K=V"
   int points = 0;         ///< of the whole sweep
+  /// Of the reference's pixels, the camera and the settings of all points: tells sweeps, views and edited scenes apart.
+  std::string fingerprint;
   bool operator==(const ChartIdentity&) const = default;
 };
 

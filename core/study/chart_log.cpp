@@ -22,12 +22,13 @@ constexpr const char* log_name = "runs.jsonl";
 Json identity_json(const ChartIdentity& id) {
   return {{"scene", id.scene},   {"size", {id.width, id.height}}, {"values", id.values},
           {"region", id.region}, {"reference", id.reference},     {"base", id.base},
-          {"points", id.points}};
+          {"points", id.points}, {"fingerprint", id.fingerprint}};
 }
 
 ChartIdentity identity_from(const Json& json) {
-  return {json.at("scene"),  json.at("size").at(0), json.at("size").at(1), json.at("values"),
-          json.at("region"), json.at("reference"),  json.at("base"),       json.at("points")};
+  return {json.at("scene"),  json.at("size").at(0), json.at("size").at(1),
+          json.at("values"), json.at("region"),     json.at("reference"),
+          json.at("base"),   json.at("points"),     json.value("fingerprint", "")};
 }
 
 Json head_json(const Chart& chart) {

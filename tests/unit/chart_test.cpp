@@ -158,6 +158,17 @@ TEST(Chart, AFolderOfAnotherChartIsNotOverwritten) {
   request.view.width = 44;
   EXPECT_THROW(run_chart(request, control), InputError);
   EXPECT_EQ(read_whole_file(scratch.file("runs.jsonl")), before);
+  ChartRequest other_view = small_request();
+  other_view.view.camera.position.x += 1;
+  other_view.folder = scratch.path();
+  EXPECT_THROW(run_chart(other_view, control), InputError);
+  ChartRequest edited = small_request();
+  std::vector<Material> materials = *edited.scene.materials;
+  materials[0].colour = {0, 1, 1};
+  edited.scene.materials = Part<std::vector<Material>>(std::move(materials));
+  edited.folder = scratch.path();
+  EXPECT_THROW(run_chart(edited, control), InputError);
+  EXPECT_EQ(read_whole_file(scratch.file("runs.jsonl")), before);
   ChartRequest other_sweep = small_request();
   std::reverse(other_sweep.points.begin(), other_sweep.points.end());
   other_sweep.folder = scratch.path();
