@@ -23,8 +23,8 @@ class CanvasTeller {
 
  private:
   Vec2d from_top_left(const Vec2d& p) const {
-    const int middle = book_.width / 2;
-    return {p.x + middle, book_.height - book_.height / 2 - p.y};
+    const int middle = book_.width / 2, centre_row = book_.height - book_.height / 2;
+    return {p.x + middle, centre_row - p.y};
   }
 
   void tell_line(int line, int pixel) {

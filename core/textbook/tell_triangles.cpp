@@ -37,8 +37,8 @@ class TriangleTeller {
  private:
   /// A place as the book counts it, in pixels from the top left.
   Vec2d on_canvas(const Vec2d& p) const {
-    const int middle = book_.width / 2;
-    return {p.x + middle, book_.height - book_.height / 2 - p.y};
+    const int middle = book_.width / 2, centre_row = book_.height - book_.height / 2;
+    return {p.x + middle, centre_row - p.y};
   }
 
   PixelId id_of(int triangle) const {
@@ -141,7 +141,7 @@ class TriangleTeller {
   /// Where the light was worked out: at the pixel, at the corners from below, or once for the triangle.
   std::vector<int> lit_at(int pixel, int triangle) const {
     if (!reader_.below(pixel, "light").empty()) return {pixel};
-    if (const auto corners = reader_.below(triangle, "corner from below");
+    if (auto corners = reader_.below(triangle, "corner from below");
         !corners.empty() && !reader_.below(corners.front(), "light").empty())
       return corners;
     return {triangle};

@@ -63,7 +63,8 @@ TEST(Sampling, AnEdgeCoversWhatItsAreaSays) {
     int edges = 0;
     for (int row = 0; row < side; ++row)
       for (int column = 0; column < side; ++column) {
-        const double exact = coverage(column - side / 2, side / 2 - row - 1);
+        const int right = column - side / 2, up = side / 2 - row - 1;
+        const double exact = coverage(right, up);
         const double error = static_cast<double>(frame.colour.at(column, row).x) - exact;
         constexpr double rounding = 1e-12;  // of the integral
         if (exact > rounding && exact < 1 - rounding)

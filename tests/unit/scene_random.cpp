@@ -174,6 +174,7 @@ Scene scene_with_everything(std::mt19937_64& random) {
     lights.push_back(light);
   }
   std::vector<CanvasItem> items;
+  items.reserve(4);
   for (int i = 0; i < dice.below(4); ++i) items.push_back(random_item(dice));
 
   scene.geometry = Part<Geometry>(geometry);

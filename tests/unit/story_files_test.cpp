@@ -92,7 +92,7 @@ TEST(StoryFiles, MarkdownTellsEverything) {
   EXPECT_NE(page.find(story.verdict.substr(0, 8)), std::string::npos);
   EXPECT_EQ(lines_with("- "), story.events.size() + 4 + (story.triangles_elsewhere > 0 ? 1 : 0));
   EXPECT_GE(lines_with("| "), story.ledger.size() + 2);
-  EXPECT_EQ(page.find("<"), std::string::npos);
+  EXPECT_EQ(page.find('<'), std::string::npos);
 }
 
 }  // namespace
