@@ -10,6 +10,13 @@ Reason needs_mirrors(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+/// Something that sends further rays on.
+Reason needs_bouncing_rays(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_rays(s, t)) return reason;
+  if (!t.reflective && !t.transparent) return "no material of the scene reflects or is transparent";
+  return {};
+}
+
 }  // namespace
 
 std::vector<Option> reflection_rows() {
@@ -19,11 +26,7 @@ std::vector<Option> reflection_rows() {
            .label = "Reflection depth",
            .help = {"How many bounces a ray may make, refractions included.", "CGFS ch. 4 and 5",
                     "Too few: mirrors in mirrors turn to the surface's own colour."},
-           .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
-             if (const auto reason = needs_rays(s, t)) return reason;
-             if (!t.reflective && !t.transparent) return "no material of the scene reflects or is transparent";
-             return {};
-           }},
+           .inactive = needs_bouncing_rays},
           0, 64, "bounces"),
       real<&Settings::reflection_cutoff>(
           {.key = "reflection-cutoff",
@@ -33,8 +36,7 @@ std::vector<Option> reflection_rows() {
                     "Hall and Greenberg, IEEE CG&A 1983 (adaptive depth control)",
                     "Too large: weak mirrors mirror nothing. 0 follows every bounce up to the depth."},
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
-             if (const auto reason = needs_rays(s, t)) return reason;
-             if (!t.reflective && !t.transparent) return "no material of the scene reflects or is transparent";
+             if (const auto reason = needs_bouncing_rays(s, t)) return reason;
              if (s.reflection_depth == 0) return "needs reflection-depth above 0";
              return {};
            }},

@@ -161,8 +161,7 @@ std::vector<Option> shadow_rows() {
            .inactive = needs_shadow_rays},
           {{"all", "to every light", "As in the book: also where the light comes from behind the surface."},
            {"useful", "to lights that add something",
-            "Where the light is in front of the surface, or makes a "
-            "highlight."}}),
+            "Where the light is in front of the surface, or makes a highlight."}}),
   };
 }
 
