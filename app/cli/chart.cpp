@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 
 #include "base/check.h"
 #include "cli/command.h"
@@ -23,8 +22,7 @@ struct ChartArguments {
   std::vector<std::string> folders;
   std::vector<std::string> sweeps;
   std::string metric = "rmse", region, reference, shard = "1/1", output;
-  int repeats = 5;
-  std::optional<int> samples;
+  int repeats = 5, samples = 0;
   bool linear = false;
 };
 
@@ -34,6 +32,7 @@ ChartRequest make_request(const ChartArguments& arguments) {
   request.error.metric = parse_error_metric(arguments.metric);
   request.error.values = arguments.linear ? ErrorValues::linear : ErrorValues::display;
   if (!arguments.region.empty()) request.error.region = parse_region_text(arguments.region);
+  request.reference = {arguments.reference, arguments.samples};
   request.repeats = arguments.repeats;
   request.folder = arguments.output;
   std::vector<SweepAxis> axes;
@@ -47,7 +46,6 @@ ChartRequest make_request(const ChartArguments& arguments) {
   const SceneTraits traits = scene_traits(request.scene);
   for (const std::string& sentence : idle_axes(axes, request.base, traits)) fmt::print(stderr, "{}\n", sentence);
   request.points = sweep_points(axes, request.base, settings_for(document.base), traits);
-  request.reference = {arguments.reference, arguments.samples.value_or(reference_samples_for(request.points))};
   return request;
 }
 

@@ -70,7 +70,9 @@ class Runner {
       : request_(request), control_(control), update_(update), clock_(clock) {}
 
   Chart run() {
-    reference_ = make_reference(request_.scene, request_.view, request_.base, request_.reference, request_.error,
+    ReferenceOptions options = request_.reference;
+    if (options.samples == 0) options.samples = reference_samples_for(request_.points);
+    reference_ = make_reference(request_.scene, request_.view, request_.base, options, request_.error,
                                 request_.priority, control_.progress());
     chart_.identity = identity_of(request_, reference_);
     chart_.machine = this_machine();

@@ -68,7 +68,7 @@ struct ChartRequest {
   std::vector<SweepPoint> points;  ///< of the whole sweep
   Shard shard;
   ErrorOptions error;
-  ReferenceOptions reference;
+  ReferenceOptions reference;  ///< with 0 samples it takes reference_samples_for() the points
   int repeats = 5;
   double shortest_sample = 0.005;  ///< seconds; shorter renders are repeated within one sample
   WorkerPriority priority = WorkerPriority::normal;

@@ -90,8 +90,7 @@ ChartRequest make_request(const ChartPlan& plan, const ChartSetup& setup, ErrorM
   request.points = plan.points;
   request.error = {metric, setup.values, {}};
   if (setup.part == ChartPart::rectangle) request.error.region = session.region();
-  request.reference = {setup.reference_file,
-                       setup.reference_samples > 0 ? setup.reference_samples : reference_samples_for(plan.points)};
+  request.reference = {setup.reference_file, setup.reference_samples};
   request.repeats = setup.repeats;
   request.priority = WorkerPriority::background;
   return request;
