@@ -28,9 +28,12 @@ inline Real level_log2(Real value) {
   const Real mantissa = std::bit_cast<Real>(static_cast<Bits>(bits - exponent * (Bits{1} << mantissa_bits)));
   const Real q = (mantissa - Real(1)) / (mantissa + Real(1));
   const Real s = q * q;
-  Real sum = Real(1) / Real(11);
-  sum = sum * s + Real(1) / Real(9);
-  sum = sum * s + Real(1) / Real(7);
+  Real sum = Real(1) / Real(7);
+  if constexpr (!single) {
+    sum = Real(1) / Real(11);
+    sum = sum * s + Real(1) / Real(9);
+    sum = sum * s + Real(1) / Real(7);
+  }
   sum = sum * s + Real(1) / Real(5);
   sum = sum * s + Real(1) / Real(3);
   sum = sum * s + Real(1);

@@ -15,7 +15,7 @@ namespace ps {
 ///   t = wrapped(u)                          one of the three forms of wrap_coordinate()
 ///   nearest:   x = floor(t * size), then at most size - 1
 ///   bilinear:  p = t * size - 0.5, x0 = floor(p), f = p - x0, neighbours x0 and x0 + 1 wrapped by texel
-///   row mix:   top = tl * (1 - fx) + tr * fx, bottom likewise, colour = top * (1 - fy) + bottom * fy
+///   mix:       left = tl * (1 - fy) + bl * fy, right likewise, colour = left * (1 - fx) + right * fx
 ///   levels:    fine * (1 - f) + coarse * f, only if f > 0
 /// Every sum is of two products in this order, channel by channel; no fused operation, no reciprocal.
 
@@ -133,7 +133,7 @@ Vec3<Real> sample_bilinear(const Image<Vec3f>& image, const Vec2<Real>& uv, Text
     notes->push_back({x.first, y.second, level, s * (1 - fx) * fy, Vec3d(bl)});
     notes->push_back({x.second, y.second, level, s * fx * fy, Vec3d(br)});
   }
-  return mix_texels(mix_texels(tl, tr, x.f), mix_texels(bl, br, x.f), y.f);
+  return mix_texels(mix_texels(tl, bl, y.f), mix_texels(tr, br, y.f), x.f);
 }
 
 /// A level of detail cut to [0, coarsest]; NaN gives 0.

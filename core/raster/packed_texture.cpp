@@ -1,5 +1,6 @@
 #include "raster/packed_texture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -62,7 +63,8 @@ PackedTexture pack_texture(const MipChain& chain, TextureWrap wrap) {
     total += static_cast<std::size_t>(chain.level(level).width() + 2) *
              static_cast<std::size_t>(chain.level(level).height()) * four;
   const auto levels = static_cast<std::size_t>(chain.levels());
-  if (total > std::size_t{std::numeric_limits<std::int32_t>::max()} || levels > PackedTexture::most_levels)
+  if (total > std::size_t{std::numeric_limits<std::int32_t>::max()} || levels > PackedTexture::most_levels ||
+      std::max(chain.base->width(), chain.base->height()) >= PackedTexture::most_texels)
     return packed;
   for (std::size_t i = 0; i < levels; ++i) {
     packed.width[i] = chain.level(static_cast<int>(i)).width();

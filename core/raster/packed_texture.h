@@ -16,7 +16,8 @@ inline constexpr std::array<float, 2> byte_unit{0x1.01p-8f, 0x1.010102p-24f};
 /// texel at either end, those that wrapping puts there.
 struct PackedTexture {
   static constexpr std::size_t most_levels = 32;
-  std::vector<float> texels;  ///< red, green, blue and a zero of each texel, level after level
+  static constexpr int most_texels = 1 << 22;  ///< along an edge, less one
+  std::vector<float> texels;                   ///< red, green, blue and a zero of each texel, level after level
   /// Instead of `texels`, for a chain of one level that comes from a picture with 8 bits for each channel: one number
   /// for each texel, with red in its lowest byte, then green and blue. A quarter of the memory.
   std::vector<std::uint32_t> bytes;
@@ -32,7 +33,7 @@ struct PackedTexture {
 /// the last bit.
 constexpr float part_of_255(float level) { return level * byte_unit[0] + level * byte_unit[1]; }
 
-/// Nothing is packed (levels = 0) of a chain too large for 32-bit indices.
+/// Nothing is packed (levels = 0) of a chain too large for 32-bit indices, or of most_texels along an edge.
 PackedTexture pack_texture(const MipChain& chain, TextureWrap wrap);
 
 /// How a batch of fragments reads a texture.

@@ -8,6 +8,7 @@
 #endif
 
 #include <array>
+#include <type_traits>
 
 #include "hwy/highway.h"
 #include "math/quarters-inl.h"
@@ -65,42 +66,78 @@ HWY_INLINE void store(const Colour& colour, std::size_t at, Lookups& run) {
 // are mixed at once, a quarter of a vector for each: those of lanes k, k + 4, and so on.
 using Quarter = hn::FixedTag<float, 4>;
 
-/// A weight and what it leaves to one, for each fragment.
-struct Weight {
-  V f, rest;
-  HWY_INLINE explicit Weight(const float* weights) : f(hn::Load(D(), weights)), rest(hn::Sub(number(1), f)) {}
-  HWY_INLINE V mix(V a, V b) const { return hn::Add(hn::Mul(a, rest), hn::Mul(b, f)); }
-  HWY_INLINE Colour mix(const Colour& a, const Colour& b) const {
-    return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
-  }
-  /// Of the fragments in lanes k, k + 4, ...
-  template <int k>
-  HWY_INLINE V mix_quarters(V a, V b) const {
-    return hn::Add(hn::Mul(a, hn::Broadcast<k>(rest)), hn::Mul(b, hn::Broadcast<k>(f)));
-  }
-};
+/// mix_texels()
+HWY_INLINE V mix(V a, V b, V f) { return hn::Add(hn::Mul(a, hn::Sub(number(1), f)), hn::Mul(b, f)); }
+HWY_INLINE Colour mix(const Colour& a, const Colour& b, V f) {
+  return {mix(a.red, b.red, f), mix(a.green, b.green, f), mix(a.blue, b.blue, f)};
+}
 
 class FourOfFloats {
  public:
   HWY_INLINE FourOfFloats(const PackedTexture& texture, const Lookups::Four& four, std::size_t at)
       : texels_(texture.texels.data()), upper_(four.upper.data() + at), lower_(four.lower.data() + at),
-        x_(four.x.data() + at), y_(four.y.data() + at) {}
+        x_(hn::Load(D(), four.x.data() + at)), y_(hn::Load(D(), four.y.data() + at)) {}
+
+  /// The colours of the fragments in lanes k, k + 4, ...
+#if HWY_MAX_BYTES == 16
   template <int k>
-  HWY_INLINE V read() const {
-    return y_.mix_quarters<k>(mix_row<k>(upper_), mix_row<k>(lower_));
+  HWY_INLINE V operator()(std::integral_constant<int, k>) const {
+    const auto column = [&](const float* texels) HWY_ATTR {
+      return mix(hn::LoadU(D(), texels + upper_[k]), hn::LoadU(D(), texels + lower_[k]), hn::Broadcast<k>(y_));
+    };
+    return mix(column(texels_), column(texels_ + 4), hn::Broadcast<k>(x_));
   }
+#else
+  template <int k>
+  HWY_INLINE V operator()(std::integral_constant<int, k>) const {
+    const V y = hn::Broadcast<k>(y_), turned = hn::SwapAdjacentBlocks(y);
+    const V a = mix_columns(k, hn::OddEvenBlocks(turned, y));
+    const V b = mix_columns(k + 4, hn::OddEvenBlocks(y, turned));
+    const V left = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a);
+    const V right = hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a));
+    return mix(left, right, hn::Broadcast<k>(x_));
+  }
+#endif
 
  private:
-  template <int k>
-  HWY_INLINE V mix_row(const std::int32_t* index) const {
-    const auto left = [&](std::size_t i) HWY_ATTR { return hn::LoadU(Quarter(), texels_ + index[i]); };
-    const auto right = [&](std::size_t i) HWY_ATTR { return hn::LoadU(Quarter(), texels_ + index[i] + 4); };
-    return x_.mix_quarters<k>(ps::HWY_NAMESPACE::every_fourth(left, k), ps::HWY_NAMESPACE::every_fourth(right, k));
+#if HWY_MAX_BYTES > 16
+  /// Left and right texels lie side by side, and so do their mixtures with those below: of the fragments in lanes
+  /// first, first + 8, ...
+  HWY_INLINE V mix_columns(std::size_t first, V y) const { return mix(row(upper_ + first), row(lower_ + first), y); }
+  HWY_INLINE V row(const std::int32_t* index) const {
+    const hn::FixedTag<float, 8> two;
+#if HWY_MAX_BYTES == 32
+    return hn::LoadU(two, texels_ + index[0]);
+#else
+    return hn::Combine(D(), hn::LoadU(two, texels_ + index[8]), hn::LoadU(two, texels_ + index[0]));
+#endif
   }
+#endif
 
   const float* texels_;
   const std::int32_t *upper_, *lower_;
-  Weight x_, y_;
+  V x_, y_;
+};
+
+/// A fragment's colour on two levels, mixed.
+struct TwoLevels {
+  FourOfFloats near, far;
+  V between;  ///< weight of `far`
+
+  template <int k>
+  HWY_INLINE V operator()(std::integral_constant<int, k> lanes) const {
+    return mix(near(lanes), far(lanes), hn::Broadcast<k>(between));
+  }
+};
+/// The same where the weight of `far` may be null, and not a number what lies there.
+struct OneOrTwoLevels {
+  TwoLevels levels;
+
+  template <int k>
+  HWY_INLINE V operator()(std::integral_constant<int, k> lanes) const {
+    const M mixed = hn::Gt(hn::Broadcast<k>(levels.between), hn::Zero(D()));
+    return hn::IfThenElse(mixed, levels(lanes), levels.near(lanes));
+  }
 };
 
 /// The first three numbers that make(k) gives for lanes k, k + 4, ...
@@ -123,21 +160,37 @@ HWY_INLINE Colour unpack(VI bytes) {
   return {channel(bytes), channel(hn::ShiftRight<8>(bytes)), channel(hn::ShiftRight<16>(bytes))};
 }
 
+/// The texels at two indices, each with the one that follows it, side by side.
+HWY_INLINE hn::Vec<Quarter> read_two_pairs(const std::uint32_t* texels, const std::int32_t* index) {
+  const hn::FixedTag<std::uint32_t, 2> pair;
+  const hn::FixedTag<std::uint32_t, 4> two;
+  return hn::BitCast(Quarter(),
+                     hn::Combine(two, hn::LoadU(pair, texels + index[1]), hn::LoadU(pair, texels + index[0])));
+}
+/// The same of lanes 0, 1, 4, 5, ... of what `index` points at.
+HWY_INLINE V read_pairs(const std::uint32_t* texels, const std::int32_t* index) {
+  const auto low = read_two_pairs(texels, index);
+#if HWY_MAX_BYTES == 16
+  return low;
+#else
+  const hn::FixedTag<float, 8> half;
+  const auto first = hn::Combine(half, read_two_pairs(texels, index + 4), low);
+#if HWY_MAX_BYTES == 32
+  return first;
+#else
+  return hn::Combine(D(), hn::Combine(half, read_two_pairs(texels, index + 12), read_two_pairs(texels, index + 8)),
+                     first);
+#endif
+#endif
+}
+
 /// The texels at each index, and those that follow them.
 struct Neighbours {
   VI left, right;
 };
 HWY_INLINE Neighbours read_neighbours(const std::uint32_t* texels, const std::int32_t* index) {
   const DI di;
-  const hn::FixedTag<std::uint32_t, 2> pair;
-  const hn::FixedTag<std::uint32_t, 4> two;
-  const auto load = [&](std::size_t i) HWY_ATTR { return hn::LoadU(pair, texels + index[i]); };
-  // Lanes 0, 1, 4, 5, ... and lanes 2, 3, 6, 7, ...
-  const auto every = [&](std::size_t first) HWY_ATTR {
-    return ps::HWY_NAMESPACE::every_fourth(
-        [&](std::size_t i) HWY_ATTR { return hn::BitCast(Quarter(), hn::Combine(two, load(i + 1), load(i))); }, first);
-  };
-  const V a = every(0), b = every(2);
+  const V a = read_pairs(texels, index), b = read_pairs(texels, index + 2);
   const V even = hn::InterleaveLower(D(), a, b), odd = hn::InterleaveUpper(D(), a, b);
   return {hn::BitCast(di, hn::InterleaveLower(D(), even, odd)), hn::BitCast(di, hn::InterleaveUpper(D(), even, odd))};
 }
@@ -145,8 +198,8 @@ HWY_INLINE Neighbours read_neighbours(const std::uint32_t* texels, const std::in
 HWY_INLINE Colour read_four_of_bytes(const PackedTexture& texture, const Lookups::Four& four, std::size_t at) {
   const Neighbours upper = read_neighbours(texture.bytes.data(), four.upper.data() + at);
   const Neighbours lower = read_neighbours(texture.bytes.data(), four.lower.data() + at);
-  const Weight x(four.x.data() + at), y(four.y.data() + at);
-  return y.mix(x.mix(unpack(upper.left), unpack(upper.right)), x.mix(unpack(lower.left), unpack(lower.right)));
+  const V x = hn::Load(D(), four.x.data() + at), y = hn::Load(D(), four.y.data() + at);
+  return mix(mix(unpack(upper.left), unpack(lower.left), y), mix(unpack(upper.right), unpack(lower.right), y), x);
 }
 
 HWY_INLINE void read_nearest(const PackedTexture& texture, Lookups& run) {
@@ -176,8 +229,7 @@ HWY_INLINE void read_bilinear(const PackedTexture& texture, Lookups& run) {
     return;
   }
   for (std::size_t at = 0; at < end; at += hn::Lanes(D())) {
-    const FourOfFloats near(texture, run.near, at);
-    store(by_quarters([&](auto k) HWY_ATTR { return near.read<k>(); }), at, run);
+    store(by_quarters(FourOfFloats(texture, run.near, at)), at, run);
   }
 }
 
@@ -190,23 +242,15 @@ HWY_INLINE void read_trilinear(const PackedTexture& texture, Lookups& run) {
     }
     const FourOfFloats near(texture, run.near, at);
     if (!run.needs_far[i]) {
-      store(by_quarters([&](auto k) HWY_ATTR { return near.read<k>(); }), at, run);
+      store(by_quarters(near), at, run);
       continue;
     }
-    const FourOfFloats far(texture, run.far, at);
-    const Weight between(run.between.data() + at);
-    const M mixed = hn::Gt(between.f, hn::Zero(d));
-    if (hn::AllFalse(d, hn::AndNot(mixed, run.seen[i]))) {
-      store(by_quarters([&](auto k) HWY_ATTR { return between.mix_quarters<k>(near.read<k>(), far.read<k>()); }), at,
-            run);
-      continue;
-    }
-    store(by_quarters([&](auto k) HWY_ATTR {
-            const V texel = near.read<k>();
-            const M is_mixed = hn::Gt(hn::Broadcast<k>(between.f), hn::Zero(D()));
-            return hn::IfThenElse(is_mixed, between.mix_quarters<k>(texel, far.read<k>()), texel);
-          }),
-          at, run);
+    const TwoLevels levels{near, FourOfFloats(texture, run.far, at), hn::Load(d, run.between.data() + at)};
+    const M mixed = hn::Gt(levels.between, hn::Zero(d));
+    if (hn::AllFalse(d, hn::AndNot(mixed, run.seen[i])))
+      store(by_quarters(levels), at, run);
+    else
+      store(by_quarters(OneOrTwoLevels{levels}), at, run);
   }
 }
 

@@ -16,6 +16,14 @@ namespace texture {
 /// floor_of(), but for the sign of a zero, which nobody here asks for.
 HWY_INLINE V floor_of(V value) { return hn::Floor(value); }
 
+/// A whole number below PackedTexture::most_texels: the sum's last digits are the number. A conversion would look for
+/// numbers that fit no integer.
+HWY_INLINE VI index_of(V whole) {
+  const DI di;
+  const V shift = number(0x1.8p23f);
+  return hn::Sub(hn::BitCast(di, hn::Add(whole, shift)), hn::BitCast(di, shift));
+}
+
 /// wrap_coordinate()
 HWY_INLINE V wrap_coordinate(V u, TextureWrap wrap) {
   const D d;
@@ -74,9 +82,8 @@ HWY_INLINE V level_log2(V value) {
   const V mantissa = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
   const V q = hn::Div(hn::Sub(mantissa, number(1)), hn::Add(mantissa, number(1)));
   const V s = hn::Mul(q, q);
-  V sum = number(1.0f / 11.0f);
-  for (const float next : {1.0f / 9.0f, 1.0f / 7.0f, 1.0f / 5.0f, 1.0f / 3.0f, 1.0f})
-    sum = hn::Add(hn::Mul(sum, s), number(next));
+  V sum = number(1.0f / 7.0f);
+  for (const float next : {1.0f / 5.0f, 1.0f / 3.0f, 1.0f}) sum = hn::Add(hn::Mul(sum, s), number(next));
   return hn::Add(hn::ConvertTo(d, exponent), hn::Mul(hn::Mul(q, sum), number(2.8853900817779268147f)));
 }
 
@@ -128,7 +135,7 @@ HWY_INLINE void place_nearest(const BatchTexture& how, Lookups& run) {
   const PackedTexture& texture = *how.texture;
   const Level level = level_of(texture, std::size_t{0});
   const auto texel = [&](V t, VI size) HWY_ATTR {
-    const VI x = hn::ConvertTo(di, hn::Mul(wrap_coordinate(t, how.wrap), hn::ConvertTo(D(), size)));
+    const VI x = index_of(floor_of(hn::Mul(wrap_coordinate(t, how.wrap), hn::ConvertTo(D(), size))));
     return hn::Min(x, hn::Sub(size, hn::Set(di, 1)));
   };
   for (std::size_t at = 0; at < run.vectors * hn::Lanes(D()); at += hn::Lanes(D())) {
@@ -147,7 +154,7 @@ HWY_INLINE Pair texel_pair(V t, VI size) {
   const D d;
   const V p = hn::Sub(hn::Mul(t, hn::ConvertTo(d, size)), number(0.5f));
   const V whole = floor_of(p);
-  return {hn::ConvertTo(DI(), whole), hn::Sub(p, whole)};
+  return {index_of(whole), hn::Sub(p, whole)};
 }
 
 /// sample_bilinear(), for coordinates already wrapped: which texels the fragments from number `at` on read, and their
@@ -189,13 +196,14 @@ HWY_INLINE void place_filtered(const BatchTexture& how, Lookups& run) {
     }
     const V level = hn::Load(d, run.level.data() + at);
     if (how.filter == TextureFilter::mipmap) {
-      const VI nearest = hn::ConvertTo(di, hn::Add(level, number(0.5f)));
+      const VI nearest = index_of(floor_of(hn::Add(level, number(0.5f))));
       place_four(level_of(texture, nearest), size, t_u, t_v, how.wrap, at, run.near);
       continue;
     }
-    const VI fine = hn::ConvertTo(di, level);
+    const V whole = floor_of(level);
+    const VI fine = index_of(whole);
     place_four(level_of(texture, fine), size, t_u, t_v, how.wrap, at, run.near);
-    const V between = hn::Sub(level, hn::ConvertTo(d, fine));
+    const V between = hn::Sub(level, whole);
     hn::Store(between, d, run.between.data() + at);
     run.needs_far[i] = !hn::AllFalse(d, hn::And(hn::Gt(between, hn::Zero(d)), run.seen[i]));
     if (!run.needs_far[i]) continue;
