@@ -11,7 +11,7 @@ namespace ps {
 namespace {
 
 constexpr std::size_t most_triangles = 50000;  // of a model whose outline is drawn
-constexpr double volume_length = 2.5;          // of the sides, in radii of what is worth seeing
+constexpr double shown_length = 2.5;           // of the sides, in radii of what is worth seeing
 constexpr double cube_size = 0.12;             // of a point light's cube, likewise
 
 void add_volume(const raster::ShadowVolume& volume, const Light& light, double length, SpaceModel& model) {
@@ -31,14 +31,16 @@ void add_volumes(const SpaceInputs& inputs, SpaceModel& model) {
   Prepared own;
   const auto viewport = make_viewport<double>(inputs.view, inputs.settings);
   const auto objects = raster::make_draw_list(inputs.scene, inputs.view, inputs.settings, viewport, own);
+  double length = shown_length * inputs.bounds.radius;
+  if (inputs.settings.volume_length > 0) length = std::min(length, inputs.settings.volume_length);
   for (const Light& light : *inputs.scene.lights) {
     if (light.kind == LightKind::ambient) continue;
     for (const raster::DrawObject& object : objects) {
       const auto index = static_cast<std::size_t>(object.object);
       if (object.mesh->triangles.size() > most_triangles || model.ground[index]) continue;
       if (!raster::throws_shadow(inputs.scene, inputs.scene.geometry->objects[index])) continue;
-      const raster::ShadowVolume volume = raster::make_shadow_volume(object, light, inputs.bounds.radius);
-      add_volume(volume, light, volume_length * inputs.bounds.radius, model);
+      const raster::ShadowVolume volume = raster::make_shadow_volume(object, light, {.reach = inputs.bounds.radius});
+      add_volume(volume, light, length, model);
     }
   }
 }

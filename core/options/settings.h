@@ -120,6 +120,9 @@ struct Settings {
   double shadow_slope_bias = 0;
   int shadow_filter = 1;
   int stencil_bits = 8;
+  bool volume_caps = true;
+  double volume_length = 0;  ///< world units; 0 = without end
+  bool volume_depth_clamp = true;
   int reflection_depth = 3;
   double reflection_cutoff = 0;
   bool refraction = true;

@@ -33,6 +33,18 @@ Reason needs_stencil(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+Reason needs_depth_fail(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_stencil(s, t)) return reason;
+  if (s.shadows != Shadows::stencil_depth_fail) return "needs shadows = stencil-depth-fail";
+  return {};
+}
+
+Reason needs_cut_volumes(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_depth_fail(s, t)) return reason;
+  if (s.far >= 1e30) return "needs a far limit";
+  return {};
+}
+
 Reason needs_secondary_rays(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_rays(s, t)) return reason;
   const bool shadows = s.lighting && t.casting_lights && s.shadows != Shadows::none;
@@ -118,6 +130,32 @@ std::vector<Option> shadow_rows() {
                     "The count wraps: where 2^bits shadows lie over each other, the pixel is lit."},
            .inactive = needs_stencil},
           1, 16, "bits"),
+      toggle<&Settings::volume_caps>(
+          {.key = "volume-caps",
+           .label = "Volume caps",
+           .help = {"Closes shadow volumes at both ends: with the triangles that the light falls on, and with the same "
+                    "at the far end.",
+                    "CGFS ch. 15; Everitt and Kilgard 2002",
+                    "Depth fail counts behind the surface. Without caps, what a line of sight leaves or enters through "
+                    "an end is not counted, and surfaces lie in their own shadow."},
+           .inactive = needs_depth_fail}),
+      real<&Settings::volume_length>(
+          {.key = "volume-length",
+           .label = "Volume length",
+           .help = {"How far shadow volumes reach from what throws the shadow; 0 = without end.",
+                    "CGFS ch. 15; Everitt and Kilgard 2002",
+                    "Beyond its volume's end an object throws no shadow. A short volume covers fewer pixels, which is "
+                    "why programs shorten them."},
+           .inactive = needs_stencil},
+          0, 1e6, OptionScale::logarithmic, "world units"),
+      toggle<&Settings::volume_depth_clamp>(
+          {.key = "volume-depth-clamp",
+           .label = "Volume depth clamp",
+           .help = {"Keeps the faces of shadow volumes that lie beyond the far limit, as if they lay on it.",
+                    "Everitt and Kilgard 2002",
+                    "Without, the far limit cuts volumes open, and depth fail misses a face wherever a line of sight "
+                    "leaves a volume behind the limit."},
+           .inactive = needs_cut_volumes}),
       choice<&Settings::self_hit>(
           {.key = "self-hit",
            .label = "Self-hit guard",

@@ -109,49 +109,104 @@ TEST(StabilityShadows, NearPlaneCutsAVolume) {
   curve.expect_all_robust_zero();
 }
 
-/// Shares of the floor in a picture of 1.5 x 1 at distance 1, seen from (0.2, 0.3) with a square column of half-width
-/// 1.5 in front, by areas on the picture.
-struct ColumnOnFloor {
-  double eye_z;
-  static constexpr double height = 1.3, half = 1.5, left = half + 0.2, right = half - 0.2;
+/// The sun's shadow under a roof, whose volume is a column: each of 150 x 100 lines of sight in double, no triangles.
+class ColumnOnFloor {
+ public:
+  explicit ColumnOnFloor(const std::array<double, 3>& eye) : eye_(eye) {}
 
-  /// From below the picture's middle to the farthest floor that counts, z = 25.
-  double floor() const { return 1.5 * (0.5 - height / (25 - eye_z)); }
-  /// The part of the floor under a square of the column's size at `scale` times the floor's depth below the eye.
-  double square(double scale) const {
-    const double nearest = std::max((-half - eye_z) / scale, height / 0.5), farthest = (half - eye_z) / scale;
-    return (left + right) / scale * height / 2 * (1 / (nearest * nearest) - 1 / (farthest * farthest));
+  /// What of the volume there is.
+  struct Volume {
+    double length = 1e6;
+    bool caps = true;
+    double far = 1e30;          ///< faces beyond are lost
+    double floor_limit = 1e30;  ///< floor beyond is not seen
+  };
+
+  /// Percentage of the floor whose count is wrong, but for pixels beside other things or an edge of the shadow.
+  double wrong(const Volume& volume) const {
+    double all = 0, wrong = 0;
+    for (int row = 1; row + 1 < 100; ++row)
+      for (int column = 1; column + 1 < 150; ++column) {
+        const Seen middle = seen(column, row);
+        bool plain = middle.floor && middle.distance < volume.floor_limit;
+        for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+          const Seen other = seen(column + x, row + y);
+          plain = plain && other.floor && other.dark == middle.dark;
+        }
+        if (!plain) continue;
+        ++all;
+        wrong += (count(column, row, middle.distance, volume) != 0) != middle.dark ? 1 : 0;
+      }
+    return 100 * wrong / all;
   }
-  /// Where rays meet the floor before they leave the column, which they do beyond `far`.
-  double leaves_beyond(double far) const {
-    const double end = half - eye_z;
-    double area = 0;
-    for (const double side : {left, right}) {
-      const double a = side / end, b = side / far;  // slopes: a ray leaves through the end up to a, through a side to b
-      area += a * (0.5 - height / end) + (b - a) * 0.5 - height / side * (b * b - a * a) / 2;
+
+ private:
+  static constexpr double half = 3, top = 2.2, bottom = 2, floor_y = -1, floor_end = 25;
+
+  struct Seen {
+    bool floor = false, dark = false;
+    double distance = 0;  ///< along z
+  };
+  struct Crossing {
+    double near = -1e300, far = 1e300;
+    int near_axis = 0, far_axis = 0;
+  };
+
+  std::array<double, 3> direction(int column, int row) const {
+    return {((column + 0.5) / 150 - 0.5) * 1.5, 0.5 - (row + 0.5) / 100, 1};
+  }
+  Crossing cross(const std::array<double, 3>& along, double low_y) const {
+    const std::array<double, 3> low{-half, low_y, -half}, high{half, top, half};
+    Crossing crossing;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      const double a = (low[i] - eye_[i]) / along[i], b = (high[i] - eye_[i]) / along[i];
+      if (std::min(a, b) > crossing.near) crossing.near = std::min(a, b), crossing.near_axis = axis;
+      if (std::max(a, b) < crossing.far) crossing.far = std::max(a, b), crossing.far_axis = axis;
     }
-    return area;
+    return crossing;
   }
+  Seen seen(int column, int row) const {
+    const auto along = direction(column, row);
+    if (!(along[1] < 0)) return {};
+    const double t = (floor_y - eye_[1]) / along[1];
+    const double x = eye_[0] + t * along[0], z = eye_[2] + t;
+    const Crossing roof = cross(along, bottom);
+    const bool hidden = roof.near < roof.far && roof.far > 0 && roof.near < t;
+    return {z < floor_end && !hidden, std::abs(x) < half && std::abs(z) < half, t};
+  }
+  /// Faces behind the floor: left minus entered.
+  int count(int column, int row, double floor, const Volume& volume) const {
+    const Crossing crossing = cross(direction(column, row), top - volume.length);
+    if (!(crossing.near < crossing.far)) return 0;
+    const auto counts = [&](double t, int axis) {
+      return t > floor && t < volume.far && (volume.caps || axis != 1) ? 1 : 0;
+    };
+    return counts(crossing.far, crossing.far_axis) - counts(crossing.near, crossing.near_axis);
+  }
+
+  std::array<double, 3> eye_;
 };
 
 TEST(StabilityShadows, DepthFailNeedsItsCaps) {
   const Curve curve("z-fail-caps");
-  // Elsewhere 1.4, 14.3, 18.8 and 3.6, of a scene that is not told.
-  const ColumnOnFloor outside{-5}, inside{-1.4};
-  const auto percent = [](double area, const ColumnOnFloor& scene) { return 100 * area / scene.floor(); };
-  constexpr double pixels = 0.2;  // what whole ones of 300 x 200 make of an area
-  // A ray that is still in the column at its open bottom counts one face too few.
-  EXPECT_NEAR(curve.naive("no caps, camera outside", 0), percent(outside.square(2.3 / 1.3), outside), pixels);
-  EXPECT_NEAR(curve.naive("no caps, camera inside", 0), percent(inside.square(1.35 / 1.3), inside), pixels);
-  // A column that ends above the floor, or on it, throws no shadow there.
-  for (const double extrusion : {1.5, 3.0})
-    EXPECT_NEAR(curve.naive("short extrusion", extrusion), percent(outside.square(1), outside), pixels);
-  for (const double far : {4.0, 6.0})
-    EXPECT_NEAR(curve.naive("far plane", far), percent(outside.leaves_beyond(far), outside), pixels);
-  for (const double far : {20.0, 1000.0}) EXPECT_EQ(curve.naive("far plane", far), 0) << far;
-  EXPECT_EQ(curve.naive("short extrusion", 4), 0);
-  EXPECT_EQ(curve.naive("short extrusion", 10), 0);
+  const ColumnOnFloor outside({0.2, 3, -18}), inside({0.2, 0.3, -2.5});
+  constexpr double pixels = 0.2;  // some whose centre lies right on an edge
+  const std::string from_outside = "no caps, camera outside", from_inside = "no caps, camera inside";
+  for (const double length : {4.0, 6.0, 8.0, 9.0, 10.0})
+    EXPECT_NEAR(curve.naive(from_outside, length), outside.wrong({.length = length, .caps = false}), pixels) << length;
+  for (const double length : {3.4, 4.2, 5.0})
+    EXPECT_NEAR(curve.naive(from_inside, length), inside.wrong({.length = length, .caps = false}), pixels) << length;
+  for (const double length : {1.5, 3.0, 4.0, 10.0})
+    EXPECT_NEAR(curve.naive("short volume", length), outside.wrong({.length = length}), pixels) << length;
+  for (const double far : {10.0, 16.0, 20.0, 40.0, 1000.0})
+    EXPECT_NEAR(curve.naive("far plane", far), outside.wrong({.far = far, .floor_limit = far}), pixels) << far;
   curve.expect_all_robust_zero();
+  curve.expect_naive(from_outside, 9, 1.4);
+  curve.expect_naive(from_inside, 4.2, 14.3);
+  curve.expect_naive("short volume", 1.5, 3.6);
+  curve.expect_naive("far plane", 20, 18.8);
+  EXPECT_EQ(curve.naive("far plane", 1000), 0);
 }
 
 TEST(StabilityShadows, StencilCountsWrap) {

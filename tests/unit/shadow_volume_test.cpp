@@ -57,16 +57,16 @@ double signed_volume(const Mesh& mesh) {
 }
 
 TEST(ShadowVolume, ACubeShowsFourEdgesFromTheFrontAndSixFromACorner) {
-  EXPECT_EQ(make_shadow_volume(cube(), point_light({0, 0, 5}), 100).silhouette.size(), 4u);
-  EXPECT_EQ(make_shadow_volume(cube(), point_light({0, 4, 5}), 100).silhouette.size(), 6u);
-  EXPECT_EQ(make_shadow_volume(cube(), point_light({5, 4, 6}), 100).silhouette.size(), 6u);
+  EXPECT_EQ(make_shadow_volume(cube(), point_light({0, 0, 5}), {.reach = 100}).silhouette.size(), 4u);
+  EXPECT_EQ(make_shadow_volume(cube(), point_light({0, 4, 5}), {.reach = 100}).silhouette.size(), 6u);
+  EXPECT_EQ(make_shadow_volume(cube(), point_light({5, 4, 6}), {.reach = 100}).silhouette.size(), 6u);
   Light sun{LightKind::directional, 1};
   sun.direction = {1, 2, 3};
-  EXPECT_EQ(make_shadow_volume(cube(), sun, 100).silhouette.size(), 6u);
+  EXPECT_EQ(make_shadow_volume(cube(), sun, {.reach = 100}).silhouette.size(), 6u);
 }
 
 TEST(ShadowVolume, ALightInsideAClosedModelIsHiddenFromEverythingOutside) {
-  const ShadowVolume volume = make_shadow_volume(cube(), point_light({0.1, 0.2, 0.3}), 100);
+  const ShadowVolume volume = make_shadow_volume(cube(), point_light({0.1, 0.2, 0.3}), {.reach = 100});
   EXPECT_TRUE(volume.silhouette.empty());
   EXPECT_EQ(volume.surface->triangles.size(), 24u);
   EXPECT_GT(signed_volume(*volume.surface), 0);
@@ -82,7 +82,7 @@ TEST(ShadowVolume, IsClosedAndFacesOutwardsForClosedAndOpenModels) {
   for (int i = 0; i < 200; ++i) {
     const Light light = point_light({any(random), any(random), any(random)});
     for (const DrawObject& object : {cube(), cube(7), cube(1), ball}) {
-      const ShadowVolume volume = make_shadow_volume(object, light, 50);
+      const ShadowVolume volume = make_shadow_volume(object, light, {.reach = 50});
       ASSERT_TRUE(is_closed(*volume.surface));
       ASSERT_GT(signed_volume(*volume.surface), 0);
     }
@@ -102,7 +102,7 @@ TEST(ShadowVolume, WeldsCornersThatLieInOnePlace) {
     split->triangles.push_back(triangle);
   }
   object.mesh = split;
-  EXPECT_EQ(make_shadow_volume(object, point_light({5, 4, 6}), 100).silhouette.size(), 6u);
+  EXPECT_EQ(make_shadow_volume(object, point_light({5, 4, 6}), {.reach = 100}).silhouette.size(), 6u);
 }
 
 }  // namespace

@@ -76,27 +76,35 @@ std::vector<Corners> lit_triangles(const Welded& welded, const Light& light) {
   return lit;
 }
 
-/// Where a corner ends up at the far end: away from the light, all by the same factor, so that flat stays flat.
+/// Where a corner ends up at the far end: away from the light. Without end all move by the same factor, so that flat
+/// stays flat.
 class Extrusion {
  public:
-  Extrusion(const Welded& welded, const Light& light, double reach) : light_(light) {
+  Extrusion(const Welded& welded, const Light& light, const ShadowVolumeOptions& options)
+      : light_(light), length_(options.length) {
     if (light.kind == LightKind::directional) {
-      shift_ = light.direction * (-reach / std::sqrt(dot(light.direction, light.direction)));
+      const double size = std::sqrt(dot(light.direction, light.direction));
+      shift_ = light.direction * (-options.length.value_or(options.reach) / size);
       return;
     }
-    double nearest = reach;
+    double nearest = options.reach;
     for (const Vec3d& p : welded.positions) {
       const Vec3d away = p - light.position;
       nearest = std::min(nearest, std::sqrt(dot(away, away)));
     }
-    factor_ = reach / std::max(nearest, reach * 1e-7);
+    factor_ = options.reach / std::max(nearest, options.reach * 1e-7);
   }
   Vec3d operator()(const Vec3d& p) const {
-    return light_.kind == LightKind::directional ? p + shift_ : light_.position + (p - light_.position) * factor_;
+    if (light_.kind == LightKind::directional) return p + shift_;
+    const Vec3d away = p - light_.position;
+    if (!length_) return light_.position + away * factor_;
+    const double distance = std::sqrt(dot(away, away));
+    return distance > 0 ? p + away * (*length_ / distance) : p;
   }
 
  private:
   const Light& light_;
+  std::optional<double> length_;
   Vec3d shift_{0, 0, 0};
   double factor_ = 1;
 };
@@ -109,19 +117,20 @@ MeshTriangle surface_triangle(CornerIndex a, CornerIndex b, CornerIndex c) {
 
 }  // namespace
 
-ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, double reach) {
+ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, const ShadowVolumeOptions& options) {
   ShadowVolume volume;
   volume.object = object.object;
   auto surface = std::make_shared<Mesh>();
   if (light.kind != LightKind::ambient) {
     const Welded welded = weld(object);
-    const Extrusion extrude(welded, light, reach);
+    const Extrusion extrude(welded, light, options);
     surface->positions = welded.positions;
     for (const Vec3d& p : welded.positions) surface->positions.push_back(extrude(p));
     const auto far = [&](CornerIndex c) { return c + static_cast<CornerIndex>(welded.positions.size()); };
     EdgeBalance balance;
     for (const Corners& t : lit_triangles(welded, light)) {
       add_edges(t, balance);
+      if (!options.caps) continue;
       surface->triangles.push_back(surface_triangle(t[0], t[1], t[2]));
       surface->triangles.push_back(surface_triangle(far(t[0]), far(t[2]), far(t[1])));
     }
@@ -141,15 +150,19 @@ ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, do
   return volume;
 }
 
-std::vector<std::vector<ShadowVolume>> make_shadow_volumes(const Scene& scene, const std::vector<DrawObject>& objects) {
-  const double reach = volume_reach * shadow_casters(scene).radius;
+std::vector<std::vector<ShadowVolume>> make_shadow_volumes(const Scene& scene, const std::vector<DrawObject>& objects,
+                                                           const Settings& settings) {
+  ShadowVolumeOptions options;
+  if (settings.volume_length > 0) options.length = settings.volume_length;
+  options.reach = volume_reach * shadow_casters(scene).radius;
+  options.caps = settings.volume_caps;
   std::vector<std::vector<ShadowVolume>> volumes;
   for (const Light& light : *scene.lights) {
     auto& of_light = volumes.emplace_back();
     if (light.kind == LightKind::ambient) continue;
     for (const DrawObject& object : objects)
       if (throws_shadow(scene, scene.geometry->objects[static_cast<std::size_t>(object.object)]))
-        of_light.push_back(make_shadow_volume(object, light, reach));
+        of_light.push_back(make_shadow_volume(object, light, options));
   }
   return volumes;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "raster/draw_list.h"
@@ -19,21 +20,31 @@ struct SilhouetteEdge {
 struct ShadowVolume {
   int object = 0;  ///< index into Geometry::objects
   std::vector<SilhouetteEdge> silhouette;
-  /// The triangles of `surface`: lit ones and their copies at the far end in turns, then those of the sides.
+  /// The triangles of `surface`: lit ones and their copies at the far end in turns, so many in all, or none if they are
+  /// left out; then those of the sides.
   std::size_t caps = 0;
   std::vector<std::uint32_t> edge_of_side;  ///< for each triangle after the caps, the index into `silhouette`
   std::shared_ptr<const Mesh> surface;      ///< world space
 };
 
-/// How far volumes reach, in units of the scene's size; it stands for infinity.
+/// How far volumes without end reach, in units of the scene's size.
 inline constexpr double volume_reach = 1e4;
+
+/// What volumes are made like.
+struct ShadowVolumeOptions {
+  /// World units: how far each corner is moved away from the light, or nothing for a volume without end.
+  std::optional<double> length;
+  double reach = 1;  ///< length of the sides of a volume without end, world units; large beside the scene
+  bool caps = true;  ///< lit triangles and far end; without, the surface is open at both ends
+};
 
 /// Closed models throw shadows with the triangles that face the light. In an open one any triangle may be the only one
 /// in the light's way, so all do, each turned to face the light; where two lie behind each other the count is 2, which
-/// is as dark as 1. `reach` is the length of the sides, world units. Empty for ambient light.
-ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, double reach);
+/// is as dark as 1. Empty for ambient light.
+ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, const ShadowVolumeOptions& options);
 
-/// The volumes of all objects that throw shadows, for each light: transparent ones do not.
-std::vector<std::vector<ShadowVolume>> make_shadow_volumes(const Scene& scene, const std::vector<DrawObject>& objects);
+/// The volumes of all objects that throw shadows, for each light: transparent ones do not. As the settings say.
+std::vector<std::vector<ShadowVolume>> make_shadow_volumes(const Scene& scene, const std::vector<DrawObject>& objects,
+                                                           const Settings& settings);
 
 }  // namespace ps::raster

@@ -52,7 +52,8 @@ void scan(const Pass<double>& pass, const ScreenTriangle<double>& triangle, cons
 Pass<double> volume_pass(const Pass<double>& scene_pass, const std::vector<ShadowVolume>& volumes) {
   Pass<double> pass = scene_pass;
   pass.settings.backface_culling = false;
-  std::erase_if(pass.planes, [](const auto& plane) { return plane.reason == RejectReason::clipped_far; });
+  if (pass.settings.volume_depth_clamp)
+    std::erase_if(pass.planes, [](const auto& plane) { return plane.reason == RejectReason::clipped_far; });
   pass.objects.clear();
   pass.surfaces.clear();
   pass.first_surface.clear();
@@ -133,7 +134,7 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
   const Pass<double> pass = make_pass<double>(scene, view, depth_settings(settings), Channel::none, prepared);
   const Geometry64 surfaces = make_geometry(pass, {}, parallel, progress);
   const Bins bins = bin_primitives(pass, surfaces, tile_size, parallel, progress);
-  const std::vector<std::vector<ShadowVolume>> volumes = make_shadow_volumes(scene, pass.objects);
+  const std::vector<std::vector<ShadowVolume>> volumes = make_shadow_volumes(scene, pass.objects, settings);
   std::vector<std::unique_ptr<LightVolumes>> lights;
   for (const auto& of_light : volumes) {
     stencil.counts.emplace_back();

@@ -14,9 +14,9 @@ bool meets(const Vec3f& origin, const Vec3f& direction, const TracedTriangle<flo
   return result.verdict == TriangleVerdict::inside && result.t > t_min;
 }
 
-/// Random triangles with sides of about 1, so far from the origin along no axis; 20 rays into the half-space that the
-/// eye ray came from leave each hit. The naive starts take hit and weights from Moeller-Trumbore, the robust one from
-/// the watertight test.
+/// Random triangles with sides of about 1, so far from the origin along no axis, seen from 6 away; 20 rays into the
+/// half-space that the eye ray came from leave each hit. The naive starts take hit and weights from Moeller-Trumbore,
+/// the robust one from the watertight test.
 Rates rates_at(double distance, const StabilityRun& run) {
   run.check();
   Random random(run.seed);
@@ -31,7 +31,7 @@ Rates rates_at(double distance, const StabilityRun& run) {
     double u = random.unit(), v = random.unit();
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const Vec3d target = Vec3d(triangle.a) + Vec3d(triangle.b - triangle.a) * u + Vec3d(triangle.c - triangle.a) * v;
-    Ray<float> ray{Vec3f(target + random.direction() * 2.0), Vec3f(0), 0, 0, no_primitive};
+    Ray<float> ray{Vec3f(target + random.direction() * 6.0), Vec3f(0), 0, 0, no_primitive};
     ray.direction = Vec3f(target) - ray.origin;
     const auto naive = triangle_moeller_trumbore<float>(ray.origin, ray.direction, triangle, 0);
     const auto hit = triangle_watertight<float>(ray.origin, Shear<float>(ray.direction), triangle, TriangleGuard::none);

@@ -1,19 +1,21 @@
 #include <array>
 
+#include <glm/geometric.hpp>
+
 #include "study/stability/support.h"
 
 namespace ps::stability {
 namespace {
 
-constexpr double focal = 600;  ///< pixels
+constexpr double focal = 600, middle = 300;  ///< pixels: a canvas of 600 x 600
 
 struct Error {
   double rms = 0, largest = 0;  ///< px
 };
 
-/// Points before a camera that stands W from the origin in every direction and looks anywhere: positions and camera in
-/// float through one 4 x 4 matrix, or minus the camera in double first. Points that float places behind the camera are
-/// not drawn, so they do not count.
+/// How far from their true places on the canvas are points before a camera that stands W from the origin in every
+/// direction and looks anywhere: positions and camera in float through one 4 x 4 matrix, or minus the camera in double
+/// first. Points that float places behind the camera are not drawn, so they do not count.
 Error error_at(double distance, bool relative, const StabilityRun& run) {
   run.check();
   Random random(run.seed);
@@ -22,11 +24,13 @@ Error error_at(double distance, bool relative, const StabilityRun& run) {
   const int points = run.count(100000, 20000);
   for (int i = 0; i < points; ++i) {
     const Vec3d eye = Vec3d(1) * distance;
-    const double yaw = random.between(0, 2 * pi);
-    const Vec3d right(std::cos(yaw), 0, -std::sin(yaw)), up(0, 1, 0), forward(std::sin(yaw), 0, std::cos(yaw));
+    const Vec3d forward = random.direction(), right = glm::normalize(cross(Vec3d(0, 1, 0), forward));
+    const Vec3d up = cross(forward, right);
     const double z = random.between(0.65, 10), x = random.between(-0.5, 0.5) * z, y = random.between(-0.5, 0.5) * z;
     const Vec3d world = eye + right * x + up * y + forward * z;
-    const auto project = [&](double cx, double cy, double cz) { return Vec2d(focal * cx / cz, focal * cy / cz); };
+    const auto project = [&](double cx, double cy, double cz) {
+      return Vec2d(middle + focal * cx / cz, middle + focal * cy / cz);
+    };
     const Vec3d from_eye = world - eye;
     const Vec2d truth = project(dot(right, from_eye), dot(up, from_eye), dot(forward, from_eye));
     const Vec3f r(right), u(up), f(forward);
@@ -38,8 +42,11 @@ Error error_at(double distance, bool relative, const StabilityRun& run) {
       const Vec3f p(world), move(Vec3d(-dot(right, eye), -dot(up, eye), -dot(forward, eye)));
       camera = Vec3f(dot(r, p) + move.x, dot(u, p) + move.y, dot(f, p) + move.z);
     }
-    const float px = static_cast<float>(focal) * camera.x / camera.z,
-                py = static_cast<float>(focal) * camera.y / camera.z;
+    const auto on_canvas = [&](float along) {
+      const float normalised = static_cast<float>(focal / middle) * along / camera.z;  // -1 to 1
+      return (normalised + 1) * static_cast<float>(middle);
+    };
+    const float px = on_canvas(camera.x), py = on_canvas(camera.y);
     const double off = std::hypot(static_cast<double>(px) - truth.x, static_cast<double>(py) - truth.y);
     if (!(camera.z > 0)) continue;
     ++drawn;

@@ -19,11 +19,12 @@ namespace {
 struct Errors {
   int wrong = 0;           ///< hits and misses that are none
   double off_squared = 0;  ///< of distances from the surface, summed
+  double turned = 0;       ///< largest angle between the normal there and the true one, degrees
   int hits = 0;
   double off_surface() const { return hits > 0 ? std::sqrt(off_squared / hits) : 0; }
 };
 
-enum class Method { textbook, stable_q, remainder, textbook_double };
+enum class Method { textbook, stable_q, remainder, robust, textbook_double };
 
 /// The textbook discriminant with roots from q = -(b + sign(b) sqrt(b^2 - 4ac)) / 2, which never subtracts like sizes.
 SphereRoots<float> sphere_stable_q(const Vec3f& origin, const Vec3f& direction, float a,
@@ -37,6 +38,20 @@ SphereRoots<float> sphere_stable_q(const Vec3f& origin, const Vec3f& direction, 
   const float c = dot(from_centre, from_centre) - sphere.radius * sphere.radius;
   roots.near = std::min(q / a, c / q);
   roots.far = std::max(q / a, c / q);
+  return roots;
+}
+
+/// The discriminant from the remainder vector, with roots from the textbook's formula.
+SphereRoots<float> sphere_remainder(const Vec3f& origin, const Vec3f& direction, float a,
+                                    const TracedSphere<float>& sphere) {
+  const Vec3f from_centre = origin - sphere.centre;
+  const float b = -dot(from_centre, direction);
+  const Vec3f remainder = from_centre + direction * (b / a);
+  SphereRoots<float> roots;
+  roots.discriminant = sphere.radius * sphere.radius - dot(remainder, remainder);
+  const float root = std::sqrt(a * roots.discriminant);
+  roots.near = (b - root) / a;
+  roots.far = (b + root) / a;
   return roots;
 }
 
@@ -54,13 +69,15 @@ Errors errors_of(Method method, double distance, const StabilityRun& run) {
   Errors errors;
   const int rays = run.count(200000);
   for (int i = 0; i < rays; ++i) {
-    const Vec3f origin(side * place(random) + upward * place(random) - along * distance);
-    const Vec3f direction(along);
+    const Vec3d start = side * place(random) + upward * place(random) - along * distance;
+    const Vec3f origin(start), direction(along);
     const TracedSphere<float> sphere{{0, 0, 0}, 1};
     const float a = dot(direction, direction);
-    const Vec3d o(origin), d(direction);
+    const bool single = method != Method::textbook_double;
+    const Vec3d o = single ? Vec3d(origin) : start, d = single ? Vec3d(direction) : along;
     const TracedSphere<double> exact{{0, 0, 0}, 1};
-    const bool truth = sphere_robust<double>(o, d, dot(d, d), exact).discriminant >= 0;
+    const SphereRoots<double> true_roots = sphere_robust<double>(o, d, dot(d, d), exact);
+    const bool truth = true_roots.discriminant >= 0;
     double discriminant = 0, t = 0;
     const auto use = [&](const auto& roots) {
       discriminant = static_cast<double>(roots.discriminant);
@@ -74,6 +91,9 @@ Errors errors_of(Method method, double distance, const StabilityRun& run) {
       use(sphere_stable_q(origin, direction, a, sphere));
       break;
     case Method::remainder:
+      use(sphere_remainder(origin, direction, a, sphere));
+      break;
+    case Method::robust:
       use(sphere_robust<float>(origin, direction, a, sphere));
       break;
     case Method::textbook_double:
@@ -86,6 +106,9 @@ Errors errors_of(Method method, double distance, const StabilityRun& run) {
       const Vec3d point = o + d * t;
       const double off = std::sqrt(dot(point, point)) - 1;
       errors.off_squared += off * off;
+      const Vec3d normal = o + d * true_roots.near;
+      const double angle = std::atan2(glm::length(cross(normal, point)), dot(normal, point));
+      errors.turned = std::max(errors.turned, angle * 180 / pi);
       ++errors.hits;
     }
   }
@@ -98,14 +121,16 @@ void compare(Rows& rows, Method naive, std::optional<Method> robust, const std::
   const double rays = run.count(200000);
   for (const double distance : {3.0, 100.0, 1000.0, 2000.0, 4100.0, 1e5, 1e6}) {
     const Errors a = errors_of(naive, distance, run);
-    double wrong = std::nan(""), off = std::nan("");
+    double wrong = std::nan(""), off = std::nan(""), turned = std::nan("");
     if (robust) {
       const Errors b = errors_of(*robust, distance, run);
       wrong = percent(b.wrong, rays);
       off = b.off_surface();
+      turned = b.turned;
     }
     rows.push_back({distance, "hit or miss" + about, percent(a.wrong, rays), wrong, "% of rays wrong"});
     rows.push_back({distance, "place" + about, a.off_surface(), off, "radii off the surface (rms)"});
+    rows.push_back({distance, "normal" + about, a.turned, turned, "degrees at most"});
   }
 }
 
@@ -118,7 +143,7 @@ std::vector<StabilityRow> measure_ray_sphere_cancellation(const StabilityRun& ru
 
 std::vector<StabilityRow> measure_stable_q_alone(const StabilityRun& run) {
   Rows rows(run);
-  compare(rows, Method::stable_q, Method::remainder, "", run);
+  compare(rows, Method::stable_q, Method::robust, "", run);
   return rows;
 }
 

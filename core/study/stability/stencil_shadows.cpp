@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "options/scene_settings.h"
-#include "scene/load.h"
 #include "scene/scene_file.h"
-#include "study/stability/support.h"
+#include "study/stability/shadow_floor.h"
 
 namespace ps::stability {
 namespace {
@@ -22,45 +20,21 @@ std::string roof_text(double camera_z) {
       "light {{ type = directional intensity = 0.75 direction = (0, 1, 0) }}\n",
       camera_z);
 }
-constexpr int floor_object = 0, sun = 1;
-
-Settings with(Renderer renderer, Shadows shadows, double near) {
-  Settings settings;
-  settings.renderer = renderer;
-  settings.shadows = shadows;
-  settings.near = near;
-  settings.precision = renderer == Renderer::ray_tracer ? Precision::float64 : Precision::float32;
-  return settings;
-}
-
-/// Of the floor that rays and fragments both show, the percentage whose light is seen in one only. Pixels beside
-/// another object or beside an edge of the shadow are left out, since fragments round edges.
-double wrong_share(const Scene& scene, Shadows shadows, double near, const StabilityRun& run) {
-  const View view{scene.camera, 150, 100};
-  const Channel channels = Channel::ids | Channel::shadow;
-  const Frame truth = picture_of(scene, view, with(Renderer::ray_tracer, Shadows::traced, near), channels, run);
-  const Frame frame = picture_of(scene, view, with(Renderer::rasterizer, shadows, near), channels, run);
-  const auto bit = [](const Frame& f, int x, int y) { return f.shadow.at(x, y) >> sun & 1; };
-  double all = 0, wrong = 0;
-  for (int y = 1; y + 1 < 100; ++y)
-    for (int x = 1; x + 1 < 150; ++x) {
-      bool plain = frame.ids.at(x, y).object == floor_object;
-      for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-        plain = plain && truth.ids.at(x + dx, y + dy).object == floor_object &&
-                bit(truth, x + dx, y + dy) == bit(truth, x, y);
-      if (!plain) continue;
-      ++all;
-      wrong += bit(truth, x, y) != bit(frame, x, y) ? 1 : 0;
-    }
-  return percent(wrong, all);
+/// What depth pass makes of the floor, and what depth fail does.
+StabilityRow passed_and_failed(double knob, const char* series, const Scene& scene, double near,
+                               const StabilityRun& run) {
+  const auto wrong = [&](Shadows shadows) {
+    return wrong_floor_share(scene, shadow_settings(Renderer::rasterizer, shadows, near), run);
+  };
+  return {knob, series, wrong(Shadows::stencil_depth_pass), wrong(Shadows::stencil_depth_fail),
+          "% of floor pixels wrong"};
 }
 
 std::vector<StabilityRow> measure_inside(const StabilityRun& run) {
   Rows rows(run);
   for (const double z : {-8.0, -6.0, -4.0, -3.0, -1.5, 0.0}) {
     const Scene scene = parse_scene(roof_text(z), "roof", ".");
-    rows.push_back({z, "under a roof of 4 x 4", wrong_share(scene, Shadows::stencil_depth_pass, 0.05, run),
-                    wrong_share(scene, Shadows::stencil_depth_fail, 0.05, run), "% of floor pixels wrong"});
+    rows.push_back(passed_and_failed(z, "under a roof of 4 x 4", scene, 0.05, run));
   }
   return rows;
 }
@@ -69,8 +43,7 @@ std::vector<StabilityRow> measure_near(const StabilityRun& run) {
   Rows rows(run);
   const Scene scene = parse_scene(roof_text(-2.05), "roof", ".");
   for (const double near : {0.01, 0.03, 0.1, 0.3, 0.6})
-    rows.push_back({near, "camera 0.05 before the shadow", wrong_share(scene, Shadows::stencil_depth_pass, near, run),
-                    wrong_share(scene, Shadows::stencil_depth_fail, near, run), "% of floor pixels wrong"});
+    rows.push_back(passed_and_failed(near, "camera 0.05 before the shadow", scene, near, run));
   return rows;
 }
 
@@ -92,9 +65,10 @@ double lit_share(int boards, int bits, const StabilityRun& run) {
   const Scene scene = parse_scene(boards_text(boards), "boards", ".");
   const View view{scene.camera, 90, 60};
   const Channel channels = Channel::ids | Channel::shadow;
-  Settings settings = with(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.1);
+  Settings settings = shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.1);
   settings.stencil_bits = bits;
-  const Frame truth = picture_of(scene, view, with(Renderer::ray_tracer, Shadows::traced, 0.1), channels, run);
+  const Frame truth =
+      picture_of(scene, view, shadow_settings(Renderer::ray_tracer, Shadows::traced, 0.1), channels, run);
   const Frame frame = picture_of(scene, view, settings, channels, run);
   double dark = 0, lit = 0;
   for (int y = 1; y + 1 < 60; ++y)
@@ -122,8 +96,8 @@ std::vector<StabilityRow> measure_wrap(const StabilityRun& run) {
 
 StabilityPicture picture_inside(double z) {
   StabilityPicture picture{.scene = roof_text(z), .width = 240, .height = 160};
-  picture.naive = with(Renderer::rasterizer, Shadows::stencil_depth_pass, 0.05);
-  picture.robust = with(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.05);
+  picture.naive = shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_pass, 0.05);
+  picture.robust = shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.05);
   return picture;
 }
 StabilityPicture picture_near(double near) {

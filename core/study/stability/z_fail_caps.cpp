@@ -1,83 +1,89 @@
 #include <array>
 
-#include "study/stability/support.h"
+#include <fmt/format.h>
+
+#include "scene/scene_file.h"
+#include "study/stability/shadow_floor.h"
 
 namespace ps::stability {
 namespace {
 
-/// What the volume of a square roof under a light is built of and cut by.
-struct Volume {
-  bool caps = true;
-  double extrusion = everywhere;  ///< how far below the roof it ends
-  double far = everywhere;        ///< faces beyond this distance along the view are lost
-};
-
-constexpr double roof_half = 1.5, roof_height = 2, floor_y = -1;
-
-/// Depth fail over a convex column: faces behind the surface, entered minus left, must not be zero in shadow.
-bool shadowed(const Vec3d& eye, const Vec3d& direction, double t_surface, const Volume& volume) {
-  const double bottom = volume.extrusion == everywhere ? -1e9 : roof_height - volume.extrusion;
-  const Vec3d low(-roof_half, bottom, -roof_half), high(roof_half, roof_height, roof_half);
-  double near = nowhere, far = everywhere;
-  int near_axis = 0, far_axis = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = (low[axis] - eye[axis]) / direction[axis], b = (high[axis] - eye[axis]) / direction[axis];
-    if (std::min(a, b) > near) near = std::min(a, b), near_axis = axis;
-    if (std::max(a, b) < far) far = std::max(a, b), far_axis = axis;
-  }
-  if (!(near < far)) return false;
-  const auto counts = [&](double t, int axis) {
-    return t > t_surface && (volume.caps || axis != 1) && t * direction.z < volume.far;
-  };
-  return (counts(far, far_axis) ? 1 : 0) - (counts(near, near_axis) ? 1 : 0) != 0;
+/// A floor in the light of the sun right above, 3 below a roof of 6 x 6 and 0.2. The floor is all but opaque, so that
+/// it throws no shadow: the roof's is the only volume.
+std::string roof_text(const Vec3d& eye) {
+  return fmt::format("viewport_size = 1.5 x 1\nprojection_plane_d = 1\nbackground = (150, 190, 230)\n"
+                     "camera {{ position = ({}, {}, {}) }}\n"
+                     "rectangle {{ name = floor corner = (-60, -1, -20) side_a = (120, 0, 0) side_b = (0, 0, 45)\n"
+                     "            color = (230, 225, 210) transparency = 0.000001 }}\n"
+                     "box {{ name = roof center = (0, 2.1, 0) size = (6, 0.2, 6) color = (150, 110, 80) }}\n"
+                     "light {{ type = ambient intensity = 0.25 }}\n"
+                     "light {{ type = directional intensity = 0.75 direction = (0, 1, 0) }}\n",
+                     eye.x, eye.y, eye.z);
 }
+const Vec3d outside(0.2, 3, -18), inside(0.2, 0.3, -2.5);
 
-/// Percentage of floor pixels whose shadow is wrong.
-double wrong_share(const Vec3d& eye, const Volume& volume) {
-  constexpr int width = 300, height = 200;
-  double floor = 0, wrong = 0;
-  for (int row = 0; row < height; ++row)
-    for (int column = 0; column < width; ++column) {
-      const Vec3d direction(((column + 0.503) / width - 0.5) * 1.5, 0.5 - (row + 0.507) / height, 1);
-      if (!(direction.y < 0)) continue;
-      const double t = (floor_y - eye.y) / direction.y;
-      const Vec3d point = eye + direction * t;
-      if (point.z > 25) continue;
-      ++floor;
-      const bool truth = std::abs(point.x) < roof_half && std::abs(point.z) < roof_half;
-      wrong += shadowed(eye, direction, t, volume) != truth ? 1 : 0;
-    }
-  return percent(wrong, floor);
+Settings depth_fail() { return shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.05); }
+Settings without_caps(double length) {
+  Settings settings = depth_fail();
+  settings.volume_caps = false;
+  settings.volume_length = length;
+  return settings;
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
   Rows rows(run);
-  const Vec3d outside(0.2, 0.3, -5), inside(0.2, 0.3, -1.4);
-  const auto add = [&](double knob, const char* series, const Vec3d& eye, const Volume& volume) {
-    rows.push_back({knob, series, wrong_share(eye, volume), wrong_share(eye, {}), "% of floor pixels wrong"});
+  const Scene from_outside = parse_scene(roof_text(outside), "roof", "."),
+              from_inside = parse_scene(roof_text(inside), "roof", ".");
+  const auto add = [&](double knob, const char* series, const Scene& scene, const Settings& naive, Settings robust) {
+    rows.push_back({knob, series, wrong_floor_share(scene, naive, run), wrong_floor_share(scene, robust, run),
+                    "% of floor pixels wrong"});
   };
-  add(0, "no caps, camera outside", outside, {false, 4, everywhere});
-  add(0, "no caps, camera inside", inside, {false, 3.05, everywhere});
-  for (const double extrusion : {1.5, 3.0, 4.0, 10.0})
-    add(extrusion, "short extrusion", outside, {true, extrusion, everywhere});
-  for (const double far : {4.0, 6.0, 20.0, 1000.0}) add(far, "far plane", outside, {true, everywhere, far});
+  const auto open = [&](const char* series, const Scene& scene, double length) {
+    Settings closed = without_caps(length);
+    closed.volume_caps = true;
+    add(length, series, scene, without_caps(length), closed);
+  };
+  for (const double length : {4.0, 6.0, 8.0, 9.0, 10.0}) open("no caps, camera outside", from_outside, length);
+  for (const double length : {3.4, 4.2, 5.0}) open("no caps, camera inside", from_inside, length);
+  for (const double length : {1.5, 3.0, 4.0, 10.0}) {
+    Settings naive = depth_fail();
+    naive.volume_length = length;
+    add(length, "short volume", from_outside, naive, depth_fail());
+  }
+  for (const double far : {10.0, 16.0, 20.0, 40.0, 1000.0}) {
+    Settings naive = depth_fail();
+    naive.far = far;
+    Settings robust = naive;
+    naive.volume_depth_clamp = false;
+    add(far, "far plane", from_outside, naive, robust);
+  }
   return rows;
 }
+
+StabilityPicture picture(double length) {
+  StabilityPicture picture{.scene = roof_text({0.2, 2.5, -9}), .width = 240, .height = 160};
+  picture.naive = without_caps(length);
+  picture.robust = depth_fail();
+  return picture;
+}
+
+constexpr std::array frames{1.5, 4.0, 5.0, 8.0};
 
 }  // namespace
 
 const StabilityExperiment z_fail_caps{
     .key = "z-fail-caps",
     .title = "Depth fail without its caps",
-    .knob = "extrusion, or far plane",
+    .knob = "length of the volume, or far plane",
     .naive = "open, short or cut volumes",
     .robust = "caps at both ends, nothing cut at the far plane",
     .explanation =
-        "Depth fail counts what lies behind a surface, so the volume must be closed there. Where a view "
-        "leaves through a cap that is missing, ends too early or is cut off, a face is not counted. Measured is "
-        "the floor under a square roof, from 5 before its middle or from under it.",
+        "Depth fail counts what lies behind a surface, so the volume must be closed there. Where a line of sight "
+        "leaves through a cap that is missing, or behind the far plane, a face is not counted.",
     .safe = "Closed volumes that reach beyond everything, with a far plane at infinity.",
     .window = nowhere_safe,
-    .measure = measure};
+    .measure = measure,
+    .picture = picture,
+    .frames = frames};
 
 }  // namespace ps::stability
