@@ -96,6 +96,34 @@ TEST(Stencil, TheEdgeOfAnObjectIsNotInItsOwnShadow) {
   EXPECT_EQ(wrong_share(traced, drawn, 0, 1), 0);
 }
 
+// A far limit that ends the floor does not end the faces of its volume, which must lie exactly on it all the same.
+TEST(Stencil, AFarLimitThroughTheFloorChangesNoShadowBeforeIt) {
+  const Scene scene = load_scene("lab/inside-shadow");
+  const Frame traced = draw(scene, with(scene, Renderer::ray_tracer, Shadows::traced));
+  for (const double far : {6.0, 9.0, 12.0, 15.0}) {
+    Settings settings = with(scene, Renderer::rasterizer, Shadows::stencil_depth_fail);
+    settings.far = far;
+    EXPECT_LT(wrong_share(traced, draw(scene, settings), 0, 1), 1) << far;
+    settings.volume_depth_clamp = false;
+    EXPECT_GT(wrong_share(traced, draw(scene, settings), 0, 1), 20) << far;
+  }
+}
+
+// The light falls on the roof's upper side; without it as a cap, what the line of sight leaves there is not counted.
+TEST(Stencil, WithoutCapsSurfacesLieInTheirOwnShadow) {
+  const Scene scene = load_scene("lab/inside-shadow");
+  Settings settings = with(scene, Renderer::rasterizer, Shadows::stencil_depth_fail);
+  const Frame traced = draw(scene, with(scene, Renderer::ray_tracer, Shadows::traced));
+  EXPECT_LT(wrong_share(traced, draw(scene, settings), 0, 1), 1);
+  settings.volume_caps = false;
+  const Frame open = draw(scene, settings);
+  for (int y = 0; y < open.height(); ++y)
+    for (int x = 0; x < open.width(); ++x)
+      if (open.ids.at(x, y).object == 0) {
+        EXPECT_NE(open.shadow.at(x, y) >> 1 & 1, 0u) << x << " " << y;
+      }
+}
+
 /// Of the floor under exactly 16 boards, as `counts` tells, how many pixels are dark and how many there are.
 struct Floor {
   int dark = 0, pixels = 0;

@@ -105,5 +105,34 @@ TEST(ShadowVolume, WeldsCornersThatLieInOnePlace) {
   EXPECT_EQ(make_shadow_volume(object, point_light({5, 4, 6}), {.reach = 100}).silhouette.size(), 6u);
 }
 
+double distance(const Vec3d& a, const Vec3d& b) { return std::sqrt(dot(a - b, a - b)); }
+
+// The far corners lie the asked length away from the near ones, along the light, whatever its kind.
+TEST(ShadowVolume, OfALengthReachesThatFar) {
+  Light sun{LightKind::directional, 1};
+  sun.direction = {1, 2, 3};
+  for (const Light& light : {point_light({5, 4, 6}), sun}) {
+    const ShadowVolume volume = make_shadow_volume(cube(), light, {.length = 2.5});
+    const std::vector<Vec3d>& positions = volume.surface->positions;
+    ASSERT_EQ(positions.size(), 16u);
+    EXPECT_TRUE(is_closed(*volume.surface));
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Vec3d towards = light.kind == LightKind::point ? light.position - positions[i] : light.direction;
+      EXPECT_NEAR(distance(positions[i], positions[i + 8]), 2.5, 1e-12);
+      EXPECT_NEAR(dot(positions[i] - positions[i + 8], towards), 2.5 * std::sqrt(dot(towards, towards)), 1e-12);
+    }
+  }
+}
+
+TEST(ShadowVolume, WithoutCapsHasItsSidesAlone) {
+  const ShadowVolume closed = make_shadow_volume(cube(), point_light({5, 4, 6}), {.reach = 100});
+  const ShadowVolume open = make_shadow_volume(cube(), point_light({5, 4, 6}), {.reach = 100, .caps = false});
+  EXPECT_EQ(closed.caps, 12u);
+  EXPECT_EQ(open.caps, 0u);
+  EXPECT_EQ(open.surface->triangles.size(), closed.surface->triangles.size() - 12);
+  EXPECT_EQ(open.surface->triangles.size(), 2 * open.silhouette.size());
+  EXPECT_FALSE(is_closed(*open.surface));
+}
+
 }  // namespace
 }  // namespace ps

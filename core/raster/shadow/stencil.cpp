@@ -14,7 +14,8 @@ constexpr int tile_size = 64;
 
 using Geometry64 = ScreenGeometry<double>;
 
-/// A pass that only finds out what covers which pixel, and how far away.
+/// A pass that only finds out what covers which pixel, and how far away. The far limit holds for pixels and cuts no
+/// triangle: a volume's lit face goes on behind it, and would no longer lie exactly on a triangle that ends there.
 Settings depth_settings(const Settings& settings) {
   Settings plain = settings;
   plain.lighting = false;
@@ -25,6 +26,7 @@ Settings depth_settings(const Settings& settings) {
   plain.multisampling = 1;
   plain.coverage = Coverage::edge_function;
   plain.edge_arithmetic = EdgeArithmetic::fixed;
+  plain.far = Settings().far;
   return plain;
 }
 
@@ -52,8 +54,6 @@ void scan(const Pass<double>& pass, const ScreenTriangle<double>& triangle, cons
 Pass<double> volume_pass(const Pass<double>& scene_pass, const std::vector<ShadowVolume>& volumes) {
   Pass<double> pass = scene_pass;
   pass.settings.backface_culling = false;
-  if (pass.settings.volume_depth_clamp)
-    std::erase_if(pass.planes, [](const auto& plane) { return plane.reason == RejectReason::clipped_far; });
   pass.objects.clear();
   pass.surfaces.clear();
   pass.first_surface.clear();
@@ -112,6 +112,12 @@ VolumeCrossing crossing_of(const ShadowVolume& volume, const ScreenTriangle<doub
   return crossing;
 }
 
+/// 1 / z at the far limit: what is less lies beyond it.
+double far_limit(const Settings& settings, const Pass<double>& pass) {
+  const bool none = settings.clipping == Clipping::none || settings.far >= Settings().far;
+  return none ? -std::numeric_limits<double>::infinity() : 1 / (settings.far * pass.viewport.distance);
+}
+
 /// The faces of one light's volumes, ready to be drawn.
 struct LightVolumes {
   Pass<double> pass;
@@ -134,6 +140,7 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
   const Pass<double> pass = make_pass<double>(scene, view, depth_settings(settings), Channel::none, prepared);
   const Geometry64 surfaces = make_geometry(pass, {}, parallel, progress);
   const Bins bins = bin_primitives(pass, surfaces, tile_size, parallel, progress);
+  const double far = far_limit(settings, pass);
   const std::vector<std::vector<ShadowVolume>> volumes = make_shadow_volumes(scene, pass.objects, settings);
   std::vector<std::unique_ptr<LightVolumes>> lights;
   for (const auto& of_light : volumes) {
@@ -166,6 +173,7 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
         }
     };
     each(bins, pass, surfaces, [&](const ScreenTriangle<double>&, const Fragment<double>& f) {
+      if (f.inverse_z < far) return;
       double& stored = depth.at(f.column - part.x0, f.row - part.y0);
       stored = std::max(stored, f.inverse_z);
     });
@@ -176,7 +184,7 @@ Stencil make_stencil(const Scene& scene, const View& view, const Settings& setti
       each(light.bins, light.pass, light.geometry,
            [&](const ScreenTriangle<double>& triangle, const Fragment<double>& f) {
              const double surface = depth.at(f.column - part.x0, f.row - part.y0);
-             if (surface == nothing) return;
+             if (surface == nothing || (!settings.volume_depth_clamp && f.inverse_z < far)) return;
              ++counters[tile][Counter::stencil_tests];
              const int change = change_of(settings.shadows, is_behind(f.inverse_z, surface), !triangle.back_face);
              if (change != 0) ++counters[tile][Counter::stencil_updates];

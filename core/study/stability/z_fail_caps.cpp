@@ -50,7 +50,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     naive.volume_length = length;
     add(length, "short volume", from_outside, naive, depth_fail());
   }
-  for (const double far : {10.0, 16.0, 20.0, 40.0, 1000.0}) {
+  for (const double far : {10.0, 17.0, 20.0, 40.0, 1000.0}) {
     Settings naive = depth_fail();
     naive.far = far;
     Settings robust = naive;
