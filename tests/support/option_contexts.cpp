@@ -62,6 +62,7 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/cubes", {"renderer=rasterizer", "subpixel-bits=0"}},
       {"cgfs/reflections", {"accelerator=octree", "octree-leaf=1"}},
       {"cgfs/shadows", {"renderer=rasterizer", "shadows=map", "shadow-map-size=64"}},
+      {"cgfs/shadows", {"renderer=rasterizer", "shadows=stencil-depth-fail", "far=7"}},
       {"lab/stacked-shadows", {}},
       {"lab/mirror-room", {"environment-size=32"}},
       {"cgfs/reflections", {"renderer=textbook"}},
