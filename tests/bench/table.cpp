@@ -9,6 +9,7 @@ Benches gains_benches();
 Benches headline_benches();
 Benches inspect_benches();
 Benches memory_benches();
+Benches needs_benches();
 Benches packets_benches();
 Benches pictures_benches();
 Benches recorder_benches();
@@ -31,6 +32,7 @@ Benches all_benches() {
   append(all, gains_benches());
   append(all, coverage_benches());
   append(all, headline_benches());
+  append(all, needs_benches());
   append(all, inspect_benches());
 #ifdef PIXELSCOPE_EMBREE
   append(all, embree_benches());
