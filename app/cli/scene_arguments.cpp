@@ -23,8 +23,10 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
       ->allow_extra_args(false);
   command
       .add_option("--camera", arguments.camera,
-                  "camera in place of the scene's: position, right, up, forward, viewport size, distance")
-      ->type_name("15 NUMBERS")
+                  "camera in place of the scene's: position, right, up, forward, viewport size, distance; 15 numbers "
+                  "with commas "
+                  "between")
+      ->type_name("X,Y,Z,...")
       ->delimiter('\0');
 }
 
