@@ -9,13 +9,16 @@
 namespace ps {
 namespace {
 
+/// Less is not seen: it only keeps a surface from throwing a shadow.
+constexpr double least_transparency = 1.0 / 1024;
+
 void note_material(const Material& material, SceneTraits& traits) {
   traits.reflective = traits.reflective || material.reflective > 0;
   traits.specular = traits.specular || material.specular.has_value();
   traits.textures = traits.textures || material.texture >= 0;
   traits.normal_maps = traits.normal_maps || material.normal_map >= 0;
   traits.height_maps = traits.height_maps || material.height_map >= 0;
-  traits.transparent = traits.transparent || material.transparency > 0;
+  traits.transparent = traits.transparent || material.transparency >= least_transparency;
 }
 
 }  // namespace

@@ -74,6 +74,29 @@ std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int ind
   return says(PartingCause::unexplained, ", unexplained");
 }
 
+/// A rasterizer's shadow covers the point in one picture only, or more of the point.
+std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int index_b) {
+  const auto& a = event_as<LightEvent>(c.a.story.events, index_a);
+  const auto& b = event_as<LightEvent>(c.b.story.events, index_b);
+  if (c.same(a.visible, b.visible) || (c.same(a.diffuse, b.diffuse) && c.same(a.specular, b.specular)))
+    return std::nullopt;
+  const auto reaches = [](double visible) {
+    return visible > 0 ? fmt::format("{} of it", number_text(visible)) : std::string("nothing of it");
+  };
+  const std::string text = fmt::format("{}: {} reaches the point in A and {} in B", light_name(c.scene, a.light),
+                                       reaches(a.visible), reaches(b.visible));
+  const auto says = [&](PartingCause cause, const std::string& why) {
+    return Parting{cause, text + why + ".", index_a, index_b};
+  };
+  if (const auto key =
+          first_differing(c, {"shadows", "volume-caps", "volume-length", "volume-depth-clamp", "stencil-bits",
+                              "shadow-map-size", "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
+    return says(PartingCause::missing_shadow, because(c, {*key}));
+  if (c.a.story.renderer != c.b.story.renderer)
+    return says(PartingCause::missing_shadow, ": the renderers find shadows in different ways");
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, const Sighting& b) {
@@ -115,6 +138,7 @@ std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, con
         fmt::format("A works out the light {} times and B {} times here", a.lights.size(), b.lights.size()));
   for (std::size_t i = 0; i < a.lights.size(); ++i) {
     if (auto found = part_at_blocker(c, a.lights[i], b.lights[i])) return found;
+    if (auto found = part_at_shadow(c, a.lights[i], b.lights[i])) return found;
     const auto& light_a = event_as<LightEvent>(c.a.story.events, a.lights[i]);
     const auto& light_b = event_as<LightEvent>(c.b.story.events, b.lights[i]);
     if (c.same(light_a.diffuse, light_b.diffuse) && c.same(light_a.specular, light_b.specular)) continue;

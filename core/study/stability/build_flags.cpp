@@ -57,8 +57,8 @@ std::vector<StabilityRow> measure_flags(const StabilityRun& run) {
     const double same = build.name == unoptimised_build().name ? differing : 0;
     rows.push_back(
         {static_cast<double>(knob), build.name, static_cast<double>(differing), same, "px of 360,000 differ"});
-    rows.push_back({static_cast<double>(knob), build.name, static_cast<double>(largest), std::nan(""),
-                    "largest difference, levels"});
+    rows.push_back({static_cast<double>(knob), build.name + std::string(", largest difference"),
+                    static_cast<double>(largest), std::nan(""), "levels"});
   }
   return rows;
 }
