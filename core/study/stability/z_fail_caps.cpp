@@ -61,13 +61,13 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 }
 
 StabilityPicture picture(double length) {
-  StabilityPicture picture{.scene = roof_text({0.2, 2.5, -9}), .width = 240, .height = 160};
-  picture.naive = without_caps(length);
-  picture.robust = depth_fail();
+  StabilityPicture picture{.scene = roof_text(outside), .width = 240, .height = 160};
+  picture.naive = picture.robust = without_caps(length);
+  picture.robust.volume_caps = true;
   return picture;
 }
 
-constexpr std::array frames{1.5, 4.0, 5.0, 8.0};
+constexpr std::array frames{4.0, 6.0, 9.0, 10.0};
 
 }  // namespace
 
@@ -79,7 +79,9 @@ const StabilityExperiment z_fail_caps{
     .robust = "caps at both ends, nothing cut at the far plane",
     .explanation =
         "Depth fail counts what lies behind a surface, so the volume must be closed there. Where a line of sight "
-        "leaves through a cap that is missing, or behind the far plane, a face is not counted.",
+        "leaves through a cap that is missing, or behind the far plane, a face is not counted, and the roof's upper "
+        "side "
+        "lies in its own shadow.",
     .safe = "Closed volumes that reach beyond everything, with a far plane at infinity.",
     .window = nowhere_safe,
     .measure = measure,
