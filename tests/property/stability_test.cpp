@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "study/stability/experiment.h"
 #include "support/curve.h"
+#include "support/trials.h"
 
 namespace {
 
@@ -81,6 +82,7 @@ TEST(Stability, RaySphereCancellation) {
 // The largest error of 200,000 rays is that of the one that came closest to the outline, so the median of nine draws is
 // compared; the given figures are of one draw each, and the small ones scatter by as much as 2.
 TEST(Stability, NormalsOfRaySphereCancellation) {
+  if (test::trial_divisor > 1) GTEST_SKIP() << "nine draws of full effort take too long under a sanitizer";
   struct Given {
     double distance, naive, robust;
   };
