@@ -1,0 +1,98 @@
+#include "study/stability/ground_sphere_points.h"
+
+#include "raytrace/sphere_quadratic.h"
+
+namespace ps::stability {
+namespace {
+
+constexpr int side = 600;
+
+/// The discriminant from the remainder vector and the root that loses nothing, with all numbers of one precision: c is
+/// (|f| - r)(|f| + r).
+template <class Real>
+SphereRoots<Real> sphere_remainder(const Vec3<Real>& origin, const Vec3<Real>& direction, Real a,
+                                   const TracedSphere<Real>& sphere) {
+  const Vec3<Real> from_centre = origin - sphere.centre;
+  const Real b = -dot(from_centre, direction);
+  const Vec3<Real> remainder = from_centre + direction * (b / a);
+  SphereRoots<Real> roots;
+  roots.discriminant = sphere.radius * sphere.radius - dot(remainder, remainder);
+  if (!(roots.discriminant >= 0)) return roots;
+  const Real distance = std::sqrt(dot(from_centre, from_centre));
+  const Real c = (distance - sphere.radius) * (distance + sphere.radius);
+  const Real root = std::sqrt(a * roots.discriminant);
+  const Real q = b + (b < 0 ? -root : root);
+  roots.near = b < 0 ? q / a : c / q;
+  roots.far = b < 0 ? c / q : q / a;
+  return roots;
+}
+
+template <class Real>
+SphereRoots<Real> roots_of(SphereForm form, const Vec3<Real>& origin, const Vec3<Real>& direction,
+                           const TracedSphere<Real>& sphere) {
+  const Real a = dot(direction, direction);
+  return form == SphereForm::textbook ? sphere_quadratic<Real>(origin, direction, a, sphere)
+                                      : sphere_remainder<Real>(origin, direction, a, sphere);
+}
+
+/// Calls visit(point) for each place where a ray of the camera meets the ground.
+template <class Real, class Visit>
+void for_each_point(const TracedSphere<Real>& ground, SphereForm form, Visit&& visit) {
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const Vec3<Real> direction{static_cast<Real>(column - side / 2) / Real(side),
+                                 static_cast<Real>(side / 2 - row) / Real(side), Real(1)};
+      const Vec3<Real> eye(0);
+      const SphereRoots<Real> roots = roots_of(form, eye, direction, ground);
+      if (roots.discriminant >= 0 && roots.near > 0) visit(eye + direction * roots.near);
+    }
+}
+
+template <class Real>
+TracedSphere<Real> ground_of(double radius) {
+  return {Vec3<Real>(Vec3d(0, -1 - radius, 0)), static_cast<Real>(radius)};
+}
+
+template <class Real>
+double off_surface(double radius, SphereForm form) {
+  const TracedSphere<Real> ground = ground_of<Real>(radius);
+  long double squares = 0;
+  int points = 0;
+  for_each_point(ground, form, [&](const Vec3<Real>& point) {
+    long double distance_squared = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const long double difference = static_cast<long double>(point[axis]) - ground.centre[axis];
+      distance_squared += difference * difference;
+    }
+    const long double off = std::sqrt(distance_squared) - static_cast<long double>(ground.radius);
+    squares += off * off;
+    ++points;
+  });
+  return points > 0 ? static_cast<double>(std::sqrt(squares / points)) : 0;
+}
+
+}  // namespace
+
+double hit_off_surface(double radius, SphereForm form, Precision numbers, const StabilityRun& run) {
+  run.check();
+  return numbers == Precision::float32 ? off_surface<float>(radius, form) : off_surface<double>(radius, form);
+}
+
+double false_shadow_by_remainder(float epsilon, const StabilityRun& run) {
+  run.check();
+  const TracedSphere<float> ground = ground_of<float>(5000);
+  const Vec3f light(2, 1, 0);
+  double lit = 0, wrong = 0;
+  for_each_point(ground, SphereForm::remainder, [&](const Vec3f& point) {
+    // A light sees all of a ball that turns towards it.
+    const Vec3d exact(point), normal = exact - Vec3d(ground.centre);
+    if (!(dot(normal, Vec3d(light) - exact) > 0)) return;
+    ++lit;
+    const auto roots = roots_of<float>(SphereForm::remainder, point, light - point, ground);
+    const auto blocks = [&](float t) { return t > epsilon && t < 1; };
+    wrong += roots.discriminant >= 0 && (blocks(roots.near) || blocks(roots.far)) ? 1 : 0;
+  });
+  return percent(wrong, lit);
+}
+
+}  // namespace ps::stability

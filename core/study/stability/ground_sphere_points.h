@@ -1,0 +1,19 @@
+#pragma once
+#include "study/stability/support.h"
+
+namespace ps::stability {
+
+/// Where the points that the book's camera finds on its ground sphere really lie, and what an epsilon makes of them.
+/// The sphere touches y = -1 below the camera; pictures have 600 x 600 rays through the corners of their pixels, as the
+/// book has them.
+enum class SphereForm { textbook, remainder };
+
+/// Distance of the points from the sphere's surface, root of the mean square. The error is told in long double.
+double hit_off_surface(double radius, SphereForm form, Precision numbers, const StabilityRun& run);
+
+/// Percentage of the points on the ground of radius 5000, lit by the book's point light at (2, 1, 0), whose shadow ray
+/// meets the ground again beyond `epsilon`: in float, hit and shadow both by the remainder form, from the point as
+/// found.
+double false_shadow_by_remainder(float epsilon, const StabilityRun& run);
+
+}  // namespace ps::stability
