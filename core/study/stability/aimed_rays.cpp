@@ -17,6 +17,12 @@ AimedRay Aim::next(AimAt what) {
     return towards(Vec3d(mesh_.vertices[vertex]), {vertex});
   }
   const auto& corners = mesh_.triangles[random_.below(mesh_.triangles.size())];
+  if (what == AimAt::interior) {
+    double u = random_.unit(), v = random_.unit();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Vec3d a(mesh_.vertices[corners[0]]), b(mesh_.vertices[corners[1]]), c(mesh_.vertices[corners[2]]);
+    return towards(a + (b - a) * u + (c - a) * v, {corners[0], corners[1], corners[2]});
+  }
   const std::size_t side = random_.below(3);
   const std::uint32_t from = corners[side], to = corners[(side + 1) % 3];
   const Vec3d a(mesh_.vertices[from]), b(mesh_.vertices[to]);
@@ -33,20 +39,30 @@ AimedRay Aim::towards(const Vec3d& target, std::initializer_list<std::uint32_t> 
   return ray;
 }
 
-CrackRates crack_rates(AimAt what, const TriangleHits& test, const StabilityRun& run) {
+std::vector<CrackRates> crack_rates(AimAt what, const std::vector<TriangleHits>& tests, const StabilityRun& run,
+                                    double reach) {
   run.check();
   const ClosedSphere mesh = closed_sphere(160, 320, 2, {0, 0, 0});
-  Aim aim(mesh, run.seed);
+  Aim aim(mesh, run.seed, reach);
   const int rays = run.count(1000000);
-  double misses = 0, doubles = 0;
+  std::vector<CrackRates> rates(tests.size());
   for (int i = 0; i < rays; ++i) {
+    if (i % 65536 == 0) run.check();
     const AimedRay ray = aim.next(what);
-    int hits = 0;
-    for (const std::uint32_t triangle : ray.candidates) hits += test(ray, mesh.triangle(triangle)) ? 1 : 0;
-    misses += hits == 0 ? 1 : 0;
-    doubles += hits > 1 ? 1 : 0;
+    for (std::size_t k = 0; k < tests.size(); ++k) {
+      int hits = 0;
+      for (const std::uint32_t triangle : ray.candidates) hits += tests[k](ray, mesh.triangle(triangle)) ? 1 : 0;
+      rates[k].misses += hits == 0 ? 1 : 0;
+      rates[k].doubles += hits > 1 ? 1 : 0;
+    }
   }
-  return {per_million(misses, rays), per_million(doubles, rays)};
+  for (CrackRates& rate : rates) rate = {per_million(rate.misses, rays), per_million(rate.doubles, rays)};
+  return rates;
+}
+
+void add_cracks(Rows& rows, double knob, const std::string& series, const CrackRates& naive, const CrackRates& robust) {
+  rows.push_back({knob, series + ", misses", naive.misses, robust.misses, "per million rays"});
+  rows.push_back({knob, series + ", double hits", naive.doubles, robust.doubles, "per million rays"});
 }
 
 bool watertight_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {

@@ -1,30 +1,35 @@
-#include "study/stability/aimed_rays.h"
 #include "study/stability/build_flags/kernels.h"
+#include "study/stability/triangle_methods.h"
 
 namespace ps::stability {
 namespace {
 
-FlagTriangle flat(const TracedTriangle<float>& t) {
-  return {{{t.a.x, t.a.y, t.a.z}, {t.b.x, t.b.y, t.b.z}, {t.c.x, t.c.y, t.c.z}}};
-}
-FlagRay flat(const AimedRay& ray) {
-  return {{ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z}};
-}
-
 std::vector<StabilityRow> measure_contraction(const StabilityRun& run) {
-  const auto misses = [&](auto test) {
-    const TriangleHits hits = [test](const AimedRay& ray, const TracedTriangle<float>& triangle) {
-      return test(flat(ray), flat(triangle));
-    };
-    return crack_rates(AimAt::edge, hits, run).misses;
-  };
-  const FlagBuild plain = plain_build(), fused = contracted_build();
   Rows rows(run);
+  const FlagBuild plain = plain_build(), fused = contracted_build();
   if (!fused.available()) return rows;
-  const double product_misses = crack_rates(AimAt::edge, watertight_hits, run).misses;
-  rows.push_back({1, "watertight (Woop)", misses(fused.watertight), misses(plain.watertight), "misses per million"});
-  rows.push_back({1, "Moeller-Trumbore", misses(fused.moeller_trumbore), product_misses, "misses per million"});
-  rows.push_back({0, "Moeller-Trumbore", misses(plain.moeller_trumbore), product_misses, "misses per million"});
+  const auto hits = [](auto test) -> TriangleHits {
+    return
+        [test](const AimedRay& ray, const TracedTriangle<float>& triangle) { return test(flat(ray), flat(triangle)); };
+  };
+  for (const AimAt what : {AimAt::edge, AimAt::vertex}) {
+    const std::vector<CrackRates> rates =
+        crack_rates(what,
+                    {watertight_hits, hits(fused.watertight), hits(plain.watertight), hits(fused.moeller_trumbore),
+                     hits(plain.moeller_trumbore), fused_edges_hits},
+                    run);
+    const CrackRates &product = rates[0], &fused_woop = rates[1], &plain_woop = rates[2];
+    if (what == AimAt::vertex) {
+      add_cracks(rows, 1, "watertight (Woop), at vertices", fused_woop, plain_woop);
+      add_cracks(rows, 1, "edge functions alone fused, at vertices", rates[5], plain_woop);
+      continue;
+    }
+    rows.push_back({1, "watertight (Woop)", fused_woop.misses, plain_woop.misses, "misses per million"});
+    rows.push_back({1, "watertight (Woop), double hits", fused_woop.doubles, plain_woop.doubles, "per million rays"});
+    add_cracks(rows, 1, "edge functions alone fused, at edges", rates[5], plain_woop);
+    rows.push_back({1, "Moeller-Trumbore", rates[3].misses, product.misses, "misses per million"});
+    rows.push_back({0, "Moeller-Trumbore", rates[4].misses, product.misses, "misses per million"});
+  }
   return rows;
 }
 

@@ -1,45 +1,53 @@
-#include "study/stability/aimed_rays.h"
+#include "study/stability/triangle_methods.h"
 
 namespace ps::stability {
 namespace {
 
-void add(Rows& rows, double knob, const std::string& series, const CrackRates& naive, const CrackRates& robust) {
-  rows.push_back({knob, series + ", misses", naive.misses, robust.misses, "per million rays"});
-  rows.push_back({knob, series + ", double hits", naive.doubles, robust.doubles, "per million rays"});
+std::string name_of(AimAt what) {
+  return what == AimAt::interior ? "inside triangles" : what == AimAt::edge ? "at edges" : "at vertices";
 }
 
 std::vector<StabilityRow> measure_edge_cracks(const StabilityRun& run) {
   Rows rows(run);
-  for (const AimAt what : {AimAt::edge, AimAt::vertex}) {
-    const std::string where = what == AimAt::edge ? "at edges" : "at vertices";
-    const CrackRates robust = crack_rates(what, watertight_hits, run);
-    add(rows, 32, where, crack_rates(what, moeller_trumbore_hits<float>(0, 0), run), robust);
-    add(rows, 64, where, crack_rates(what, moeller_trumbore_hits<double>(0, 0), run), robust);
+  for (const AimAt what : {AimAt::edge, AimAt::vertex, AimAt::interior}) {
+    const std::string where = name_of(what);
+    const std::vector<CrackRates> rates = crack_rates(what,
+                                                      {watertight_hits, moeller_trumbore_hits<float>(0, 0),
+                                                       moeller_trumbore_hits<double>(0, 0), cgpp_hits, float_only_hits},
+                                                      run);
+    add_cracks(rows, 32, where, rates[1], rates[0]);
+    add_cracks(rows, 64, where, rates[2], rates[0]);
+    add_cracks(rows, 32, "CGPP's epsilons, " + where, rates[3], rates[0]);
+    add_cracks(rows, 32, "Woop in float alone, " + where, rates[4], rates[0]);
   }
   return rows;
 }
 
 std::vector<StabilityRow> measure_tolerance(const StabilityRun& run) {
   Rows rows(run);
-  const CrackRates robust = crack_rates(AimAt::edge, watertight_hits, run);
-  for (const float tolerance : {0.0f, 1e-7f, 1e-6f, 1e-5f, 1e-4f})
-    add(rows, tolerance, "at edges", crack_rates(AimAt::edge, moeller_trumbore_hits<float>(0, tolerance), run), robust);
+  const auto add = [&](AimAt what, const std::vector<float>& tolerances, double reach) {
+    std::vector<TriangleHits> tests{watertight_hits};
+    for (const float tolerance : tolerances) tests.push_back(moeller_trumbore_hits<float>(0, tolerance));
+    const std::vector<CrackRates> rates = crack_rates(what, tests, run, reach);
+    for (std::size_t i = 0; i < tolerances.size(); ++i)
+      add_cracks(rows, tolerances[i], name_of(what), rates[i + 1], rates[0]);
+  };
+  add(AimAt::edge, {0.0f, 1e-7f, 1e-6f, 1e-5f, 1e-4f}, 1);
+  // The more obliquely a ray arrives, the more of the tolerance it needs, so what is left depends on how far from the
+  // middle rays may start: 1,450 misses in a million from a cube of side 2 at 1e-5, a quarter of that from side 1.
+  add(AimAt::vertex, {0.0f, 1e-6f, 1e-5f, 1e-4f}, 0.75);
+  add(AimAt::interior, {1e-5f}, 1);
   return rows;
-}
-
-/// Side of the ray's line on which each edge passes, by Pluecker coordinates.
-bool pluecker(const AimedRay& ray, const TracedTriangle<float>& triangle) {
-  const Vec3f a = triangle.a - ray.origin, b = triangle.b - ray.origin, c = triangle.c - ray.origin;
-  const auto side = [&](const Vec3f& p, const Vec3f& q) { return dot(cross(p - q, p + q), ray.direction); };
-  const float u = side(c, b), v = side(a, c), w = side(b, a);
-  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }
 
 std::vector<StabilityRow> measure_pluecker(const StabilityRun& run) {
   Rows rows(run);
-  for (const AimAt what : {AimAt::edge, AimAt::vertex})
-    add(rows, what == AimAt::edge ? 0 : 1, what == AimAt::edge ? "at edges" : "at vertices",
-        crack_rates(what, pluecker, run), crack_rates(what, watertight_hits, run));
+  for (const AimAt what : {AimAt::edge, AimAt::vertex, AimAt::interior}) {
+    const std::vector<CrackRates> rates = crack_rates(what, {watertight_hits, pluecker_hits(0), pluecker_hits(1)}, run);
+    const double knob = what == AimAt::edge ? 0 : what == AimAt::vertex ? 1 : 2;
+    add_cracks(rows, knob, name_of(what), rates[1], rates[0]);
+    add_cracks(rows, knob, "epsilon of one ulp of the sum, " + name_of(what), rates[2], rates[0]);
+  }
   return rows;
 }
 
@@ -100,7 +108,7 @@ const StabilityExperiment mt_tolerance{
 const StabilityExperiment plucker_vertices{
     .key = "plucker-vertices",
     .title = "Pluecker coordinates at vertices",
-    .knob = "0 = at edges, 1 = at vertices",
+    .knob = "0 = at edges, 1 = at vertices, 2 = inside",
     .naive = "Pluecker coordinates",
     .robust = "watertight (Woop)",
     .explanation = "Along an edge both neighbours compute the same number with opposite signs. Around a vertex several "

@@ -1,0 +1,50 @@
+#include "study/stability/triangle_methods.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raytrace/triangle_watertight.h"
+
+namespace ps::stability {
+
+bool cgpp_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const Vec3f edge_b = triangle.b - triangle.a, edge_c = triangle.c - triangle.a;
+  const Vec3f q = cross(ray.direction, edge_c);
+  const float determinant = dot(edge_b, q);
+  if (!(std::abs(determinant) > 1e-7f)) return false;
+  const Vec3f s = (ray.origin - triangle.a) / determinant;
+  const Vec3f r = cross(s, edge_b);
+  const float u = dot(s, q), v = dot(r, ray.direction), w = 1 - u - v;
+  constexpr float least = -1e-10f;
+  return u >= least && v >= least && w >= least && dot(edge_c, r) > 0;
+}
+
+TriangleHits pluecker_hits(float ulps) {
+  return [=](const AimedRay& ray, const TracedTriangle<float>& triangle) {
+    const Vec3f a = triangle.a - ray.origin, b = triangle.b - ray.origin, c = triangle.c - ray.origin;
+    const auto side = [&](const Vec3f& p, const Vec3f& q) { return dot(cross(p - q, p + q), ray.direction); };
+    const float u = side(c, b), v = side(a, c), w = side(b, a);
+    const float zero = ulps * std::numeric_limits<float>::epsilon() * std::abs(u + v + w);
+    return std::min({u, v, w}) >= -zero || std::max({u, v, w}) <= zero;
+  };
+}
+
+bool float_only_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  static const FlagBuild plain = plain_build();
+  return plain.watertight(flat(ray), flat(triangle));
+}
+
+bool fused_edges_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const Shear<float> shear(ray.direction);
+  const auto sheared = [&](const Vec3f& corner) {
+    const float far = corner[shear.kz] - ray.origin[shear.kz];
+    return Vec2f(corner[shear.kx] - ray.origin[shear.kx] - shear.x * far,
+                 corner[shear.ky] - ray.origin[shear.ky] - shear.y * far);
+  };
+  const Vec2f a = sheared(triangle.a), b = sheared(triangle.b), c = sheared(triangle.c);
+  const auto edge = [](const Vec2f& p, const Vec2f& q) { return std::fma(p.x, q.y, -(p.y * q.x)); };
+  const float u = edge(c, b), v = edge(a, c), w = edge(b, a);
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+}  // namespace ps::stability
