@@ -1,3 +1,7 @@
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
 #include "raytrace/self_hit.h"
 #include "raytrace/triangle_moeller_trumbore.h"
 #include "study/stability/support.h"
@@ -6,12 +10,32 @@ namespace ps::stability {
 namespace {
 
 struct Rates {
-  double rays = 0, parameter = 0, epsilon = 0, weights = 0, bump = 0, robust = 0;
+  double rays = 0, parameter = 0, epsilon = 0, weights = 0, bump = 0, integer = 0, bound_alone = 0, robust = 0;
+  double integer_offset = 0, bound_offset = 0;  ///< lengths, summed
 };
+
+/// The point moved along n by a whole number of representable values (Waechter and Binder, Ray Tracing Gems ch. 6): 256
+/// times the normal's component on each axis, or a 65536th of that component where the coordinate is below 1/32.
+Vec3f integer_offset(const Vec3f& point, const Vec3f& n) {
+  Vec3f moved;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float coordinate = point[axis];
+    const auto steps = static_cast<std::int32_t>(256.0f * n[axis]);
+    const auto bits = std::bit_cast<std::int32_t>(coordinate);
+    moved[axis] = std::abs(coordinate) < 1.0f / 32 ? coordinate + n[axis] / 65536
+                                                   : std::bit_cast<float>(bits + (coordinate < 0 ? -steps : steps));
+  }
+  return moved;
+}
 
 bool meets(const Vec3f& origin, const Vec3f& direction, const TracedTriangle<float>& triangle, float t_min) {
   const auto result = triangle_moeller_trumbore<float>(origin, direction, triangle, 0);
   return result.verdict == TriangleVerdict::inside && result.t > t_min;
+}
+
+double distance_of(const Vec3f& a, const Vec3f& b) {
+  const Vec3d way = Vec3d(a) - Vec3d(b);
+  return std::sqrt(dot(way, way));
 }
 
 /// Random triangles with sides of about 1, so far from the origin along no axis, seen from 6 away; 20 rays into the
@@ -50,7 +74,12 @@ Rates rates_at(double distance, const StabilityRun& run) {
       rates.epsilon += meets(along_ray, away, triangle, 1e-4f) ? 1 : 0;
       rates.weights += meets(weighed, away, triangle, 0) ? 1 : 0;
       rates.bump += meets(weighed + facing * 1e-4f, away, triangle, 0) ? 1 : 0;
+      const Vec3f lifted = integer_offset(weighed, facing);
+      rates.integer += meets(lifted, away, triangle, 0) ? 1 : 0;
+      rates.integer_offset += distance_of(lifted, weighed);
       const Vec3f origin = offset_from_triangle(surface, away);
+      rates.bound_alone += meets(origin, away, triangle, 0) ? 1 : 0;
+      rates.bound_offset += distance_of(origin, surface.point);
       const auto again = triangle_watertight<float>(origin, Shear<float>(away), triangle, TriangleGuard::rounding_of_t);
       rates.robust += again.verdict == TriangleVerdict::inside && again.t > 0 ? 1 : 0;
     }
@@ -70,6 +99,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
     add("o + t d, t > 1e-4", rates.epsilon);
     add("from the weights", rates.weights);
     add("normal bump 1e-4", rates.bump);
+    add("256 representable numbers along the normal", rates.integer);
+    add("bound of the error, plain Moeller-Trumbore", rates.bound_alone);
+    rows.push_back({distance, "mean offset, 256 numbers and bound", rates.integer_offset / rates.rays,
+                    rates.bound_offset / rates.rays, "length"});
   }
   return rows;
 }

@@ -15,6 +15,7 @@ enum class Way {
   centres_only,     ///< a ball stands in the cell of its centre alone
   mailbox_rejects,  ///< stands in all it touches, is tested once, and counts only if hit inside that cell
   first_hit_wins,   ///< as above without the mailbox's flaw, but the first cell with a hit ends the walk
+  retest,           ///< stands in all it touches, is tested in each, and counts only if hit inside that cell
   keep_best         ///< the walk ends when the best hit lies before the end of the cell
 };
 
@@ -65,7 +66,7 @@ class Grid {
         if (way == Way::mailbox_rejects && tested[static_cast<std::size_t>(i)]) continue;
         tested[static_cast<std::size_t>(i)] = 1;
         const double t = hit(balls[static_cast<std::size_t>(i)], origin, direction);
-        if (way == Way::mailbox_rejects && !(t <= exit)) continue;
+        if ((way == Way::mailbox_rejects || way == Way::retest) && !(t <= exit)) continue;
         if (t < best_t) best_t = t, best = i;
       }
       if (best >= 0 && (way == Way::keep_best ? best_t <= exit : true)) return best;
@@ -108,7 +109,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
       balls.push_back({{random.between(low, high), random.between(low, high), random.between(low, high)}, radius});
     }
     const Grid overlapping(balls, side, false), centres(balls, side, true);
-    std::array<double, 4> wrong{};
+    std::array<double, 5> wrong{};
     double hits = 0;
     const int rays = run.count(20000, 3000);
     for (int i = 0; i < rays; ++i) {
@@ -122,15 +123,17 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
       }
       if (truth < 0) continue;
       ++hits;
-      for (const Way way : {Way::centres_only, Way::mailbox_rejects, Way::first_hit_wins, Way::keep_best}) {
+      for (const Way way :
+           {Way::centres_only, Way::mailbox_rejects, Way::first_hit_wins, Way::retest, Way::keep_best}) {
         const Grid& grid = way == Way::centres_only ? centres : overlapping;
         const Way walk = way == Way::centres_only ? Way::keep_best : way;
         wrong[static_cast<std::size_t>(way)] += grid.search(balls, origin, direction, walk) != truth ? 1 : 0;
       }
     }
-    const char* names[] = {"centres alone", "mailbox and t <= cell exit", "first hit wins"};
-    for (std::size_t i = 0; i < 3; ++i)
-      rows.push_back({static_cast<double>(side), names[i], percent(wrong[i], hits), percent(wrong[3], hits),
+    const char* names[] = {"centres alone", "mailbox and t <= cell exit", "first hit wins",
+                           "t <= cell exit, tested in each cell"};
+    for (std::size_t i = 0; i < 4; ++i)
+      rows.push_back({static_cast<double>(side), names[i], percent(wrong[i], hits), percent(wrong[4], hits),
                       "% of hits missed or wrong"});
   }
   return rows;

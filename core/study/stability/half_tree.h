@@ -37,6 +37,11 @@ class HalfTree {
   /// Calls visit(triangle) for each leaf whose boxes the ray meets; gives the number of nodes looked at.
   template <class Visit>
   std::size_t for_each(const SlabRay<float>& ray, Visit&& visit) const {
+    return for_each(ray, visit, [](const SlabRange<float>& range) { return range.hit(); });
+  }
+  /// The same where meets(range of a box) decides.
+  template <class Visit, class Meets>
+  std::size_t for_each(const SlabRay<float>& ray, Visit&& visit, Meets&& meets) const {
     std::vector<std::size_t> waiting{0};
     std::size_t looked = 0;
     while (!waiting.empty()) {
@@ -44,7 +49,7 @@ class HalfTree {
       waiting.pop_back();
       ++looked;
       const Node& node = nodes_[index];
-      if (!slab_test(ray, node.box, std::numeric_limits<float>::infinity()).hit()) continue;
+      if (!meets(slab_test(ray, node.box, std::numeric_limits<float>::infinity()))) continue;
       if (node.right == 0) {
         for (std::size_t i = node.first; i < node.first + node.count; ++i) visit(order_[i]);
       } else {

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "accel/slab.h"
 #include "study/stability/support.h"
 
@@ -30,8 +32,12 @@ Case aimed_case(int dimensions, Random& random) {
   return result;
 }
 
-/// The slab test as it is usually written, and with < in place of <=.
-bool textbook(const Case& c, bool strict) {
+/// How near and far are compared at the end.
+enum class Ending { closed, strict, one_ulp, two_ulps };
+
+/// The slab test as it is usually written, with < in place of <=, and with the far end so many representable numbers
+/// farther.
+bool textbook(const Case& c, Ending ending) {
   float near = 0, far = infinity;
   for (int axis = 0; axis < 3; ++axis) {
     const float inverse = 1 / c.direction[axis];
@@ -39,7 +45,17 @@ bool textbook(const Case& c, bool strict) {
     near = std::max(near, std::min(t0, t1));
     far = std::min(far, std::max(t0, t1));
   }
-  return strict ? near < far : near <= far;
+  switch (ending) {
+  case Ending::closed:
+    break;
+  case Ending::strict:
+    return near < far;
+  case Ending::one_ulp:
+    return near <= far || near <= std::nextafter(far, infinity);
+  case Ending::two_ulps:
+    return near <= far || near <= std::nextafter(std::nextafter(far, infinity), infinity);
+  }
+  return near <= far;
 }
 
 bool robust(const Case& c) { return slab_test(SlabRay<float>(c.origin, c.direction, 0), c.box, infinity).hit(); }
@@ -65,19 +81,20 @@ std::vector<StabilityRow> measure_false_miss(const StabilityRun& run) {
   for (const int dimensions : {3, 2, 1}) {
     run.check();
     Random random(run.seed);
-    double met = 0, closed = 0, open = 0, lost = 0;
+    double met = 0, lost = 0;
+    std::array<double, 4> missed_by{};  // in the order of the endings
     const int rays = run.count(1000000, 100000);
     for (int i = 0; i < rays; ++i) {
       const Case c = aimed_case(dimensions, random);
       if (!meets(c)) continue;
       ++met;
-      closed += textbook(c, false) ? 0 : 1;
-      open += textbook(c, true) ? 0 : 1;
+      for (std::size_t k = 0; k < missed_by.size(); ++k) missed_by[k] += textbook(c, static_cast<Ending>(k)) ? 0 : 1;
       lost += robust(c) ? 0 : 1;
     }
-    for (const bool strict : {false, true})
-      rows.push_back({static_cast<double>(dimensions), strict ? "near < far" : "near <= far",
-                      per_million(strict ? open : closed, met), per_million(lost, met), "false misses per million"});
+    const char* names[] = {"near <= far", "near < far", "near <= far + 1 ulp", "near <= far + 2 ulps"};
+    for (std::size_t i = 0; i < missed_by.size(); ++i)
+      rows.push_back({static_cast<double>(dimensions), names[i], per_million(missed_by[i], met), per_million(lost, met),
+                      "false misses per million"});
   }
   return rows;
 }
