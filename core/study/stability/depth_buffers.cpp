@@ -1,4 +1,5 @@
 #include <array>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -25,26 +26,75 @@ DepthCode reversed_float(double near = 0.1) {
   return code(DepthFormat::unit_float, 24, true, DepthValue::inverse_z, near);
 }
 
-float encoded(const DepthCode& how, double z) {
-  return how.encode(how.value == DepthValue::inverse_z ? static_cast<float>(1 / z) : static_cast<float>(z));
+/// What each way of writing the depth of a corner at z holds. Corners reach a depth buffer as floats, so the float
+/// formats are given z as a float; the integers are given z as it is, to show what they alone lose.
+struct Written {
+  std::function<double(double z)> depth;
+  bool larger_is_nearer = false;
+  bool nearer(double front, double back) const {
+    const double a = depth(front), b = depth(back);
+    return larger_is_nearer ? a > b : a < b;
+  }
+};
+
+Written written(const DepthCode& how) {
+  return {[how](double z) {
+            const double given = how.format == DepthFormat::unorm ? z : static_cast<double>(static_cast<float>(z));
+            const double raw = how.value == DepthValue::inverse_z ? 1 / given : given;
+            return how.encode(how.format == DepthFormat::plain ? static_cast<double>(static_cast<float>(raw)) : raw);
+          },
+          how.larger_is_nearer()};
+}
+
+/// (A z + B) / z with every step in float, as a vertex shader's matrix and the division after it compute it: from 0 to
+/// 1 with `low` = 0, as in OpenGL from -1 to 1 with `low` = -1. A range from -1 to 1 is then moved to 0..1 and rounded
+/// to 24 bits.
+Written by_float_matrix(float low) {
+  return {[low](double z) {
+    constexpr float near = 0.1f, far = 10000;
+    const float a = (far - low * near) / (far - near), b = (low - 1) * far * near / (far - near);
+    const auto given = static_cast<float>(z);
+    const float depth = (a * given + b) / given;
+    if (low == 0) return static_cast<double>(depth);
+    return std::floor(static_cast<double>(depth * 0.5f + 0.5f) * 0xffffff + 0.5);
+  }};
+}
+
+/// The logarithm's share of the range, in 24 bits.
+Written logarithm() {
+  return {[](double z) { return std::floor(std::log2(z / 0.1) / std::log2(10000 / 0.1) * 0xffffff + 0.5); }};
 }
 
 /// Percentage of pairs with this gap, from z to a hundredth beyond, whose nearer one does not win.
-double confused(const DepthCode& how, double z, double gap, const StabilityRun& run) {
+double confused(const Written& how, double z, double gap, const StabilityRun& run) {
   Random random(run.seed);
   const int pairs = run.count(20000, 4000);
   double wrong = 0;
   for (int i = 0; i < pairs; ++i) {
     const double front = z * random.between(1, 1.01);
-    wrong += raster::is_nearer(how, encoded(how, front), encoded(how, front + gap)) ? 0 : 1;
+    wrong += how.nearer(front, front + gap) ? 0 : 1;
   }
   return percent(wrong, pairs);
 }
 
-/// The smallest gap at z that 99 % of pairs show.
-double smallest_gap(const DepthCode& how, double z, const StabilityRun& run) {
+/// Percentage of neighbours a hundred-thousandth of their depth apart that look the same, at depths evenly over the
+/// logarithms between the planes.
+double same_neighbours(const Written& how, const StabilityRun& run) {
+  Random random(run.seed);
+  const int pairs = run.count(200000, 20000);
+  double same = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const double z = 0.1 * std::pow(10000 / 0.1, random.unit());
+    same += how.nearer(z, z * (1 + 1e-5)) ? 0 : 1;
+  }
+  return percent(same, pairs);
+}
+
+/// The smallest gap at z that 99 % of pairs show; NaN where not even a gap of ten times z is shown.
+double smallest_gap(const Written& how, double z, const StabilityRun& run) {
   run.check();
   double low = z * 1e-9, high = z * 10;
+  if (confused(how, z, high, run) > 1) return std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < 30; ++i) {
     const double middle = std::sqrt(low * high);
     (confused(how, z, middle, run) > 1 ? low : high) = middle;
@@ -56,20 +106,33 @@ std::vector<StabilityRow> measure_formats(const StabilityRun& run) {
   Rows rows(run);
   struct Format {
     const char* name;
-    DepthCode code;
+    Written depth;
   };
+  DepthCode endless = reversed_float();
+  endless.far = 0;
+  const Written reversed = written(reversed_float());
+  constexpr std::array depths{1.0, 10.0, 100.0, 1000.0, 9000.0};
+  std::array<double, depths.size()> robust{};
+  for (std::size_t i = 0; i < depths.size(); ++i) robust[i] = smallest_gap(reversed, depths[i], run);
   for (const Format& format :
-       {Format{"unorm 24", code(DepthFormat::unorm)}, Format{"float 0..1", code(DepthFormat::unit_float)},
-        Format{"unorm 16", code(DepthFormat::unorm, 16)},
-        Format{"unorm 24 reversed", code(DepthFormat::unorm, 24, true)},
-        Format{"plain 1/z", code(DepthFormat::plain)}}) {
+       {Format{"unorm 24", written(code(DepthFormat::unorm))},
+        Format{"float 0..1", written(code(DepthFormat::unit_float))},
+        Format{"unorm 16", written(code(DepthFormat::unorm, 16))},
+        Format{"unorm 24 reversed", written(code(DepthFormat::unorm, 24, true))},
+        Format{"plain 1/z", written(code(DepthFormat::plain))},
+        Format{"float reversed, no far plane", written(endless)},
+        Format{"float 0..1 by a float matrix", by_float_matrix(0)},
+        Format{"-1..1 by a float matrix, to unorm 24", by_float_matrix(-1)}, Format{"unorm 24 of log z", logarithm()},
+        Format{"unorm 24 of z", written(code(DepthFormat::unorm, 24, false, DepthValue::z))}}) {
     run.check();
     for (const double gap : {0.001, 0.01, 0.1})
-      rows.push_back({gap, fmt::format("{}, z = 1000", format.name), confused(format.code, 1000, gap, run),
-                      confused(reversed_float(), 1000, gap, run), "% of pixels wrong"});
-    for (const double z : {1.0, 10.0, 100.0, 1000.0})
-      rows.push_back({z, fmt::format("{}, resolved", format.name), smallest_gap(format.code, z, run),
-                      smallest_gap(reversed_float(), z, run), "smallest gap that 99 % of pairs show"});
+      rows.push_back({gap, fmt::format("{}, z = 1000", format.name), confused(format.depth, 1000, gap, run),
+                      confused(reversed, 1000, gap, run), "% of pixels wrong"});
+    for (std::size_t i = 0; i < depths.size(); ++i)
+      rows.push_back({depths[i], fmt::format("{}, resolved", format.name), smallest_gap(format.depth, depths[i], run),
+                      robust[i], "smallest gap that 99 % of pairs show"});
+    rows.push_back({1e-5, fmt::format("{}, any z, gap as a share of z", format.name),
+                    same_neighbours(format.depth, run), same_neighbours(reversed, run), "% of pairs not told apart"});
   }
   return rows;
 }
@@ -78,16 +141,17 @@ std::vector<StabilityRow> measure_near(const StabilityRun& run) {
   Rows rows(run);
   for (const double near : {1.0, 0.1, 0.01, 0.001})
     rows.push_back({near, "z = 1000",
-                    smallest_gap(code(DepthFormat::unorm, 24, false, DepthValue::inverse_z, near), 1000, run),
-                    smallest_gap(reversed_float(near), 1000, run), "smallest gap that 99 % of pairs show"});
+                    smallest_gap(written(code(DepthFormat::unorm, 24, false, DepthValue::inverse_z, near)), 1000, run),
+                    smallest_gap(written(reversed_float(near)), 1000, run), "smallest gap that 99 % of pairs show"});
   return rows;
 }
 
 std::vector<StabilityRow> measure_linear(const StabilityRun& run) {
   Rows rows(run);
   for (const double z : {10.0, 100.0, 1000.0, 9000.0})
-    rows.push_back({z, "gap 0.01", confused(code(DepthFormat::unorm, 16, false, DepthValue::z), z, 0.01, run),
-                    confused(code(DepthFormat::unorm, 24, false, DepthValue::z), z, 0.01, run), "% of pixels wrong"});
+    rows.push_back({z, "gap 0.01", confused(written(code(DepthFormat::unorm, 16, false, DepthValue::z)), z, 0.01, run),
+                    confused(written(code(DepthFormat::unorm, 24, false, DepthValue::z)), z, 0.01, run),
+                    "% of pixels wrong"});
   return rows;
 }
 
