@@ -29,11 +29,37 @@ double rmse(int cells, Interpolation interpolation) {
   return std::sqrt(sum / samples);
 }
 
+/// Largest error (texels) over the pixel centres of a wall from z = 1 to z = 8 that is 512 px wide and shows 256
+/// texels: u / (1 / z) at every `step`-th pixel's left border, u stepped evenly between. Step 1 divides at each centre.
+double largest_on_wall(int step) {
+  constexpr int width = 512;
+  constexpr double first = 1, last = 1.0 / 8, across = 256;
+  const auto exact = [](double x) {  // u z grows from 0 to `across` at the far end
+    const double s = x / width;
+    return s * across * last / (first + (last - first) * s);
+  };
+  double largest = 0;
+  for (int x = 0; x < width; ++x) {
+    const double centre = x + 0.5;
+    const int left = x / step * step;
+    const double a = exact(left), b = exact(std::min(left + step, width));
+    const double u = step == 1 ? exact(centre) : a + (b - a) * (centre - left) / (std::min(left + step, width) - left);
+    // The wall is straight: where a ray through the pixel meets it.
+    const double z = width / (width * first + (last - first) * centre);
+    const double truth = across * (z - 1) / (1 / last - 1);
+    largest = std::max(largest, std::abs(u - truth));
+  }
+  return largest;
+}
+
 std::vector<StabilityRow> measure(const StabilityRun& run) {
   Rows rows(run);
   for (const int cells : {1, 2, 4, 8, 16, 32, 64, 128})
     rows.push_back({static_cast<double>(cells), "floor from z = 1.5 to 9.5", rmse(cells, Interpolation::affine),
                     rmse(cells, Interpolation::perspective), "texels of 512 (RMSE)"});
+  for (const int step : {4, 8, 16, 32, 64, 512})
+    rows.push_back({static_cast<double>(step), "wall from z = 1 to 8, px between divisions", largest_on_wall(step),
+                    largest_on_wall(1), "texels of 256 (largest)"});
   return rows;
 }
 
