@@ -1,5 +1,10 @@
+#include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "base/counters.h"
 #include "image/metrics.h"
 #include "image/mixing.h"
 #include "options/scene_settings.h"
@@ -9,25 +14,88 @@
 
 namespace ps::stability {
 
+namespace {
+
+/// A scene of mirrors with so many bounces. Colours in double, clamped.
+class Mirrors {
+ public:
+  Mirrors(Scene scene, const StabilityRun& run) : scene_(std::move(scene)), side_(run.side(600)), run_(run) {
+    settings_ = settings_for(scene_);
+    settings_.precision = Precision::float64;
+    truth_ = picture(60).colours;
+  }
+
+  struct Picture {
+    Image<Vec3d> colours;
+    double rays = 0;  ///< of the eye and mirrored, for each pixel
+  };
+  Picture picture(int depth) {
+    settings_.reflection_depth = depth;
+    Frame frame = picture_of(scene_, {scene_.camera, side_, side_}, settings_, Channel::none, run_);
+    const auto rays =
+        static_cast<double>(frame.counters[Counter::eye_rays] + frame.counters[Counter::reflection_rays]);
+    Picture result{std::move(frame.colour_double), rays / (side_ * side_)};
+    for (Vec3d& colour : result.colours.pixels()) colour = clamp_colour(colour);
+    return result;
+  }
+
+  struct Error {
+    double rmse = 0, largest = 0;  ///< levels, of single channels
+    double off = 0;                ///< percentage of pixels with a channel off by more than half a level
+    double rays = 0;
+  };
+  Error error(int depth) {
+    const Picture of = picture(depth);
+    const Comparison all = compare_channels(of.colours, truth_);
+    double off = 0;
+    for (std::size_t i = 0; i < truth_.pixels().size(); ++i) {
+      const Vec3d d = glm::abs(of.colours.pixels()[i] - truth_.pixels()[i]);
+      off += std::max({d.x, d.y, d.z}) > 0.5 / 255 ? 1 : 0;
+    }
+    return {255 * all.rmse, 255 * all.max, percent(off, side_ * side_), of.rays};
+  }
+
+ private:
+  Scene scene_;
+  Settings settings_;
+  int side_;
+  const StabilityRun& run_;
+  Image<Vec3d> truth_;  ///< 60 bounces
+};
+
+/// The book's scene, all of its things as good a mirror.
+Scene all_mirrors(double reflective) {
+  Scene scene = load_scene("cgfs/reflections");
+  std::vector<Material> materials = *scene.materials;
+  for (Material& material : materials) material.reflective = reflective;
+  scene.materials = Part<std::vector<Material>>(std::move(materials));
+  return scene;
+}
+
+}  // namespace
+
 /// The book's reflections against the same picture with 60 bounces, in levels of 255 before rounding, clamped.
 static std::vector<StabilityRow> measure_recursion_depth(const StabilityRun& run) {
-  const Scene scene = load_scene("cgfs/reflections");
-  Settings settings = settings_for(scene);
-  settings.precision = Precision::float64;
-  const int side = run.side(600);
-  const auto picture = [&](int depth) {
-    settings.reflection_depth = depth;
-    auto colours = picture_of(scene, {scene.camera, side, side}, settings, Channel::none, run).colour_double;
-    for (Vec3d& colour : colours.pixels()) colour = clamp_colour(colour);
-    return colours;
-  };
-  const Image<Vec3d> truth = picture(60);
-  const auto rmse = [&](int depth) { return 255 * compare_channels(picture(depth), truth).rmse; };
   constexpr int enough = 8;
-  const double robust = rmse(enough);
+  const std::string levels = "RMSE, levels of 255";
+  Mirrors book(load_scene("cgfs/reflections"), run);
+  const Mirrors::Error robust = book.error(enough);
   Rows rows(run);
-  for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8})
-    rows.push_back({static_cast<double>(depth), "book scene", rmse(depth), robust, "RMSE, levels of 255"});
+  for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8}) {
+    const Mirrors::Error naive = book.error(depth);
+    const double knob = depth;
+    rows.push_back({knob, "book scene", naive.rmse, robust.rmse, levels});
+    rows.push_back({knob, "book scene, largest difference", naive.largest, robust.largest, "levels of 255"});
+    rows.push_back({knob, "book scene, pixels off by half a level", naive.off, robust.off, "% of pixels"});
+    rows.push_back({knob, "book scene, rays", naive.rays, robust.rays, "rays per pixel"});
+  }
+  for (const double reflective : {0.9, 0.99}) {
+    Mirrors mirrors(all_mirrors(reflective), run);
+    const double most = mirrors.error(20).rmse;
+    for (const int depth : {3, 8, 20})
+      rows.push_back({static_cast<double>(depth), fmt::format("every reflectivity {}", reflective),
+                      depth == 20 ? most : mirrors.error(depth).rmse, most, levels});
+  }
   return rows;
 }
 
