@@ -7,6 +7,34 @@
 #include "study/stability/support.h"
 
 namespace ps::stability {
+namespace {
+
+struct LambertError {
+  double rmse = 0;   ///< levels of 255
+  double flips = 0;  ///< percentage of places that the light reaches with one normal only
+};
+
+/// The diffuse light of a stretched ball, with these normals against those of its own surface, at places spread evenly
+/// before it was stretched. The light comes along the diagonal of the axes.
+LambertError lambert_error(const Transform& transform, const Mat3d& normals, const StabilityRun& run) {
+  const Vec3d to_light = glm::normalize(Vec3d(1, 1, 1));
+  Random random(run.seed);
+  const int places = run.count(200000, 20000);
+  double squares = 0, flips = 0;
+  for (int i = 0; i < places; ++i) {
+    const Vec3d place = random.direction();
+    // The gradient of the stretched ball's equation |p / scale| = 1.
+    const Vec3d right = glm::normalize(to_world(transform, place) / (transform.scale * transform.scale));
+    const double light = dot(normal_to_world(normals, place), to_light), truth = dot(right, to_light);
+    const double off = 255 * (std::max(0.0, light) - std::max(0.0, truth));
+    squares += off * off;
+    // The same place to within rounding is no flip.
+    flips += (light > 0) != (truth > 0) && std::abs(light - truth) > 1e-12 ? 1 : 0;
+  }
+  return {std::sqrt(squares / places), percent(flips, places)};
+}
+
+}  // namespace
 
 /// Planes x + y/m = const for many slopes m, stretched by s along x: the angle between the transformed normal and the
 /// normal of the transformed plane, whose direction in the plane is known.
@@ -32,6 +60,9 @@ static std::vector<StabilityRow> measure_normal_under_scale(const StabilityRun& 
       robust = std::max(robust, tilt(inverse));
     }
     rows.push_back({scale, "all slopes", naive, robust, "degrees"});
+    const LambertError wrong = lambert_error(transform, model, run), right = lambert_error(transform, inverse, run);
+    rows.push_back({scale, "diffuse light of a ball", wrong.rmse, right.rmse, "RMSE, levels"});
+    rows.push_back({scale, "ball lit or not", wrong.flips, right.flips, "% of its places differ"});
   }
   return rows;
 }

@@ -62,18 +62,21 @@ double buffered_share(const std::vector<Sheet>& sheets) {
   return percent(wrong, covered);
 }
 
-/// Three bars, each over the next one and under the one before.
-std::vector<Sheet> bars() {
+/// Three bars, each over the next one and under the one before, each of so many pieces along it.
+std::vector<Sheet> bars(int pieces) {
   std::vector<Sheet> sheets;
   for (int k = 0; k < 3; ++k) {
     const double angle = 2 * pi * k / 3;
     const Vec2d along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
-    const auto at = [&](double a, double c, double z) {
-      const Vec2d p = Vec2d(0.5) + along * a + across * c;
-      return Vec3d(p.x, p.y, z);
-    };
-    sheets.push_back({{at(-0.45, -0.16, 1), at(0.45, -0.16, 2), at(0.45, -0.06, 2)}});
-    sheets.push_back({{at(-0.45, -0.16, 1), at(0.45, -0.06, 2), at(-0.45, -0.06, 1)}});
+    for (int piece = 0; piece < pieces; ++piece) {
+      const double from = static_cast<double>(piece) / pieces, to = static_cast<double>(piece + 1) / pieces;
+      const auto at = [&](double share, double c) {
+        const Vec2d p = Vec2d(0.5) + along * (0.9 * share - 0.45) + across * c;
+        return Vec3d(p.x, p.y, 1 + share);
+      };
+      sheets.push_back({{at(from, -0.16), at(to, -0.16), at(to, -0.06)}});
+      sheets.push_back({{at(from, -0.16), at(to, -0.06), at(from, -0.06)}});
+    }
   }
   return sheets;
 }
@@ -101,7 +104,7 @@ std::vector<std::size_t> sorted(const std::vector<Sheet>& sheets, SortBy by) {
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
   Rows rows(run);
-  const std::vector<Sheet> three = bars();
+  const std::vector<Sheet> three = bars(1), halves = bars(2);
   double best = 100, worst = 0;
   std::array<std::size_t, 3> order{0, 1, 2};
   do {
@@ -113,6 +116,8 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   } while (std::next_permutation(order.begin(), order.end()));
   rows.push_back({3, "three bars, best order", best, buffered_share(three), "% of covered pixels wrong"});
   rows.push_back({3, "three bars, worst order", worst, buffered_share(three), "% of covered pixels wrong"});
+  rows.push_back({6, "three bars cut in two, by centroid", wrong_share(halves, sorted(halves, SortBy::centroid)),
+                  buffered_share(halves), "% of covered pixels wrong"});
   for (const int count : {10, 30, 100, 300}) {
     run.check();
     Random random(run.seed);

@@ -147,23 +147,28 @@ std::vector<StabilityRow> measure_disc(const StabilityRun& run) {
   return rows;
 }
 
+/// Percentage of bars at any place that show in none of the traced columns, every so many pixels.
+double bars_missed(int traced, int period, int width, const StabilityRun& run) {
+  Random random(run.seed);
+  double missed = 0;
+  const int bars = run.count(200000, 40000);
+  for (int i = 0; i < bars; ++i) {
+    const int first = static_cast<int>(random.below(static_cast<std::size_t>(period)));
+    bool seen = false;
+    for (int x = first; x < first + width; ++x) seen = seen || x % traced == 0;
+    missed += seen ? 0 : 1;
+  }
+  return percent(missed, bars);
+}
+
 std::vector<StabilityRow> measure_bars(const StabilityRun& run) {
   Rows rows(run);
   for (const int step : {2, 4, 8, 16})
     for (const int width : {1, 2, 4, 8}) {
       if (width >= step) continue;
       run.check();
-      Random random(run.seed);
-      double missed = 0;
-      const int bars = run.count(200000, 40000);
-      for (int i = 0; i < bars; ++i) {
-        const int first = static_cast<int>(random.below(static_cast<std::size_t>(step)));
-        bool seen = false;  // by one of the traced columns 0, step, 2 step ...
-        for (int x = first; x < first + width; ++x) seen = seen || x % step == 0;
-        missed += seen ? 0 : 1;
-      }
-      rows.push_back(
-          {static_cast<double>(step), fmt::format("bars {} px wide", width), percent(missed, bars), 0, "% missed"});
+      rows.push_back({static_cast<double>(step), fmt::format("bars {} px wide", width),
+                      bars_missed(step, step, width, run), bars_missed(1, step, width, run), "% missed"});
     }
   return rows;
 }

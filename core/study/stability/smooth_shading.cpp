@@ -1,19 +1,12 @@
 #include <array>
 
 #include "scene/generate/uv_sphere.h"
-#include "study/stability/support.h"
+#include "study/stability/shaded_ball.h"
 
 namespace ps::stability {
 namespace {
 
 Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
-
-/// The highlight at a normal: the mirrored light against the view, to a power (CGFS ch. 3).
-double highlight(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_eye, double exponent) {
-  const Vec3d mirrored = normal * (2 * dot(normal, to_light)) - to_light;
-  const double cosine = dot(unit(mirrored), to_eye);
-  return cosine > 0 && dot(normal, to_light) > 0 ? std::pow(cosine, exponent) : 0;
-}
 
 struct Peaks {
   double mean = 0, least = 1;
@@ -38,11 +31,12 @@ Peaks peaks(const Mesh& mesh, double exponent, Where where, const StabilityRun& 
     } else {
       // In every triangle around the highlight, interpolated and brought back to length 1.
       const Vec3d half = unit(to_light + to_eye);
+      const double around = mesh.triangles.size() > 5000 ? 0.99 : 0.5;
       for (const MeshTriangle& t : mesh.triangles) {
         const Vec3d &a = mesh.normals[static_cast<std::size_t>(t.normal[0])],
                     &b = mesh.normals[static_cast<std::size_t>(t.normal[1])],
                     &c = mesh.normals[static_cast<std::size_t>(t.normal[2])];
-        if (std::min({dot(a, half), dot(b, half), dot(c, half)}) < 0.5) continue;
+        if (std::min({dot(a, half), dot(b, half), dot(c, half)}) < around) continue;
         constexpr int steps = 24;
         for (int u = 0; u <= steps; ++u)
           for (int v = 0; v + u <= steps; ++v)
@@ -67,12 +61,14 @@ std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
     const Mesh mesh = make_uv_sphere({cut.slices, cut.stacks});
     for (const double exponent : {50.0, 500.0}) {
       const Peaks naive = peaks(mesh, exponent, Where::corners, run);
-      // Fine meshes are smooth enough; their pixels would only cost time.
-      const Peaks robust = cut.triangles() > 5000 ? Peaks{1, 1} : peaks(mesh, exponent, Where::pixels, run);
+      const Peaks robust = peaks(mesh, exponent, Where::pixels, run);
       const std::string name = exponent < 100 ? "exponent 50" : "exponent 500";
       rows.push_back({cut.triangles(), name + ", mean", naive.mean, robust.mean, "of the peak is kept"});
       rows.push_back({cut.triangles(), name + ", least", naive.least, robust.least, "of the peak is kept"});
     }
+    const ShadedBallErrors errors = shaded_ball_errors(mesh, 50, run);
+    rows.push_back({cut.triangles(), "error, exponent 50", errors.corners, errors.pixels, "RMSE, levels"});
+    rows.push_back({cut.triangles(), "error, one light for a facet", errors.facets, errors.pixels, "RMSE, levels"});
   }
   return rows;
 }
