@@ -11,17 +11,40 @@ double level_of(double linear) {
   return 255 * value;
 }
 
+/// The light of an sRGB level.
+double light_of(double level) {
+  const double value = level / 255;
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+/// A pixel of 100 places, so many of them white and the rest black: the level of each kind of mean.
+struct Means {
+  double of_levels = 0, of_light = 0;
+};
+Means means(int white) {
+  constexpr int places = 100;
+  double levels = 0, light = 0;
+  for (int i = 0; i < places; ++i) {
+    const double level = i < white ? 255 : 0;
+    levels += level;
+    light += light_of(level);
+  }
+  return {levels / places, level_of(light / places)};
+}
+
 }  // namespace
 
-/// A pixel of which white covers a share and black the rest: the mean of stored levels against the level of the mean
-/// light.
+/// A pixel of which white covers a share and black the rest: both means against the level of that share of the light.
 static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run) {
   run.check();
   Rows rows(run);
-  for (const double percent : {1.0, 5.0, 10.0, 24.0, 25.0, 50.0, 75.0, 90.0, 99.0}) {
-    const double right = level_of(percent / 100);
-    const double mean_of_levels = 255 * percent / 100;
-    rows.push_back({percent, "white over black", std::abs(mean_of_levels - right), 0, "levels of 255"});
+  for (const int white : {1, 5, 10, 24, 25, 50, 75, 90, 99}) {
+    const double right = level_of(white / 100.0), knob = white;
+    const Means mean = means(white);
+    rows.push_back({knob, "white over black", std::abs(mean.of_levels - right), std::abs(mean.of_light - right),
+                    "levels of 255"});
+    rows.push_back({knob, "white over black, level shown", std::round(mean.of_levels), std::round(mean.of_light),
+                    "level of 255"});
   }
   return rows;
 }

@@ -56,48 +56,94 @@ Floor make_floor(const StabilityRun& run) {
 
 struct Error {
   double whole = 0, far = 0;  ///< RMSE in levels, of the picture and of its quarter next to the horizon
+  double texels = 0;          ///< read for a pixel
 };
 
-Error error_of(const Floor& floor, TextureFilter filter, double bias, int anisotropy) {
+/// Derivatives in the middle of a pixel, in texels.
+TextureDerivatives<double> derivatives_at(double x, double y) {
+  const Vec2d uv = floor_at(x, y), right = floor_at(x + 0.5, y) - floor_at(x - 0.5, y);
+  const double z = height / y;  // the derivative downwards, of z = height / row and x proportional to z
+  const Vec2d down(-uv.x / y, -z / y);
+  const double size = texels_per_unit;
+  return {right * size, down * size};
+}
+
+/// `colour_at(x, y)` looks the floor up for the pixel with this middle.
+template <class ColourAt>
+Error error_of(const Floor& floor, ColourAt&& colour_at) {
   Error error;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      const double x = column + 0.5, y = row + 0.5;
-      const Vec2d uv = floor_at(x, y), right = floor_at(x + 0.5, y) - floor_at(x - 0.5, y);
-      const double z = height / y;  // the derivative downwards, of z = height / row and x proportional to z
-      const Vec2d down(-uv.x / y, -z / y);
-      const double size = texels_per_unit;
-      const TextureDerivatives<double> derivatives{right * size, down * size};
-      TextureLookup<double> lookup{filter, TextureWrap::repeat, 0};
-      Vec3d colour;
-      if (anisotropy > 1) {
-        const auto footprint = anisotropic_footprint(derivatives, Vec2d(size, size), anisotropy, bias);
-        colour = sample_anisotropic(floor.chain, uv, lookup, footprint).colour;
-      } else {
-        lookup.level = mip_level(derivatives, bias);
-        colour = sample_texture(floor.chain, uv, lookup).colour;
-      }
-      const double off = 255 * colour.x - floor.truth.at(column, row);
+      const TextureSample<double> seen = colour_at(column + 0.5, row + 0.5);
+      const double off = 255 * seen.colour.x - floor.truth.at(column, row);
       error.whole += off * off;
       if (row < height / 4) error.far += off * off;
+      error.texels += seen.texels;
     }
-  return {std::sqrt(error.whole / (width * height)), std::sqrt(error.far / (width * height / 4.0))};
+  constexpr double pixels = width * height;
+  return {std::sqrt(error.whole / pixels), std::sqrt(error.far / (pixels / 4)), error.texels / pixels};
+}
+
+Error error_of(const Floor& floor, TextureFilter filter, double bias, int anisotropy) {
+  return error_of(floor, [&](double x, double y) {
+    const TextureDerivatives<double> derivatives = derivatives_at(x, y);
+    TextureLookup<double> lookup{filter, TextureWrap::repeat, 0};
+    if (anisotropy > 1) {
+      const double size = texels_per_unit;
+      const auto footprint = anisotropic_footprint(derivatives, Vec2d(size, size), anisotropy, bias);
+      return sample_anisotropic(floor.chain, floor_at(x, y), lookup, footprint);
+    }
+    lookup.level = mip_level(derivatives, bias);
+    return sample_texture(floor.chain, floor_at(x, y), lookup);
+  });
+}
+
+/// One trilinear lookup at the level of the footprint's short side, or of the root of its area.
+enum class LevelBy { short_side, area };
+Error error_of(const Floor& floor, LevelBy by) {
+  return error_of(floor, [&](double x, double y) {
+    const auto [dx, dy] = derivatives_at(x, y);
+    const double shorter = std::sqrt(std::min(dot(dx, dx), dot(dy, dy)));
+    const double area = std::abs(dx.x * dy.y - dx.y * dy.x);
+    const double level = std::log2(by == LevelBy::short_side ? shorter : std::sqrt(area));
+    return sample_texture(floor.chain, floor_at(x, y), {TextureFilter::trilinear, TextureWrap::repeat, level});
+  });
+}
+
+/// The mean of side x side bilinear lookups in each pixel, of the finest level.
+Error supersampled(const Floor& floor, int side) {
+  return error_of(floor, [&](double x, double y) {
+    TextureSample<double> mean;
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) {
+        const Vec2d place = floor_at(x - 0.5 + (i + 0.5) / side, y - 0.5 + (j + 0.5) / side);
+        const auto one = sample_texture(floor.chain, place, {TextureFilter::bilinear, TextureWrap::repeat, 0.0});
+        mean.colour += one.colour / static_cast<double>(side * side);
+        mean.texels += one.texels;
+      }
+    return mean;
+  });
 }
 
 std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
   const Floor floor = make_floor(run);
   const Error robust = error_of(floor, TextureFilter::trilinear, 0, 16);
+  constexpr double tap = 4;  // a bilinear lookup is one
   Rows rows(run);
   const auto add = [&](double knob, const std::string& name, const Error& naive) {
     rows.push_back({knob, name, naive.whole, robust.whole, "RMSE, levels"});
     rows.push_back({knob, name + ", far quarter", naive.far, robust.far, "RMSE, levels"});
+    rows.push_back({knob, name + ", cost", naive.texels / tap, robust.texels / tap, "lookups of 4 texels per pixel"});
   };
   add(0, "nearest", error_of(floor, TextureFilter::nearest, 0, 1));
   add(0, "bilinear", error_of(floor, TextureFilter::bilinear, 0, 1));
   for (const double bias : {-2.0, -1.0, -0.5, 0.0, 1.0, 2.0})
     add(bias, "trilinear, bias", error_of(floor, TextureFilter::trilinear, bias, 1));
+  add(0, "trilinear, level by the short side", error_of(floor, LevelBy::short_side));
+  add(0, "trilinear, level by the area", error_of(floor, LevelBy::area));
   for (const int taps : {2, 4, 8, 16})
     add(taps, "anisotropic, taps", error_of(floor, TextureFilter::trilinear, 0, taps));
+  for (const int side : {4, 8}) add(side * side, "many samples, no levels", supersampled(floor, side));
   return rows;
 }
 
