@@ -3,35 +3,10 @@
 #include <fmt/format.h>
 
 #include "raytrace/sampling/pattern.h"
-#include "study/stability/support.h"
+#include "study/stability/sampling_rates.h"
 
 namespace ps::stability {
 namespace {
-
-/// An edge through the pixel, dark on one side.
-struct Edge {
-  Vec2d normal;
-  double offset;
-};
-
-/// The area of the unit square with normal . p < offset: clip the square, then the shoelace formula.
-double area_below(const Edge& edge) {
-  const std::array<Vec2d, 4> corner{Vec2d(0, 0), {1, 0}, {1, 1}, {0, 1}};
-  std::vector<Vec2d> kept;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec2d &a = corner[i], &b = corner[(i + 1) % 4];
-    const double da = edge.normal.x * a.x + edge.normal.y * a.y - edge.offset;
-    const double db = edge.normal.x * b.x + edge.normal.y * b.y - edge.offset;
-    if (da <= 0) kept.push_back(a);
-    if ((da < 0) != (db < 0)) kept.push_back(a + (b - a) * (da / (da - db)));
-  }
-  double twice = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const Vec2d &a = kept[i], &b = kept[(i + 1) % kept.size()];
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return std::abs(twice) / 2;
-}
 
 /// Root mean square error of the mean of `count` samples over many edges. `angle` is that of the normal, or any.
 double edge_error(SamplePattern pattern, int count, std::optional<double> angle, const StabilityRun& run) {
@@ -54,19 +29,6 @@ double edge_error(SamplePattern pattern, int count, std::optional<double> angle,
   return std::sqrt(sum / trials);
 }
 
-constexpr std::array counts{16, 64, 256, 1024};
-
-double slope(const std::array<double, 4>& error) {
-  double mean_x = 0, mean_y = 0, up = 0, down = 0;
-  for (std::size_t i = 0; i < 4; ++i) mean_x += std::log(counts[i]) / 4, mean_y += std::log(error[i]) / 4;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double x = std::log(counts[i]) - mean_x;
-    up += x * (std::log(error[i]) - mean_y);
-    down += x * x;
-  }
-  return up / down;
-}
-
 std::vector<StabilityRow> measure_rate(const StabilityRun& run) {
   struct Pair {
     const char* name;
@@ -78,16 +40,17 @@ std::vector<StabilityRow> measure_rate(const StabilityRun& run) {
                            Pair{"any edge, grid and Halton", SamplePattern::grid, SamplePattern::halton, {}},
                            Pair{"vertical edge, grid and Halton", SamplePattern::grid, SamplePattern::halton, 0.0},
                            Pair{"vertical edge, random and R2", SamplePattern::random, SamplePattern::r2, 0.0}}) {
-    std::array<double, 4> naive{}, robust{};
+    RateErrors naive{}, robust{};
     for (std::size_t i = 0; i < 4; ++i) {
       run.check();
-      naive[i] = edge_error(pair.naive, counts[i], pair.angle, run);
-      robust[i] = edge_error(pair.robust, counts[i], pair.angle, run);
-      rows.push_back({static_cast<double>(counts[i]), pair.name, naive[i], robust[i], "RMSE of the pixel"});
+      naive[i] = edge_error(pair.naive, rate_counts[i], pair.angle, run);
+      robust[i] = edge_error(pair.robust, rate_counts[i], pair.angle, run);
+      rows.push_back({static_cast<double>(rate_counts[i]), pair.name, naive[i], robust[i], "RMSE of the pixel"});
     }
     rows.push_back(
-        {0, std::string(pair.name) + ", slope", slope(naive), slope(robust), "exponent of the number of samples"});
+        {0, std::string(pair.name) + ", slope", rate(naive), rate(robust), "exponent of the number of samples"});
   }
+  add_sampling_rates(rows, run);
   return rows;
 }
 
