@@ -93,7 +93,7 @@ void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
 }  // namespace
 
 PictureMargins picture_margins(float width) {
-  return width < px(narrow) ? PictureMargins{px(58), px(48)} : PictureMargins{px(34), px(26)};
+  return width < px(narrow) ? PictureMargins{px(66), px(48)} : PictureMargins{px(34), px(26)};
 }
 
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
@@ -111,14 +111,17 @@ void picture_title(Session& session, Side side, const Area& row) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
   const bool two_lines = row.width() < px(narrow);
-  const float line = two_lines ? row.height() / 2 : row.height();
+  const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
   const float size = px(22), top = row.min.y + (line - size) / 2;
   const float choice_width = std::min(px(124), row.width() * 0.45f), space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
 
   const auto file = side == Side::b ? session.picture_b() : nullptr;
+  const CompareMode compare = session.document().compare;
+  const bool single = compare == CompareMode::only_a || compare == CompareMode::only_b;
+  const Settings* other = single || session.picture_b() ? nullptr : &session.settings(other_side(side));
   const std::string text = file ? "file " + std::filesystem::path(file->path).filename().string()
-                                : title_text(session.settings(side), session.traits());
+                                : title_text(session.settings(side), session.traits(), other);
   const ImU32 colour = colour_u32(side == Side::a ? palette().a_text : palette().b_text);
   const float text_left = row.min.x + size + space;
   const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;
@@ -147,7 +150,8 @@ void picture_title(Session& session, Side side, const Area& row) {
       document.layout.panels = filled;
     });
 
-  ImGui::SetCursorScreenPos({row.max.x - choice_width, row.max.y - (line + ImGui::GetFrameHeight()) / 2});
+  const float choice_room = two_lines ? ImGui::GetFrameHeight() + px(6) : line;
+  ImGui::SetCursorScreenPos({row.max.x - choice_width, row.max.y - (choice_room + ImGui::GetFrameHeight()) / 2});
   int shown = static_cast<int>(session.shown(side));
   if (choice("show", channel_choices(), shown,
              {.tooltip = "What this picture shows.", .disabled = {}, .width = choice_width}))

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "options/option.h"
 
 namespace ps::gui {
@@ -15,6 +17,51 @@ std::string label_of(std::string_view key, const Settings& settings) {
 
 std::string plural(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count_text(count), one, count == 1 ? "" : "s");
+}
+
+/// One thing that a title tells.
+struct TitlePart {
+  std::string text;
+  bool differs = false;  ///< from the other picture
+};
+
+std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& traits, const Settings* other) {
+  const auto differs = [&](const Option& option) { return other && option.get(settings) != option.get(*other); };
+  const auto key_differs = [&](std::string_view key) {
+    const Option* option = find_option(key);
+    return option && differs(*option);
+  };
+  const bool other_renderer = key_differs("renderer");
+  std::vector<TitlePart> parts{{label_of("renderer", settings), other_renderer}};
+  switch (settings.renderer) {
+  case Renderer::ray_tracer: {
+    const bool other_depth = key_differs("reflection-depth");
+    const int depth = settings.reflection_depth;
+    if (traits.reflective && (depth > 0 || (other_depth && !other_renderer)))
+      parts.push_back({depth == 0 ? "no reflections" : fmt::format("{} reflection{}", depth, depth == 1 ? "" : "s"),
+                       other_renderer || other_depth});
+    break;
+  }
+  case Renderer::rasterizer:
+    if (settings.draw == Draw::filled && settings.lighting)
+      parts.push_back({label_of("shading", settings), other_renderer || key_differs("shading")});
+    break;
+  case Renderer::textbook:
+    if (settings.listing > 0 || (key_differs("listing") && !other_renderer)) {
+      parts.front().text += " " + label_of("listing", settings);
+      parts.front().differs = other_renderer || key_differs("listing");
+    }
+    break;
+  }
+  for (const auto& option : option_table()) {
+    if (option.key == "renderer" || option.key == "listing" || option.key == "reflection-depth" ||
+        option.key == "shading")
+      continue;
+    const bool is_default = option.get(settings) == option.default_value();
+    if ((is_default && !differs(option)) || inactive_reason(option, settings, traits)) continue;
+    parts.push_back({fmt::format("{} = {}", option.key, option_text(option, settings)), differs(option)});
+  }
+  return parts;
 }
 
 }  // namespace
@@ -36,28 +83,13 @@ std::string time_text(double milliseconds) {
   return fmt::format("{:.2f} ms", milliseconds);
 }
 
-std::string title_text(const Settings& settings, const SceneTraits& traits) {
-  std::string text = label_of("renderer", settings);
-  switch (settings.renderer) {
-  case Renderer::ray_tracer:
-    if (traits.reflective && settings.reflection_depth > 0)
-      text += fmt::format(", {} reflection{}", settings.reflection_depth, settings.reflection_depth == 1 ? "" : "s");
-    break;
-  case Renderer::rasterizer:
-    if (settings.draw == Draw::filled && settings.lighting) text += ", " + label_of("shading", settings);
-    break;
-  case Renderer::textbook:
-    if (settings.listing > 0) text += " " + label_of("listing", settings);
-    break;
+std::string title_text(const Settings& settings, const SceneTraits& traits, const Settings* other) {
+  std::string differing, shared;
+  for (const TitlePart& part : title_parts(settings, traits, other)) {
+    std::string& text = part.differs ? differing : shared;
+    text += (text.empty() ? "" : ", ") + part.text;
   }
-  for (const auto& option : option_table()) {
-    if (option.key == "renderer" || option.key == "listing" || option.key == "reflection-depth" ||
-        option.key == "shading")
-      continue;
-    if (option.get(settings) == option.default_value() || inactive_reason(option, settings, traits)) continue;
-    text += fmt::format(", {} = {}", option.key, option_text(option, settings));
-  }
-  return text;
+  return differing + (differing.empty() || shared.empty() ? "" : " · ") + shared;
 }
 
 std::string footer_text(const RenderStatus& status, const RenderResult* result) {

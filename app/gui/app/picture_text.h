@@ -5,8 +5,9 @@
 
 namespace ps::gui {
 
-/// "ray tracer, 3 reflections" or "rasterizer, Phong", then the other options that are not at their defaults.
-std::string title_text(const Settings& settings, const SceneTraits& traits);
+/// "ray tracer, 3 reflections" or "rasterizer, Phong", then the other options that are not at their defaults. Beside a
+/// picture with `other` settings, what differs comes first: "volume-caps = off · rasterizer, Phong".
+std::string title_text(const Settings& settings, const SceneTraits& traits, const Settings* other = nullptr);
 /// "14.2 ms    1.2 M rays" or what is going on instead.
 std::string footer_text(const RenderStatus& status, const RenderResult* result);
 /// All counters that are not 0, one a line.

@@ -1,0 +1,52 @@
+// What stands over the pictures: what tells them apart comes first, where no ellipsis reaches it.
+#include "gui/app/picture_text.h"
+
+#include <gtest/gtest.h>
+
+#include "options/option.h"
+#include "scene/load.h"
+
+namespace {
+
+using namespace ps;
+using ps::gui::title_text;
+
+Settings with(std::initializer_list<const char*> assignments) {
+  Settings settings;
+  for (const char* assignment : assignments) parse_assignment(assignment, settings);
+  return settings;
+}
+
+class Title : public testing::Test {
+ protected:
+  SceneTraits traits = scene_traits(load_scene("cgfs/reflections"));
+};
+
+TEST_F(Title, AloneTellsTheRendererFirst) {
+  EXPECT_EQ(title_text(Settings{}, traits), "ray tracer, 3 reflections");
+  EXPECT_EQ(title_text(with({"renderer=rasterizer", "shadows=stencil-depth-fail"}), traits),
+            "rasterizer, Phong, shadows = stencil-depth-fail");
+}
+
+TEST_F(Title, OfTwoTellsFirstWhatDiffers) {
+  const Settings a = with({"renderer=rasterizer", "shadows=stencil-depth-fail", "volume-caps=off"});
+  const Settings b = with({"renderer=rasterizer", "shadows=stencil-depth-fail"});
+  EXPECT_EQ(title_text(a, traits, &b), "volume-caps = off · rasterizer, Phong, shadows = stencil-depth-fail");
+  EXPECT_EQ(title_text(b, traits, &a), "volume-caps = on · rasterizer, Phong, shadows = stencil-depth-fail")
+      << "a default is told where the other picture has something else";
+  EXPECT_EQ(title_text(a, traits, &a), title_text(a, traits));
+}
+
+TEST_F(Title, OfTwoRenderersTellsWhatIsSharedLast) {
+  const Settings a = with({"exposure=2"}), b = with({"renderer=rasterizer", "exposure=2"});
+  EXPECT_EQ(title_text(a, traits, &b), "ray tracer, 3 reflections · exposure = 2");
+  EXPECT_EQ(title_text(b, traits, &a), "rasterizer, Phong · exposure = 2");
+}
+
+TEST_F(Title, NoReflectionsIsADifference) {
+  const Settings a, b = with({"reflection-depth=0"});
+  EXPECT_EQ(title_text(a, traits, &b), "3 reflections · ray tracer");
+  EXPECT_EQ(title_text(b, traits, &a), "no reflections · ray tracer");
+}
+
+}  // namespace
