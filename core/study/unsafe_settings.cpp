@@ -80,8 +80,9 @@ constexpr Rule rules[] = {
      "volume-depth-clamp=on"},
     {"shadows", "z-pass-in-volume", [](const Settings& s) { return s.shadows == Shadows::stencil_depth_pass; },
      "shadows=stencil-depth-fail"},
-    {"reflection-depth", "recursion-depth", [](const Settings& s) { return s.reflection_depth < 3; },
-     "reflection-depth=8"},
+    // A depth of 0 is a choice (the rasterizer has no other), not a picture with bounces missing.
+    {"reflection-depth", "recursion-depth",
+     [](const Settings& s) { return s.reflection_depth > 0 && s.reflection_depth < 3; }, "reflection-depth=8"},
     {"slab-test", "bvh-holes", [](const Settings& s) { return s.slab_test != SlabTest::robust; }, "slab-test=robust"},
     {"triangle-test", "triangle-edge-cracks",
      [](const Settings& s) { return s.triangle_test != TriangleTest::watertight; }, "triangle-test=watertight"},

@@ -66,6 +66,19 @@ TEST(SafeSettings, FaultsAreMeasuredOnTheSceneItself) {
                              [](const auto& a, const auto& b) { return a.bad_percent > b.bad_percent; }));
 }
 
+TEST(SafeSettings, NoReflectionsAreAChoiceAndTooFewAreAFault) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const View view{scene.camera, 80, 80};
+  Progress progress;
+  for (const int depth : {0, 1, 2, 3}) {
+    SCOPED_TRACE(depth);
+    Settings settings;
+    settings.reflection_depth = depth;
+    const auto unsafe = unsafe_settings(scene, view, settings, progress, {.only_known = true});
+    EXPECT_EQ(find(unsafe, "recursion-depth") != nullptr, depth == 1 || depth == 2);
+  }
+}
+
 TEST(SafeSettings, EveryWarningNamesAnExperimentAndAnOption) {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     const Scene scene = load_scene(builtin.name);
