@@ -64,8 +64,8 @@ std::vector<StabilityRow> measure_flags(const StabilityRun& run) {
   if (unoptimised_build().available()) same = difference(plain, picture_of(unoptimised_build()));
   Rows rows(run);
   int knob = 0;
-  for (const FlagBuild& build :
-       {unoptimised_build(), contracted_build(), fast_build(), fast_contracted_build(), x87_build()}) {
+  for (const FlagBuild& build : {unoptimised_build(), contracted_build(), fast_build(), fast_contracted_build(),
+                                 x87_build(), uncontracted_build()}) {
     run.check();
     ++knob;
     if (!build.available()) continue;
@@ -95,7 +95,7 @@ const StabilityExperiment fma_contraction{
 const StabilityExperiment build_flags{
     .key = "build-flags",
     .title = "Flags of the compiler",
-    .knob = "1 -O0, 2 fused, 3 fast-math, 4 both, 5 x87",
+    .knob = "1 -O0, 2 fused, 3 fast-math, 4 both, 5 x87, 6 unfused",
     .naive = "the book's scene in float with other flags",
     .robust = "-ffp-contract=off at any optimisation",
     .explanation = "Flags that let the compiler fuse or reorder sums change roundings, and where a mirrored ray grazes "

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "base/check.h"
 #include "raytrace/sphere_quadratic.h"
@@ -20,7 +21,13 @@ bool rejecting(const Vec3f& direction, const TracedSphere<float>& sphere) {
   return !(t <= 0);
 }
 
-/// The same with the questions turned round: a hit is what passes.
+/// Where the textbook's formula puts the hit.
+double nearest_root(const Vec3f& direction, const TracedSphere<float>& sphere) {
+  const auto roots = sphere_quadratic<float>(Vec3f(0), direction, dot(direction, direction), sphere);
+  return static_cast<double>(roots.near);
+}
+
+/// The first test with the questions turned round: a hit is what passes.
 bool accepting(const Vec3f& direction, const TracedSphere<float>& sphere) {
   const auto roots = sphere_quadratic<float>(Vec3f(0), direction, dot(direction, direction), sphere);
   return sphere.radius > 0 && std::isfinite(sphere.radius) && roots.discriminant >= 0 && roots.near > 0 &&
@@ -45,9 +52,15 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   };
   const Vec3f ahead(0, 0, 1);
   Rows rows(run);
-  for (const Case& c : {Case{"radius -1", ahead, {{0, 0, 5}, -1}}, Case{"radius NaN", ahead, {{0, 0, 5}, nan}},
-                        Case{"radius infinite", ahead, {{0, 0, 5}, inf}}, Case{"direction 0", Vec3f(0), {{0, 0, 5}, 1}},
-                        Case{"centre at 1e20", ahead, {{0, 0, 1e20f}, 1}}, Case{"a ball ahead", ahead, {{0, 0, 5}, 1}}})
+  for (const auto& [name, radius] : {std::pair{"radius 0", 0.0f}, {"radius -1", -1.0f}})
+    rows.push_back(
+        {0, std::string(name) + ", t of the hit", nearest_root(ahead, {{0, 0, 5}, radius}), std::nan(""), "t"});
+  for (const Case& c :
+       {Case{"radius 0", ahead, {{0, 0, 5}, 0}}, Case{"radius -1", ahead, {{0, 0, 5}, -1}},
+        Case{"radius NaN", ahead, {{0, 0, 5}, nan}}, Case{"radius infinite", ahead, {{0, 0, 5}, inf}},
+        Case{"direction 0", Vec3f(0), {{0, 0, 5}, 1}}, Case{"centre at 1e20", ahead, {{0, 0, 1e20f}, 1}},
+        Case{"centre at 2e19, radius 1e19", ahead, {{0, 0, 2e19f}, 1e19f}},
+        Case{"a ball ahead", ahead, {{0, 0, 5}, 1}}})
     rows.push_back({0, c.name, rejecting(c.direction, c.sphere) ? 1.0 : 0.0,
                     accepting(c.direction, c.sphere) ? 1.0 : 0.0, "hits"});
   for (const char* radius : {"0", "-1", "nan", "inf", "1e400"})

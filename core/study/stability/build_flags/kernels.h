@@ -27,6 +27,7 @@ FlagBuild contracted_build();  ///< fused multiply-add wherever the compiler can
 FlagBuild fast_build();        ///< -ffast-math
 FlagBuild fast_contracted_build();
 FlagBuild unoptimised_build();
-FlagBuild x87_build();  ///< intermediate values with 64 bits of mantissa
+FlagBuild uncontracted_build();  ///< the instructions allowed, but nothing fused
+FlagBuild x87_build();           ///< intermediate values with 64 bits of mantissa
 
 }  // namespace ps::stability
