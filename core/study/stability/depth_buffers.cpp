@@ -47,8 +47,8 @@ Written written(const DepthCode& how) {
 }
 
 /// (A z + B) / z with every step in float, as a vertex shader's matrix and the division after it compute it: from 0 to
-/// 1 with `low` = 0, as in OpenGL from -1 to 1 with `low` = -1. Rounded twice, what lies right before the far plane
-/// needs two steps. A range from -1 to 1 is then moved to 0..1 and rounded to 24 bits.
+/// 1 with `low` = 0, as in OpenGL from -1 to 1 with `low` = -1, which is then moved to 0..1 and rounded to 24 bits.
+/// Product and quotient are rounded on their own, so far out a gap needs two steps of the format where one would do.
 Written by_float_matrix(float low) {
   return {[low](double z) {
     constexpr float near = 0.1f, far = 10000;

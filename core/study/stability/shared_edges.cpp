@@ -157,7 +157,7 @@ const StabilityExperiment fill_rule_adversarial{
     .robust = "corners in one order for both triangles, or 64-bit integers",
     .explanation =
         "Two triangles start the same edge at different ends, so a sample within rounding of it may lie "
-        "outside both or inside both. Random meshes never show it, whatever the method; edges have to be aimed.",
+        "outside both or inside both. Random meshes hardly ever show it, whatever the method; edges have to be aimed.",
     .safe = "Nowhere for edges that pass a sample within an ulp.",
     .window = nowhere_safe,
     .measure = measure_adversarial};
