@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "image/metrics.h"
 #include "inspect/recorder.h"
+#include "raytrace/sampling/pattern.h"
 #include "raytrace/tracer.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
@@ -44,15 +47,31 @@ constexpr double near = 0.1;
 
 struct Result {
   double rmse = 0, rays = 0;  ///< levels; for each pixel
+  double off = 0;             ///< percentage of pixels with a channel off by more than 8 levels
 };
 
-double rmse(const Image<Vec3f>& a, const Image<Vec3f>& b) { return 255 * compare_channels(a, b).rmse; }
+/// The largest difference of a channel.
+float apart(const Vec3f& a, const Vec3f& b) {
+  const Vec3f d = glm::abs(a - b);
+  return std::max({d.x, d.y, d.z});
+}
+
+Result compare(const Image<Vec3f>& picture, const Image<Vec3f>& truth, double rays) {
+  double off = 0;
+  for (std::size_t i = 0; i < truth.pixels().size(); ++i)
+    off += apart(picture.pixels()[i], truth.pixels()[i]) > 8.0f / 255 ? 1 : 0;
+  const auto pixels = static_cast<double>(truth.pixels().size());
+  return {255 * compare_channels(picture, truth).rmse, rays, percent(off, pixels)};
+}
 
 /// Whitted's sampling of one pixel: a square whose corners differ by more than the threshold is cut in four, a few
 /// times, and every other one has the mean of its corners.
 class SquareCorners {
  public:
-  static constexpr int depth = 4, steps = 1 << depth;
+  static constexpr int most_cuts = 4, steps = 1 << most_cuts;
+
+  /// Cuts at most so many times.
+  explicit SquareCorners(int cuts) : smallest_(steps >> cuts) {}
 
   /// `colour_at(i, j)` looks through the place i and j steps from the pixel's top left.
   template <class ColourAt>
@@ -78,7 +97,7 @@ class SquareCorners {
       const auto [least, most] = std::minmax({all[0][c], all[1][c], all[2][c], all[3][c]});
       difference = std::max(difference, most - least);
     }
-    if (difference <= threshold || size == 1) return (all[0] + all[1] + all[2] + all[3]) * 0.25f;
+    if (difference <= threshold || size == smallest_) return (all[0] + all[1] + all[2] + all[3]) * 0.25f;
     const int half = size / 2;
     Vec3f sum(0);
     for (const int y : {j, j + half})
@@ -86,12 +105,13 @@ class SquareCorners {
     return sum * 0.25f;
   }
 
+  int smallest_;
   std::array<Vec3f, places * places> colours_;
   std::array<bool, places * places> known_{};
 };
 
 /// The rays at the corners of pixels are shared by up to four of them.
-Result sample_corners(const TraceInputs<float>& inputs, int side, double levels, const Image<Vec3f>& truth,
+Result sample_corners(const TraceInputs<float>& inputs, int side, double levels, int cuts, const Image<Vec3f>& truth,
                       const StabilityRun& run) {
   Silent nobody;
   const Tracer<float, Silent> tracer(inputs, nobody);
@@ -103,7 +123,7 @@ Result sample_corners(const TraceInputs<float>& inputs, int side, double levels,
   Image<Vec3f> shared(side + 1, side + 1), picture(side, side);
   for (int y = 0; y <= side; ++y)
     for (int x = 0; x <= side; ++x) shared.at(x, y) = look(x, y, Vec2d(0));
-  SquareCorners corners;
+  SquareCorners corners(cuts);
   for (int y = 0; y < side; ++y) {
     run.check();
     for (int x = 0; x < side; ++x)
@@ -113,7 +133,62 @@ Result sample_corners(const TraceInputs<float>& inputs, int side, double levels,
         return look(x, y, Vec2d(i, j) / double(SquareCorners::steps));
       });
   }
-  return {rmse(picture, truth), rays / (side * side)};
+  return compare(picture, truth, rays / (side * side));
+}
+
+/// A ray through the middle of every `step`-th pixel of every such row, and what lies between is mixed from the four
+/// around; where these differ by more than `levels`, each pixel between gets its own ray.
+Result subsample(const TraceInputs<float>& inputs, int side, int step, double levels, const Image<Vec3f>& truth,
+                 const StabilityRun& run) {
+  Silent nobody;
+  const Tracer<float, Silent> tracer(inputs, nobody);
+  double rays = 0;
+  const auto look = [&](int column, int row) {
+    ++rays;
+    return tracer.trace_eye_ray(tracer.eye_ray(column, row, Vec2d(0.5))).colour;
+  };
+  const int blocks = side / step;
+  Image<Vec3f> traced(blocks + 1, blocks + 1), picture(side, side);
+  for (int y = 0; y <= blocks; ++y)
+    for (int x = 0; x <= blocks; ++x) traced.at(x, y) = look(x * step, y * step);
+  for (int y = 0; y < side; ++y) {
+    run.check();
+    for (int x = 0; x < side; ++x) {
+      const int column = x / step, row = y / step, right = x % step, down = y % step;
+      const Vec3f &a = traced.at(column, row), &b = traced.at(column + 1, row), &c = traced.at(column, row + 1),
+                  &d = traced.at(column + 1, row + 1);
+      const bool differ = std::max({apart(a, b), apart(a, c), apart(a, d), apart(b, c), apart(b, d), apart(c, d)}) >
+                          static_cast<float>(levels / 255);
+      const float u = static_cast<float>(right) / static_cast<float>(step),
+                  v = static_cast<float>(down) / static_cast<float>(step);
+      picture.at(x, y) =
+          differ && (right > 0 || down > 0) ? look(x, y) : (a * (1 - u) + b * u) * (1 - v) + (c * (1 - u) + d * u) * v;
+    }
+  }
+  return compare(picture, truth, rays / (side * side));
+}
+
+/// RMSE in levels of so many samples in each of some pixels, taken anywhere in the picture.
+double error_of_some(const TraceInputs<float>& inputs, int side, SamplePattern pattern, int samples,
+                     const Image<Vec3f>& truth, const StabilityRun& run) {
+  Silent nobody;
+  const Tracer<float, Silent> tracer(inputs, nobody);
+  Random random(run.seed);
+  const int pixels = run.count(8192, 1024);
+  double squares = 0;
+  for (int i = 0; i < pixels; ++i) {
+    if (i % 64 == 0) run.check();
+    const Vec2i at(static_cast<int>(random.below(static_cast<std::size_t>(side))),
+                   static_cast<int>(random.below(static_cast<std::size_t>(side))));
+    Vec3d sum(0);
+    for (int k = 0; k < samples; ++k)
+      sum +=
+          Vec3d(tracer.trace_eye_ray(tracer.eye_ray(at.x, at.y, sample_in_pixel(pattern, k, samples, at, Vec2d(0.5))))
+                    .colour);
+    const Vec3d off = 255.0 * (sum / static_cast<double>(samples) - Vec3d(truth.at(at.x, at.y)));
+    squares += dot(off, off) / 3;
+  }
+  return std::sqrt(squares / pixels);
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
@@ -131,20 +206,36 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   const auto frame_of = [&](const Settings& settings) { return picture_of(scene, view, settings, Channel::none, run); };
   const Settings best = run.effort < 1 ? with(144, SamplePattern::jitter) : with(1024, SamplePattern::grid);
   const Image<Vec3f> truth = frame_of(best).colour;
-  const Settings one = with(1, SamplePattern::grid), jitter = with(16, SamplePattern::jitter);
-  const Result robust{rmse(frame_of(jitter).colour, truth), 16};
+  const Settings one = with(1, SamplePattern::grid);
+  const auto sampled = [&](int samples, SamplePattern pattern) {
+    return compare(frame_of(with(samples, pattern)).colour, truth, samples);
+  };
+  const Result robust = sampled(16, SamplePattern::jitter);
   Prepared prepared;
   const auto inputs = make_trace_inputs<float>(scene, view, one, prepared);
   Rows rows(run);
-  for (const double levels : {128.0, 64.0, 16.0, 4.0, 1.0}) {
-    const Result naive = sample_corners(inputs, side, levels, truth, run);
-    rows.push_back({levels, "error", naive.rmse, robust.rmse, "RMSE, levels"});
-    rows.push_back({levels, "cost", naive.rays, robust.rays, "eye rays per pixel"});
+  const std::string rmse = "RMSE, levels", cost = "eye rays per pixel", share = "% of pixels";
+  const auto add = [&](double knob, const std::string& method, const Result& naive) {
+    rows.push_back({knob, "error" + method, naive.rmse, robust.rmse, rmse});
+    rows.push_back({knob, "cost" + method, naive.rays, robust.rays, cost});
+    rows.push_back({knob, "off by 8 levels" + method, naive.off, robust.off, share});
+  };
+  for (const double levels : {128.0, 64.0, 16.0, 4.0, 1.0})
+    add(levels, "", sample_corners(inputs, side, levels, SquareCorners::most_cuts, truth, run));
+  for (const double levels : {64.0, 1.0})
+    add(levels, ", cut twice at most", sample_corners(inputs, side, levels, 2, truth, run));
+  add(64, ", every 2nd pixel and where they differ", subsample(inputs, side, 2, 64, truth, run));
+  add(255, ", every 4th pixel, mixed between", subsample(inputs, side, 4, 255, truth, run));
+  for (const int samples : {1, 4, 16, 64}) {
+    const double knob = samples;
+    const Result grid = sampled(samples, SamplePattern::grid), jitter = sampled(samples, SamplePattern::jitter);
+    rows.push_back({knob, "grid and jitter", grid.rmse, jitter.rmse, rmse});
+    rows.push_back({knob, "grid and jitter, off by 8 levels", grid.off, jitter.off, share});
   }
-  for (const int samples : {1, 4, 16, 64})
-    rows.push_back({static_cast<double>(samples), "grid and jitter",
-                    rmse(frame_of(with(samples, SamplePattern::grid)).colour, truth),
-                    rmse(frame_of(with(samples, SamplePattern::jitter)).colour, truth), "RMSE, levels"});
+  constexpr int many = 256;
+  rows.push_back({many, "grid and jitter, some of the pixels",
+                  error_of_some(inputs, side, SamplePattern::grid, many, truth, run),
+                  error_of_some(inputs, side, SamplePattern::jitter, many, truth, run), rmse});
   return rows;
 }
 

@@ -32,8 +32,7 @@ class Mirrors {
   Picture picture(int depth) {
     settings_.reflection_depth = depth;
     Frame frame = picture_of(scene_, {scene_.camera, side_, side_}, settings_, Channel::none, run_);
-    const auto rays =
-        static_cast<double>(frame.counters[Counter::eye_rays] + frame.counters[Counter::reflection_rays]);
+    const auto rays = static_cast<double>(frame.counters[Counter::eye_rays] + frame.counters[Counter::reflection_rays]);
     Picture result{std::move(frame.colour_double), rays / (side_ * side_)};
     for (Vec3d& colour : result.colours.pixels()) colour = clamp_colour(colour);
     return result;

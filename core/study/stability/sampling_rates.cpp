@@ -127,7 +127,8 @@ class Sampler {
     constexpr std::array own{SamplePattern::random, SamplePattern::grid, SamplePattern::jitter, SamplePattern::halton,
                              SamplePattern::r2};
     for (int i = 0; i < count; ++i)
-      points.push_back(sample_in_square(own[static_cast<std::size_t>(pattern)], i, count, {trial, static_cast<int>(run_.seed % 1000)}));
+      points.push_back(sample_in_square(own[static_cast<std::size_t>(pattern)], i, count,
+                                        {trial, static_cast<int>(run_.seed % 1000)}));
     return points;
   }
 
@@ -138,7 +139,8 @@ class Sampler {
 };
 
 enum Subject { any_edge, vertical_edge, diagonal_edge, wave, board, subjects };
-constexpr std::array subject_names{"any edge", "vertical edge", "edge at 45 degrees", "smooth wave", "8 x 8 squares anywhere"};
+constexpr std::array subject_names{"any edge", "vertical edge", "edge at 45 degrees", "smooth wave",
+                                   "8 x 8 squares anywhere"};
 
 /// RMSE of a pixel for each subject and number of samples.
 using Errors = std::array<RateErrors, subjects>;
@@ -165,8 +167,7 @@ double wave_error(const Points& points, Random& random) {
 double board_error(const Points& points, Random& random) {
   const Vec2d moved(8 * random.unit(), 8 * random.unit());
   double sum = 0;
-  for (const Vec2d& p : points)
-    sum += (static_cast<int>(p.x * 8 + moved.x) + static_cast<int>(p.y * 8 + moved.y)) % 2;
+  for (const Vec2d& p : points) sum += (static_cast<int>(p.x * 8 + moved.x) + static_cast<int>(p.y * 8 + moved.y)) % 2;
   return sum / static_cast<double>(points.size()) - 0.5;
 }
 

@@ -72,7 +72,7 @@ ShadedBallErrors shaded_ball_errors(const Mesh& ball, double exponent, const Sta
     while (dot(to_light, to_eye) < 0.2) to_light = random.direction();
     const auto light_at = [&](const Vec3d& normal) {
       return 255 * std::min(1.0, diffuse * std::max(0.0, dot(normal, to_light)) +
-                                  specular * highlight(normal, to_light, to_eye, exponent));
+                                     specular * highlight(normal, to_light, to_eye, exponent));
     };
     for (std::size_t k = 0; k < at_corner.size(); ++k) at_corner[k] = light_at(ball.positions[k]);
     for (std::size_t k = 0; k < at_facet.size(); ++k) {

@@ -11,8 +11,9 @@ struct ShadedBallErrors {
   double facets = 0;   ///< lit at the middle of each triangle with its own normal
 };
 
-/// The ball has radius 1 and is seen from far away along z; its rim, seen at less than 17 degrees, is left out. Light as
-/// in CGFS ch. 3, white and clamped, one light at a time: at most 0.6 diffuse and 0.5 in a highlight of this exponent.
+/// The ball has radius 1 and is seen from far away along z; its rim, seen at less than 17 degrees, is left out. Light
+/// as in CGFS ch. 3, white and clamped, one light at a time: at most 0.6 diffuse and 0.5 in a highlight of this
+/// exponent.
 ShadedBallErrors shaded_ball_errors(const Mesh& ball, double exponent, const StabilityRun& run);
 
 /// The highlight at a normal: the mirrored light against the view, to a power (CGFS ch. 3).

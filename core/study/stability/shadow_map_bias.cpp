@@ -70,9 +70,10 @@ double acne(const Scene& scene, const ShadowMap& map, const ShadowComparison<dou
   return percent(dark, points);
 }
 
-/// Percentage of the shadow within 0.15 of the place where the ball touches the floor that is lit.
-double contact_lost(const Scene& scene, const ShadowMap& map, const ShadowComparison<double>& how,
-                    const StabilityRun& run) {
+/// Percentage of the shadow within 0.15 of the place where the ball touches the floor that is lit. `seen(point)` is
+/// the share of the sun that a point sees.
+template <class Seen>
+double contact_lost(const Scene& scene, const StabilityRun& run, Seen&& seen) {
   Random random(run.seed);
   const Vec3d to_sun = scene.lights->front().direction;
   const int points = run.count(20000, 5000);
@@ -81,9 +82,37 @@ double contact_lost(const Scene& scene, const ShadowMap& map, const ShadowCompar
     const Vec3d point{random.between(-0.15, 0.15), 0, random.between(-0.15, 0.15)};
     if (!(std::hypot(point.x, point.z) < 0.15) || distance_to_ball(point, to_sun) > ball_radius) continue;
     ++shadowed;
-    lost += seen(map, point, how);
+    lost += seen(point);
   }
   return percent(lost, points);
+}
+
+double contact_lost(const Scene& scene, const ShadowMap& map, const ShadowComparison<double>& how,
+                    const StabilityRun& run) {
+  return contact_lost(scene, run, [&](const Vec3d& point) { return seen(map, point, how); });
+}
+
+/// The share of 5 x 5 taps that see the sun, each compared with the depth that the floor has in the tap's own middle.
+double seen_by_plane(const ShadowMap& map, const Vec3d& point) {
+  const Vec3d up(0, 1, 0);
+  const auto here = raster::find_on_map(map, point, up);
+  // How a step along the floor moves on the map: the floor's depth is linear in both of the map's axes.
+  const auto across = raster::find_on_map(map, point + Vec3d(1, 0, 0), up);
+  const auto along = raster::find_on_map(map, point + Vec3d(0, 0, 1), up);
+  const Vec2d a = across.position - here.position, b = along.position - here.position;
+  const double area = a.x * b.y - a.y * b.x, da = across.depth - here.depth, db = along.depth - here.depth;
+  const Vec2d slope((da * b.y - db * a.y) / area, (db * a.x - da * b.x) / area);
+  constexpr int aside = 2;
+  int lit = 0;
+  for (int j = -aside; j <= aside; ++j)
+    for (int i = -aside; i <= aside; ++i) {
+      const int x = static_cast<int>(std::floor(here.position.x)) + i;
+      const int y = static_cast<int>(std::floor(here.position.y)) + j;
+      const double plane = here.depth + dot(slope, Vec2d(x + 0.5, y + 0.5) - here.position);
+      const double stored = static_cast<double>(map.faces.front().at(x, y));
+      lit += stored < plane - 1e-4 ? 0 : 1;  // the map holds floats
+    }
+  return lit / 25.0;
 }
 
 std::vector<StabilityRow> measure_acne(const StabilityRun& run) {
@@ -146,6 +175,14 @@ std::vector<StabilityRow> measure_peter_panning(const StabilityRun& run) {
       rows.push_back({bias, series, contact_lost(scene, map, {bias, 0, 1}, run), robust, "% of contact shadow lost"});
     rows.push_back({0, series + ", 5 x 5 taps with the slope of 3.5 texels", contact_lost(scene, map, filtered, run),
                     robust, "% of contact shadow lost"});
+    rows.push_back({0, series + ", 5 x 5 taps on the receiver's plane",
+                    contact_lost(scene, run, [&](const Vec3d& point) { return seen_by_plane(map, point); }), robust,
+                    "% of contact shadow lost"});
+    // Lifted by this much the point sees past the texel whose middle lies half a texel down the slope.
+    const double lift = 0.6 * texel(map);
+    const auto lifted = [&](const Vec3d& point) { return seen(map, point + Vec3d(0, lift, 0), {}); };
+    rows.push_back({0, series + ", receiver lifted by 0.6 texels", contact_lost(scene, run, lifted), robust,
+                    "% of contact shadow lost"});
   }
   return rows;
 }

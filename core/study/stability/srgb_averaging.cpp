@@ -41,10 +41,10 @@ static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run)
   for (const int white : {1, 5, 10, 24, 25, 50, 75, 90, 99}) {
     const double right = level_of(white / 100.0), knob = white;
     const Means mean = means(white);
-    rows.push_back({knob, "white over black", std::abs(mean.of_levels - right), std::abs(mean.of_light - right),
-                    "levels of 255"});
-    rows.push_back({knob, "white over black, level shown", std::round(mean.of_levels), std::round(mean.of_light),
-                    "level of 255"});
+    rows.push_back(
+        {knob, "white over black", std::abs(mean.of_levels - right), std::abs(mean.of_light - right), "levels of 255"});
+    rows.push_back(
+        {knob, "white over black, level shown", std::round(mean.of_levels), std::round(mean.of_light), "level of 255"});
   }
   return rows;
 }
