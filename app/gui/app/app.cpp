@@ -269,6 +269,7 @@ void App::layout(const Area& area) {
     else
       left_region(area);
     pictures_.areas = {};
+    pictures_.notes = {};
     return;
   }
   if (!shares.panels) {

@@ -14,6 +14,7 @@ namespace ps::gui {
 namespace {
 
 constexpr double narrow = 380;  ///< pictures below this width, at scale 1, get two lines above and below
+constexpr double note = 24;     ///< height of the row for a note
 
 const std::vector<Choice>& channel_choices() {
   static const std::vector<Choice> choices = [] {
@@ -93,7 +94,12 @@ void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
 }  // namespace
 
 PictureMargins picture_margins(float width) {
-  return width < px(narrow) ? PictureMargins{px(66), px(48)} : PictureMargins{px(34), px(26)};
+  const float notes = px(note);
+  return width < px(narrow) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
+}
+
+Area picture_note(const Area& footer) {
+  return {{footer.min.x, footer.min.y + px(3)}, {footer.max.x, footer.min.y + px(note)}};
 }
 
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
@@ -163,7 +169,7 @@ void picture_footer(Session& session, Side side, const Area& row, const std::str
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
   const float between = px(14), mark = px(11), height = theme().font(Face::small)->FontSize + px(3);
-  ImVec2 at{row.min.x, row.min.y + px(5)};
+  ImVec2 at{row.min.x, row.min.y + px(note) + px(3)};
   std::string all;
   for (const FooterItem& item : footer_items(session, side, lead)) {
     all += (all.empty() ? "" : "   ") + item.text;

@@ -9,11 +9,15 @@
 namespace ps::gui {
 
 /// The lines above and below a picture: what it is made with, which channel is shown, how long it took, what it leaves
-/// out. Where a picture is narrow both have two lines instead of one, so that nothing that matters is cut.
+/// out. Where a picture is narrow both have two lines instead of one, so that nothing that matters is cut. The lines
+/// below begin with a row for a note, kept free while there is none so that nothing jumps.
 struct PictureMargins {
   float title = 0, footer = 0;  ///< heights in window pixels
 };
 PictureMargins picture_margins(float width);
+
+/// The row for a note below a picture, within the rows of its footer.
+Area picture_note(const Area& footer);
 
 /// The letter of a side on its colour.
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);
@@ -22,8 +26,8 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);
 /// picture_margins().
 void picture_title(Session& session, Side side, const Area& row);
 
-/// The line below a picture: how long it took and what it cost; what its renderer cannot show of the scene; a thin bar
-/// while it is being made. `lead` comes first.
+/// The lines below a picture, under its note: how long it took and what it cost; what its renderer cannot show of the
+/// scene; a thin bar while it is being made. `lead` comes first.
 void picture_footer(Session& session, Side side, const Area& row, const std::string& lead = {});
 
 }  // namespace ps::gui

@@ -240,13 +240,18 @@ Halves halves(const Area& area, Vec2i picture_size) {
   return stacked_zoom > beside_zoom ? stacked : beside;
 }
 
+void below(Session& session, PicturesState& state, Side side, const Area& footer, const std::string& lead = {}) {
+  state.notes[index_of(side)] = picture_note(footer);
+  picture_footer(session, side, footer, lead);
+}
+
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
   const auto [title, inner, footer] = framed(area);
   state.transform = current_transform(session.document(), state.pictures[index_of(side)].size(), inner);
   const Side shown = state.flip ? other_side(side) : side;
   picture_title(session, shown, title);
   picture(session, state, side, inner, {});
-  picture_footer(session, shown, footer);
+  below(session, state, shown, footer);
 }
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
@@ -263,8 +268,8 @@ void split_view(Session& session, PicturesState& state, const Area& area) {
   state.areas[1] = inner;
   divider({{inner.min.x, std::max(inner.min.y, whole.min.y)}, {inner.max.x, std::min(inner.max.y, whole.max.y)}}, at,
           session.document().split);
-  picture_footer(session, left, {footer.min, {middle - space, footer.max.y}});
-  picture_footer(session, other_side(left), {{middle + space, footer.min.y}, footer.max});
+  below(session, state, left, {footer.min, {middle - space, footer.max.y}});
+  below(session, state, other_side(left), {{middle + space, footer.min.y}, footer.max});
 }
 
 /// A and B around the mouse, greatly enlarged, side by side.
@@ -309,6 +314,7 @@ void collect_pictures(Session& session, PicturesState& state) {
 
 void pictures_panel(Session& session, PicturesState& state, const Area& area) {
   state.areas = {};
+  state.notes = {};
   state.hover.reset();
   switch (session.document().compare) {
   case CompareMode::side_by_side: {
@@ -325,8 +331,8 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area) {
     state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
     difference_view(session, state, {{title.min.x, title.max.y - px(34)}, title.max}, inner);
     const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
-    picture_footer(session, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
-    picture_footer(session, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");
+    below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
+    below(session, state, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");
     break;
   }
   case CompareMode::only_a:

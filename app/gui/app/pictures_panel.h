@@ -43,6 +43,7 @@ struct PicturesState {
   bool fly = false;    ///< letters move the camera
 
   std::array<std::optional<Area>, 2> areas;  ///< where each side was drawn in the last frame
+  std::array<std::optional<Area>, 2> notes;  ///< the row for a note below each of them
   PictureTransform transform;                ///< shared by all views
   std::optional<Hover> hover;
   PictureDrag drag = PictureDrag::none;

@@ -14,7 +14,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr ImGuiWindowFlags over_pictures = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+constexpr ImGuiWindowFlags below_picture = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground;
 constexpr double least_shown = 0.005;  // percent of the pixels; less is no pixel of a common picture
@@ -63,9 +63,12 @@ std::string line_text(const UnsafeSetting& unsafe) {
 }
 
 /// The same where there is little room.
-std::string short_text(const UnsafeSetting& unsafe) {
+std::string short_text(const UnsafeSetting& unsafe, float room) {
   const Option* option = find_option(unsafe.option);
-  return fmt::format("{} wrong: {}", percent(unsafe.bad_percent), option ? option->label : unsafe.option);
+  const std::string text =
+      fmt::format("{} wrong: {}", percent(unsafe.bad_percent), option ? option->label : unsafe.option);
+  const std::string longer = fmt::format("{} = {}", text, unsafe.value);
+  return text_width(longer) <= room ? longer : text;
 }
 
 void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
@@ -123,19 +126,21 @@ std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, co
   for (const Side side : both_sides) {
     const UnsafeSide& one = state.sides[index_of(side)];
     const UnsafeSetting* unsafe = worst(one);
-    const auto& area = pictures.areas[index_of(side)];
+    const auto& area = pictures.notes[index_of(side)];
     if (!unsafe || !area || area->width() < px(120)) continue;
     const NameScope scope(side == Side::a ? "unsafe/a" : "unsafe/b");
+    const float around = px(26), room = area->width() - around;
     std::string text = line_text(*unsafe);
-    if (text_width(text) + px(26) > area->width()) text = short_text(*unsafe);
-    const float width = std::min(area->width(), text_width(text) + px(26)), height = ImGui::GetFrameHeight();
-    // A window of its own: it lies over the picture and takes the clicks there.
-    ImGui::SetNextWindowPos({area->min.x, area->max.y - height});
+    if (text_width(text) > room) text = short_text(*unsafe, room);
+    const float width = std::min(area->width(), text_width(text) + around), height = area->height();
+    // A window of its own: the rows around the pictures belong to another part of the program.
+    ImGui::SetNextWindowPos(area->min);
     ImGui::SetNextWindowSize({width, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-    ImGui::Begin(side == Side::a ? "unsafe-a" : "unsafe-b", nullptr, over_pictures);
-    ImGui::PopStyleVar(2);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin(side == Side::a ? "unsafe-a" : "unsafe-b", nullptr, below_picture);
+    ImGui::PopStyleVar(3);
     if (hit_area("line", {width, height}, {})) ImGui::OpenPopup("details");
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     auto& list = *ImGui::GetWindowDrawList();

@@ -34,7 +34,7 @@ struct UnsafeState {
 
 /// Once per frame: asks anew where settings, scene or view have changed.
 void update_unsafe(Session& session, UnsafeState& state);
-/// One calm line over the lower edge of a picture whose settings fail somewhere in it. Answers the experiment that
+/// One calm line below a picture whose settings fail somewhere in it. Answers the experiment that
 /// tells why, when the user asks for it.
 std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, const PicturesState& pictures);
 /// What scripts may ask for.
