@@ -132,6 +132,8 @@ class Search {
     }
   }
 
+  static bool lie_apart(const Quartiles& a, const Quartiles& b) { return a.q3 < b.q1 || b.q3 < a.q1; }
+
   void measure_times() {
     std::vector<Settings> variants{request_.base, needs_.advice};
     std::vector<FeatureShare*> measured;
@@ -146,10 +148,15 @@ class Search {
         picture_of(variants[i]);
         samples[i].push_back(sample_milliseconds([&] { picture_of(variants[i]); }, 1, steady_seconds));
       }
-    needs_.default_time_ms = quartiles(samples[0]).median;
-    needs_.time_ms = quartiles(samples[1]).median;
-    for (std::size_t i = 0; i < measured.size(); ++i)
-      measured[i]->cost_share = 1 - quartiles(samples[i + 2]).median / needs_.default_time_ms;
+    const Quartiles base = quartiles(samples[0]), advice = quartiles(samples[1]);
+    needs_.default_time_ms = base.median;
+    needs_.time_ms = advice.median;
+    needs_.time_told = lie_apart(base, advice);
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      const Quartiles less = quartiles(samples[i + 2]);
+      measured[i]->cost_share = 1 - less.median / base.median;
+      measured[i]->cost_told = lie_apart(base, less);
+    }
   }
 
   const NeedsRequest& request_;

@@ -28,7 +28,8 @@ struct FeatureShare {
   bool used = false;
   std::string reason;        ///< why it is free to drop, if it is not used
   double error_without = 0;  ///< worst_tile_flip against the reference when it is switched off
-  double cost_share = 0;     ///< share of the time of a picture that it takes; below 0 by noise only
+  double cost_share = 0;     ///< share of the time of a picture that it takes
+  bool cost_told = false;    ///< the quartiles of both times lie apart; else the share is within noise
   double work_share = 0;     ///< the same of the counted work
 };
 
@@ -45,6 +46,7 @@ struct Needs {
   Settings advice;
   double error = 0, default_error = 0;  ///< worst_tile_flip against the reference
   double time_ms = 0, default_time_ms = 0;
+  bool time_told = false;  ///< the quartiles of both times lie apart; else they are the same within noise
   std::uint64_t work = 0, default_work = 0;
   std::vector<FeatureShare> shares;
   std::vector<NeedsStep> trail;

@@ -95,6 +95,8 @@ std::string state_line(const NeedsTabState& state) {
   return "";
 }
 
+std::string steps_text(std::size_t count) { return fmt::format("{} step{}", count, count == 1 ? "" : "s"); }
+
 void invitation() {
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
@@ -113,7 +115,8 @@ void advice(Session& session, NeedsTabState& state) {
   }
   controls().record("verdict", told.verdict);
   if (told.changes.empty()) return;
-  for (const auto& [name, text] : {std::pair{"changes", told.changes}, std::pair{"saving", told.saving}}) {
+  for (const auto& [name, text] :
+       {std::pair{"changes", told.changes}, std::pair{"saving", told.saving}, std::pair{"time", told.time}}) {
     ImGui::TextWrapped("%s", text.c_str());
     controls().record(name, text);
   }
@@ -152,7 +155,7 @@ bool needs_tab(Session& session, NeedsTabState& state, bool filled) {
     if (state.study.state() == StudyState::done) advice(session, state);
     needs_shares(*state.needs, state.study.state() == StudyState::done);
     if (!state.needs->trail.empty() &&
-        section("trail", "The search", state.trail_open, fmt::format("{} steps", state.needs->trail.size())))
+        section("trail", "The search", state.trail_open, steps_text(state.needs->trail.size())))
       needs_trail(*state.needs);
   }
   ImGui::EndChild();

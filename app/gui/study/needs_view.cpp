@@ -16,6 +16,7 @@ namespace ps::gui {
 namespace {
 
 constexpr double number_width = 62, least_bar = 30;  // pixels at scale 1
+constexpr double least_told = 0.03;                  // share of a time; less is noise whatever the quartiles say
 
 /// A number with a bar of that share of the cell, and a line at `limit` if there is one.
 void bar_cell(std::string_view name, double share, const std::string& text, std::optional<double> limit = {}) {
@@ -64,10 +65,21 @@ std::string changes_text(const Settings& from, const Settings& to) {
   return fmt::format("{}", fmt::join(settings_difference(from, to), ", "));
 }
 
+/// A share of the time, or that it cannot be told from noise.
+void time_cell(const FeatureShare& share) {
+  if (needs_time_told(share)) return bar_cell("time", share.cost_share, percent(share.cost_share));
+  const std::string text = "within noise";
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  draw_text(at, {at.x + room, at.y + height}, text, palette().text_quiet, 0);
+  ImGui::Dummy({room, height});
+  controls().record("time", text);
+}
+
 void free_features(const Needs& needs) {
   for (const FeatureShare& share : needs.shares) {
     if (share.used) continue;
-    const std::string text = fmt::format("{}: free to drop, {}.", share.feature.label, share.reason);
+    const std::string text = needs_free_sentence(share);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
@@ -75,7 +87,30 @@ void free_features(const Needs& needs) {
   }
 }
 
+/// What became of the time, which need not follow the work.
+std::string time_sentence(const Needs& needs) {
+  const bool less_work = needs.work < needs.default_work;
+  const double saved = needs.default_time_ms > 0 ? 1 - needs.time_ms / needs.default_time_ms : 0;
+  const std::string times =
+      fmt::format("{} ms instead of {} ms", short_number(needs.time_ms), short_number(needs.default_time_ms));
+  if (!needs.time_told || std::abs(saved) < least_told)
+    return fmt::format("{}the time is the same within noise: {}.", less_work ? "Less work, but here " : "Here ", times);
+  if (saved > 0) return fmt::format("The time fell here too: {}.", times);
+  return fmt::format("{}: {}.",
+                     less_work ? "Less work, but not less time here; not every test or fragment takes equally long"
+                               : "It takes more time here",
+                     times);
+}
+
 }  // namespace
+
+std::string needs_free_sentence(const FeatureShare& share) {
+  const bool asks = share.reason.starts_with("needs ");
+  return fmt::format("{} can be left out at no loss: {}{}.", share.feature.label, asks ? "the option " : "",
+                     share.reason);
+}
+
+bool needs_time_told(const FeatureShare& share) { return share.cost_told && std::abs(share.cost_share) >= least_told; }
 
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   NeedsAdvice told;
@@ -88,16 +123,18 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
                           ? 100.0 * (1 - static_cast<double>(needs.work) / static_cast<double>(needs.default_work))
                           : 0;
   if (needs.within_tolerance)
-    told.verdict = fmt::format("{:.0f} % of the work can be saved; the worst place then differs by {} (allowed: {}).",
+    told.verdict = fmt::format("{:.0f} % of the counted work can be saved; the worst place then differs by {} "
+                               "(allowed: {}).",
                                work, short_number(needs.error), short_number(needs.tolerance));
   else
     told.verdict = fmt::format("Too little as it is: the worst place differs by {} from the truth. The cheapest that "
                                "keeps to {} differs by {}{}.",
                                short_number(needs.default_error), short_number(needs.tolerance),
                                short_number(needs.error), work > 0.5 ? ", with less work" : "");
-  told.saving = fmt::format("{} ms instead of {} ms; {} instead of {} rays, tests, fragments and texels",
-                            short_number(needs.time_ms), short_number(needs.default_time_ms), count_text(needs.work),
-                            count_text(needs.default_work));
+  told.saving = fmt::format("Work is what is counted, the same on every computer: {} instead of {} rays, intersection "
+                            "tests, fragments and texel reads.",
+                            count_text(needs.work), count_text(needs.default_work));
+  told.time = time_sentence(needs);
   return told;
 }
 
@@ -119,7 +156,11 @@ void needs_shares(const Needs& needs, bool timed) {
     column_heading("Picture changes by",
                    "Mean FLIP of the tile that differs most from the reference. The line is the tolerance.");
     column_heading("Work saved", "Share of rays, intersection tests, fragments and texel reads.");
-    if (timed) column_heading("Time saved", "Share of the time of one picture. Below 0: noise of the clock.");
+    if (timed)
+      column_heading("Time saved",
+                     "Share of the time of one picture on this computer. Below 0: the picture takes longer "
+                     "without it. Within noise: the middle halves of the runs with and without it "
+                     "overlap, or the times differ by less than 3 %.");
     for (const FeatureShare& share : needs.shares) {
       if (!share.used) continue;
       const NameScope scope(share.feature.name);
@@ -132,7 +173,7 @@ void needs_shares(const Needs& needs, bool timed) {
       bar_cell("work", share.work_share, percent(share.work_share));
       if (!timed) continue;
       ImGui::TableNextColumn();
-      bar_cell("time", share.cost_share, percent(share.cost_share));
+      time_cell(share);
     }
     ImGui::EndTable();
   }

@@ -9,9 +9,15 @@ namespace ps::gui {
 struct NeedsAdvice {
   std::string verdict;  ///< one sentence
   std::string changes;  ///< "shadows=none, reflection-depth=1"; empty = keep the settings
-  std::string saving;   ///< what it saves and what it costs
+  std::string saving;   ///< what work is, and how much is left of it
+  std::string time;     ///< whether the time fell too
 };
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base);
+
+/// Why a feature that is not used is free to drop.
+std::string needs_free_sentence(const FeatureShare& share);
+/// Whether the share of the time can be told from noise.
+bool needs_time_told(const FeatureShare& share);
 
 /// Bars of each feature's share. Times are known at the end only (`timed`).
 void needs_shares(const Needs& needs, bool timed);

@@ -1,0 +1,57 @@
+// The advice in words: work is not time, and what the clock cannot tell is not told.
+#include "gui/study/needs_view.h"
+
+#include <gtest/gtest.h>
+
+namespace ps::gui {
+namespace {
+
+Needs needs_with(double time, double default_time, bool told) {
+  Needs needs;
+  needs.advice.shadows = Shadows::none;
+  needs.work = 60'000;
+  needs.default_work = 1'000'000;
+  needs.tolerance = 0.05;
+  needs.time_ms = time;
+  needs.default_time_ms = default_time;
+  needs.time_told = told;
+  return needs;
+}
+
+TEST(NeedsAdvice, SaysWhatWorkIs) {
+  const NeedsAdvice told = needs_advice(needs_with(10, 20, true), Settings{});
+  EXPECT_NE(told.verdict.find("94 % of the counted work"), std::string::npos) << told.verdict;
+  EXPECT_NE(told.saving.find("60,000 instead of 1 M rays, intersection tests, fragments and texel reads"),
+            std::string::npos)
+      << told.saving;
+  EXPECT_EQ(told.time, "The time fell here too: 10 ms instead of 20 ms.");
+}
+
+TEST(NeedsAdvice, SaysThatLessWorkWasNotLessTime) {
+  const auto time = [](const Needs& needs) { return needs_advice(needs, Settings{}).time; };
+  EXPECT_TRUE(time(needs_with(26.88, 18.19, true)).starts_with("Less work, but not less time here"));
+  for (const Needs& needs : {needs_with(19, 18.9, true), needs_with(26, 18, false), needs_with(10, 18, false)})
+    EXPECT_NE(time(needs).find("within noise"), std::string::npos) << time(needs);
+}
+
+TEST(NeedsAdvice, SharesOfTimeWithinNoiseAreNotTold) {
+  FeatureShare share;
+  share.cost_share = -0.22;
+  EXPECT_FALSE(needs_time_told(share)) << "the quartiles overlap";
+  share.cost_told = true;
+  EXPECT_TRUE(needs_time_told(share));
+  share.cost_share = 0.01;
+  EXPECT_FALSE(needs_time_told(share));
+}
+
+TEST(NeedsAdvice, WhatIsFreeToDropIsASentence) {
+  FeatureShare share;
+  share.feature.label = "Shadows";
+  share.reason = "needs lighting = on";
+  EXPECT_EQ(needs_free_sentence(share), "Shadows can be left out at no loss: the option needs lighting = on.");
+  share.reason = "the scene has no texture";
+  EXPECT_EQ(needs_free_sentence(share), "Shadows can be left out at no loss: the scene has no texture.");
+}
+
+}  // namespace
+}  // namespace ps::gui
