@@ -76,6 +76,16 @@ void news_line(const std::string& news, float width) {
   controls().record("news", at, {at.x + width, at.y + height}, news);
 }
 
+/// As many of a text's parts, between wide blanks, as fit.
+std::string whole_parts(std::string text, float room) {
+  while (ImGui::CalcTextSize(text.c_str()).x > room) {
+    const std::size_t last = text.rfind("   ");
+    if (last == std::string::npos) break;
+    text.resize(last);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string hover_text(Session& session, const PicturesState& pictures) {
@@ -120,14 +130,15 @@ void status_bar(Session& session, const PicturesState& pictures, StatusBarState&
   const std::string hover = flying(pictures) ? camera_text(session.view().camera) : hover_text(session, pictures);
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushClipRect(at, {at.x + room - (news.empty() ? 0 : news_width + gap), at.y + px(40)}, true);
+  const float line_room = room - (news.empty() ? 0 : news_width + gap);
+  ImGui::PushClipRect(at, {at.x + line_room, at.y + px(40)}, true);
   if (hover.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted(hint.c_str());
+    ImGui::TextUnformatted(whole_parts(hint, line_room).c_str());
     ImGui::PopStyleColor();
   } else {
     const FontScope font(Face::mono);
-    ImGui::TextUnformatted(hover.c_str());
+    ImGui::TextUnformatted(whole_parts(hover, line_room).c_str());
   }
   controls().record("hover", hover);
   ImGui::PopClipRect();

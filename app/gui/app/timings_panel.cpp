@@ -15,7 +15,7 @@ namespace {
 
 using Results = std::array<std::shared_ptr<const RenderResult>, 2>;
 
-constexpr double label_width = 196, number_width = 74;
+constexpr double label_width = 260, number_width = 74;
 constexpr double table_width = label_width + 3 * number_width + 40;
 
 /// In a narrow window the labels give way, not the numbers.
@@ -50,10 +50,10 @@ void row(std::string_view label, const std::array<std::optional<double>, 2>& val
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-  draw_text(at, {at.x + room, at.y + height}, label, palette().text, 0);
-  ImGui::Dummy({room, height});
-  if (text_width(label) > room) tooltip(label);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const std::string lines = in_lines(label, room);
+  draw_lines(at, lines, palette().text);
+  ImGui::Dummy({room, text_height(lines)});
   for (const auto& value : values) {
     ImGui::TableNextColumn();
     if (value) number_text(text(*value), 0, full_number(*value));

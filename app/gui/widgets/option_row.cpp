@@ -140,7 +140,10 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
     label_width = std::min(std::max(label_width, text_width(option.label) + px(10)), room - mark - reset - px(36));
   const bool different = differs(option, settings, context);
   const bool stacked = needs_two_lines(option, label_width, room - mark - label_width - reset);
-  const float row_height = stacked ? 2 * height : height;
+  std::string label(option.label);
+  const bool wrapped = option.kind == OptionKind::boolean && text_width(label) > label_width - px(6);
+  if (wrapped) label = in_lines(label, label_width - px(6));
+  const float row_height = stacked ? 2 * height : std::max(height, wrapped ? text_height(label) + px(4) : 0);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
 
   // The row's own area: hover, tooltip, right-click.
@@ -161,13 +164,17 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   }
   ImGui::SetCursorScreenPos({start.x + mark, start.y});
   const float label_room = stacked ? room - mark : label_width;
-  ImGui::Dummy({label_room, height});
-  draw_text({start.x + mark, start.y}, {start.x + mark + label_room - px(6), start.y + height}, option.label,
-            reason || idle_value ? p.text_disabled : p.text, 0);
+  ImGui::Dummy({label_room, stacked ? height : row_height});
+  const ImVec4& label_colour = reason || idle_value ? p.text_disabled : p.text;
+  if (wrapped)
+    draw_lines({start.x + mark, std::floor(start.y + (row_height - text_height(label)) / 2)}, label, label_colour);
+  else
+    draw_text({start.x + mark, start.y}, {start.x + mark + label_room - px(6), start.y + height}, label, label_colour,
+              0);
   option_tooltip(option, settings, context, reason ? *reason : idle_value.value_or(std::string_view{}));
 
-  const ImVec2 place =
-      stacked ? ImVec2{start.x + mark, start.y + height} : ImVec2{start.x + mark + label_width, start.y};
+  const ImVec2 place = stacked ? ImVec2{start.x + mark, start.y + height}
+                               : ImVec2{start.x + mark + label_width, start.y + (row_height - height) / 2};
   ImGui::SetCursorScreenPos(place);
   ControlStyle style = base;
   style.width = start.x + room - reset - place.x;
