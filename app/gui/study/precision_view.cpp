@@ -58,10 +58,10 @@ void gap_legend(float room, bool wide) {
     float gap;
     const char* meaning;
   };
-  static constexpr Entry entries[] = {{0, "below 1: one value"},
+  static constexpr Entry entries[] = {{0, "< 1: z-fighting"},
                                       {1, "1 ulp of depth"},
                                       {4096, "2¹² ulp"},
-                                      {16777216, "2²⁴ ulp and more"},
+                                      {16777216, "2²⁴ or more"},
                                       {std::numeric_limits<float>::infinity(), "no second surface"}};
   const FontScope small(Face::small);
   const ImVec2 from = ImGui::GetCursorScreenPos();

@@ -146,9 +146,12 @@ std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, co
     auto& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(min, max, colour_u32(ImGui::IsItemHovered() ? palette().field_hover : palette().panel, 0.94));
     list.AddRectFilled(min, {min.x + px(5), max.y}, colour_u32(palette().attention));
-    draw_text({min.x + px(12), min.y}, {max.x - px(6), max.y}, text, palette().text, 0);
+    {
+      const FontScope font(text_width(text) > room ? Face::small : Face::body);
+      draw_text({min.x + px(12), min.y}, {max.x - px(6), max.y}, text, palette().text, 0);
+    }
     controls().record("line", text);
-    tooltip("Click for details.");
+    tooltip(line_text(*unsafe) + "\nClick for details.");
     if (ImGui::BeginPopup("details")) {
       if (auto asked = details(session, one, side)) wanted = std::move(asked);
       ImGui::EndPopup();
