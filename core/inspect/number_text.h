@@ -1,5 +1,7 @@
 #pragma once
+#include <span>
 #include <string>
+#include <vector>
 
 #include "math/vec.h"
 
@@ -7,6 +9,8 @@ namespace ps {
 
 /// A number as people read it: four significant digits, infinity and NaN in words, never "-0".
 std::string number_text(double value);
+/// Numbers that stand in one row, four significant digits each, all of them with an exponent or none.
+std::vector<std::string> number_row(std::span<const double> values);
 /// The shortest text that reads back as the same double.
 std::string exact_number_text(double value);
 /// What is compared with what: "2 against 1.5", with as many digits as tell the two apart; "7.25 against the same".

@@ -278,6 +278,22 @@ TEST(Microscope, DrawsEverythingInsideItsRectangle) {
 }
 
 // Clipping against sampling: a point of the segment or triangle survives if and only if it lies in the window.
+/// Every value stands under a heading of its own, and a row is written in one notation.
+TEST(Microscope, TablesHaveAHeadingForEachValue) {
+  MicroTriangle triangle;
+  triangle.edges = {13480.6, 6508.25, 0.5};
+  triangle.uv = triangle.uv_2d = Vec2d(0.25, 0.5);
+  const auto tables = triangle_tables(triangle);
+  ASSERT_EQ(tables.size(), 2u);
+  for (const MicroTable& table : tables)
+    for (const MicroRow& row : table.rows) {
+      EXPECT_EQ(row.values.size(), table.columns.size()) << row.name;
+      EXPECT_EQ(row.exact.size(), table.columns.size()) << row.name;
+    }
+  EXPECT_EQ(tables[0].rows.front().values, (std::vector<std::string>{"13481", "6508", "0.5"}));
+  EXPECT_EQ(tables[1].columns, (std::vector<std::string>{"by screen", "by space"}));
+}
+
 TEST(WindowClip, KeepsWhatIsInside) {
   const unsigned seed = 23;
   std::mt19937 random(seed);

@@ -16,7 +16,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double number_width = 82, name_width = 134;  // of the table's columns
+constexpr double number_width = 86, name_width = 134;  // of the table's columns
 constexpr std::size_t most_rows = 40;
 
 bool same_pixel(const MicroRequest& a, const MicroRequest& b) {
@@ -158,8 +158,11 @@ void triangle_list(MicroscopePanelState& state, const MicroReading& reading, con
 }
 
 /// Where there is no room for columns the numbers stand below their name.
-void numbers_list(const std::vector<MicroRow>& rows) {
-  for (const MicroRow& row : rows) {
+void numbers_list(const MicroTable& table) {
+  std::string columns;
+  for (const std::string& column : table.columns) columns += (columns.empty() ? "" : ", ") + column;
+  ImGui::TextDisabled("%s", columns.c_str());
+  for (const MicroRow& row : table.rows) {
     ImGui::TextUnformatted(row.name.c_str());
     const FontScope mono(Face::mono);
     std::string line, exact;
@@ -174,13 +177,14 @@ void numbers_list(const std::vector<MicroRow>& rows) {
   }
 }
 
-void numbers_table(const std::vector<MicroRow>& rows) {
+void numbers_table(const MicroTable& table) {
   const float width = px(number_width);
-  if (ImGui::GetContentRegionAvail().x < px(name_width) + 3 * (width + px(8))) return numbers_list(rows);
-  if (!ImGui::BeginTable("numbers", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  if (ImGui::GetContentRegionAvail().x < px(name_width) + 3 * (width + px(8))) return numbers_list(table);
+  const int columns = static_cast<int>(table.columns.size());
+  if (!ImGui::BeginTable(table.columns.front().c_str(), columns + 1, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, px(name_width));
-  for (const char* corner : {"corner 0", "corner 1", "corner 2"})
-    ImGui::TableSetupColumn(corner, ImGuiTableColumnFlags_WidthFixed, width);
+  for (const std::string& column : table.columns)
+    ImGui::TableSetupColumn(column.c_str(), ImGuiTableColumnFlags_WidthFixed, width);
   const auto cell = [&](const std::string& text, const std::string& exact) {
     ImGui::TableNextColumn();
     if (!text.empty()) number_text(text, 0, exact);
@@ -188,9 +192,9 @@ void numbers_table(const std::vector<MicroRow>& rows) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  for (const char* corner : {"corner 0", "corner 1", "corner 2"}) cell(corner, corner);
+  for (const std::string& column : table.columns) cell(column, column);
   ImGui::PopStyleColor();
-  for (const MicroRow& row : rows) {
+  for (const MicroRow& row : table.rows) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.name.c_str());
@@ -247,7 +251,8 @@ void readings(MicroscopePanelState& state, const PixelStory* story, StoryCursor&
   ImGui::Spacing();
   triangle_list(state, reading, story, cursor);
   if (const int chosen = shown_triangle(reading, state.chosen); chosen >= 0)
-    numbers_table(triangle_rows(reading.triangles[static_cast<std::size_t>(chosen)]));
+    for (const MicroTable& table : triangle_tables(reading.triangles[static_cast<std::size_t>(chosen)]))
+      numbers_table(table);
   if (reading.texture) texel_views(state, *reading.texture, px(170));
   if (!reading.triangles.empty()) {
     ImGui::Spacing();

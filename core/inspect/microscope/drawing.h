@@ -53,13 +53,19 @@ MicroDrawing texel_drawing(const MicroTexels& texels);
 /// A line of numbers beside the drawing.
 struct MicroRow {
   std::string name;
-  std::vector<std::string> values;  ///< one, or one for each corner
+  std::vector<std::string> values;  ///< one for each column
   std::vector<std::string> exact;   ///< the same with all digits
 };
 
-/// What the kernel computes for a triangle at the sample point: edge values with who owns ties, weights on the screen
-/// and in space, depth and texture coordinates by both.
-std::vector<MicroRow> triangle_rows(const MicroTriangle& triangle);
+/// Rows under the headings of their columns.
+struct MicroTable {
+  std::vector<std::string> columns;
+  std::vector<MicroRow> rows;
+};
+
+/// What the kernel computes for a triangle at the sample point. First what each corner has: edge values with who owns
+/// ties, weights on the screen and in space. Then depth and texture coordinates by both kinds of weights.
+std::vector<MicroTable> triangle_tables(const MicroTriangle& triangle);
 
 /// The triangle whose numbers are shown: `selected` where there is such a one, else the one in front, else the first;
 /// -1 if there is none.

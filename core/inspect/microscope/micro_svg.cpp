@@ -102,10 +102,10 @@ class SvgPanel {
 };
 
 /// Writes the table and returns where it ends.
-double table(SvgDrawing& svg, const std::vector<MicroRow>& rows, double y) {
+double draw_table(SvgDrawing& svg, const MicroTable& table, double y) {
   const auto right = [](std::size_t i) { return text_left + names + column * static_cast<double>(i + 1); };
-  for (std::size_t i = 0; i < 3; ++i) svg.text({right(i), y}, fmt::format("corner {}", i), 12, SvgAnchor::end);
-  for (const MicroRow& row : rows) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) svg.text({right(i), y}, table.columns[i], 12, SvgAnchor::end);
+  for (const MicroRow& row : table.rows) {
     y += line_height;
     svg.text({text_left, y}, row.name, 13);
     for (std::size_t i = 0; i < row.values.size(); ++i) svg.text({right(i), y}, row.values[i], 13, SvgAnchor::end);
@@ -130,7 +130,7 @@ std::string micro_svg(const Microscope& microscope, const MicroReading& reading,
   if (const int shown = shown_triangle(reading, selected); shown >= 0) {
     const MicroTriangle& triangle = reading.triangles[static_cast<std::size_t>(shown)];
     svg.text({text_left, y}, fmt::format("{}  {}", shown + 1, triangle.name), 14, SvgAnchor::start, true);
-    y = table(svg, triangle_rows(triangle), y + line_height);
+    for (const MicroTable& table : triangle_tables(triangle)) y = draw_table(svg, table, y + line_height);
   }
   if (reading.ray) svg.text({text_left, y}, reading.ray->verdict, 13), y += line_height;
   if (!reading.texture) return svg.finish();
