@@ -19,7 +19,9 @@ Prediction read_prediction(const std::vector<BlockLine>& lines, const SourcePlac
         throw InputError(line.place, fmt::format("'{} {}'", line.word, line.rest), "ask or text");
       }
     });
-  if (!asks) throw InputError(place, "a question about nothing", "a line 'ask colour', 'ask winner' or 'ask rays'");
+  if (!asks)
+    throw InputError(place, "a question about nothing",
+                     "a line 'ask colour', 'ask winner', 'ask rays' or 'ask triangle'");
   if (prediction.text.empty()) throw InputError(place, "a question without words", "a line 'text QUESTION'");
   return prediction;
 }

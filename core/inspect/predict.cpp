@@ -6,12 +6,13 @@
 #include <cstdlib>
 
 #include "base/check.h"
+#include "inspect/names.h"
 #include "inspect/vertex_chain.h"
 
 namespace ps {
 namespace {
 
-constexpr std::array<std::string_view, 3> question_keys{"colour", "winner", "rays"};
+constexpr std::array<std::string_view, 4> question_keys{"colour", "winner", "rays", "triangle"};
 constexpr int right_within = 4, wrong_beyond = 64;  // levels
 
 std::string object_text(int object, const Scene& scene) {
@@ -46,9 +47,23 @@ Question parse_question(std::string_view text) {
 std::optional<std::string_view> not_askable(Question question, const PixelStory& story) {
   if (question == Question::rays && story.renderer != Renderer::ray_tracer)
     return "Only the ray tracer sends rays; ask for the colour or the winner here.";
-  if (question == Question::winner && story.renderer == Renderer::textbook)
+  if ((question == Question::winner || question == Question::triangle) && story.renderer == Renderer::textbook)
     return "A listing tells no winner; ask for the colour here.";
   return {};
+}
+
+std::vector<PixelId> askable_triangles(const Scene& scene) {
+  constexpr std::size_t most = 24;
+  std::vector<PixelId> all;
+  const auto& objects = scene.geometry->objects;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const auto* instance = std::get_if<Instance>(&objects[i].shape);
+    if (!instance) continue;
+    const std::size_t count = scene.geometry->meshes.at(instance->mesh)->triangles.size();
+    if (all.size() + count > most) return {};
+    for (std::size_t t = 0; t < count; ++t) all.push_back({static_cast<int>(i), static_cast<int>(t)});
+  }
+  return all;
 }
 
 int winner_of(const PixelStory& story) { return shown_triangle(story).object; }
@@ -68,6 +83,15 @@ Judgement judge(Question question, const Guess& guess, const PixelStory& story, 
     return {right ? 1.0 : 0.0, right ? fmt::format("Right: {}.", object_text(winner, scene))
                                      : fmt::format("It is {}; you said {}.", object_text(winner, scene),
                                                    object_text(guess.object, scene))};
+  }
+  case Question::triangle: {
+    const PixelId shown = shown_triangle(story), said{guess.object, guess.triangle};
+    const auto words = [&](const PixelId& id) {
+      return id.object < 0 ? std::string("the background") : primitive_name(scene, id);
+    };
+    const bool right = said == shown;
+    return {right ? 1.0 : 0.0, right ? fmt::format("Right: {}.", words(shown))
+                                     : fmt::format("It is {}; you said {}.", words(shown), words(said))};
   }
   case Question::rays: {
     const int rays = rays_of(story), apart = std::abs(guess.rays - rays);

@@ -13,12 +13,13 @@
 namespace ps {
 
 enum class Question {
-  colour,  ///< which display levels the pixel has
-  winner,  ///< which object it shows
-  rays     ///< how many rays were traced for it
+  colour,   ///< which display levels the pixel has
+  winner,   ///< which object it shows
+  rays,     ///< how many rays were traced for it
+  triangle  ///< which triangle of which object it shows
 };
 
-/// "colour", "winner", "rays"
+/// "colour", "winner", "rays", "triangle"
 std::string_view question_key(Question question);
 /// Throws InputError for anything else.
 Question parse_question(std::string_view text);
@@ -28,6 +29,7 @@ struct Guess {
   std::array<int, 3> colour{};  ///< display levels, 0 to 255
   int object = -1;              ///< index into Geometry::objects; -1 = background
   int rays = 0;
+  int triangle = -1;  ///< of the object; Question::triangle only
 };
 
 /// The right answer, in words.
@@ -38,6 +40,10 @@ struct Judgement {
 
 /// Why the question makes no sense for this story ("fragments need no rays"), or nothing.
 std::optional<std::string_view> not_askable(Question question, const PixelStory& story);
+
+/// Triangles of meshes that may be asked for, in the order of their objects; empty where there are too many to choose
+/// among.
+std::vector<PixelId> askable_triangles(const Scene& scene);
 
 /// The object that the pixel shows; -1 = background.
 int winner_of(const PixelStory& story);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/check.h"
+#include "inspect/vertex_chain.h"
 #include "lesson.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -55,6 +56,23 @@ TEST(Predict, RaysAreCounted) {
   EXPECT_EQ(judge(Question::rays, {.rays = 5}, story, scene).points, 0);
   EXPECT_FALSE(not_askable(Question::rays, story));
   EXPECT_TRUE(not_askable(Question::rays, story_of(scene, Renderer::rasterizer, {300, 400})));
+}
+
+/// The blades are one object: only their triangles can be told apart.
+TEST(Predict, TrianglesAreToldApart) {
+  const Scene scene = load_scene("cgfs/depth");
+  const std::vector<PixelId> ids = askable_triangles(scene);
+  ASSERT_EQ(ids.size(), 5u);
+  const PixelStory story = story_of(scene, Renderer::rasterizer, {222, 263});
+  const PixelId shown = shown_triangle(story);
+  int right = 0;
+  for (const PixelId& id : ids) {
+    const Judgement judged = judge(Question::triangle, {.object = id.object, .triangle = id.triangle}, story, scene);
+    EXPECT_EQ(judged.points, id == shown ? 1 : 0) << judged.sentence;
+    right += judged.points > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(right, 1);
+  EXPECT_TRUE(askable_triangles(load_scene("models/dice")).empty());
 }
 
 TEST(Predict, LessonsAskQuestions) {

@@ -200,6 +200,9 @@ void App::draw() {
   restore_play(session_, story_panels, mirror_, story_mirror_);
   studies_.update(session_);
   update_pixels(session_, pixels_, pictures_);
+  pictures_.asked.reset();
+  if (session_.pixel() && prediction_pending(session_, predict_))
+    pictures_.asked = Hover{told_side(session_), *session_.pixel()};
 
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0, 0});

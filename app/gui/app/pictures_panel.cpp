@@ -95,6 +95,17 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
       };
     return style;
   };
+  const auto cover = [&](Side which) {
+    if (!state.asked || state.asked->side != which) return;
+    const Vec2i pixel = state.asked->pixel;
+    const ImVec2 at = state.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, area);
+    const float radius = std::max(px(16), static_cast<float>(state.transform.zoom) * 3);
+    list.AddCircleFilled(at, radius, colour_u32(palette().panel));
+    list.AddCircle(at, radius, colour_u32(palette().text), 0, px(2));
+    ImFont* font = theme().font(Face::heading);
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, "?");
+    list.AddText(font, font->FontSize, {at.x - size.x / 2, at.y - size.y / 2}, colour_u32(palette().text), "?");
+  };
   const auto draw_nan = [&](Side which) {
     if (session.shown(which) != ShownChannel::colour) return;
     const auto result = session.renderer(which).result();
@@ -106,12 +117,14 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
   draw_picture(list, state.pictures[index_of(shown_side)], state.transform, area, style_of(shown_side));
   draw_nan(shown_side);
+  cover(shown_side);
   list.PopClipRect();
   if (split) {
     const Side right = other_side(shown_side);
     list.PushClipRect({split->at, area.min.y}, area.max, true);
     draw_picture(list, state.pictures[index_of(right)], state.transform, area, style_of(right));
     draw_nan(right);
+    cover(right);
     list.PopClipRect();
   }
   if (session.shown(shown_side) != ShownChannel::colour) {
@@ -176,6 +189,8 @@ void difference_view(Session& session, PicturesState& state, const Area& row, co
     ImGui::TextUnformatted(state.difference_mode == DifferenceMode::absolute ? "|B − A|" : "B − A");
   }
   ImGui::SameLine();
+  ImGui::TextUnformatted("amplify");
+  ImGui::SameLine();
   double gain = session.document().difference_gain;
   const auto edit = number(
       "gain", gain, {.minimum = 1, .maximum = 256, .scale = OptionScale::logarithmic, .unit = "x"},
@@ -190,6 +205,16 @@ void difference_view(Session& session, PicturesState& state, const Area& row, co
              {.tooltip = "Grey where equal, lighter where B is brighter, darker where A is."})) {
     state.difference_mode = sign ? DifferenceMode::sign : DifferenceMode::absolute;
     state.difference_stale = true;
+  }
+  if (sign) {
+    const char* legend = "grey: equal, lighter: B larger, darker: A larger";
+    ImGui::SameLine();
+    const FontScope font(Face::small);
+    if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(legend).x <= row.max.x) {
+      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+      value_text("legend", legend);
+      ImGui::PopStyleColor();
+    }
   }
 
   ImGui::SetCursorScreenPos(area.min);
@@ -274,7 +299,7 @@ void split_view(Session& session, PicturesState& state, const Area& area) {
 
 /// A and B around the mouse, greatly enlarged, side by side.
 void loupe(const PicturesState& state) {
-  if (!state.loupe || !state.hover) return;
+  if (!state.loupe || !state.hover || state.asked) return;
   auto& list = *ImGui::GetForegroundDrawList();
   const float size = px(195), space = px(6), away = px(24);
   const ImVec2 mouse = ImGui::GetIO().MousePos, window = ImGui::GetIO().DisplaySize;

@@ -46,6 +46,7 @@ struct PicturesState {
   std::array<std::optional<Area>, 2> notes;  ///< the row for a note below each of them
   PictureTransform transform;                ///< shared by all views
   std::optional<Hover> hover;
+  std::optional<Hover> asked;  ///< the pixel about which a question stands: its surroundings are covered
   PictureDrag drag = PictureDrag::none;
   ImVec2 drag_from{0, 0};
   bool handles = true;            ///< lights and spheres can be dragged

@@ -7,6 +7,7 @@
 
 #include "gui/app/lesson_panel.h"
 #include "gui/widgets/draw.h"
+#include "inspect/names.h"
 #include "lesson.h"
 
 namespace ps::gui {
@@ -15,7 +16,8 @@ namespace {
 constexpr std::array questions{
     Choice{"colour", "Colour", "Red, green and blue of the pixel, 0 to 255."},
     Choice{"winner", "Winner", "The object that the pixel shows."},
-    Choice{"rays", "Rays", "How many rays were traced for the pixel: eye, shadow, reflected, refracted."}};
+    Choice{"rays", "Rays", "How many rays were traced for the pixel: eye, shadow, reflected, refracted."},
+    Choice{"triangle", "Triangle", "The triangle that the pixel shows."}};
 
 void swatch(const std::array<int, 3>& levels, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -38,12 +40,41 @@ void ask_colour(Guess& guess) {
   swatch(guess.colour, px(184));
 }
 
-void ask_winner(const Scene& scene, Guess& guess) {
-  std::vector<Choice> choices{{"background", "the background", ""}};
+constexpr Choice nothing_chosen{"none", "choose ...", ""}, background{"background", "the background", ""};
+
+/// A list that stands at no answer until one is picked.
+bool ask_one_of(const char* name, const std::vector<Choice>& choices, int& index) {
+  const int before = index;
+  drop_down(name, choices, index, std::min(px(260), ImGui::GetContentRegionAvail().x), {});
+  index = index == 0 ? before : index;
+  return index != before;
+}
+
+void ask_winner(const Scene& scene, PredictState& state) {
+  std::vector<Choice> choices{nothing_chosen, background};
   for (const Object& object : scene.geometry->objects) choices.push_back({object.name, object.name, ""});
-  int index = guess.object + 1;
-  if (drop_down("object", choices, index, std::min(px(260), ImGui::GetContentRegionAvail().x), {}))
-    guess.object = index - 1;
+  int index = state.chosen ? state.guess.object + 2 : 0;
+  if (!ask_one_of("object", choices, index)) return;
+  state.guess.object = index - 2;
+  state.chosen = true;
+}
+
+void ask_triangle(const Scene& scene, PredictState& state) {
+  const std::vector<PixelId> ids = askable_triangles(scene);
+  std::vector<std::string> names, keys;
+  for (const PixelId& id : ids) {
+    names.push_back(primitive_name(scene, id));
+    keys.push_back(fmt::format("{}-{}", id.object, id.triangle));
+  }
+  std::vector<Choice> choices{nothing_chosen, background};
+  for (std::size_t i = 0; i < ids.size(); ++i) choices.push_back({keys[i], names[i], ""});
+  const auto said = std::find(ids.begin(), ids.end(), PixelId{state.guess.object, state.guess.triangle});
+  int index = !state.chosen ? 0 : said == ids.end() ? 1 : static_cast<int>(said - ids.begin()) + 2;
+  if (!ask_one_of("triangle", choices, index)) return;
+  const PixelId id = index < 2 ? PixelId{-1, -1} : ids[static_cast<std::size_t>(index - 2)];
+  state.guess.object = id.object;
+  state.guess.triangle = id.triangle;
+  state.chosen = true;
 }
 
 void ask_rays(Guess& guess) {
@@ -61,6 +92,8 @@ const char* sentence_of(Question question) {
     return "Which object does this pixel show?";
   case Question::rays:
     return "How many rays were traced for this pixel?";
+  case Question::triangle:
+    return "Which triangle does this pixel show?";
   }
   return "";
 }
@@ -83,6 +116,7 @@ void take_up_lesson(Session& session, PredictState& state) {
     state.asked_settings = session.settings(document.picked);
     state.answered = false;
     state.guess = {};
+    state.chosen = false;
   } catch (const InputError&) {
     // The lesson's own panel says what is wrong with it.
   }
@@ -101,6 +135,7 @@ bool prediction_pending(Session& session, PredictState& state) {
     state.answered = false;
     state.words.clear();
     state.guess = {};
+    state.chosen = false;
   }
   const bool stands = state.asked_pixel == *pixel && state.asked_settings == settings && !state.answered;
   return stands && (state.on || !state.words.empty());
@@ -122,7 +157,10 @@ void predict_panel(Session& session, PredictState& state) {
   ImGui::Spacing();
   if (state.words.empty()) {
     int index = static_cast<int>(state.question);
-    if (choice("ask", questions, index)) state.question = static_cast<Question>(index);
+    if (choice("ask", questions, index)) {
+      state.chosen = false;
+      state.question = static_cast<Question>(index);
+    }
     ImGui::Spacing();
   }
   switch (state.question) {
@@ -130,7 +168,10 @@ void predict_panel(Session& session, PredictState& state) {
     ask_colour(state.guess);
     break;
   case Question::winner:
-    ask_winner(session.scene(), state.guess);
+    ask_winner(session.scene(), state);
+    break;
+  case Question::triangle:
+    ask_triangle(session.scene(), state);
     break;
   case Question::rays:
     ask_rays(state.guess);
@@ -139,10 +180,15 @@ void predict_panel(Session& session, PredictState& state) {
   ImGui::Spacing();
   const bool ready = story && story->pixel == *pixel && !session.inspector(side).busy();
   const auto senseless = ready ? not_askable(state.question, *story) : std::nullopt;
+  const bool from_list = state.question == Question::winner || state.question == Question::triangle;
+  const bool open = from_list && !state.chosen;
   if (button("answer", "Answer", Emphasis::primary,
              {
                  .tooltip = "Says it, and then tells the pixel's story.",
-                 .disabled = senseless ? *senseless : std::string_view(ready ? "" : "The story is being told."),
+                 .disabled = senseless ? *senseless
+                                       : std::string_view(!ready ? "The story is being told."
+                                                          : open ? "Choose an answer first."
+                                                                 : ""),
              })) {
     state.judgement = judge(state.question, state.guess, *story, session.scene());
     state.answered = true;

@@ -12,6 +12,7 @@ struct PredictState {
   bool on = false;  ///< every newly picked pixel is asked about; a lesson's step may ask all the same
   Question question = Question::colour;
   Guess guess;
+  bool chosen = false;        ///< an answer was picked from the list, where there is one
   Vec2i asked_pixel{-1, -1};  ///< about which the question stands or was answered
   Settings asked_settings;    ///< of the side that is told, then
   bool answered = false;

@@ -92,6 +92,7 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   if (!pictures.hover) return {};
   const auto [side, pixel] = *pictures.hover;
   const auto result = session.renderer(side).result();
+  if (pictures.asked && pictures.asked->pixel == pixel) return "What this pixel shows is told after your answer.";
   const auto& levels = pictures.pictures[index_of(side)].levels;
   if (!levels.contains(pixel.x, pixel.y)) return {};
   const Vec2i book = book_pixel(pixel.x, pixel.y, levels.width(), levels.height());
@@ -99,6 +100,13 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   std::string text = fmt::format("{}   array ({}, {})   book ({}, {})   {} {} {}", letter_of(side), pixel.x, pixel.y,
                                  book.x, book.y, level.r, level.g, level.b);
   if (side == Side::b && session.picture_b()) return text;
+  if (session.document().compare == CompareMode::difference) {
+    const auto& others = pictures.pictures[1].levels;
+    if (!others.contains(pixel.x, pixel.y)) return text;
+    const Rgb8 b = others.at(pixel.x, pixel.y);
+    return fmt::format("array ({}, {})   A {} {} {}   B {} {} {}   B − A {:+} {:+} {:+}", pixel.x, pixel.y, level.r,
+                       level.g, level.b, b.r, b.g, b.b, b.r - level.r, b.g - level.g, b.b - level.b);
+  }
   const bool fresh = result && result->frame.width() == levels.width() && result->frame.height() == levels.height();
   if (!fresh) return text;
   const ShownChannel channel = session.shown(side);
