@@ -95,15 +95,21 @@ void draw_ring(ImDrawList& list, const Mark& mark, const char* letter, const ImV
 }
 
 void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, const std::vector<Mark>& marks,
-                 ChartLabels& labels) {
+                 const ChartMarks& shown, ChartLabels& labels) {
   ImFont* font = theme().font(Face::small);
   const auto inside = [&](ImVec2 p) { return Vec2d(p.x - frame.inner.min.x, p.y - frame.inner.min.y); };
   std::string key = fmt::format("{} {} {}", frame.inner.width(), frame.inner.height(), static_cast<int>(chart.metric));
+  // The letter of a ring beside a mark takes room as an error bar does.
+  const float letter = px(9) + theme().font(Face::bold)->FontSize;
+  const auto taken = [&](const Mark& mark, const std::optional<std::size_t>& by) {
+    return by && mark.point == *by ? mark.radius + letter : 0;
+  };
   float radius = 0;
   for (const Mark& mark : marks) {
     const ChartPoint& point = chart.points[mark.point];
-    key += fmt::format(" {:.0f},{:.0f},{:.0f},{:.0f}", mark.at.x, mark.at.y, frame.at(point.time_ms.q1, point.error).x,
-                       frame.at(point.time_ms.q3, point.error).x);
+    key += fmt::format(" {:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f}", mark.at.x, mark.at.y,
+                       frame.at(point.time_ms.q1, point.error).x, frame.at(point.time_ms.q3, point.error).x,
+                       taken(mark, shown.a), taken(mark, shown.b));
     radius = std::max(radius, mark.radius);
   }
   if (key != labels.key || labels.places.size() != marks.size()) {
@@ -115,7 +121,10 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
       const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, point.what.label.c_str());
       const float low = frame.at(point.time_ms.q1, point.error).x, high = frame.at(point.time_ms.q3, point.error).x;
       wishes.push_back(
-          {inside(mark.at), {size.x, size.y}, point.on_front ? 0 : 1, {mark.at.x - low, high - mark.at.x}});
+          {inside(mark.at),
+           {size.x, size.y},
+           point.on_front ? 0 : 1,
+           {std::max(mark.at.x - low, taken(mark, shown.a)), std::max(high - mark.at.x, taken(mark, shown.b))}});
     }
     std::vector<LabelLine> lines;
     const auto front = front_by_time(chart);
@@ -175,7 +184,7 @@ std::optional<std::size_t> draw_chart(ImDrawList& list, const Area& area, const 
     controls().record(fmt::format("point/{}", point.number), {mark.at.x - 2, mark.at.y - 2},
                       {mark.at.x + 2, mark.at.y + 2}, point.what.label);
   }
-  draw_labels(list, chart, frame, marks, labels);
+  draw_labels(list, chart, frame, marks, shown, labels);
   list.PopClipRect();
   return hovered;
 }

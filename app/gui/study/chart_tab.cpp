@@ -131,7 +131,7 @@ void export_menu(const Session& session, const ChartTabState& state, const Chart
 bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled) {
   const bool wide = ImGui::GetWindowWidth() >= px(690);
   const float gap = px(wide ? 10 : 3);
-  sweep_choice(state, px(wide ? 220 : 100));
+  sweep_choice(state, px(wide ? 220 : 116));
   same_line_if_room(button_width("Setup"), px(3));
   setup_popup(session, state, host);
   same_line_if_room(button_width("Measure"), gap);

@@ -107,16 +107,46 @@ void draw_safe_window(ImDrawList& list, const Curves& curves, const PlotFrame& f
   list.AddText(font, font->FontSize, {x, in.min.y + px(2)}, colour_u32(palette().right_text), text);
 }
 
-/// Both names in a line above the plot, each behind its sign.
-void draw_names(ImDrawList& list, const Area& area, const Curves& curves) {
+std::string name_of(const Curves& curves, Method method) {
+  return method == Method::naive ? "naive: " + curves.naive : "robust: " + curves.robust;
+}
+
+float name_width(const std::string& text) {
   ImFont* font = theme().font(Face::small);
-  float x = area.min.x;
+  return px(34) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+}
+
+/// Whether both names stand in one line.
+bool names_in_line(const Curves& curves, float width) {
+  return name_width(name_of(curves, Method::naive)) + name_width(name_of(curves, Method::robust)) <= width;
+}
+
+/// Both names above the plot, each behind its sign, in one line or in two. Answers the name under the mouse if it does
+/// not fit even so.
+std::string draw_names(ImDrawList& list, const Area& area, const Curves& curves, ImVec2 mouse) {
+  ImFont* font = theme().font(Face::small);
+  const bool in_line = names_in_line(curves, area.width());
+  std::string cut;
+  ImVec2 at = area.min;
   for (const Method method : {Method::naive, Method::robust}) {
-    const std::string text = method == Method::naive ? "naive: " + curves.naive : "robust: " + curves.robust;
-    draw_sign(list, {x + px(6), area.min.y + font->FontSize / 2}, method, false);
-    list.AddText(font, font->FontSize, {x + px(16), area.min.y}, line_colour(method), text.c_str());
-    x += px(34) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+    const std::string whole = name_of(curves, method);
+    std::string text = whole;
+    while (at.x + name_width(text) - px(18) > area.max.x && text.size() > 8) {
+      text = text.substr(0, text.size() - (text.ends_with("…") ? std::string_view("…").size() + 1 : 1));
+      while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+      if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xC0) text.pop_back();  // half a letter
+      text += "…";
+    }
+    const Area line{at, {area.max.x, at.y + font->FontSize + px(2)}};
+    if (text != whole && line.contains(mouse)) cut = whole;
+    draw_sign(list, {at.x + px(6), at.y + font->FontSize / 2}, method, false);
+    list.AddText(font, font->FontSize, {at.x + px(16), at.y}, line_colour(method), text.c_str());
+    if (in_line)
+      at.x += name_width(text);
+    else
+      at.y += font->FontSize + px(2);
   }
+  return cut;
 }
 
 std::optional<std::size_t> nearest(const Curves& curves, const PlotFrame& frame, ImVec2 mouse) {
@@ -141,12 +171,13 @@ CurvesDrawn draw_curves(ImDrawList& list, const Area& area, const Curves& curves
     knobs.push_back(row.knob);
     results.insert(results.end(), {row.naive, row.robust});
   }
-  const float names = theme().font(Face::small)->FontSize + px(6);
+  const float line = theme().font(Face::small)->FontSize;
+  const float names = names_in_line(curves, area.width()) ? line + px(6) : 2 * line + px(8);
   const Area plot{{area.min.x, area.min.y + names}, area.max};
   CurvesDrawn drawn;
   drawn.frame = draw_plot_frame(list, plot, knob_axis(knobs), axis_for(results), {curves.knob, curves.unit});
   list.PushClipRect(area.min, area.max, true);
-  draw_names(list, area, curves);
+  drawn.cut = draw_names(list, area, curves, mouse);
   draw_safe_window(list, curves, drawn.frame);
   drawn.hovered = nearest(curves, drawn.frame, mouse);
   const auto strong = drawn.hovered ? drawn.hovered : marked;

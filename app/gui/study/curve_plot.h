@@ -21,6 +21,7 @@ struct Curves {
 struct CurvesDrawn {
   PlotFrame frame;
   std::optional<std::size_t> hovered;
+  std::string cut;  ///< the name under the mouse in full, if it was cut
 };
 
 /// Draws both curves with their names. Purple crosses are the naive method, green rings the robust one. `marked` is a

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/theme/theme.h"
+#include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
@@ -12,16 +13,18 @@ namespace {
 constexpr double between_labels = 8;  // pixels at scale 1
 
 /// "10⁵" for a power of ten that would be long; other texts as they are.
-std::string label_of(const Tick& tick) {
+std::string power_text(double value, std::string plain) {
   static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  if (tick.text.empty() || tick.value <= 0) return tick.text;
-  const double power = std::round(std::log10(tick.value));
-  if (std::abs(power) < 4 || std::abs(tick.value / std::pow(10.0, power) - 1) > 1e-9) return tick.text;
+  if (plain.empty() || value <= 0) return plain;
+  const double power = std::round(std::log10(value));
+  if (std::abs(power) < 4 || std::abs(value / std::pow(10.0, power) - 1) > 1e-9) return plain;
   std::string text = power < 0 ? "10⁻" : "10";
   for (const char digit : std::to_string(static_cast<int>(std::abs(power))))
     text += digits[static_cast<std::size_t>(digit - '0')];
   return text;
 }
+
+std::string label_of(const Tick& tick) { return power_text(tick.value, tick.text); }
 
 struct Pen {
   ImDrawList& list;
@@ -66,6 +69,8 @@ void draw_y_axis(const Pen& pen, const PlotFrame& frame) {
 }
 
 }  // namespace
+
+std::string axis_number(double value) { return power_text(value, short_number(value)); }
 
 ImVec2 PlotFrame::at(double x_value, double y_value) const {
   return {inner.min.x + inner.width() * static_cast<float>(x.place(x_value)),

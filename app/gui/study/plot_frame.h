@@ -15,6 +15,9 @@ struct PlotFrame {
   ImVec2 at(double x_value, double y_value) const;
 };
 
+/// "10⁻⁵" for a power of ten that would be long, else four significant digits: a number as axes write it.
+std::string axis_number(double value);
+
 struct PlotTitles {
   std::string x;  ///< below the axis
   std::string y;  ///< above the plot, from the left

@@ -273,6 +273,7 @@ void curves_area(StabilityTabState& state, const StabilityExperiment& experiment
                    [](const StabilityRow& a, const StabilityRow& b) { return a.knob < b.knob; });
   const ImVec2 nowhere{-1e6f, -1e6f};
   const CurvesDrawn drawn = draw_curves(list, area, curves, over ? ImGui::GetIO().MousePos : nowhere, {});
+  if (!drawn.cut.empty()) tooltip(drawn.cut);
   if (!drawn.hovered) return;
   const StabilityRow& row = curves.rows[*drawn.hovered];
   point_tooltip(curves, row, experiment.picture != nullptr);
@@ -310,6 +311,8 @@ void update_stability(Session& session, StabilityTabState& state, const std::fil
     state.opened = opening;
     try {
       show_opening(session, *opening, folder);
+      // The pictures are what was asked for.
+      session.navigate([](Document& document) { document.layout.filled.clear(); });
     } catch (const InputError& error) {
       session.say(Message::Kind::error, error.what());
     }
