@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t recent_limit = 10;
 constexpr const char* recent_key = "session/recent";
+constexpr std::string_view still_open = " (the scene before stays open)";  // behind why a file could not be opened
 
 /// Where the user is, as opposed to what was changed: undo leaves it alone.
 void keep_place(const Document& from, Document& to) {
@@ -294,8 +295,7 @@ bool Session::take_loaded() {
   }
   if (!loaded) return false;
   if (!loaded->document) {
-    say(Message::Kind::error,
-        has_scene() ? fmt::format("{} (the scene before stays open)", loaded->error) : loaded->error);
+    say(Message::Kind::error, has_scene() ? fmt::format("{}{}", loaded->error, still_open) : loaded->error);
     return false;
   }
   take_up(std::move(*loaded->document), loaded->reason);
@@ -310,7 +310,9 @@ void Session::take_up(Document document, Reason reason) {
       document.layout = document_.layout;
       document.story = carried_over(document_.story, false);
     }
-    std::erase_if(messages_, [](const Message& message) { return message.kind != Message::Kind::error; });
+    std::erase_if(messages_, [](const Message& message) {
+      return message.kind != Message::Kind::error || message.text.ends_with(still_open);
+    });
     note_recent(document.scene_name);
     break;
   case Reason::reload:
