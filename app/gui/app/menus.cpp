@@ -21,13 +21,25 @@ std::string book_title(const std::string& book) {
   if (book == "cgpp") return "Computer Graphics: Principles and Practice";
   if (book == "lab") return "Laboratory";
   if (book == "models") return "Models";
+  if (book == "octree") return "Octrees";
   return book;
+}
+
+/// Where the first sentence ends: at a full stop before a space, unless it belongs to a short form such as "ch.".
+std::size_t sentence_end(const std::string& text) {
+  for (auto at = text.find(". "); at != std::string::npos; at = text.find(". ", at + 1)) {
+    const std::string before = text.substr(0, at);
+    const auto word = before.find_last_of(" (");
+    const std::string last = word == std::string::npos ? before : before.substr(word + 1);
+    if (last != "ch" && last != "fig" && last != "sec" && last != "p" && last != "e.g" && last != "i.e") return at;
+  }
+  return std::string::npos;
 }
 
 /// The first sentence, short enough for a menu; the tooltip has all.
 std::string first_sentence(const std::string& text) {
   constexpr std::size_t most = 72;
-  std::string sentence = text.substr(0, text.find(". "));
+  std::string sentence = text.substr(0, sentence_end(text));
   if (const auto part = sentence.find_last_of(":;", most); sentence.size() > most && part != std::string::npos) {
     sentence = sentence.substr(0, part) + ".";
   } else if (sentence.size() > most) {
@@ -37,6 +49,20 @@ std::string first_sentence(const std::string& text) {
     sentence += '.';
   }
   return sentence;
+}
+
+struct LessonEntry {
+  std::string book, label, source;
+};
+
+/// "Computer Graphics from Scratch" over "chapter 12: Hidden surfaces"; where the source names no chapter, the title
+/// alone below the whole source.
+LessonEntry lesson_entry(const Lesson& lesson) {
+  const auto part = lesson.source.find(", chapter");
+  if (part == std::string::npos) return {lesson.source, lesson.title, lesson.source};
+  const auto end = std::min(lesson.source.find(';'), lesson.source.size());
+  return {lesson.source.substr(0, part),
+          fmt::format("{}: {}", lesson.source.substr(part + 2, end - part - 2), lesson.title), lesson.source};
 }
 
 }  // namespace
@@ -83,19 +109,25 @@ void App::scene_menu() {
 
 void App::lesson_menu() {
   if (!begin_menu("menu/lesson", "Lesson")) return;
+  std::string book;
   for (const auto& name : lesson_names()) {
-    static std::map<std::string, std::string> titles;
-    auto [entry, is_new] = titles.try_emplace(name, name);
+    static std::map<std::string, LessonEntry> entries;
+    auto [entry, is_new] = entries.try_emplace(name, LessonEntry{"", name, ""});
     if (is_new) {
       try {
-        const Lesson lesson = load_lesson(name);
-        entry->second = lesson.source.empty() ? lesson.title : fmt::format("{}: {}", lesson.source, lesson.title);
+        entry->second = lesson_entry(load_lesson(name));
       } catch (const InputError& error) {
         session_.say(Message::Kind::error, error.what());
       }
     }
-    if (menu_item("lesson/" + name, entry->second, {}, session_.document().lesson == name))
-      go_to_step(session_, name, 0);
+    const auto& [of, label, source] = entry->second;
+    if (of != book) {
+      book = of;
+      const FontScope font(Face::small);
+      ImGui::TextDisabled("%s", book.c_str());
+    }
+    if (menu_item("lesson/" + name, label, {}, session_.document().lesson == name)) go_to_step(session_, name, 0);
+    tooltip(source);
   }
   ImGui::Separator();
   for (const char* name : {"step-next", "step-before", "lesson-after", "lesson-before", "lesson-close"})
