@@ -28,6 +28,8 @@
 
 namespace ps::gui {
 
+struct PaletteEntry;
+
 /// What the window shows first.
 struct AppOptions {
   std::string scene;                    ///< path or built-in name; empty = the first-start scene
@@ -63,6 +65,9 @@ class App final : public Content {
   void add_story_actions();
   void add_camera_actions();
   void add_lesson_actions();
+  // palette_entries.cpp
+  std::vector<PaletteEntry> palette_entries();
+  void go_to_option(const Option& option);
   void nudge(Vec2i by);
   void turn(double right, double up);
   void move_light(double right, double up, double forward);

@@ -313,6 +313,7 @@ void App::add_story_actions() {
 
 void App::add_lesson_actions() {
   auto& actions = shell_.actions();
+  actions.offer_more([this] { return palette_entries(); });
   const auto in_lesson = [this] { return !session_.document().lesson.empty(); };
   const auto add = [&](const char* name, const char* label, const char* keys, std::function<void()> run,
                        std::function<bool()> enabled) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
+#include <utility>
 
 #include "gui/app/lights_panel.h"
 #include "gui/widgets/widgets.h"
@@ -39,7 +40,7 @@ void header(Session& session, OptionsPanelState& state) {
     if (tab_row("side", tabs, tab)) state.side = both_sides[static_cast<std::size_t>(tab)];
     ImGui::PopStyleColor();
   }
-  search_box("search", state.search, "Find an option");
+  if (search_box("search", state.search, "Find an option")) state.pointed = nullptr;
   toggle("only-differences", "Only differences", state.only_differences,
          {.tooltip = "Shows only options that differ between A and B.", .disabled = {}});
 
@@ -71,7 +72,11 @@ void row(Session& session, OptionsPanelState& state, const Option& option) {
   OptionRowContext context;
   context.side = state.side;
   context.other = &session.settings(other);
+  context.highlight = state.pointed == &option;
+  const bool come = context.highlight && std::exchange(state.come_to_pointed, false);
   const auto result = option_row(option, settings, session.traits(), context);
+  if (come) ImGui::SetScrollHereY();
+  if (result.edit.finished && state.pointed == &option) state.pointed = nullptr;
   if (result.edit.changed)
     session.set_settings(state.side, settings,
                          fmt::format("{}: {} = {}", letter_of(state.side), option.key, option_text(option, settings)),
@@ -99,6 +104,13 @@ void row(Session& session, OptionsPanelState& state, const Option& option) {
 }
 
 }  // namespace
+
+void point_at_option(OptionsPanelState& state, const Option& option) {
+  state.pointed = &option;
+  state.come_to_pointed = true;
+  state.search.clear();
+  state.only_differences = false;
+}
 
 bool option_matches(const Option& option, const std::string& search) {
   std::string all = lower(option.key) + ' ' + lower(option.label) + ' ' + lower(option.group) + ' ' +
@@ -133,6 +145,7 @@ void options_panel(Session& session, OptionsPanelState& state) {
     // A filter shows what it finds; how the groups stand without it is not lost.
     bool filtered_open = true;
     bool& shown_open = state.search.empty() && !state.only_differences ? open : filtered_open;
+    if (state.come_to_pointed && state.pointed->group == group) shown_open = true;
     shown_open = shown_open || std::any_of(shown.begin(), shown.end(), wanted_by_script);
     const std::string note = different > 0 ? fmt::format("{} differ", different) : "";
     if (section("group/" + group, group, shown_open, note))

@@ -14,6 +14,8 @@ struct OptionsPanelState {
   bool only_differences = false;
   int selected_light = 0;
   bool lights_open = false;
+  const Option* pointed = nullptr;                ///< highlighted, until it is changed or searched away from
+  bool come_to_pointed = false;                   ///< its row is still to be scrolled into sight
   const Option* sweep = nullptr;                  ///< asked for from a row's menu, until whoever draws charts takes it
   std::map<std::string, bool, std::less<>> open;  ///< groups; those that are missing are as at the first start
 };
@@ -21,6 +23,9 @@ struct OptionsPanelState {
 /// All rows of the option table for one side at a time, in their groups, with search and comparison with the other
 /// side.
 void options_panel(Session& session, OptionsPanelState& state);
+
+/// Brings an option's row into sight and highlights it.
+void point_at_option(OptionsPanelState& state, const Option& option);
 
 /// Whether a row is shown for what was typed into the search box: every word must occur in its key, label, group or
 /// help, in any case.

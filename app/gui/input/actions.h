@@ -46,6 +46,14 @@ struct Gesture {
   std::string group;  ///< heading in the help sheet
 };
 
+/// Something besides the actions that the palette finds by its label.
+struct PaletteEntry {
+  std::string name;  ///< stable: "lesson/cgfs_03_light", "option/shading"
+  std::string label;
+  std::string kind;  ///< "lesson", "option": written where actions have their keys
+  std::function<void()> run;
+};
+
 class Actions {
  public:
   /// Adds an action; its name must be new and its default chords must be free.
@@ -53,6 +61,9 @@ class Actions {
   const std::vector<Action>& all() const { return actions_; }
   void add_gesture(Gesture gesture) { gestures_.push_back(std::move(gesture)); }
   const std::vector<Gesture>& gestures() const { return gestures_; }
+  /// What the palette offers after the actions; asked for each time that it opens.
+  void offer_more(std::function<std::vector<PaletteEntry>()> more) { more_ = std::move(more); }
+  std::vector<PaletteEntry> more() const { return more_ ? more_() : std::vector<PaletteEntry>(); }
   const Action* find(std::string_view name) const;
   /// The first chord bound to the action as text for menus; "" if none.
   std::string key_text(std::string_view name) const;
@@ -80,6 +91,7 @@ class Actions {
   };
   std::vector<Action> actions_;
   std::vector<Gesture> gestures_;
+  std::function<std::vector<PaletteEntry>()> more_;
   std::vector<Binding> bindings_;
   std::vector<std::pair<int, std::size_t>> held_;  // scancode, action
 };

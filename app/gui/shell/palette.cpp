@@ -12,6 +12,18 @@
 namespace ps::gui {
 namespace {
 bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+/// A line of the list.
+struct Found {
+  const Action* action = nullptr;  ///< null for another entry
+  std::string name, label, note;
+};
+
+bool in_one_piece(const std::string& wanted, const std::string& label) {
+  return std::search(label.begin(), label.end(), wanted.begin(), wanted.end(), [](char a, char b) {
+           return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+         }) != label.end();
+}
 }  // namespace
 
 bool palette_matches(const std::string& wanted, const std::string& label) {
@@ -32,6 +44,7 @@ void CommandPalette::open() {
 void CommandPalette::draw(const Actions& actions) {
   values().publish("palette/open", open_);
   if (!open_) return;
+  if (just_opened_) entries_ = actions.more();
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float width = std::min(px(520), display.x - px(40));
   ImGui::SetNextWindowPos({(display.x - width) / 2, std::min(px(90), display.y / 8)});
@@ -46,14 +59,21 @@ void CommandPalette::draw(const Actions& actions) {
   ImGui::SetNextItemWidth(-1);
   if (just_opened_) ImGui::SetKeyboardFocusHere();
   ImGui::PushStyleColor(ImGuiCol_FrameBg, palette().panel);
-  const bool enter = ImGui::InputTextWithHint("##text", "Type a command", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool enter = ImGui::InputTextWithHint("##text", "Type a command, a lesson or an option", &text_,
+                                              ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopStyleColor();
   if (ImGui::IsItemEdited()) selected_ = 0;
   controls().record("text", text_);
 
-  std::vector<const Action*> found;
+  std::vector<Found> found;
   for (const Action& action : actions.all())
-    if (action.run && palette_matches(text_, action.label)) found.push_back(&action);
+    if (action.run && palette_matches(text_, action.label))
+      found.push_back({&action, action.name, action.label, actions.key_text(action.name)});
+  if (!text_.empty())
+    for (const PaletteEntry& entry : entries_)
+      if (palette_matches(text_, entry.label)) found.push_back({nullptr, entry.name, entry.label, entry.kind});
+  // Of many, those come first that have what was typed in one piece.
+  std::stable_partition(found.begin(), found.end(), [&](const Found& one) { return in_one_piece(text_, one.label); });
   constexpr std::size_t most = 12;
   if (found.size() > most) found.resize(most);
   const int count = static_cast<int>(found.size());
@@ -61,26 +81,30 @@ void CommandPalette::draw(const Actions& actions) {
   if (key_pressed(ImGuiKey_UpArrow)) --selected_;
   selected_ = count > 0 ? (selected_ + count) % count : 0;
   for (int i = 0; i < count; ++i) {
-    const Action& action = *found[static_cast<std::size_t>(i)];
-    const bool dead = !actions.enabled(action);
+    const Found& one = found[static_cast<std::size_t>(i)];
+    const bool dead = one.action && !actions.enabled(*one.action);
     ImGui::PushStyleColor(ImGuiCol_Text, dead ? palette().text_disabled : palette().text);
-    if (ImGui::Selectable(action.label.c_str(), i == selected_) && !dead) chosen = action.name;
+    if (ImGui::Selectable((one.label + "##" + one.name).c_str(), i == selected_) && !dead) chosen = one.name;
     ImGui::PopStyleColor();
-    controls().record(action.name, action.label, !dead);
-    const std::string keys = actions.key_text(action.name);
+    controls().record(one.name, one.label, !dead);
     const FontScope mono(Face::mono);
-    ImGui::SameLine(width - px(14) - ImGui::CalcTextSize(keys.c_str()).x);
-    ImGui::TextUnformatted(keys.c_str());
+    ImGui::SameLine(width - px(14) - ImGui::CalcTextSize(one.note.c_str()).x);
+    ImGui::TextUnformatted(one.note.c_str());
   }
-  if (count == 0) ImGui::TextColored(palette().text_quiet, "No command has these letters in this order.");
-  if (enter && count > 0) chosen = found[static_cast<std::size_t>(selected_)]->name;
+  if (count == 0) ImGui::TextColored(palette().text_quiet, "Nothing has these letters in this order.");
+  if (enter && count > 0) chosen = found[static_cast<std::size_t>(selected_)].name;
   const bool lost = !just_opened_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   if (lost || enter || !chosen.empty() || key_pressed(ImGuiKey_Escape)) open_ = false;
   just_opened_ = false;
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
-  if (!chosen.empty()) actions.run(chosen);
+  if (chosen.empty()) return;
+  if (actions.find(chosen))
+    actions.run(chosen);
+  else
+    for (const PaletteEntry& entry : entries_)
+      if (entry.name == chosen) return entry.run();
 }
 
 }  // namespace ps::gui

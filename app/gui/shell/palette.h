@@ -1,11 +1,13 @@
 #pragma once
 #include <string>
 
+#include <vector>
+
 #include "gui/input/actions.h"
 
 namespace ps::gui {
 
-/// Finds an action by typing a part of its label and runs it.
+/// Finds an action by typing a part of its label and runs it; then lessons and options.
 class CommandPalette {
  public:
   void open();
@@ -16,6 +18,7 @@ class CommandPalette {
   bool open_ = false, just_opened_ = false;
   std::string text_;
   int selected_ = 0;
+  std::vector<PaletteEntry> entries_;  // besides the actions, as they were when it was opened
 };
 
 /// Whether the letters of `wanted` occur in `label` in this order, whatever their case; words first.
