@@ -25,6 +25,12 @@ ImVec4 choice_colour(const ControlStyle& style, std::size_t i) {
 
 float segment_width(const Choice& choice) { return text_width(choice.label) + 2 * ImGui::GetStyle().FramePadding.x; }
 
+float segments_width(std::span<const Choice> choices) {
+  float width = 0;
+  for (const Choice& one : choices) width += segment_width(one);
+  return width;
+}
+
 bool segments(std::string_view name, std::span<const Choice> choices, int& index, float width,
               const ControlStyle& style) {
   const Palette& p = palette();
@@ -114,16 +120,17 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   return changed;
 }
 
+bool choices_drop_down(std::span<const Choice> choices, float width) {
+  return segments_width(choices) > width || choices.size() > 5;
+}
+
 bool choice(std::string_view name, std::span<const Choice> choices, int& index, const ControlStyle& style) {
   if (choices.empty()) return false;
   const float width = full_width(style);
-  float wanted = 0;
-  for (const Choice& one : choices) wanted += segment_width(one);
-  const bool fits = wanted <= width && choices.size() <= 5;
   bool changed = false;
-  if (fits) {
-    changed =
-        segments(name, choices, index, style.width > 0 ? width : std::min(width, std::max(wanted, px(150))), style);
+  if (!choices_drop_down(choices, width)) {
+    changed = segments(name, choices, index,
+                       style.width > 0 ? width : std::min(width, std::max(segments_width(choices), px(150))), style);
     const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(choices.size()) - 1));
     controls().record(name, std::string(choices[chosen].key), style.disabled.empty());
   } else {

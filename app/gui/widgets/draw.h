@@ -37,6 +37,8 @@ float full_width(const ControlStyle& style);
 inline const ImVec4& text_colour(const ControlStyle& style) {
   return style.disabled.empty() ? palette().text : palette().text_disabled;
 }
+/// Whether choice() has no room for its words side by side in this width, and drops a list down instead.
+bool choices_drop_down(std::span<const Choice> choices, float width);
 /// A list that drops down from a field of this width and shows `shown`. Answers whether `index` changed.
 bool drop_down(std::string_view name, std::span<const Choice> choices, int& index, float width,
                const ControlStyle& style);

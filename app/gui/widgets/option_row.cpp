@@ -179,8 +179,10 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   ControlStyle style = base;
   style.width = start.x + room - reset - place.x;
   style.idle = idle;
-  // The label's tooltip explains; the control itself adds only why it is greyed.
   result.edit = option_control(option, settings, style);
+  // Words side by side explain themselves one by one; a greyed control says why.
+  const bool explained = option.kind == OptionKind::choice && !choices_drop_down(option.choices, style.width);
+  if (!explained && !reason) option_tooltip(option, settings, context, idle_value.value_or(std::string_view{}));
   if (option.get(settings) != option.default_value()) {
     ImGui::SetCursorScreenPos({start.x + room - reset, place.y});
     if (reset_button(option, reset)) {
