@@ -207,13 +207,14 @@ void difference_view(Session& session, PicturesState& state, const Area& row, co
     state.difference_stale = true;
   }
   if (sign) {
-    const char* legend = "grey: equal, lighter: B larger, darker: A larger";
     ImGui::SameLine();
     const FontScope font(Face::small);
-    if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(legend).x <= row.max.x) {
+    for (const char* legend : {"grey: equal, lighter: B larger, darker: A larger", "lighter: B larger"}) {
+      if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(legend).x > row.max.x) continue;
       ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
       value_text("legend", legend);
       ImGui::PopStyleColor();
+      break;
     }
   }
 
