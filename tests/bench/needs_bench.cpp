@@ -14,7 +14,7 @@
 namespace ps::bench {
 namespace {
 
-struct Picture {
+struct AdvicePicture {
   Scene scene;
   Settings settings;
   Prepared prepared;  ///< trees are built once, outside the times
@@ -32,7 +32,7 @@ std::string advice_text(const Settings& base, const Settings& advice) {
 }
 
 Job needs_job(const std::string& name) {
-  const auto before = std::make_shared<Picture>();
+  const auto before = std::make_shared<AdvicePicture>();
   before->scene = load_scene(name);
   before->settings = settings_for(before->scene);
   NeedsRequest request;
@@ -42,7 +42,7 @@ Job needs_job(const std::string& name) {
   request.repeats = 1;  // the times are taken here
   StudyControl control;
   const Needs needs = find_needs(request, control);
-  const auto after = std::make_shared<Picture>();
+  const auto after = std::make_shared<AdvicePicture>();
   after->scene = before->scene;
   after->settings = needs.advice;
   Job job;
