@@ -63,9 +63,9 @@ struct Series {
 /// What needs no picture: how far the points lie off the ground, at a knob of 0 since no epsilon changes that, and what
 /// the better discriminant does to the shadow where the point stays as it is found.
 void add_points(Rows& rows, const StabilityRun& run) {
-  for (const auto& [radius, name] : {std::pair{5000.0, "5000"}, {1e6, "1000000"}}) {
+  for (const double radius : {5000.0, 1e6}) {
     const auto add = [&](const char* how, SphereForm form, Precision precision) {
-      rows.push_back({0, fmt::format("hit point, radius {}, {}", name, how),
+      rows.push_back({0, fmt::format("hit point, radius {:.0f}, {}", radius, how),
                       hit_off_surface(radius, form, precision, run), std::nan(""), "off the surface (rms)"});
     };
     add("float", SphereForm::textbook, Precision::float32);
