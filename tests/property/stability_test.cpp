@@ -90,6 +90,7 @@ TEST(Stability, NormalsOfRaySphereCancellation) {
   for (std::uint32_t seed = 1; seed <= 9; ++seed) draws.emplace_back("ray-sphere-cancellation", 1, seed);
   const auto median = [&](auto&& of) {
     std::vector<double> values;
+    values.reserve(draws.size());
     for (const Curve& draw : draws) values.push_back(of(draw));
     std::nth_element(values.begin(), values.begin() + 4, values.end());
     return values[4];
