@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gui/theme/theme.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/record.h"
 #include "gui/widgets/widgets.h"
 
@@ -64,9 +65,8 @@ void draw_sign(ImDrawList& list, ImVec2 at, Method method, bool strong) {
   }
 }
 
-ImU32 line_colour(Method method) {
-  return colour_u32(method == Method::naive ? palette().wrong_text : palette().right_text);
-}
+const ImVec4& colour_of(Method method) { return method == Method::naive ? palette().wrong_text : palette().right_text; }
+ImU32 line_colour(Method method) { return colour_u32(colour_of(method)); }
 
 void draw_curve(ImDrawList& list, const Curves& curves, const PlotFrame& frame, Method method,
                 std::optional<std::size_t> strong) {
@@ -124,27 +124,21 @@ bool names_in_line(const Curves& curves, float width) {
 /// Both names above the plot, each behind its sign, in one line or in two. Answers the name under the mouse if it does
 /// not fit even so.
 std::string draw_names(ImDrawList& list, const Area& area, const Curves& curves, ImVec2 mouse) {
-  ImFont* font = theme().font(Face::small);
+  const FontScope small(Face::small);
+  const float height = ImGui::GetFontSize();
   const bool in_line = names_in_line(curves, area.width());
   std::string cut;
   ImVec2 at = area.min;
   for (const Method method : {Method::naive, Method::robust}) {
-    const std::string whole = name_of(curves, method);
-    std::string text = whole;
-    while (at.x + name_width(text) - px(18) > area.max.x && text.size() > 8) {
-      text = text.substr(0, text.size() - (text.ends_with("…") ? std::string_view("…").size() + 1 : 1));
-      while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-      if (!text.empty() && static_cast<unsigned char>(text.back()) >= 0xC0) text.pop_back();  // half a letter
-      text += "…";
-    }
-    const Area line{at, {area.max.x, at.y + font->FontSize + px(2)}};
-    if (text != whole && line.contains(mouse)) cut = whole;
-    draw_sign(list, {at.x + px(6), at.y + font->FontSize / 2}, method, false);
-    list.AddText(font, font->FontSize, {at.x + px(16), at.y}, line_colour(method), text.c_str());
+    const std::string text = name_of(curves, method);
+    const Area line{at, {area.max.x, at.y + height + px(2)}};
+    if (at.x + name_width(text) - px(18) > area.max.x && line.contains(mouse)) cut = text;
+    draw_sign(list, {at.x + px(6), at.y + height / 2}, method, false);
+    draw_text({at.x + px(16), at.y}, {area.max.x, at.y + height}, text, colour_of(method), 0);
     if (in_line)
       at.x += name_width(text);
     else
-      at.y += font->FontSize + px(2);
+      at.y += height + px(2);
   }
   return cut;
 }
