@@ -3,6 +3,15 @@
 
 namespace ps {
 
+/// The discriminant over a from the vector that remains when the centre is projected onto the line (Haines, Guenther,
+/// Akenine-Moeller, Ray Tracing Gems ch. 7). `t_nearest` is the ray parameter of the point next to the centre.
+template <class Real>
+inline Real remainder_discriminant(const Vec3<Real>& from_centre, const Vec3<Real>& direction, Real t_nearest,
+                                   Real radius) {
+  const Vec3<Real> remainder = from_centre + direction * t_nearest;
+  return radius * radius - dot(remainder, remainder);
+}
+
 /// Ray and sphere without cancellation (Haines, Guenther, Akenine-Moeller, Ray Tracing Gems ch. 7): the discriminant
 /// from the vector that remains when the centre is projected onto the line, the roots from q = b + sign(b) sqrt(a
 /// disc), so that nothing of like size is subtracted. The power of the origin, c, is the one place where that cannot be
@@ -13,9 +22,8 @@ inline SphereRoots<Real> sphere_robust(const Vec3<Real>& origin, const Vec3<Real
                                        const TracedSphere<Real>& sphere) {
   const Vec3<Real> from_centre = origin - sphere.centre;
   const Real b = -dot(from_centre, direction);
-  const Vec3<Real> remainder = from_centre + direction * (b / a);
   SphereRoots<Real> roots;
-  roots.discriminant = sphere.radius * sphere.radius - dot(remainder, remainder);
+  roots.discriminant = remainder_discriminant(from_centre, direction, b / a, sphere.radius);
   if (!(roots.discriminant >= 0)) return roots;
   const Vec3d exact_from_centre = Vec3d(origin) - Vec3d(sphere.centre);
   const double radius = static_cast<double>(sphere.radius);

@@ -1,6 +1,6 @@
 #include "study/stability/ground_sphere_points.h"
 
-#include "raytrace/sphere_quadratic.h"
+#include "raytrace/sphere_robust.h"
 
 namespace ps::stability {
 namespace {
@@ -14,9 +14,8 @@ SphereRoots<Real> sphere_remainder(const Vec3<Real>& origin, const Vec3<Real>& d
                                    const TracedSphere<Real>& sphere) {
   const Vec3<Real> from_centre = origin - sphere.centre;
   const Real b = -dot(from_centre, direction);
-  const Vec3<Real> remainder = from_centre + direction * (b / a);
   SphereRoots<Real> roots;
-  roots.discriminant = sphere.radius * sphere.radius - dot(remainder, remainder);
+  roots.discriminant = remainder_discriminant(from_centre, direction, b / a, sphere.radius);
   if (!(roots.discriminant >= 0)) return roots;
   const Real distance = std::sqrt(dot(from_centre, from_centre));
   const Real c = (distance - sphere.radius) * (distance + sphere.radius);

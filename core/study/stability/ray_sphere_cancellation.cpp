@@ -46,9 +46,8 @@ SphereRoots<float> sphere_remainder(const Vec3f& origin, const Vec3f& direction,
                                     const TracedSphere<float>& sphere) {
   const Vec3f from_centre = origin - sphere.centre;
   const float b = -dot(from_centre, direction);
-  const Vec3f remainder = from_centre + direction * (b / a);
   SphereRoots<float> roots;
-  roots.discriminant = sphere.radius * sphere.radius - dot(remainder, remainder);
+  roots.discriminant = remainder_discriminant(from_centre, direction, b / a, sphere.radius);
   const float root = std::sqrt(a * roots.discriminant);
   roots.near = (b - root) / a;
   roots.far = (b + root) / a;
