@@ -22,10 +22,10 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command
-      .add_option("--camera", arguments.camera,
-                  "camera in place of the scene's: position, right, up, forward, viewport size, distance; 15 numbers "
-                  "with commas "
-                  "between")
+      .add_option(
+          "--camera", arguments.camera,
+          "camera in place of the scene's, 15 numbers with commas between: position, right, up, forward, viewport "
+          "size, distance")
       ->type_name("X,Y,Z,...")
       ->delimiter('\0');
 }
