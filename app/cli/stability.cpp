@@ -47,17 +47,22 @@ int save_strip(const std::vector<const StabilityExperiment*>& chosen, const std:
   return 0;
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw InputError(fmt::format("{}: cannot be made a folder", folder.string()));
+}
+
 int run_stability(const StabilityArguments& arguments) {
   std::vector<const StabilityExperiment*> chosen;
   for (const std::string& name : arguments.names) chosen.push_back(&find_stability_experiment(name));
   if (chosen.empty())
     for (const StabilityExperiment& experiment : stability_experiments()) chosen.push_back(&experiment);
   if (!arguments.strip.empty()) return save_strip(chosen, arguments.strip);
-  if (arguments.output.empty()) throw InputError("stability: expected --out FOLDER or --strip FILE");
-  std::error_code error;
-  std::filesystem::create_directories(arguments.output, error);
-  if (!std::filesystem::is_directory(arguments.output))
-    throw InputError(fmt::format("{}: cannot be made a folder", arguments.output));
+  const bool kept = !arguments.output.empty();
+  if (!kept && arguments.resume) throw InputError("--resume: expected --out FOLDER with what was measured before");
+  if (kept) make_folder(arguments.output);
   const Machine machine = this_machine();
   fmt::print("pixelscope {}, {}, {}, {} threads, seed {}\n\n", machine.version, machine.processor, machine.simd,
              machine.threads, arguments.seed);
@@ -71,8 +76,9 @@ int run_stability(const StabilityArguments& arguments) {
   forward_interrupts(control.progress());
   run_stability(request, control, [&](const MeasuredExperiment& measured, const StudyStatus&) {
     if (!measured.complete) return;
-    write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
-                          stability_csv(measured.rows));
+    if (kept)
+      write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
+                            stability_csv(measured.rows));
     print_rows(find_stability_experiment(measured.key), measured.rows);
     std::fflush(stdout);
   });

@@ -64,13 +64,14 @@ struct Series {
 /// the better discriminant does to the shadow where the point stays as it is found.
 void add_points(Rows& rows, const StabilityRun& run) {
   for (const double radius : {5000.0, 1e6}) {
-    const auto add = [&](const char* how, SphereForm form, Precision precision) {
+    const auto add = [&](const char* how, SphereForm form, Precision precision, ToldIn told_in) {
       rows.push_back({0, fmt::format("hit point, radius {:.0f}, {}", radius, how),
-                      hit_off_surface(radius, form, precision, run), std::nan(""), "off the surface (rms)"});
+                      hit_off_surface(radius, form, precision, told_in, run), std::nan(""), "off the surface (rms)"});
     };
-    add("float", SphereForm::textbook, Precision::float32);
-    add("float, remainder vector", SphereForm::remainder, Precision::float32);
-    add("double", SphereForm::textbook, Precision::float64);
+    add("float", SphereForm::textbook, Precision::float32, ToldIn::long_double);
+    add("float, remainder vector", SphereForm::remainder, Precision::float32, ToldIn::long_double);
+    add("double", SphereForm::textbook, Precision::float64, ToldIn::long_double);
+    add("double, told in double", SphereForm::textbook, Precision::float64, ToldIn::same);
   }
 }
 

@@ -53,18 +53,18 @@ TracedSphere<Real> ground_of(double radius) {
   return {Vec3<Real>(Vec3d(0, -1 - radius, 0)), static_cast<Real>(radius)};
 }
 
-template <class Real>
+template <class Real, class Told>
 double off_surface(double radius, SphereForm form) {
   const TracedSphere<Real> ground = ground_of<Real>(radius);
   long double squares = 0;
   int points = 0;
   for_each_point(ground, form, [&](const Vec3<Real>& point) {
-    long double distance_squared = 0;
+    Told distance_squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const long double difference = static_cast<long double>(point[axis]) - ground.centre[axis];
+      const Told difference = static_cast<Told>(point[axis]) - static_cast<Told>(ground.centre[axis]);
       distance_squared += difference * difference;
     }
-    const long double off = std::sqrt(distance_squared) - static_cast<long double>(ground.radius);
+    const long double off = std::sqrt(distance_squared) - static_cast<Told>(ground.radius);
     squares += off * off;
     ++points;
   });
@@ -73,9 +73,13 @@ double off_surface(double radius, SphereForm form) {
 
 }  // namespace
 
-double hit_off_surface(double radius, SphereForm form, Precision numbers, const StabilityRun& run) {
+double hit_off_surface(double radius, SphereForm form, Precision numbers, ToldIn told_in, const StabilityRun& run) {
   run.check();
-  return numbers == Precision::float32 ? off_surface<float>(radius, form) : off_surface<double>(radius, form);
+  if (numbers == Precision::float32)
+    return told_in == ToldIn::same ? off_surface<float, float>(radius, form)
+                                   : off_surface<float, long double>(radius, form);
+  return told_in == ToldIn::same ? off_surface<double, double>(radius, form)
+                                 : off_surface<double, long double>(radius, form);
 }
 
 double false_shadow_by_remainder(float epsilon, const StabilityRun& run) {

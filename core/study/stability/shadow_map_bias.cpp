@@ -92,6 +92,22 @@ double contact_lost(const Scene& scene, const ShadowMap& map, const ShadowCompar
   return contact_lost(scene, run, [&](const Vec3d& point) { return seen(map, point, how); });
 }
 
+/// Floor in the ball's shadow that is lit, as a percentage of the floor within 1 of the place where the ball stands.
+double shadow_lost(const Scene& scene, const ShadowMap& map, const ShadowComparison<double>& how,
+                   const StabilityRun& run) {
+  Random random(run.seed);
+  const Vec3d to_sun = scene.lights->front().direction;
+  const int points = run.count(400000, 20000);
+  double lost = 0;
+  for (int i = 0; i < points;) {
+    const Vec3d point{random.between(-1, 1), 0, random.between(-1, 1)};
+    if (std::hypot(point.x, point.z) > 1) continue;
+    ++i;
+    if (distance_to_ball(point, to_sun) <= ball_radius) lost += seen(map, point, how);
+  }
+  return percent(lost, points);
+}
+
 /// The share of 5 x 5 taps that see the sun, each compared with the depth that the floor has in the tap's own middle.
 double seen_by_plane(const ShadowMap& map, const Vec3d& point) {
   const Vec3d up(0, 1, 0);
@@ -166,7 +182,11 @@ std::vector<StabilityRow> measure_peter_panning(const StabilityRun& run) {
   constexpr double elevation = 10;
   const ShadowComparison<double> half_texel{0, 0.52, 1}, filtered{0, 3.5, 5};
   Rows rows(run);
+  const Scene high_sun = ball_on_floor(60);
   for (const int size : {256, 1024, 4096}) {
+    rows.push_back({0, fmt::format("{} texels, sun at 60 degrees, whole shadow", size),
+                    shadow_lost(high_sun, map_of(high_sun, size, run), half_texel, run), std::nan(""),
+                    "% of the floor around loses its shadow"});
     Scene scene;
     const ShadowMap map = map_with_contact_in_a_corner(elevation, size, scene, run);
     const double robust = contact_lost(scene, map, half_texel, run);

@@ -11,23 +11,21 @@ struct Tally {
   double holes = 0, doubles = 0;
 };
 
-/// Two triangles on both sides of an edge that passes within an ulp of a sample, `length` px long, on a canvas that
-/// begins `offset` px right of and below the origin. Counts per million edges.
+/// Two triangles on both sides of an edge that passes a sample as nearly as rounded corners let it, `length` px long, on
+/// a canvas of 768 x 768 px that begins `offset` px right of and below the origin. Counts per million edges.
 Tally aim_edges(float length, float offset, Covers covers, const StabilityRun& run) {
   run.check();
   Random random(run.seed);
   Tally tally;
   const int edges = run.count(200000, 20000);
   for (int trial = 0; trial < edges; ++trial) {
-    const auto place = [&] { return offset + std::floor(static_cast<float>(random.between(0, 600))) + 0.5f; };
+    const auto place = [&] { return offset + std::floor(static_cast<float>(random.between(0, 768))) + 0.5f; };
     const Vec2f sample(place(), place());
     const float angle = static_cast<float>(random.between(0, 2 * pi));
     const Vec2f along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
     const float split = static_cast<float>(random.between(0.1, 0.9));
     const Vec2f a = sample - along * (length * split);
-    Vec2f b = sample + along * (length * (1 - split));
-    const int nudge = trial % 3 - 1;
-    if (nudge != 0) b.x = std::nextafter(b.x, nudge > 0 ? 1e9f : -1e9f);
+    const Vec2f b = sample + along * (length * (1 - split));
     const Vec2f left = sample + across * (length * static_cast<float>(random.between(0.4, 1)));
     const Vec2f right = sample - across * (length * static_cast<float>(random.between(0.4, 1)));
     const auto any_order = [&](Corners c) {
