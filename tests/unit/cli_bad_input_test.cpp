@@ -96,6 +96,8 @@ TEST(CliBadInput, Files) {
   expect_refused({"precision", scene, "--out", folder.file("a.gif")}, ".gif");
   expect_refused({"precision", scene, "--gap", folder.file("nowhere/a.png")}, "does not exist");
   expect_refused({"stability", "bvh-holes", "--strip", folder.file("a.gif")}, ".gif");
+  expect_refused({"stability", "bvh-holes", "--out", scene}, "folder");
+  expect_refused({"stability", "bvh-holes", "--resume"}, "--out");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"good.scene"});
 }
 

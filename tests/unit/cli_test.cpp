@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -156,6 +157,18 @@ TEST(Cli, CompareCountsDifferences) {
   EXPECT_EQ(different["max"], 6);
   EXPECT_EQ(different["mae"], 1);  // one channel of six differs, by 6
   EXPECT_EQ(load_levels(folder.file("d.png")).at(1, 0), (Rgb8{0, 6, 0}));
+}
+
+TEST(Cli, StabilityPrintsItsTable) {
+  // Distance = epsilon times the length of the vector to the light; (1, 4, 4) has a length of the root of 33.
+  const auto printed = run_cli({"stability", "epsilon-unit"});
+  ASSERT_EQ(printed.status, 0) << printed.err;
+  EXPECT_NE(printed.out.find("0.005745"), std::string::npos) << printed.out;
+  const ScratchFolder folder;
+  const auto kept = run_cli({"stability", "epsilon-unit", "--out", folder.file("tables")});
+  ASSERT_EQ(kept.status, 0) << kept.err;
+  EXPECT_EQ(kept.out, printed.out);
+  EXPECT_TRUE(std::filesystem::exists(folder.file("tables/epsilon-unit.csv")));
 }
 
 TEST(Cli, HelpAndVersionSucceed) {

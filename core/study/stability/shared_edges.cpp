@@ -11,8 +11,8 @@ struct Tally {
   double holes = 0, doubles = 0;
 };
 
-/// Two triangles on both sides of an edge that passes a sample as nearly as rounded corners let it, `length` px long, on
-/// a canvas of 768 x 768 px that begins `offset` px right of and below the origin. Counts per million edges.
+/// Two triangles on both sides of an edge that passes a sample as nearly as rounded corners let it, `length` px long,
+/// on a canvas of 768 x 768 px that begins `offset` px right of and below the origin. Counts per million edges.
 Tally aim_edges(float length, float offset, Covers covers, const StabilityRun& run) {
   run.check();
   Random random(run.seed);
