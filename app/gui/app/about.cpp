@@ -1,10 +1,7 @@
 // What this program is and what it runs on: the things that a report of a fault needs.
 #include <epoxy/gl.h>
-#include <fmt/format.h>
-#include <hwy/highway.h>
 
-#include "base/parallel.h"
-#include "base/version.h"
+#include "base/machine.h"
 #include "gui/app/app.h"
 #include "gui/input/actions.h"
 #include "gui/widgets/widgets.h"
@@ -15,17 +12,6 @@ namespace {
 std::string gl_text(GLenum name) {
   const auto* text = reinterpret_cast<const char*>(glGetString(name));
   return text ? text : "unknown";
-}
-
-/// The vectors that the fast paths use where the option `simd` leaves it to the processor.
-std::string simd_target() {
-#if HWY_ARCH_X86
-  const std::int64_t have = hwy::SupportedTargets();
-  if ((have & HWY_AVX3) != 0) return "AVX-512";
-  if ((have & HWY_AVX2) != 0) return "AVX2";
-  if ((have & HWY_SSE4) != 0) return "SSE4";
-#endif
-  return "none";
 }
 
 void fact(const char* name, const std::string& value) {
@@ -59,9 +45,11 @@ void App::about() {
     }
     ImGui::TextUnformatted("A microscope for pixels: one scene, two ways to draw it.");
     ImGui::Dummy({0, px(8)});
-    fact("Version", std::string(version()));
-    fact("Vectors", simd_target());
-    fact("Threads", std::to_string(resolve_threads({})));
+    static const Machine machine = this_machine();  // asks the system
+    fact("Version", machine.version);
+    fact("Processor", machine.processor);
+    fact("Vectors", machine.simd);
+    fact("Threads", std::to_string(machine.threads));
     fact("OpenGL", gl_text(GL_VERSION));
     fact("Renderer", gl_text(GL_RENDERER));
     ImGui::Dummy({0, px(8)});

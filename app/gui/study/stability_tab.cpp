@@ -203,17 +203,27 @@ std::vector<std::string> series_of(const std::vector<StabilityRow>& rows) {
   return names;
 }
 
+/// The series that was chosen, or the one that tells most of the rows that have arrived.
+std::string shown_series(const StabilityTabState& state, const std::vector<StabilityRow>& rows) {
+  const bool chosen =
+      std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.series == state.series; });
+  return chosen ? state.series : telling_series(rows);
+}
+
 void series_choice(StabilityTabState& state, const std::vector<StabilityRow>& rows) {
   const auto names = series_of(rows);
-  if (std::find(names.begin(), names.end(), state.series) == names.end()) state.series = telling_series(rows);
   if (names.size() < 2) return;
+  const std::string shown = shown_series(state, rows);
   std::vector<Choice> choices;
   int index = 0;
+  float widest = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == state.series) index = static_cast<int>(i);
+    if (names[i] == shown) index = static_cast<int>(i);
     choices.push_back({names[i], names[i], ""});
+    widest = std::max(widest, ImGui::CalcTextSize(names[i].c_str()).x);
   }
-  if (choice("series", choices, index, {.width = std::min(px(300), ImGui::GetContentRegionAvail().x)}))
+  const float room = ImGui::GetFrameHeight() + px(16);  // for the arrow and the frame
+  if (choice("series", choices, index, {.width = std::min(widest + room, ImGui::GetContentRegionAvail().x)}))
     state.series = names[static_cast<std::size_t>(index)];
 }
 
@@ -265,8 +275,9 @@ void curves_area(StabilityTabState& state, const StabilityExperiment& experiment
   curves.naive = experiment.naive;
   curves.robust = experiment.robust;
   curves.safe = experiment.window;
+  const std::string series = shown_series(state, found->second.rows);
   for (const StabilityRow& row : found->second.rows)
-    if (row.series == state.series) curves.rows.push_back(row);
+    if (row.series == series) curves.rows.push_back(row);
   if (curves.rows.empty()) return;
   curves.unit = curves.rows.front().unit;
   std::stable_sort(curves.rows.begin(), curves.rows.end(),

@@ -46,7 +46,6 @@ void add_far_sphere(Rows& rows, const StabilityRun& run) {
 
 std::vector<StabilityRow> measure_edge_cracks(const StabilityRun& run) {
   Rows rows(run);
-  add_far_sphere(rows, run);
   for (const AimAt what : {AimAt::edge, AimAt::vertex, AimAt::interior}) {
     const std::string where = name_of(what);
     const std::vector<CrackRates> rates = crack_rates(what,
@@ -58,6 +57,7 @@ std::vector<StabilityRow> measure_edge_cracks(const StabilityRun& run) {
     add_cracks(rows, 32, "CGPP's epsilons, " + where, rates[3], rates[0]);
     add_cracks(rows, 32, "Woop in float alone, " + where, rates[4], rates[0]);
   }
+  add_far_sphere(rows, run);
   return rows;
 }
 
