@@ -24,6 +24,7 @@ struct LessonState {
   Side picked = Side::a;
   ShownChannel show_a{}, show_b{};
   CompareMode compare = CompareMode::side_by_side;
+  std::string tab;  ///< below the pictures, one of bottom_tabs; empty: the one that is open
 };
 
 /// A number that can be measured on the pictures A and B of a state.

@@ -111,7 +111,7 @@ class LessonParser {
         at_place(line.place, [&] {
           if (!read_state_line(line, state))
             throw InputError(line.place, fmt::format("'{} {}'", line.word, line.rest),
-                             "scene, size, pixel, set, set-b, set-both, show, show-b, picked or compare");
+                             "scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare or tab");
         });
     }
     block_.clear();

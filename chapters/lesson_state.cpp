@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include "block.h"
@@ -48,6 +49,8 @@ bool read_state_line(const BlockLine& line, LessonState& state) {
     state.picked = rest == "a" ? Side::a : Side::b;
   else if (line.word == "compare")
     state.compare = parse_compare_mode(rest);
+  else if (line.word == "tab" && std::find(bottom_tabs.begin(), bottom_tabs.end(), rest) != bottom_tabs.end())
+    state.tab = rest;
   else
     return false;
   return true;
@@ -71,6 +74,8 @@ Document state_document(const LessonState& state, const Document& now) {
   document.picked = state.picked;
   document.compare = state.compare;
   document.layout = now.layout;
+  if (!state.tab.empty()) document.layout.bottom_tab = state.tab;
+  if (!state.tab.empty() && document.layout.bottom <= 0) document.layout.bottom = Layout{}.bottom;
   document.story = carried_over(now.story, same_scene);
   return document;
 }

@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/parallel.h"
@@ -36,6 +38,10 @@ struct PictureView {
   std::optional<TileRect> region;  ///< only these pixels are rendered (CGPP 15.4.4); empty = all
   bool operator==(const PictureView&) const = default;
 };
+
+/// The tabs below the pictures, by the names that Layout::bottom_tab takes.
+inline constexpr std::array<std::string_view, 10> bottom_tabs{"space", "microscope", "pixels", "listing", "vertex",
+                                                              "chart", "stability",  "needs",  "why",     "timings"};
 
 /// How the window is divided. Sizes are shares of the window, 0..1; 0 = what suits the window's size.
 struct Layout {

@@ -114,6 +114,25 @@ TEST(Window, RemembersTypeSizeAndTheme) {
   EXPECT_EQ(first.output.find("1\n"), std::string::npos) << first.output;
 }
 
+// Offered once, to those who start without asking for anything, and never again once it is answered.
+TEST(Window, OffersAFirstLookOnce) {
+  const auto folder = ps::fresh_output_folder("gui-first-look");
+  const auto start = [&](const std::string& state_folder, const std::string& arguments, const std::string& commands) {
+    const auto path = folder / "first-look.script";
+    std::ofstream(path) << "wait idle\n" << commands << "quit\n";
+    const std::string state = "env XDG_STATE_HOME=" + std::filesystem::absolute(folder / state_folder).string();
+    const auto result = run_window(arguments + " --script " + path.string(), state);
+    EXPECT_EQ(result.status, 0) << result.errors;
+  };
+  start("asked", "cgfs/cubes", "expect first-look/offered off\n");
+  start("taken", "", "click first-look/start\nwait idle\nexpect step 1\nexpect first-look/offered off\n");
+  start("taken", "", "expect first-look/offered off\n");
+  start("declined", "", "click first-look/not-now\nwait idle\nexpect first-look/offered off\n");
+  start("declined", "", "expect first-look/offered off\n");
+  start("passed", "", "expect first-look/offered on\nkey ]\nwait idle\nexpect first-look/offered off\n");
+  start("passed", "", "expect first-look/offered off\n");
+}
+
 // At both, everything that a lesson needs can be reached.
 TEST(Window, WorksSmallAndAtDoubleScale) {
   const std::string script =

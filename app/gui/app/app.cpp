@@ -23,6 +23,7 @@ namespace {
 
 constexpr const char* first_scene = "cgfs/reflections";
 constexpr const char* layout_key = "app/layout";
+constexpr const char* first_look_key = "app/first-look";  // "answered" once the offer is taken, declined or passed by
 /// Without backgrounds: the window is cleared to their colour.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoDecoration |
                                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -112,6 +113,7 @@ App::App(Shell& shell, const AppOptions& options, Document document)
     }
   }
   if (nothing_linked(options)) read_layout(shell.remembered(layout_key), document.layout);
+  offers_first_look_ = nothing_asked && !left_behind && shell.remembers() && shell.remembered(first_look_key).empty();
   session_.start(std::move(document));
   if (!options.lesson.empty()) go_to_step(session_, options.lesson, 0);
   space_.save = [this] { files_.ask(FilePurpose::save_space, "space.svg"); };
@@ -324,8 +326,27 @@ void App::layout(const Area& area) {
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
 
+/// At the first start, until it is answered or a lesson is begun by other ways. Returns what room is left.
+Area App::first_look(const Area& area) {
+  if (!offers_first_look_) return area;
+  const bool passed_by = !session_.document().lesson.empty();
+  FirstLookAnswer answer = FirstLookAnswer::none;
+  const float bottom = area.min.y + first_look_height();
+  if (!passed_by) {
+    begin_region("first-look", {area.min, {area.max.x, bottom}}, "NEW HERE?");
+    answer = first_look_offer();
+    ImGui::EndChild();
+  }
+  if (passed_by || answer != FirstLookAnswer::none) {
+    offers_first_look_ = false;
+    shell_.remember(first_look_key, "answered");
+  }
+  if (answer == FirstLookAnswer::start) go_to_step(session_, first_look_lesson, 0);
+  return passed_by ? area : Area{{area.min.x, bottom}, area.max};
+}
+
 void App::left_region(const Area& area) {
-  Area options = area;
+  Area options = first_look(area);
   if (lessons_.open(session_)) {
     const float height = area.height(), grip = px(6);
     float divide = std::round(std::min(height * lesson_share_, height - px(least_options_height)));

@@ -6,6 +6,7 @@
 
 #include "gui/app/autosave.h"
 #include "gui/app/file_dialog.h"
+#include "gui/app/first_look.h"
 #include "gui/app/history_panel.h"
 #include "gui/app/lesson_panel.h"
 #include "gui/app/lights_panel.h"
@@ -97,6 +98,7 @@ class App final : public Content {
   void begin_region(const char* name, const Area& area, const char* heading = nullptr);
   void region_heading(const char* name, const char* heading);
   void toggle_bottom(bool open);
+  Area first_look(const Area& area);
   void left_region(const Area& area);
   void right_region(const Area& area);
   void bottom_region(const Area& area);
@@ -126,6 +128,7 @@ class App final : public Content {
   Studies studies_;
   LessonShelf lessons_;
   bool about_open_ = false;
+  bool offers_first_look_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
   Autosave autosave_;
   bool flying_now_ = false;

@@ -159,6 +159,8 @@ void App::menu_bar() {
   lesson_menu();
   view_menu();
   if (begin_menu("menu/help", "Help")) {
+    if (menu_item("first-look", "A first look", {}, session_.document().lesson == first_look_lesson))
+      go_to_step(session_, first_look_lesson, 0);
     for (const char* name : {"help", "palette"}) menu_action(shell_.actions(), name);
     ImGui::Separator();
     if (menu_item("about", "About Pixelscope")) about_open_ = true;

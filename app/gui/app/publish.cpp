@@ -153,6 +153,7 @@ void App::publish() {
   out.publish("flicker", pictures_.flip);
   out.publish("lesson", document.lesson);
   out.publish("step", document.lesson.empty() ? 0 : document.step + 1);
+  out.publish("first-look/offered", offers_first_look_);
   out.publish("panels", document.layout.panels);
   out.publish("selected-event", pixel_panel_.cursors[index_of(told_side(session_))].selected);
   out.publish("space/items", space_.items);

@@ -14,6 +14,7 @@ class StateFile {
   explicit StateFile(std::filesystem::path path);
   static std::filesystem::path default_path();
 
+  bool remembers() const { return !path_.empty(); }
   std::string get(const std::string& key) const;
   void set(const std::string& key, std::string value);
   /// Writes the file (a temporary one, then a rename) if something changed since the last time.

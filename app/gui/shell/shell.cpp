@@ -343,6 +343,7 @@ void Shell::set_title(const std::string& title) { impl_->window.set_title(title)
 std::string Shell::clipboard() const { return impl_->window.clipboard(); }
 void Shell::set_clipboard(const std::string& text) { impl_->window.set_clipboard(text); }
 std::string Shell::remembered(const std::string& key) const { return impl_->state.get(key); }
+bool Shell::remembers() const { return impl_->state.remembers(); }
 void Shell::remember(const std::string& key, std::string value) { impl_->state.set(key, std::move(value)); }
 
 }  // namespace ps::gui

@@ -53,6 +53,8 @@ class Shell {
   /// Text remembered from one start to the next, by key ("layout/left"); empty if there is none. Scripted windows start
   /// with nothing remembered and remember nothing, unless XDG_STATE_HOME is set for them.
   std::string remembered(const std::string& key) const;
+  /// Whether what is remembered now will be there at the next start.
+  bool remembers() const;
   void remember(const std::string& key, std::string value);
 
  private:
