@@ -60,13 +60,16 @@ void print_json(const Document& document, const Needs& needs) {
 
 void print_text(const Document& document, const Needs& needs) {
   fmt::print("{:<30} {:>14} {:>11} {:>11}\n", "feature", "error without", "time share", "work share");
-  for (const FeatureShare& share : needs.shares) {
+  for (const FeatureShare& share : needs.shares)
     if (share.used)
-      fmt::print("{:<30} {:>14.4g} {:>10.1f}% {:>10.1f}%\n", share.feature.label, share.error_without,
-                 100 * share.cost_share, 100 * share.work_share);
-    else
-      fmt::print("{:<30} free to drop: {}\n", share.feature.label, share.reason);
-  }
+      fmt::print("{:<30} {:>14.4g} {:>11} {:>10.1f}%\n", share.feature.label, share.error_without,
+                 share.cost_told ? fmt::format("{:.1f}%", 100 * share.cost_share) : "noise", 100 * share.work_share);
+  for (const FeatureShare& share : needs.shares)
+    if (!share.used) fmt::print("{}\n", needs_free_sentence(share));
+  fmt::print("\n{:<30} {:>14} {:>23}\n", "tried", "error", "work");
+  for (const NeedsStep& step : needs.trail)
+    fmt::print("{:<30} {:>14.4g} {:>23}{}\n", step.change, step.error, step.work, step.accepted ? "  taken" : "");
+  fmt::print("\n");
   const std::string advice = changes(settings_for(document.base), needs.advice);
   fmt::print("advice     {}\n", advice.empty() ? "keep the settings" : advice);
   if (!needs.within_tolerance)
@@ -74,7 +77,8 @@ void print_text(const Document& document, const Needs& needs) {
         "           the settings as they are differ from the reference by more than the tolerance; these do not\n");
   fmt::print("error      {:.4g} of {:.4g} allowed (largest mean FLIP of a tile); as it is {:.4g}\n", needs.error,
              needs.tolerance, needs.default_error);
-  fmt::print("time       {:.4g} ms, as it is {:.4g} ms\n", needs.time_ms, needs.default_time_ms);
+  fmt::print("time       {:.4g} ms, as it is {:.4g} ms{}\n", needs.time_ms, needs.default_time_ms,
+             needs.time_told ? "" : ": the same within noise");
   fmt::print("work       {} rays, tests, fragments and texels, as it is {}\n", needs.work, needs.default_work);
 }
 

@@ -180,6 +180,12 @@ std::uint64_t counted_work(const Counters& counters) {
   return work;
 }
 
+std::string needs_free_sentence(const FeatureShare& share) {
+  const bool asks = share.reason.starts_with("needs ");
+  return fmt::format("{} can be left out at no loss: {}{}.", share.feature.label, asks ? "the option " : "",
+                     share.reason);
+}
+
 Needs find_needs(const NeedsRequest& request, StudyControl& control,
                  const std::function<void(const Needs&, const StudyStatus&)>& update) {
   return Search(request, control, update).run();

@@ -33,6 +33,9 @@ struct FeatureShare {
   double work_share = 0;     ///< the same of the counted work
 };
 
+/// Why a feature that is not used is free to drop.
+std::string needs_free_sentence(const FeatureShare& share);
+
 /// One step of the search.
 struct NeedsStep {
   std::string change;  ///< "shadows=none"

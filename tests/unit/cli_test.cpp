@@ -171,6 +171,14 @@ TEST(Cli, StabilityPrintsItsTable) {
   EXPECT_TRUE(std::filesystem::exists(folder.file("tables/epsilon-unit.csv")));
 }
 
+TEST(Cli, NeedsTellsItsAdviceAndHowItWasFound) {
+  const auto printed = run_cli({"needs", "cgfs/cubes", "--size", "40x30", "--repeats", "1"});
+  ASSERT_EQ(printed.status, 0) << printed.err;
+  for (const char* told : {"Refraction can be left out at no loss: no material of the scene is transparent.",
+                           "advice     renderer=rasterizer\n", "  taken\n"})
+    EXPECT_NE(printed.out.find(told), std::string::npos) << told << "\n" << printed.out;
+}
+
 TEST(Cli, HelpAndVersionSucceed) {
   const auto version_result = run_cli({"--version"});
   EXPECT_EQ(version_result.status, 0);

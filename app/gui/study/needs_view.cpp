@@ -104,12 +104,6 @@ std::string time_sentence(const Needs& needs) {
 
 }  // namespace
 
-std::string needs_free_sentence(const FeatureShare& share) {
-  const bool asks = share.reason.starts_with("needs ");
-  return fmt::format("{} can be left out at no loss: {}{}.", share.feature.label, asks ? "the option " : "",
-                     share.reason);
-}
-
 bool needs_time_told(const FeatureShare& share) { return share.cost_told && std::abs(share.cost_share) >= least_told; }
 
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {

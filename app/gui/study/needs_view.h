@@ -14,8 +14,6 @@ struct NeedsAdvice {
 };
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base);
 
-/// Why a feature that is not used is free to drop.
-std::string needs_free_sentence(const FeatureShare& share);
 /// Whether the share of the time can be told from noise.
 bool needs_time_told(const FeatureShare& share);
 
