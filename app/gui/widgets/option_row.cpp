@@ -179,8 +179,9 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   ControlStyle style = base;
   style.width = start.x + room - reset - place.x;
   style.idle = idle;
+  if (reason) style.tooltip = option.help.what;
   result.edit = option_control(option, settings, style);
-  // Words side by side explain themselves one by one; a greyed control says why.
+  // Words side by side explain themselves one by one; a greyed control says what it is and why not now.
   const bool explained = option.kind == OptionKind::choice && !choices_drop_down(option.choices, style.width);
   if (!explained && !reason) option_tooltip(option, settings, context, idle_value.value_or(std::string_view{}));
   if (option.get(settings) != option.default_value()) {
