@@ -225,10 +225,7 @@ void App::draw() {
   ImGui::EndChild();
   ImGui::End();
   message_bars(session_, status_bar_, px(8), size.x - px(8), size.y - status_height);
-  if (studies_.unsafe(session_, pictures_)) {
-    toggle_bottom(true);
-    session_.navigate([](Document& document) { document.layout.bottom_tab = "stability"; });
-  }
+  if (studies_.unsafe(session_, pictures_)) show_tab("stability");
   file_dialog();
   about();
   session_.request_changed();
@@ -368,8 +365,7 @@ void App::left_region(const Area& area) {
   if (session_.has_scene()) options_panel(session_, options_panel_);
   if (const Option* swept = std::exchange(options_panel_.sweep, nullptr)) {
     sweep_option(studies_.chart(), *swept, options_panel_.side);
-    toggle_bottom(true);
-    session_.navigate([](Document& document) { document.layout.bottom_tab = "chart"; });
+    show_tab("chart");
   }
   ImGui::EndChild();
 }

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gui/app/autosave.h"
@@ -66,6 +67,10 @@ class App final : public Content {
   void add_story_actions();
   void add_camera_actions();
   void add_lesson_actions();
+  // study_actions.cpp
+  void add_study_actions();
+  /// Opens a tab below the pictures, one of bottom_tabs.
+  void show_tab(std::string_view tab);
   // palette_entries.cpp
   std::vector<PaletteEntry> palette_entries();
   void go_to_option(const Option& option);
@@ -88,6 +93,7 @@ class App final : public Content {
   void scene_menu();
   void lesson_menu();
   void view_menu();
+  void study_menu();
   void about();
   float compare_buttons_width() const;
   void compare_buttons(float left);

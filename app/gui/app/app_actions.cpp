@@ -173,6 +173,7 @@ void App::add_actions() {
   add_story_actions();
   add_camera_actions();
   add_lesson_actions();
+  add_study_actions();
 }
 
 void App::add_view_actions() {

@@ -153,11 +153,21 @@ void App::view_menu() {
   end_menu();
 }
 
+void App::study_menu() {
+  if (!begin_menu("menu/study", "Study")) return;
+  for (const std::string_view tab : bottom_tabs) {
+    if (tab == "chart") ImGui::Separator();  // what follows is about the whole picture
+    menu_action(shell_.actions(), "study-" + std::string(tab));
+  }
+  end_menu();
+}
+
 void App::menu_bar() {
   if (!ImGui::BeginMenuBar()) return;
   scene_menu();
   lesson_menu();
   view_menu();
+  study_menu();
   if (begin_menu("menu/help", "Help")) {
     if (menu_item("first-look", "A first look", {}, session_.document().lesson == first_look_lesson))
       go_to_step(session_, first_look_lesson, 0);
