@@ -10,6 +10,7 @@
 
 #include "document/permalink.h"
 #include "document/permalink_file.h"
+#include "gui/app/bottom_tab_table.h"
 #include "gui/app/timings_panel.h"
 #include "gui/input/actions.h"
 #include "gui/platform/state_file.h"
@@ -395,20 +396,20 @@ void App::bottom_region(const Area& area) {
     return;
   }
   begin_region("bottom", area);
-  static constexpr std::array tabs{
-      Choice{"space", "SPACE", "The scene from outside, with the rays or triangles of the picked pixel."},
-      Choice{"microscope", "MICROSCOPE", "The picked pixel at panel size: edges, samples, owners of ties, texels."},
-      Choice{"pixels", "PIXELS", "The worst pixels, watched pixels, and the levels of a rectangle."},
-      Choice{"listing", "LISTING", "A lesson's routine with the values of its lines at the picked pixel."},
-      Choice{"vertex", "VERTEX", "A corner's way from its model to the canvas, with matrices and numbers."},
-      Choice{"chart", "CHART", "Time against error over a sweep of options, as it is measured."},
-      Choice{"stability", "STABILITY", "Where methods fail: naive beside robust."},
-      Choice{"needs", "NEEDS", "What this scene needs, and the cheapest settings that show it."},
-      Choice{"why", "WHY", "Which option makes A and B differ, and what float gets wrong."},
-      Choice{"timings", "TIMINGS", "Times of the stages and counts of the work, A beside B."},
-      Choice{"fold", "↓", "Leaves the room to the pictures."}};
-  static constexpr std::array<std::string_view, tabs.size()> brief{
-      "Space", "Micro", "Pixels", "Listing", "Vertex", "Chart", "Stable", "Needs", "Why", "Times", "↓"};
+  constexpr std::size_t count = bottom_tabs.size();
+  static constexpr auto tabs = [] {
+    std::array<Choice, count + 1> choices;
+    for (std::size_t i = 0; i < count; ++i)
+      choices[i] = {bottom_tabs[i], bottom_tab_table[i].heading, bottom_tab_table[i].help};
+    choices[count] = {"fold", "↓", "Leaves the room to the pictures."};
+    return choices;
+  }();
+  static constexpr auto brief = [] {
+    std::array<std::string_view, count + 1> words;
+    for (std::size_t i = 0; i < count; ++i) words[i] = bottom_tab_table[i].brief;
+    words[count] = "↓";
+    return words;
+  }();
   int tab = 0;
   for (std::size_t i = 0; i + 1 < tabs.size(); ++i)  // all but the last are tabs
     if (tabs[i].key == session_.document().layout.bottom_tab) tab = static_cast<int>(i);
