@@ -43,6 +43,15 @@ TEST_F(Title, OfTwoRenderersTellsWhatIsSharedLast) {
   EXPECT_EQ(title_text(b, traits, &a), "rasterizer, Phong · exposure = 2");
 }
 
+TEST_F(Title, TellsNumbersWithFourDigitsUnlessTheseAreTheSame) {
+  const Settings third = with({"exposure=0.33333333333333331"}), other = with({"exposure=0.33333333333333337"});
+  EXPECT_EQ(title_text(third, traits), "ray tracer, 3 reflections, exposure = 0.3333");
+  const Settings near = with({"exposure=0.33334"});
+  EXPECT_EQ(title_text(near, traits, &third), "exposure = 0.33334 · ray tracer, 3 reflections");
+  ASSERT_NE(third, other);
+  EXPECT_NE(title_text(third, traits, &other), title_text(other, traits, &third));
+}
+
 TEST_F(Title, NoReflectionsIsADifference) {
   const Settings a, b = with({"reflection-depth=0"});
   EXPECT_EQ(title_text(a, traits, &b), "3 reflections · ray tracer");

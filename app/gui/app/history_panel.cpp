@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 
 namespace ps::gui {
 namespace {
@@ -36,14 +36,15 @@ bool step_row(const History::Entry& entry, std::size_t place, std::size_t now, c
     list.AddImage(picture->id(), corner, {corner.x + w, corner.y + h}, {0, 0}, {1, 1},
                   IM_COL32(255, 255, 255, place > now ? 110 : 255));
   }
-  ImFont* font = theme().font(Face::small);
-  const float text_left = left + room + px(10), wrap = std::max(end.x - text_left - px(4), px(40));
-  const float text_height = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, entry.label.c_str()).y;
-  const float top = std::max(at.y + px(2), (at.y + end.y - text_height) / 2);
-  list.PushClipRect(at, end, true);
-  list.AddText(font, font->FontSize, {text_left, std::round(top)}, colour_u32(place > now ? p.text_quiet : p.text),
-               entry.label.c_str(), nullptr, wrap);
-  list.PopClipRect();
+  {
+    const FontScope font(Face::small);
+    const float text_left = left + room + px(10);
+    const std::string lines = in_lines(entry.label, std::max(end.x - text_left - px(4), px(40)));
+    const float top = std::max(at.y + px(2), (at.y + end.y - text_height(lines)) / 2);
+    list.PushClipRect(at, end, true);
+    draw_lines({text_left, std::round(top)}, lines, place > now ? p.text_quiet : p.text);
+    list.PopClipRect();
+  }
   tooltip(place > now ? entry.label + " (undone)" : entry.label);
   return clicked;
 }

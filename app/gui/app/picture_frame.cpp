@@ -50,6 +50,8 @@ std::string take_line(Face face, std::string& text, float width) {
   const char* end = begin + text.size();
   auto length = static_cast<std::size_t>(theme().font(face)->CalcWordWrapPositionA(1, begin, end, width) - begin);
   if (length >= text.size()) return {};
+  // Dear ImGui also breaks numbers behind their point.
+  if (const auto blank = text.rfind(' ', length); blank != std::string::npos) length = blank;
   std::string rest = text.substr(text.find_first_not_of(' ', length));
   text.resize(length);
   return rest;

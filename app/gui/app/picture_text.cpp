@@ -19,6 +19,15 @@ std::string plural(std::uint64_t count, const std::string& one) {
   return fmt::format("{} {}{}", count_text(count), one, count == 1 ? "" : "s");
 }
 
+/// The value of an option with four digits, unless `other` then looks the same but is not.
+std::string short_text(const Option& option, const Settings& settings, const Settings* other) {
+  if (option.kind != OptionKind::real) return option_text(option, settings);
+  const auto four_digits = [&](const Settings& of) { return fmt::format("{:.4g}", option.get(of)); };
+  const bool differs = other && option.get(settings) != option.get(*other);
+  return differs && four_digits(settings) == four_digits(*other) ? option_text(option, settings)
+                                                                 : four_digits(settings);
+}
+
 /// One thing that a title tells.
 struct TitlePart {
   std::string text;
@@ -59,7 +68,7 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
       continue;
     const bool is_default = option.get(settings) == option.default_value();
     if ((is_default && !differs(option)) || inactive_reason(option, settings, traits)) continue;
-    parts.push_back({fmt::format("{} = {}", option.key, option_text(option, settings)), differs(option)});
+    parts.push_back({fmt::format("{} = {}", option.key, short_text(option, settings, other)), differs(option)});
   }
   return parts;
 }

@@ -33,6 +33,8 @@ bool rested_on_last_item() {
   return left <= 0;
 }
 
+float tooltip_width() { return ImGui::GetFontSize() * 38; }
+
 }  // namespace
 
 bool begin_tooltip() {
@@ -40,7 +42,7 @@ bool begin_tooltip() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 38);
+  ImGui::PushTextWrapPos(tooltip_width());
   return true;
 }
 
@@ -53,7 +55,7 @@ void end_tooltip() {
 
 void tooltip(std::string_view text) {
   if (text.empty() || !begin_tooltip()) return;
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::TextUnformatted(in_lines(text, tooltip_width()).c_str());
   end_tooltip();
 }
 
