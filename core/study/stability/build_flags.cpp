@@ -12,13 +12,18 @@ std::vector<StabilityRow> measure_contraction(const StabilityRun& run) {
     return
         [test](const AimedRay& ray, const TracedTriangle<float>& triangle) { return test(flat(ray), flat(triangle)); };
   };
-  for (const AimAt what : {AimAt::edge, AimAt::vertex}) {
-    const std::vector<CrackRates> rates =
-        crack_rates(what,
-                    {watertight_hits, hits(fused.watertight), hits(plain.watertight), hits(fused.moeller_trumbore),
-                     hits(plain.moeller_trumbore), fused_edges_hits},
-                    run);
+  for (const AimAt what : {AimAt::edge, AimAt::vertex, AimAt::interior}) {
+    const std::vector<CrackRates> rates = crack_rates(
+        what,
+        {watertight_hits, hits(fused.watertight), hits(plain.watertight), hits(fused.moeller_trumbore),
+         hits(plain.moeller_trumbore), fused_edges_hits, hits(fused.compared_products), hits(fused.kahan_products)},
+        run);
     const CrackRates &product = rates[0], &fused_woop = rates[1], &plain_woop = rates[2];
+    if (what == AimAt::interior) {
+      add_cracks(rows, 1, "watertight (Woop), inside triangles", fused_woop, plain_woop);
+      add_cracks(rows, 1, "edge functions alone fused, inside triangles", rates[5], plain_woop);
+      continue;
+    }
     if (what == AimAt::vertex) {
       add_cracks(rows, 1, "watertight (Woop), at vertices", fused_woop, plain_woop);
       add_cracks(rows, 1, "edge functions alone fused, at vertices", rates[5], plain_woop);
@@ -27,6 +32,8 @@ std::vector<StabilityRow> measure_contraction(const StabilityRun& run) {
     rows.push_back({1, "watertight (Woop)", fused_woop.misses, plain_woop.misses, "misses per million"});
     rows.push_back({1, "watertight (Woop), double hits", fused_woop.doubles, plain_woop.doubles, "per million rays"});
     add_cracks(rows, 1, "edge functions alone fused, at edges", rates[5], plain_woop);
+    rows.push_back({1, "cured: products compared", fused_woop.misses, rates[6].misses, "misses per million"});
+    rows.push_back({1, "cured: Kahan's products", fused_woop.misses, rates[7].misses, "misses per million"});
     rows.push_back({1, "Moeller-Trumbore", rates[3].misses, product.misses, "misses per million"});
     rows.push_back({0, "Moeller-Trumbore", rates[4].misses, product.misses, "misses per million"});
   }
@@ -88,7 +95,7 @@ const StabilityExperiment fma_contraction{
     .explanation =
         "The watertight test relies on a b - c d being the exact opposite of c d - a b. Fused, one of the two "
         "products is not rounded, and which one it is depends on the order.",
-    .safe = "Without contraction.",
+    .safe = "Without contraction, or where the products are compared or subtracted by Kahan's method.",
     .window = {0, 0},
     .measure = measure_contraction};
 

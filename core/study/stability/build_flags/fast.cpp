@@ -3,7 +3,8 @@
 namespace ps::stability {
 
 FlagBuild fast_build() {
-  return {"-ffast-math", [] { return true; }, flag_watertight, flag_moeller_trumbore, flag_book_picture};
+  return {"-ffast-math",       [] { return true; },   flag_watertight,  flag_compared_products,
+          flag_kahan_products, flag_moeller_trumbore, flag_book_picture};
 }
 
 }  // namespace ps::stability

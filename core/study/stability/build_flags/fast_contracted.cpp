@@ -4,7 +4,8 @@
 namespace ps::stability {
 
 FlagBuild fast_contracted_build() {
-  return {"-mfma -ffast-math", has_instructions, flag_watertight, flag_moeller_trumbore, flag_book_picture};
+  return {"-mfma -ffast-math", has_instructions,      flag_watertight,  flag_compared_products,
+          flag_kahan_products, flag_moeller_trumbore, flag_book_picture};
 }
 
 }  // namespace ps::stability

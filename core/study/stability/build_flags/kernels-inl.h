@@ -16,8 +16,11 @@ inline V crossed(V a, V b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.
 inline V vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 inline float size(float v) { return v < 0 ? -v : v; }
 
-/// Woop's test without the fallback to double, as its paper prints it.
-bool flag_watertight(const FlagRay& ray, const FlagTriangle& triangle) {
+/// The corners as the ray sees them: it runs along z through x = y = 0.
+struct Sheared {
+  float x[3], y[3];
+};
+Sheared sheared(const FlagRay& ray, const FlagTriangle& triangle) {
   const float* d = ray.direction;
   const int kz = size(d[0]) > size(d[1]) ? (size(d[0]) > size(d[2]) ? 0 : 2) : (size(d[1]) > size(d[2]) ? 1 : 2);
   int kx = (kz + 1) % 3, ky = (kx + 1) % 3;
@@ -27,17 +30,44 @@ bool flag_watertight(const FlagRay& ray, const FlagTriangle& triangle) {
     ky = other;
   }
   const float sx = d[kx] / d[kz], sy = d[ky] / d[kz];
-  float x[3], y[3];
+  Sheared result;
   for (int i = 0; i < 3; ++i) {
     const float* corner = triangle.corner[i];
     const float z = corner[kz] - ray.origin[kz];
-    x[i] = corner[kx] - ray.origin[kx] - sx * z;
-    y[i] = corner[ky] - ray.origin[ky] - sy * z;
+    result.x[i] = corner[kx] - ray.origin[kx] - sx * z;
+    result.y[i] = corner[ky] - ray.origin[ky] - sy * z;
   }
+  return result;
+}
+inline bool one_side(float u, float v, float w) { return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0); }
+
+/// Woop's test without the fallback to double, as its paper prints it.
+bool flag_watertight(const FlagRay& ray, const FlagTriangle& triangle) {
+  const auto [x, y] = sheared(ray, triangle);
   const float u = x[2] * y[1] - y[2] * x[1];
   const float v = x[0] * y[2] - y[0] * x[2];
   const float w = x[1] * y[0] - y[1] * x[0];
-  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+  return one_side(u, v, w);
+}
+
+/// The same, but each edge function's two products are compared and not subtracted, as Embree does: there is nothing to
+/// fuse.
+bool flag_compared_products(const FlagRay& ray, const FlagTriangle& triangle) {
+  const auto [x, y] = sheared(ray, triangle);
+  const auto side = [](float p, float q) { return p > q ? 1.0f : p < q ? -1.0f : 0.0f; };
+  return one_side(side(x[2] * y[1], y[2] * x[1]), side(x[0] * y[2], y[0] * x[2]), side(x[1] * y[0], y[1] * x[0]));
+}
+
+/// The same with Kahan's difference of products, as pbrt does: what rounding took from the second product is added
+/// again (Jeannerod et al., Mathematics of Computation 82, 2013).
+bool flag_kahan_products(const FlagRay& ray, const FlagTriangle& triangle) {
+  const auto [x, y] = sheared(ray, triangle);
+  const auto difference = [](float a, float b, float c, float d) {
+    const float rounded = c * d;
+    return __builtin_fmaf(a, b, -rounded) + __builtin_fmaf(-c, d, rounded);
+  };
+  return one_side(difference(x[2], y[1], y[2], x[1]), difference(x[0], y[2], y[0], x[2]),
+                  difference(x[1], y[0], y[1], x[0]));
 }
 
 bool flag_moeller_trumbore(const FlagRay& ray, const FlagTriangle& triangle) {

@@ -16,6 +16,8 @@ struct FlagBuild {
   const char* name;     ///< "-O2 -mfma"
   bool (*available)();  ///< does this processor have the instructions?
   bool (*watertight)(const FlagRay&, const FlagTriangle&);
+  bool (*compared_products)(const FlagRay&, const FlagTriangle&);  ///< watertight, products compared, not subtracted
+  bool (*kahan_products)(const FlagRay&, const FlagTriangle&);     ///< watertight, by Kahan's difference of products
   bool (*moeller_trumbore)(const FlagRay&, const FlagTriangle&);
   /// The book's reflection scene (CGFS ch. 4, depth 3, epsilon 0.001) in float: `side` x `side` pixels, 3 bytes each.
   void (*book_picture)(int side, std::uint8_t* pixels);

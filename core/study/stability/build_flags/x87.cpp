@@ -12,6 +12,9 @@ bool has_x87() {
 }
 }  // namespace
 
-FlagBuild x87_build() { return {"-mfpmath=387", has_x87, flag_watertight, flag_moeller_trumbore, flag_book_picture}; }
+FlagBuild x87_build() {
+  return {"-mfpmath=387",        has_x87,          flag_watertight, flag_compared_products, flag_kahan_products,
+          flag_moeller_trumbore, flag_book_picture};
+}
 
 }  // namespace ps::stability
