@@ -329,6 +329,12 @@ void App::add_lesson_actions() {
       "step-next", "Next step", "Enter PageDown", [this] { move_step(session_, lessons_, 1); }, in_lesson);
   add(
       "step-before", "Step before", "PageUp", [this] { move_step(session_, lessons_, -1); }, in_lesson);
+  add(
+      "lesson-read-on", "Read on, then the next step", "Shift+PageDown", [this] { read_lesson(session_, lessons_, 1); },
+      in_lesson);
+  add(
+      "lesson-read-back", "Read back, then the step before", "Shift+PageUp",
+      [this] { read_lesson(session_, lessons_, -1); }, in_lesson);
   add("lesson-after", "Lesson after", "]", [this] { move_lesson(session_, 1); }, {});
   add("lesson-before", "Lesson before", "[", [this] { move_lesson(session_, -1); }, {});
   add(

@@ -60,6 +60,15 @@ void move_step(Session& session, LessonShelf& shelf, int by) {
   if (step >= 0 && step < static_cast<int>(lesson->steps.size())) go_to_step(session, lesson->name, step);
 }
 
+void read_lesson(Session& session, LessonShelf& shelf, int by) {
+  LessonText& text = shelf.text;
+  const bool in_sight = text.frame + 1 >= ImGui::GetFrameCount();
+  if (in_sight && (by > 0 ? text.below : text.above) > 1)
+    text.turn += by;
+  else
+    move_step(session, shelf, by);
+}
+
 void move_lesson(Session& session, int by) {
   const auto names = lesson_names();
   if (names.empty()) return;
@@ -78,6 +87,30 @@ void close_lesson(Session& session) {
     document.step = 0;
   });
 }
+
+namespace {
+
+/// Turns the pages that were asked for in the child window that holds the text, and notes what is in sight. A new step
+/// begins at the top.
+void turn_pages(LessonText& text, const std::string& lesson, int step) {
+  if (text.lesson != lesson || text.step != step) {
+    text = {};
+    text.lesson = lesson;
+    text.step = step;
+    ImGui::SetScrollY(0);
+  } else if (text.turn != 0) {
+    const float line = ImGui::GetTextLineHeight();
+    const float page = std::max(ImGui::GetWindowHeight() - 2 * line, line);  // two lines stay in sight
+    ImGui::SetScrollY(
+        std::clamp(ImGui::GetScrollY() + static_cast<float>(text.turn) * page, 0.f, ImGui::GetScrollMaxY()));
+    text.turn = 0;
+  }
+  text.above = ImGui::GetScrollY();
+  text.below = ImGui::GetScrollMaxY() - ImGui::GetScrollY();
+  text.frame = ImGui::GetFrameCount();
+}
+
+}  // namespace
 
 void lesson_panel(Session& session, LessonShelf& shelf) {
   const NameScope scope("lesson");
@@ -103,15 +136,19 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
   for (const auto& paragraph : step.paragraphs) text += paragraph + "\n\n";
   for (const auto& hint : step.hints) text += "- " + hint + "\n";
   rich_text(without_emphasis(text));
+  turn_pages(shelf.text, lesson->name, index);
+  const bool above = shelf.text.above > 1, below = shelf.text.below > 1;
+  controls().record("hidden", above && below ? "both" : above ? "above" : below ? "below" : "none");
   ImGui::EndChild();
 
   int target = index;
   if (button("before", "Back", Emphasis::plain,
-             {.tooltip = "The step before (Page Up).", .disabled = index == 0 ? "This is the first step." : ""}))
+             {.tooltip = "The step before (Page Up). Shift Page Up reads back.",
+              .disabled = index == 0 ? "This is the first step." : ""}))
     target = index - 1;
   ImGui::SameLine();
   if (button("next", "Next", Emphasis::primary,
-             {.tooltip = "The next step (Enter or Page Down).",
+             {.tooltip = "The next step (Enter or Page Down). Shift Page Down reads on.",
               .disabled = index + 1 == count ? "This is the last step." : ""}))
     target = index + 1;
   ImGui::SameLine();
