@@ -157,7 +157,7 @@ TEST(Stability, AcosOfUnitDot) {
 }
 
 TEST(Stability, EveryExperimentExplainsItselfAndGivesATable) {
-  EXPECT_EQ(stability_experiments().size(), 65u);
+  EXPECT_EQ(stability_experiments().size(), 66u);
   for (const StabilityExperiment& experiment : stability_experiments()) {
     EXPECT_EQ(&find_stability_experiment(experiment.key), &experiment);
     for (const std::string_view text : {experiment.title, experiment.knob, experiment.naive, experiment.robust,
