@@ -167,12 +167,12 @@ TEST(Studies, StabilityIsPausedStoppedAndTakenUpByTheNextStart) {
                           "expect stability/shown srgb-averaging\n";
   const auto first = folder / "first.script", second = folder / "second.script";
   write_file(first, begin + one +
-                        "click stability/all\nwait until stability/status contains \" of 65 \"\n"
+                        "click stability/all\nwait until stability/status contains \" of 66 \"\n"
                         "click stability/pause\nexpect stability/paused on\nexpect stability/pause \"Go on\"\n"
                         "wait idle\nexpect stability/status contains \"Paused after\"\n"
                         "click stability/pause\nexpect stability/paused off\n"
                         "click stability/cancel\nwait until stability/running off\n"
-                        "expect stability/measure Resume\nexpect stability/measured < 65\n"
+                        "expect stability/measure Resume\nexpect stability/measured < 66\n"
                         "expect stability/status contains \"Resume goes on\"\n"
                         "print stability/row/3/naive\nquit\n");
   write_file(second, begin + "expect stability/measured > 0\nclick stability/srgb-averaging\n"

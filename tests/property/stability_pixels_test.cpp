@@ -199,7 +199,7 @@ TEST(StabilityNumbers, FarFromTheOrigin) {
     curve.expect_naive("rms", distance, px);
   for (const auto& [distance, px] : std::map<double, double>{{1e3, .17}, {1e4, 2.5}, {1e5, 18}, {1e6, 157}})
     curve.expect_naive("largest", distance, px);
-  for (const double distance : {1e3, 1e4, 1e5, 1e6, 1e7}) curve.expect_robust("rms", distance, 4.3e-5);
+  for (const double distance : {0.0, 1e3, 1e4, 1e5, 1e6, 1e7}) curve.expect_robust("rms", distance, 4.3e-5);
 }
 
 TEST(StabilityNumbers, LookingStraightUp) {

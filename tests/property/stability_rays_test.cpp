@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -53,6 +54,7 @@ TEST(StabilityRays, ConstantNormalBump) {
     curve.expect_naive("from the weights", distance, share);
   for (const auto& [distance, share] : std::map<double, double>{{0, .16}, {1e3, 5.2}, {1e5, 47.5}})
     curve.expect_naive("o + t d, t > 1e-4", distance, share);
+  curve.expect_naive("o + t d so many times as far from the plane as the weights' point", 0, 20);
   curve.expect_naive("normal bump 1e-4", 0, 0);
   // 20 rays leave each hit, and all of them return to a triangle or none: three standard deviations of 4,000 hits.
   curve.expect_naive("normal bump 1e-4", 1e3, .07, 100 * 3 * std::sqrt(.0007 / 4000));
@@ -204,7 +206,7 @@ TEST(StabilityRays, NaNInMoellerTrumbore) {
     EXPECT_EQ(curve.naive(bad, 0), 1) << bad;
     EXPECT_EQ(curve.robust(bad, 0), 0) << bad;
   }
-  for (const char* miss : {"a point", "direction 0"})
+  for (const char* miss : {"a point", "collinear", "direction 0", "coordinates of 1e-30"})
     EXPECT_EQ(curve.naive(miss, 0) + curve.robust(miss, 0), 0) << miss;
   EXPECT_EQ(curve.naive("a triangle ahead", 0) + curve.robust("a triangle ahead", 0), 2);
 }
@@ -215,9 +217,35 @@ TEST(StabilityRays, DegenerateShapes) {
     EXPECT_EQ(curve.naive(bad, 0), 1) << bad;
     EXPECT_EQ(curve.robust(bad, 0), 0) << bad;
   }
+  EXPECT_EQ(curve.naive("radius infinite, t of the hit", 0), -std::numeric_limits<double>::infinity());
   EXPECT_EQ(curve.naive("a ball ahead", 0) + curve.robust("a ball ahead", 0), 2);
   for (const char* radius : {"0", "-1", "nan", "inf", "1e400"})
     EXPECT_EQ(curve.robust(std::string("scene file with radius ") + radius, 0), 0) << radius;
+}
+
+TEST(StabilityRays, NaNInAPicture) {
+  const Curve curve("nan-in-a-picture");
+  for (const double width : {1.0, 3.0, 5.0, 9.0, 15.0}) {
+    EXPECT_EQ(curve.naive("blur, one NaN pixel", width), width * width);
+    EXPECT_EQ(curve.robust("blur, one NaN pixel", width), 0);
+  }
+  for (const double width : {3.0, 5.0, 9.0, 15.0}) {
+    EXPECT_EQ(curve.naive("blur by a running sum", width), 100);
+    EXPECT_EQ(curve.robust("blur by a running sum", width), 0);
+  }
+  EXPECT_EQ(curve.naive("running mean of samples", 0), 100);
+  EXPECT_EQ(curve.robust("running mean of samples", 0), 0);
+  for (const auto& [how, left] :
+       std::map<std::string, double>{{"std::clamp(x, 0, 1)", 1}, {"min(max(x, 0), 1)", 1}, {"max(0, min(1, x))", 0}}) {
+    EXPECT_EQ(curve.naive("NaN left by " + how, 0), left) << how;
+    EXPECT_EQ(curve.robust("NaN left by " + how, 0), 0) << how;
+  }
+  EXPECT_EQ(curve.naive("value of the NaN pixel after max(0, min(1, x))", 0), 1);
+  EXPECT_EQ(curve.naive("check of the error, a NaN in the picture", 0), 1) << "passes";
+  EXPECT_EQ(curve.robust("check of the error, a NaN in the picture", 0), 0);
+  const std::string control = "check of the error, the right picture";
+  EXPECT_EQ(curve.naive(control, 0) + curve.robust(control, 0), 2);
+  EXPECT_EQ(curve.robust("not finite, counted before the error", 0), 1);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(Stability, ReflectionSelfHit) {
 }
 
 TEST(Stability, RaySphereCancellation) {
-  const Curve curve("ray-sphere-cancellation", 1);
+  const Curve curve("ray-sphere-cancellation", test::trial_divisor > 1 ? 0.5 : 1);
   const std::string wrong = "hit or miss", place = "place";
   for (const auto& [distance, share] :
        std::map<double, double>{{3, 0}, {100, .037}, {1000, 2.5}, {2000, 9.9}, {4100, 42.5}, {1e5, 47.7}, {1e6, 48.1}})
@@ -77,31 +77,6 @@ TEST(Stability, RaySphereCancellation) {
   curve.expect_naive("hit or miss, textbook in double", 1e6, .007, 100 * 3 * std::sqrt(14.0) / 200000);
   curve.expect_naive("place, textbook in double", 4100, 1.6e-9);
   curve.expect_naive("place, textbook in double", 1e6, 6e-5);
-}
-
-// The largest error of 200,000 rays is that of the one that came closest to the outline, so the median of nine draws is
-// compared; the given figures are of one draw each, and the small ones scatter by as much as 2.
-TEST(Stability, NormalsOfRaySphereCancellation) {
-  if (test::trial_divisor > 1) GTEST_SKIP() << "nine draws of full effort take too long under a sanitizer";
-  struct Given {
-    double distance, naive, robust;
-  };
-  std::vector<Curve> draws;
-  for (std::uint32_t seed = 1; seed <= 9; ++seed) draws.emplace_back("ray-sphere-cancellation", 1, seed);
-  const auto median = [&](auto&& of) {
-    std::vector<double> values;
-    values.reserve(draws.size());
-    for (const Curve& draw : draws) values.push_back(of(draw));
-    std::nth_element(values.begin(), values.begin() + 4, values.end());
-    return values[4];
-  };
-  for (const Given& given :
-       {Given{3, .008, .0009}, {100, 2.9, .015}, {1000, 25, .08}, {2000, 60, .13}, {4100, 90, .47}, {1e5, 120, 3.2}}) {
-    const double naive = median([&](const Curve& draw) { return draw.naive("normal", given.distance); });
-    const double robust = median([&](const Curve& draw) { return draw.robust("normal", given.distance); });
-    EXPECT_TRUE(naive < 1.5 * given.naive && naive > given.naive / 1.5) << naive << " at " << given.distance;
-    EXPECT_TRUE(robust < 2 * given.robust && robust > given.robust / 2) << robust << " at " << given.distance;
-  }
 }
 
 TEST(Stability, StableRootsAlone) {
@@ -182,7 +157,7 @@ TEST(Stability, AcosOfUnitDot) {
 }
 
 TEST(Stability, EveryExperimentExplainsItselfAndGivesATable) {
-  EXPECT_EQ(stability_experiments().size(), 65u);
+  EXPECT_EQ(stability_experiments().size(), 66u);
   for (const StabilityExperiment& experiment : stability_experiments()) {
     EXPECT_EQ(&find_stability_experiment(experiment.key), &experiment);
     for (const std::string_view text : {experiment.title, experiment.knob, experiment.naive, experiment.robust,

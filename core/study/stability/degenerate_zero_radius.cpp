@@ -52,7 +52,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   };
   const Vec3f ahead(0, 0, 1);
   Rows rows(run);
-  for (const auto& [name, radius] : {std::pair{"radius 0", 0.0f}, {"radius -1", -1.0f}})
+  for (const auto& [name, radius] : {std::pair{"radius 0", 0.0f}, {"radius -1", -1.0f}, {"radius infinite", inf}})
     rows.push_back(
         {0, std::string(name) + ", t of the hit", nearest_root(ahead, {{0, 0, 5}, radius}), std::nan(""), "t"});
   for (const Case& c :

@@ -65,8 +65,10 @@ struct Series {
 void add_points(Rows& rows, const StabilityRun& run) {
   for (const double radius : {5000.0, 1e6}) {
     const auto add = [&](const char* how, SphereForm form, Precision precision, ToldIn told_in) {
-      rows.push_back({0, fmt::format("hit point, radius {:.0f}, {}", radius, how),
-                      hit_off_surface(radius, form, precision, told_in, run), std::nan(""), "off the surface (rms)"});
+      const OffSurface off = hit_off_surface(radius, form, precision, told_in, run);
+      const std::string series = fmt::format("hit point, radius {:.0f}, {}", radius, how);
+      rows.push_back({0, series, off.rms, std::nan(""), "off the surface (rms)"});
+      rows.push_back({0, series + ", largest", off.largest, std::nan(""), "off the surface (largest)"});
     };
     add("float", SphereForm::textbook, Precision::float32, ToldIn::long_double);
     add("float, remainder vector", SphereForm::remainder, Precision::float32, ToldIn::long_double);

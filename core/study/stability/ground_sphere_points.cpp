@@ -1,5 +1,8 @@
 #include "study/stability/ground_sphere_points.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "raytrace/sphere_robust.h"
 
 namespace ps::stability {
@@ -54,9 +57,9 @@ TracedSphere<Real> ground_of(double radius) {
 }
 
 template <class Real, class Told>
-double off_surface(double radius, SphereForm form) {
+OffSurface off_surface(double radius, SphereForm form) {
   const TracedSphere<Real> ground = ground_of<Real>(radius);
-  long double squares = 0;
+  long double squares = 0, largest = 0;
   int points = 0;
   for_each_point(ground, form, [&](const Vec3<Real>& point) {
     Told distance_squared = 0;
@@ -66,14 +69,16 @@ double off_surface(double radius, SphereForm form) {
     }
     const long double off = std::sqrt(distance_squared) - static_cast<Told>(ground.radius);
     squares += off * off;
+    largest = std::max(largest, std::abs(off));
     ++points;
   });
-  return points > 0 ? static_cast<double>(std::sqrt(squares / points)) : 0;
+  if (points == 0) return {};
+  return {static_cast<double>(std::sqrt(squares / points)), static_cast<double>(largest)};
 }
 
 }  // namespace
 
-double hit_off_surface(double radius, SphereForm form, Precision numbers, ToldIn told_in, const StabilityRun& run) {
+OffSurface hit_off_surface(double radius, SphereForm form, Precision numbers, ToldIn told_in, const StabilityRun& run) {
   run.check();
   if (numbers == Precision::float32)
     return told_in == ToldIn::same ? off_surface<float, float>(radius, form)

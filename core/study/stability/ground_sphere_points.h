@@ -12,8 +12,11 @@ enum class SphereForm { textbook, remainder };
 /// coarsely as they may be off: what a check in the same precision tells is mostly its own rounding.
 enum class ToldIn { long_double, same };
 
-/// Distance of the points from the sphere's surface, root of the mean square.
-double hit_off_surface(double radius, SphereForm form, Precision numbers, ToldIn told_in, const StabilityRun& run);
+/// Distance of the points from the sphere's surface.
+struct OffSurface {
+  double rms = 0, largest = 0;
+};
+OffSurface hit_off_surface(double radius, SphereForm form, Precision numbers, ToldIn told_in, const StabilityRun& run);
 
 /// Percentage of the points on the ground of radius 5000, lit by the book's point light at (2, 1, 0), whose shadow ray
 /// meets the ground again beyond `epsilon`: in float, hit and shadow both by the remainder form, from the point as

@@ -8,8 +8,9 @@
 
 namespace ps::stability {
 
-/// What std::min and std::max return for a NaN depends on which operand it is: the first one.
-enum class MinForm { new_first, accumulated_first };
+/// What std::min and std::max return for a NaN depends on which operand it is: the first one. std::fmin and std::fmax
+/// return the number, whichever operand it is; they have the new value first here, where std::min fails.
+enum class MinForm { new_first, accumulated_first, fmin };
 
 inline void include(Box<float>& box, const Vec3f& point, MinForm form) {
   for (int axis = 0; axis < 3; ++axis) switch (form) {
@@ -20,6 +21,10 @@ inline void include(Box<float>& box, const Vec3f& point, MinForm form) {
     case MinForm::accumulated_first:
       box.low[axis] = std::min(box.low[axis], point[axis]);
       box.high[axis] = std::max(box.high[axis], point[axis]);
+      break;
+    case MinForm::fmin:
+      box.low[axis] = std::fmin(point[axis], box.low[axis]);
+      box.high[axis] = std::fmax(point[axis], box.high[axis]);
       break;
     }
 }

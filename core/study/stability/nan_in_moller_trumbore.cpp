@@ -38,6 +38,8 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
         Case{"infinite vertex", ahead, {a, b, {0, inf, 5}}}, Case{"NaN direction", {0, 0, nan}, {a, b, c}},
         Case{"coordinates of 1e30", ahead, {a * 1e30f, b * 1e30f, c * 1e30f}},
         Case{"a triangle ahead", ahead, {a, b, c}}, Case{"a point", ahead, {c, c, c}},
+        Case{"collinear", ahead, {Vec3f(-1, 0, 5), Vec3f(0, 0, 5), Vec3f(2, 0, 5)}},
+        Case{"coordinates of 1e-30", ahead, {a * 1e-30f, b * 1e-30f, c * 1e-30f}},
         Case{"direction 0", Vec3f(0), {a, b, c}}})
     rows.push_back({0, k.name, rejecting(Vec3f(0), k.direction, k.triangle) ? 1.0 : 0.0,
                     accepting(Vec3f(0), k.direction, k.triangle) ? 1.0 : 0.0, "hits"});

@@ -77,6 +77,7 @@ const auto& table() {
       recursion_depth,
       refraction_total_internal,
       acos_of_unit_dot,
+      nan_in_a_picture,
       build_flags,
       precision,
   };
