@@ -145,6 +145,13 @@ TEST(StabilityDepth, CornersBehindTheCamera) {
     EXPECT_EQ(curve.naive(way, 3), 0) << way;
     EXPECT_GT(curve.naive(way, -1), 3) << way;
   }
+  // Given are the ranges behind the camera.
+  for (const double z : {-0.2, -1.0, -3.0, -10.0}) {
+    EXPECT_NEAR(curve.naive("no clipping", z), (28 + 35) / 2.0, (35 - 28) / 2.0 + 1) << z;
+    EXPECT_NEAR(curve.naive("drop the triangle", z), (13 + 33) / 2.0, (33 - 13) / 2.0) << z;
+    EXPECT_LE(curve.naive("clamp z", z), 18.8) << z;
+    EXPECT_LE(curve.naive("take |z|", z), 33) << z;
+  }
   curve.expect_all_robust_zero();
 }
 
