@@ -116,6 +116,9 @@ TEST(StabilityDepth, Formats) {
   for (const double gap : {0.001, 0.01, 0.1}) EXPECT_EQ(curve.robust("unorm 24, z = 1000", gap), 0);
   for (const auto& [z, gap] : std::map<double, double>{{10, 6.7e-5}, {100, .0062}, {1000, .67}})
     curve.expect_naive("unorm 24, resolved", z, gap);
+  // Given as more than z: no gap at all is resolved, since beyond z = 9000 there is one code only.
+  EXPECT_TRUE(std::isnan(curve.naive("unorm 16, resolved", 9000)));
+  EXPECT_EQ(curve.naive("unorm 16, z = 9000", 9000), 100);
 }
 
 TEST(StabilityDepth, NearPlane) {
