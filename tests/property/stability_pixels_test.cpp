@@ -81,6 +81,14 @@ TEST(StabilityCoverage, RaysAndFragments) {
   curve.expect_naive("half a pixel apart", 8, 9137);
 }
 
+// The given bound holds for meshes of which the size of one is told, 6,400 triangles.
+TEST(StabilityCoverage, RaysAndFragmentsOfOtherMeshes) {
+  const Curve curve("ray-vs-raster-agreement", 1);
+  for (const char* series : {"400 triangles, share of the ball", "1600 triangles, share of the ball",
+                             "6400 triangles, share of the ball", "25600 triangles, share of the ball"})
+    for (const double bits : {8.0, 10.0, 12.0}) EXPECT_LE(curve.naive(series, bits), 0.12) << series << " " << bits;
+}
+
 TEST(StabilityCoverage, InclusiveScanlines) {
   const Curve curve("inclusive-scanlines");
   for (const auto& [size, share] : std::map<double, double>{{100, 1.9}, {21, 10.3}, {10, 21}, {3, 63}})
@@ -108,6 +116,9 @@ TEST(StabilityDepth, Formats) {
   for (const double gap : {0.001, 0.01, 0.1}) EXPECT_EQ(curve.robust("unorm 24, z = 1000", gap), 0);
   for (const auto& [z, gap] : std::map<double, double>{{10, 6.7e-5}, {100, .0062}, {1000, .67}})
     curve.expect_naive("unorm 24, resolved", z, gap);
+  // Given as more than z: no gap at all is resolved, since beyond z = 9000 there is one code only.
+  EXPECT_TRUE(std::isnan(curve.naive("unorm 16, resolved", 9000)));
+  EXPECT_EQ(curve.naive("unorm 16, z = 9000", 9000), 100);
 }
 
 TEST(StabilityDepth, NearPlane) {
@@ -145,6 +156,13 @@ TEST(StabilityDepth, CornersBehindTheCamera) {
     EXPECT_EQ(curve.naive(way, 3), 0) << way;
     EXPECT_GT(curve.naive(way, -1), 3) << way;
   }
+  // Given are the ranges behind the camera.
+  for (const double z : {-0.2, -1.0, -3.0, -10.0}) {
+    EXPECT_NEAR(curve.naive("no clipping", z), (28 + 35) / 2.0, (35 - 28) / 2.0 + 1) << z;
+    EXPECT_NEAR(curve.naive("drop the triangle", z), (13 + 33) / 2.0, (33 - 13) / 2.0) << z;
+    EXPECT_LE(curve.naive("clamp z", z), 18.8) << z;
+    EXPECT_LE(curve.naive("take |z|", z), 33) << z;
+  }
   curve.expect_all_robust_zero();
 }
 
@@ -171,7 +189,11 @@ TEST(StabilityShading, GouraudHighlights) {
   EXPECT_LE(curve.naive("exponent 500, mean", 360), 1.25 / 500 * outer + 3 * .14 / std::sqrt(600));
   for (const auto& [triangles, mean] : std::map<double, double>{{3968, .37}, {65024, .87}})
     curve.expect_naive("exponent 500, mean", triangles, mean);
-  EXPECT_GT(curve.robust("exponent 50, mean", 360), 0.99);
+  // Light at every pixel: the highlight's own peak falls between pixels.
+  for (const double triangles : {48.0, 360.0, 960.0, 3968.0, 16128.0, 65024.0}) {
+    EXPECT_GT(curve.robust("exponent 50, mean", triangles), 0.99) << triangles;
+    EXPECT_NEAR(curve.robust("exponent 500, mean", triangles), 0.99, 0.005) << triangles;
+  }
 }
 
 TEST(StabilityShading, ShortNormals) {

@@ -137,7 +137,7 @@ TEST(Stability, SampleAccumulation) {
     EXPECT_LT(rms, 2.5 * error) << samples;
     EXPECT_GT(rms, error / 2.5) << samples;
   }
-  const Curve curve("sample-accumulation", 1);
+  const Curve curve("sample-accumulation");
   EXPECT_NEAR(curve.at("uniform samples", 1e8).naive, 0.664, 0.002) << "the sum stops at 2^24";
   EXPECT_LT(curve.at("uniform samples", 1e8).robust, 1.2e-7);
 }

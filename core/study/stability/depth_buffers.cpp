@@ -128,6 +128,9 @@ std::vector<StabilityRow> measure_formats(const StabilityRun& run) {
     for (const double gap : {0.001, 0.01, 0.1})
       rows.push_back({gap, fmt::format("{}, z = 1000", format.name), confused(format.depth, 1000, gap, run),
                       confused(reversed, 1000, gap, run), "% of pixels wrong"});
+    // A gap of z itself, which reaches past the far plane: what hides it hides all smaller ones.
+    rows.push_back({9000, fmt::format("{}, z = 9000", format.name), confused(format.depth, 9000, 9000, run),
+                    confused(reversed, 9000, 9000, run), "% of pixels wrong"});
     for (std::size_t i = 0; i < depths.size(); ++i)
       rows.push_back({depths[i], fmt::format("{}, resolved", format.name), smallest_gap(format.depth, depths[i], run),
                       robust[i], "smallest gap that 99 % of pairs show"});

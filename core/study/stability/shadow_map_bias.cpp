@@ -55,8 +55,9 @@ double seen(const ShadowMap& map, const Vec3d& point, const ShadowComparison<dou
   return raster::look_up_shadow(map, 0, point, Vec3d(0, 1, 0), how, nobody);
 }
 
-/// Mean darkness (%) of floor that the sun reaches.
-double acne(const Scene& scene, const ShadowMap& map, const ShadowComparison<double>& how, const StabilityRun& run) {
+/// Mean darkness (%) of floor that the sun reaches. `seen(point)` is the share of the sun that a point sees.
+template <class Seen>
+double acne(const Scene& scene, const ShadowMap& map, const StabilityRun& run, Seen&& seen) {
   Random random(run.seed);
   const Vec3d to_sun = scene.lights->front().direction;
   const int points = run.count(100000, 20000);
@@ -65,9 +66,13 @@ double acne(const Scene& scene, const ShadowMap& map, const ShadowComparison<dou
     const Vec3d point{random.between(-3.5, 3.5), 0, random.between(-3.5, 3.5)};
     if (distance_to_ball(point, to_sun) < ball_radius + 12 * texel(map)) continue;
     ++lit;
-    dark += 1 - seen(map, point, how);
+    dark += 1 - seen(point);
   }
   return percent(dark, points);
+}
+
+double acne(const Scene& scene, const ShadowMap& map, const ShadowComparison<double>& how, const StabilityRun& run) {
+  return acne(scene, map, run, [&](const Vec3d& point) { return seen(map, point, how); });
 }
 
 /// Percentage of the shadow within 0.15 of the place where the ball touches the floor that is lit. `seen(point)` is
@@ -108,8 +113,8 @@ double shadow_lost(const Scene& scene, const ShadowMap& map, const ShadowCompari
   return percent(lost, points);
 }
 
-/// The share of 5 x 5 taps that see the sun, each compared with the depth that the floor has in the tap's own middle.
-double seen_by_plane(const ShadowMap& map, const Vec3d& point) {
+/// The share of taps x taps that see the sun, each compared with the depth that the floor has in the tap's own middle.
+double seen_by_plane(const ShadowMap& map, const Vec3d& point, int taps) {
   const Vec3d up(0, 1, 0);
   const auto here = raster::find_on_map(map, point, up);
   // How a step along the floor moves on the map: the floor's depth is linear in both of the map's axes.
@@ -118,7 +123,7 @@ double seen_by_plane(const ShadowMap& map, const Vec3d& point) {
   const Vec2d a = across.position - here.position, b = along.position - here.position;
   const double area = a.x * b.y - a.y * b.x, da = across.depth - here.depth, db = along.depth - here.depth;
   const Vec2d slope((da * b.y - db * a.y) / area, (db * a.x - da * b.x) / area);
-  constexpr int aside = 2;
+  const int aside = taps / 2;
   int lit = 0;
   for (int j = -aside; j <= aside; ++j)
     for (int i = -aside; i <= aside; ++i) {
@@ -128,7 +133,7 @@ double seen_by_plane(const ShadowMap& map, const Vec3d& point) {
       const double stored = static_cast<double>(map.faces.front().at(x, y));
       lit += stored < plane - 1e-4 ? 0 : 1;  // the map holds floats
     }
-  return lit / 25.0;
+  return lit / static_cast<double>(taps * taps);
 }
 
 std::vector<StabilityRow> measure_acne(const StabilityRun& run) {
@@ -161,9 +166,14 @@ std::vector<StabilityRow> measure_filter(const StabilityRun& run) {
   const Scene scene = ball_on_floor(30);
   const ShadowMap map = map_of(scene, 512, run);
   Rows rows(run);
-  for (const int taps : {1, 3, 5, 7})
-    rows.push_back({static_cast<double>(taps), "sun at 30 degrees", acne(scene, map, {0, 1, taps}, run),
+  for (const int taps : {1, 3, 5, 7}) {
+    const double naive = acne(scene, map, {0, 1, taps}, run);
+    const double plane = acne(scene, map, run, [&](const Vec3d& point) { return seen_by_plane(map, point, taps); });
+    rows.push_back({static_cast<double>(taps), "sun at 30 degrees", naive,
                     acne(scene, map, {0, slope_for(taps), taps}, run), "% of lit floor dark"});
+    rows.push_back({static_cast<double>(taps), "sun at 30 degrees, taps on the receiver's plane", naive, plane,
+                    "% of lit floor dark"});
+  }
   return rows;
 }
 
@@ -192,7 +202,7 @@ std::vector<StabilityRow> measure_peter_panning(const StabilityRun& run) {
     rows.push_back({0, series + ", 5 x 5 taps with the slope of 3.5 texels", contact_lost(scene, map, filtered, run),
                     robust, "% of contact shadow lost"});
     rows.push_back({0, series + ", 5 x 5 taps on the receiver's plane",
-                    contact_lost(scene, run, [&](const Vec3d& point) { return seen_by_plane(map, point); }), robust,
+                    contact_lost(scene, run, [&](const Vec3d& point) { return seen_by_plane(map, point, 5); }), robust,
                     "% of contact shadow lost"});
     // Lifted by this much the point sees past the texel whose middle lies half a texel down the slope.
     const double lift = 0.6 * texel(map);

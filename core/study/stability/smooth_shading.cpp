@@ -8,6 +8,10 @@ namespace {
 
 Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
 
+double longest_side(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return std::sqrt(std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)}));
+}
+
 struct Peaks {
   double mean = 0;
   double least = 0;  ///< of 20 lights, on average
@@ -32,7 +36,8 @@ Peaks peaks(const Mesh& mesh, double exponent, Where where, const StabilityRun& 
       for (const Vec3d& normal : mesh.normals)
         if (dot(normal, to_eye) > 0) peak = std::max(peak, highlight(normal, to_light, to_eye, exponent));
     } else {
-      // In every triangle around the highlight, interpolated and brought back to length 1.
+      // In every triangle around the highlight, interpolated and brought back to length 1, in steps of a pixel of a
+      // picture in which the ball is 200 wide.
       const Vec3d half = unit(to_light + to_eye);
       const double around = mesh.triangles.size() > 5000 ? 0.99 : 0.5;
       for (const MeshTriangle& t : mesh.triangles) {
@@ -40,7 +45,7 @@ Peaks peaks(const Mesh& mesh, double exponent, Where where, const StabilityRun& 
                     &b = mesh.normals[static_cast<std::size_t>(t.normal[1])],
                     &c = mesh.normals[static_cast<std::size_t>(t.normal[2])];
         if (std::min({dot(a, half), dot(b, half), dot(c, half)}) < around) continue;
-        constexpr int steps = 24;
+        const int steps = static_cast<int>(std::ceil(100 * longest_side(a, b, c)));
         for (int u = 0; u <= steps; ++u)
           for (int v = 0; v + u <= steps; ++v)
             peak = std::max(peak, highlight(unit(a * double(u) + b * double(v) + c * double(steps - u - v)), to_light,

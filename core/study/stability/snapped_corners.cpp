@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <span>
 
 #include "raster/edge_function.h"
 #include "scene/generate/uv_sphere.h"
@@ -57,10 +60,10 @@ std::vector<StabilityRow> measure_bits(const StabilityRun& run) {
   return rows;
 }
 
-/// A ball of 6,400 triangles before the camera that covers 33,100 pixels of 512 x 512, turned so that its rings and
-/// meridians run along neither rows nor columns: where they do, one rounding moves a whole row of edges at once.
-Scene ball() {
-  Mesh mesh = make_uv_sphere({80, 41});
+/// A ball before the camera that covers 33,100 pixels of 512 x 512, turned so that its rings and meridians run along
+/// neither rows nor columns: where they do, one rounding moves a whole row of edges at once.
+Scene ball(int slices) {
+  Mesh mesh = make_uv_sphere({slices, slices / 2 + 1});
   mesh.materials = {0};
   Geometry geometry;
   geometry.meshes = {std::make_shared<Mesh>(std::move(mesh))};
@@ -74,32 +77,60 @@ Scene ball() {
   return scene;
 }
 
-std::vector<StabilityRow> measure_agreement(const StabilityRun& run) {
-  const Scene scene = ball();
-  const View view{scene.camera, 512, 512};
-  Settings rays;
-  rays.lighting = false;
-  rays.precision = Precision::float64;
-  const auto ids = [&](const Settings& settings) { return picture_of(scene, view, settings, Channel::ids, run).ids; };
-  const Image<PixelId> traced = ids(rays);
-  const auto differing = [&](const Image<PixelId>& a) {
-    double count = 0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i) count += a.pixels()[i] == traced.pixels()[i] ? 0 : 1;
-    return count;
-  };
-  Settings raster = rays;
-  raster.renderer = Renderer::rasterizer;
-  raster.subpixel_bits = 12;
-  const double robust = differing(ids(raster));
-  Rows rows(run);
-  for (const int bits : {0, 2, 4, 8, 12}) {
-    raster.subpixel_bits = bits;
-    rows.push_back(
-        {static_cast<double>(bits), "both renderers", differing(ids(raster)), robust, "px with another triangle"});
+/// A ball's triangles as rays find them, against those of fragments.
+class Agreement {
+ public:
+  Agreement(int slices, const StabilityRun& run) : run_(run), scene_(ball(slices)) {
+    settings_.lighting = false;
+    settings_.precision = Precision::float64;
+    traced_ = ids();
+    settings_.renderer = Renderer::rasterizer;
   }
-  raster.subpixel_bits = 8;
-  raster.sample_position = SamplePosition::corner;
-  rows.push_back({8, "half a pixel apart", differing(ids(raster)), robust, "px with another triangle"});
+  /// Pixels with another triangle.
+  double differing(int bits, SamplePosition position = SamplePosition::centre) {
+    settings_.subpixel_bits = bits;
+    settings_.sample_position = position;
+    const Image<PixelId> drawn = ids();
+    double count = 0;
+    for (std::size_t i = 0; i < drawn.pixels().size(); ++i) count += drawn.pixels()[i] == traced_.pixels()[i] ? 0 : 1;
+    return count;
+  }
+  /// Pixels that show the ball.
+  double covered() const {
+    return static_cast<double>(std::count_if(traced_.pixels().begin(), traced_.pixels().end(),
+                                             [](const PixelId& id) { return id.object >= 0; }));
+  }
+
+ private:
+  Image<PixelId> ids() const {
+    return picture_of(scene_, {scene_.camera, 512, 512}, settings_, Channel::ids, run_).ids;
+  }
+
+  const StabilityRun& run_;
+  Scene scene_;
+  Settings settings_;
+  Image<PixelId> traced_;
+};
+
+std::vector<StabilityRow> measure_agreement(const StabilityRun& run) {
+  Rows rows(run);
+  Agreement ball(80, run);
+  const double robust = ball.differing(12);
+  for (const int bits : {0, 2, 4, 8, 12})
+    rows.push_back(
+        {static_cast<double>(bits), "both renderers", ball.differing(bits), robust, "px with another triangle"});
+  rows.push_back(
+      {8, "half a pixel apart", ball.differing(8, SamplePosition::corner), robust, "px with another triangle"});
+  // Coarser and finer meshes, in shares of a ball that is equally large in each.
+  constexpr std::array all_slices{20, 40, 80, 160};
+  for (const int slices : std::span(all_slices).first(static_cast<std::size_t>(std::min(4, run.count(4))))) {
+    Agreement other(slices, run);
+    const std::string series = std::to_string(slices * slices) + " triangles, share of the ball";
+    const double finest = percent(other.differing(12), other.covered());
+    for (const int bits : {0, 2, 4, 8, 10, 12})
+      rows.push_back({static_cast<double>(bits), series, percent(other.differing(bits), other.covered()), finest,
+                      "% of px with another triangle"});
+  }
   return rows;
 }
 
