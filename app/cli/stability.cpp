@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -26,12 +27,16 @@ struct StabilityArguments {
   bool resume = false;
 };
 
+/// "-" where the series has no such method.
+std::string measured_text(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+
 void print_rows(const StabilityExperiment& experiment, const std::vector<StabilityRow>& rows) {
   fmt::print("{} ({})\n{}\n", experiment.title, experiment.key, experiment.explanation);
   fmt::print("naive: {}; robust: {}; safe: {}\n", experiment.naive, experiment.robust, experiment.safe);
   fmt::print("{:>12} {:>12} {:>12}  {}\n", "knob", "naive", "robust", experiment.knob);
   for (const StabilityRow& row : rows)
-    fmt::print("{:>12.4g} {:>12.4g} {:>12.4g}  {}: {}\n", row.knob, row.naive, row.robust, row.series, row.unit);
+    fmt::print("{:>12.4g} {:>12} {:>12}  {}: {}\n", row.knob, measured_text(row.naive), measured_text(row.robust),
+               row.series, row.unit);
   fmt::print("\n");
 }
 

@@ -171,6 +171,12 @@ TEST(Cli, StabilityPrintsItsTable) {
   EXPECT_TRUE(std::filesystem::exists(folder.file("tables/epsilon-unit.csv")));
 }
 
+TEST(Cli, StabilityPrintsADashWhereThereIsNoSuchMethod) {
+  const auto printed = run_cli({"stability", "nan-in-a-picture"});
+  ASSERT_EQ(printed.status, 0) << printed.err;
+  EXPECT_NE(printed.out.find("            -            1  not finite"), std::string::npos) << printed.out;
+}
+
 TEST(Cli, NeedsTellsItsAdviceAndHowItWasFound) {
   const auto printed = run_cli({"needs", "cgfs/cubes", "--size", "40x30", "--repeats", "1"});
   ASSERT_EQ(printed.status, 0) << printed.err;
