@@ -24,7 +24,9 @@ struct LessonState {
   Side picked = Side::a;
   ShownChannel show_a{}, show_b{};
   CompareMode compare = CompareMode::side_by_side;
-  std::string tab;  ///< below the pictures, one of bottom_tabs; empty: the one that is open
+  std::string tab;         ///< below the pictures, one of bottom_tabs; empty: the one that is open
+  std::string sweep;       ///< of the chart, as sweep_text() tells it; empty: the one that is chosen
+  std::string experiment;  ///< of the stability tab; empty: the one that is shown
 };
 
 /// A number that can be measured on the pictures A and B of a state.

@@ -110,8 +110,9 @@ class LessonParser {
       for (const BlockLine& line : lines_)
         at_place(line.place, [&] {
           if (!read_state_line(line, state))
-            throw InputError(line.place, fmt::format("'{} {}'", line.word, line.rest),
-                             "scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare or tab");
+            throw InputError(
+                line.place, fmt::format("'{} {}'", line.word, line.rest),
+                "scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare, tab, sweep or experiment");
         });
     }
     block_.clear();

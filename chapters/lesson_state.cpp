@@ -7,6 +7,8 @@
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"
+#include "study/stability/experiment.h"
+#include "study/sweep.h"
 
 namespace ps {
 namespace {
@@ -51,7 +53,13 @@ bool read_state_line(const BlockLine& line, LessonState& state) {
     state.compare = parse_compare_mode(rest);
   else if (line.word == "tab" && std::find(bottom_tabs.begin(), bottom_tabs.end(), rest) != bottom_tabs.end())
     state.tab = rest;
-  else
+  else if (line.word == "sweep") {
+    state.sweep = sweep_text(parse_sweep_text(rest));
+    state.tab = "chart";
+  } else if (line.word == "experiment") {
+    state.experiment = find_stability_experiment(rest).key;
+    state.tab = "stability";
+  } else
     return false;
   return true;
 }
@@ -75,6 +83,8 @@ Document state_document(const LessonState& state, const Document& now) {
   document.compare = state.compare;
   document.layout = now.layout;
   if (!state.tab.empty()) document.layout.bottom_tab = state.tab;
+  if (!state.sweep.empty()) document.layout.sweep = state.sweep;
+  if (!state.experiment.empty()) document.layout.experiment = state.experiment;
   if (!state.tab.empty() && document.layout.bottom <= 0) document.layout.bottom = Layout{}.bottom;
   document.story = carried_over(now.story, same_scene);
   return document;

@@ -48,6 +48,8 @@ struct Layout {
   double left = 0, right = 0, bottom = 0.36;  ///< bottom: 0 = folded
   bool panels = true;                         ///< false: only the pictures
   std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
+  std::string sweep;       ///< what the chart varies, as sweep_text() tells it; empty = the first named sweep
+  std::string experiment;  ///< key of the one that the stability tab shows; empty = the first
   std::string filled;  ///< the region that has the window for itself: "left", "lesson", "right", "bottom"; "" = none
   bool operator==(const Layout&) const = default;
 };

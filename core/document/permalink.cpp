@@ -124,6 +124,10 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.layout.right_tab = t; }},
       {"bottom-tab", [](const Document& d) { return text_unless(d.layout.bottom_tab, Layout{}.bottom_tab); },
        [](Document& d, std::string_view t) { d.layout.bottom_tab = t; }},
+      {"sweep", [](const Document& d) { return text_unless(d.layout.sweep, ""); },
+       [](Document& d, std::string_view t) { d.layout.sweep = t; }},
+      {"experiment", [](const Document& d) { return text_unless(d.layout.experiment, ""); },
+       [](Document& d, std::string_view t) { d.layout.experiment = t; }},
       {"filled", [](const Document& d) { return text_unless(d.layout.filled, ""); },
        [](Document& d, std::string_view t) {
          if (t != "left" && t != "lesson" && t != "right" && t != "bottom")

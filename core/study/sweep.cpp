@@ -8,6 +8,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/check.h"
 #include "options/scene_settings.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr int most_standard_values = 8;
 constexpr std::size_t most_points = 100000;
+constexpr const char* no_axes = "none";  // as text
 
 std::string canonical(const Option& option, std::string_view text) {
   Settings settings;
@@ -222,6 +224,30 @@ std::vector<SweepAxis> parse_sweep(std::string_view text) {
     if (sweep.key == text)
       for (const std::string& axis : sweep.axes) axes.push_back(parse_sweep_axis(axis));
   if (axes.empty()) axes.push_back(parse_sweep_axis(text));
+  return axes;
+}
+
+std::string sweep_text(std::span<const SweepAxis> axes) {
+  const auto same = [](const SweepAxis& a, const SweepAxis& b) { return a.option == b.option && a.values == b.values; };
+  for (const NamedSweep& sweep : named_sweeps()) {
+    const std::vector<SweepAxis> named = parse_sweep(sweep.key);
+    if (std::equal(named.begin(), named.end(), axes.begin(), axes.end(), same)) return std::string(sweep.key);
+  }
+  std::vector<std::string> texts;
+  for (const SweepAxis& axis : axes)
+    texts.push_back(fmt::format("{}={}", axis.option->key, fmt::join(axis.values, ",")));
+  return axes.empty() ? no_axes : fmt::format("{}", fmt::join(texts, ";"));
+}
+
+std::vector<SweepAxis> parse_sweep_text(std::string_view text) {
+  if (text == no_axes) return {};
+  if (text.find(';') == std::string_view::npos) return parse_sweep(text);
+  std::vector<SweepAxis> axes;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(';', from), text.size());
+    axes.push_back(parse_sweep_axis(text.substr(from, to - from)));
+    from = to + 1;
+  }
   return axes;
 }
 

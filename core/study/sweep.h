@@ -33,6 +33,12 @@ std::span<const NamedSweep> named_sweeps();
 /// The axes of a named sweep, or the one axis that `text` describes.
 std::vector<SweepAxis> parse_sweep(std::string_view text);
 
+/// The key of the named sweep with these axes, otherwise all axes as text: "shading=phong,flat;textures=on,off", or
+/// "none".
+std::string sweep_text(std::span<const SweepAxis> axes);
+/// The axes that sweep_text() told of. Throws InputError like parse_sweep().
+std::vector<SweepAxis> parse_sweep_text(std::string_view text);
+
 /// One point of a sweep before it is measured.
 struct SweepPoint {
   std::string label;     ///< what sets it apart from the others: "rasterizer, gouraud"

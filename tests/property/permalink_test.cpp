@@ -113,6 +113,8 @@ Document any_document() {
   d.layout.bottom = any_share();
   d.layout.panels = *rc::gen::arbitrary<bool>();
   d.layout.right_tab = *rc::gen::arbitrary<std::string>();
+  d.layout.sweep = *rc::gen::arbitrary<std::string>();
+  d.layout.experiment = *rc::gen::arbitrary<std::string>();
   d.lesson = *rc::gen::arbitrary<std::string>();
   d.step = *rc::gen::inRange(0, 100);
   return d;

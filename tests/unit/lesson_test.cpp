@@ -95,6 +95,22 @@ TEST(Lesson, ClaimsAddToTheirStep) {
   EXPECT_EQ(lesson.steps[1].claims.at(0).metric, ClaimMetric::counter_b);
 }
 
+TEST(Lesson, AStepChoosesASweepOrAnExperimentAndOpensItsTab) {
+  const auto state_with = [](const std::string& line) {
+    std::string text = good;
+    text.replace(text.find("pixel 3,4"), 9, line);
+    return parse_lesson(text, "demo", "lesson.md").steps[0].state;
+  };
+  const LessonState chart = state_with("sweep shading=phong,flat;textures");
+  EXPECT_EQ(chart.tab, "chart");
+  EXPECT_EQ(chart.sweep, "shading=phong,flat;textures=off,on");
+  EXPECT_EQ(state_with("sweep reflection-depths").sweep, "reflection-depths");
+  const LessonState laboratory = state_with("experiment bvh-holes");
+  EXPECT_EQ(laboratory.tab, "stability");
+  EXPECT_EQ(laboratory.experiment, "bvh-holes");
+  EXPECT_EQ(state_with("tab chart").sweep, "");
+}
+
 /// The lesson with `from` replaced must be refused with a message that holds `message`.
 void expect_refused(const std::string& from, const std::string& to, const std::string& message) {
   std::string text = good;
@@ -115,6 +131,8 @@ TEST(Lesson, FaultsAreNamedWithTheirLine) {
   expect_refused("scene cgfs/shadows", "", "scene");
   expect_refused("set shadow-epsilon=0", "set shadow-epsilom=0", "lesson.md:22: unknown option 'shadow-epsilom'");
   expect_refused("pixel 3,4", "pixel 3", "lesson.md:24: pixel");
+  expect_refused("pixel 3,4", "sweep reflections", "lesson.md:24: unknown option 'reflections'");
+  expect_refused("pixel 3,4", "experiment holes", "lesson.md:24");
   expect_refused("size 60x50", "size 0x50", "lesson.md:25: picture size");
   expect_refused("show-b depth", "show-b dept", "lesson.md:26");
   expect_refused("compare split", "compare both", "lesson.md:27");

@@ -90,6 +90,15 @@ TEST(Sweep, BadTextIsRefusedWithAMessage) {
   EXPECT_THROW(points_of({"precision", "precision"}, "cgfs/spheres"), InputError);
 }
 
+TEST(Sweep, IsToldAsTextThatIsReadBack) {
+  for (const NamedSweep& sweep : named_sweeps()) EXPECT_EQ(sweep_text(parse_sweep_text(sweep.key)), sweep.key);
+  for (const char* text : {"reflection-depth=0,2", "shading=phong,flat;textures=on,off", "none"})
+    EXPECT_EQ(sweep_text(parse_sweep_text(text)), text);
+  EXPECT_EQ(sweep_text(parse_sweep_text("reflection-depth=0,1,2,3,4,6,8")), "reflection-depths") << "by its name";
+  for (const char* text : {"", ";", "shading=phong;", "shading=phong;no-such-option", "renderers;shading"})
+    EXPECT_THROW(parse_sweep_text(text), InputError) << text;
+}
+
 TEST(Sweep, TellsOptionsThatActNowhere) {
   const Scene scene = load_scene("cgfs/spheres");
   const std::vector<SweepAxis> axes{parse_sweep_axis("texture-filter"), parse_sweep_axis("precision")};

@@ -25,6 +25,34 @@ void choose_named(ChartTabState& state, const NamedSweep& sweep) {
   set_axes(state.setup, parse_sweep(sweep.key));
 }
 
+/// Takes up the sweep that the document asks for: by a lesson's step, or by a link.
+void follow_document(Session& session, ChartTabState& state) {
+  const std::string& asked = session.document().layout.sweep;
+  if (asked == state.told) return;
+  state.told = asked;
+  try {
+    const std::vector<SweepAxis> axes =
+        asked.empty() ? parse_sweep(named_sweeps().front().key) : parse_sweep_text(asked);
+    const std::span<const NamedSweep> named = named_sweeps();
+    const bool known =
+        std::any_of(named.begin(), named.end(), [&](const NamedSweep& n) { return n.key == sweep_text(axes); });
+    state.named = known ? sweep_text(axes) : "";
+    set_axes(state.setup, axes);
+    state.begun = true;
+  } catch (const InputError& error) {
+    session.say(Message::Kind::error, error.what());
+  }
+}
+
+/// Tells the document what was chosen here, so that a link brings it back.
+void tell_document(Session& session, ChartTabState& state) {
+  const std::string shown = sweep_text(state.setup.axes);
+  const std::string now = shown == named_sweeps().front().key ? "" : shown;
+  if (now == state.told) return;
+  state.told = now;
+  session.navigate([&](Document& document) { document.layout.sweep = now; });
+}
+
 /// The first sweep is the one whose points the most people ask for: who draws it, and how well.
 void begin(ChartTabState& state) {
   if (state.begun) return;
@@ -271,12 +299,14 @@ bool chart_tab(Session& session, ChartTabState& state, const StudyFolder& folder
   const NameScope scope("chart");
   if (!session.has_scene()) return false;
   begin(state);
+  follow_document(session, state);
   update_plan(state.plan, state.setup, session);
   if (state.kept_for != state.plan.key) {
     state.kept_for = state.plan.key;
     state.kept = StudyFolder::holds_results(folder.of(state.plan.key));
   }
   const bool fill = toolbar(session, state, folder, host, filled);
+  tell_document(session, state);
   progress_line(state);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   if (room.x < px(80) || room.y < px(60)) return fill;

@@ -306,38 +306,8 @@ void shown_experiment(StabilityTabState& state) {
   if (const auto knob = film_strip_view(state.strip, experiment)) begin_opening(state.opening, experiment, *knob);
 }
 
-}  // namespace
-
-void show_experiment(StabilityTabState& state, const std::string& key) {
-  look_into_folder(state);
-  select(state, find_stability_experiment(key));
-}
-
-bool stability_busy(const StabilityTabState& state) {
-  return state.study.state() == StudyState::running || state.opening.running() || state.strip.study.running();
-}
-
-void update_stability(Session& session, StabilityTabState& state, const std::filesystem::path& folder) {
-  if (const auto opening = state.opening.found(); opening && opening != state.opened) {
-    state.opened = opening;
-    try {
-      show_opening(session, *opening, folder);
-      // The pictures are what was asked for.
-      session.navigate([](Document& document) { document.layout.filled.clear(); });
-    } catch (const InputError& error) {
-      session.say(Message::Kind::error, error.what());
-    }
-  }
-  const auto found = state.study.found();
-  if (found && found != state.taken) {
-    state.taken = found;
-    for (const auto& [key, experiment] : found->measured) state.measured.insert_or_assign(key, experiment);
-  }
-}
-
-bool stability_tab(Session&, StabilityTabState& state, bool filled) {
-  const NameScope scope("stability");
-  look_into_folder(state);
+/// Buttons, the list, and the experiment that is chosen. Answers whether the window shall be filled.
+bool laboratory(StabilityTabState& state, bool filled) {
   const bool wide = ImGui::GetContentRegionAvail().x >= px(narrow);
   if (!wide) {
     experiment_choice(state);
@@ -367,6 +337,57 @@ bool stability_tab(Session&, StabilityTabState& state, bool filled) {
   ImGui::BeginChild("experiment");
   shown_experiment(state);
   ImGui::EndChild();
+  return fill;
+}
+
+}  // namespace
+
+void show_experiment(StabilityTabState& state, const std::string& key) {
+  look_into_folder(state);
+  select(state, find_stability_experiment(key));
+}
+
+bool stability_busy(const StabilityTabState& state) {
+  return state.study.state() == StudyState::running || state.opening.running() || state.strip.study.running();
+}
+
+void update_stability(Session& session, StabilityTabState& state, const std::filesystem::path& folder) {
+  if (const auto opening = state.opening.found(); opening && opening != state.opened) {
+    state.opened = opening;
+    try {
+      show_opening(session, *opening, folder);
+      // The pictures are what was asked for.
+      session.navigate([](Document& document) { document.layout.filled.clear(); });
+    } catch (const InputError& error) {
+      session.say(Message::Kind::error, error.what());
+    }
+  }
+  const auto found = state.study.found();
+  if (found && found != state.taken) {
+    state.taken = found;
+    for (const auto& [key, experiment] : found->measured) state.measured.insert_or_assign(key, experiment);
+  }
+}
+
+bool stability_tab(Session& session, StabilityTabState& state, bool filled) {
+  const NameScope scope("stability");
+  look_into_folder(state);
+  // The document asks by a lesson's step or by a link; what is chosen here it is told, so that a link brings it back.
+  if (const std::string& asked = session.document().layout.experiment; asked != state.told) {
+    state.told = asked;
+    try {
+      show_experiment(state, asked.empty() ? std::string(stability_experiments().front().key) : asked);
+    } catch (const InputError& error) {
+      session.say(Message::Kind::error, error.what());
+    }
+  }
+  const bool fill = laboratory(state, filled);
+  const std::string_view shown = selected(state).key;
+  const std::string now(shown == stability_experiments().front().key ? "" : shown);
+  if (now != state.told) {
+    state.told = now;
+    session.navigate([&](Document& document) { document.layout.experiment = now; });
+  }
   return fill;
 }
 

@@ -27,6 +27,7 @@ struct StabilityTabState {
   explicit StabilityTabState(const std::function<void()>& wake) : strip(wake), study(wake), opening(wake) {}
 
   std::string selected;  ///< key of the experiment that is shown; empty = the first
+  std::string told;      ///< Layout::experiment as it was seen or set last
   std::string search;    ///< in the list
   std::string series;    ///< of it, as chosen; empty = the one that tells most
   std::map<std::string, MeasuredExperiment, std::less<>> measured;  ///< by key; one of them may be a part
