@@ -20,10 +20,7 @@ namespace {
 constexpr const char* own_sweep = "own";
 constexpr double least_height_for_legend = 170;  // at scale 1; below, the room is the plot's
 
-void choose_named(ChartTabState& state, const NamedSweep& sweep) {
-  state.named = sweep.key;
-  set_axes(state.setup, parse_sweep(sweep.key));
-}
+void choose_named(ChartTabState& state, const NamedSweep& sweep) { set_axes(state.setup, parse_sweep(sweep.key)); }
 
 /// Takes up the sweep that the document asks for: by a lesson's step, or by a link.
 void follow_document(Session& session, ChartTabState& state) {
@@ -31,13 +28,7 @@ void follow_document(Session& session, ChartTabState& state) {
   if (asked == state.told) return;
   state.told = asked;
   try {
-    const std::vector<SweepAxis> axes =
-        asked.empty() ? parse_sweep(named_sweeps().front().key) : parse_sweep_text(asked);
-    const std::span<const NamedSweep> named = named_sweeps();
-    const bool known =
-        std::any_of(named.begin(), named.end(), [&](const NamedSweep& n) { return n.key == sweep_text(axes); });
-    state.named = known ? sweep_text(axes) : "";
-    set_axes(state.setup, axes);
+    set_axes(state.setup, parse_sweep_text(asked.empty() ? named_sweeps().front().key : asked));
     state.begun = true;
   } catch (const InputError& error) {
     session.say(Message::Kind::error, error.what());
@@ -60,25 +51,13 @@ void begin(ChartTabState& state) {
   if (state.setup.axes.empty()) choose_named(state, named_sweeps().front());
 }
 
-bool is_named(const ChartTabState& state) {
-  if (state.named.empty()) return false;
-  const auto named = parse_sweep(state.named);
-  return std::equal(
-      named.begin(), named.end(), state.setup.axes.begin(), state.setup.axes.end(),
-      [](const SweepAxis& a, const SweepAxis& b) { return a.option == b.option && a.values == b.values; });
-}
-
 void sweep_choice(ChartTabState& state, float width) {
   std::vector<Choice> choices;
   for (const NamedSweep& sweep : named_sweeps()) choices.push_back({sweep.key, sweep.label, ""});
-  int index = 0;
-  if (is_named(state)) {
-    for (std::size_t i = 0; i < choices.size(); ++i)
-      if (choices[i].key == state.named) index = static_cast<int>(i);
-  } else {
-    index = static_cast<int>(choices.size());
-    choices.push_back({own_sweep, "An own sweep", ""});
-  }
+  const std::string shown = sweep_text(state.setup.axes);
+  const auto named = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.key == shown; });
+  int index = static_cast<int>(named - choices.begin());
+  if (named == choices.end()) choices.push_back({own_sweep, "An own sweep", ""});
   if (!choice("sweep", choices, index,
               {.tooltip = "What is measured: one picture for each combination.", .width = width}))
     return;
@@ -316,7 +295,6 @@ bool chart_tab(Session& session, ChartTabState& state, const StudyFolder& folder
 
 void sweep_option(ChartTabState& state, const Option& option, Side side) {
   state.begun = true;
-  state.named.clear();
   state.setup.side = side;
   set_axes(state.setup, {{&option, standard_values(option)}});
 }

@@ -25,7 +25,6 @@ struct ChartTabState {
 
   ChartSetup setup;
   bool begun = false;  ///< the first sweep has been chosen
-  std::string named;   ///< key of the named sweep that was chosen; empty = an own one
   std::string told;    ///< Layout::sweep as it was seen or set last
   ErrorMetric metric = ErrorMetric::rmse;
   ChartPlan plan;
