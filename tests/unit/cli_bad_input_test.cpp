@@ -95,6 +95,7 @@ TEST(CliBadInput, Files) {
   expect_refused({"render", scene}, "--out");
   expect_refused({"precision", scene, "--out", folder.file("a.gif")}, ".gif");
   expect_refused({"precision", scene, "--gap", folder.file("nowhere/a.png")}, "does not exist");
+  expect_refused({"stability", "bhv-holes"}, "did you mean 'bvh-holes'?");
   expect_refused({"stability", "bvh-holes", "--strip", folder.file("a.gif")}, ".gif");
   expect_refused({"stability", "bvh-holes", "--out", scene}, "folder");
   expect_refused({"stability", "bvh-holes", "--resume"}, "--out");

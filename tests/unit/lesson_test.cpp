@@ -132,7 +132,7 @@ TEST(Lesson, FaultsAreNamedWithTheirLine) {
   expect_refused("set shadow-epsilon=0", "set shadow-epsilom=0", "lesson.md:22: unknown option 'shadow-epsilom'");
   expect_refused("pixel 3,4", "pixel 3", "lesson.md:24: pixel");
   expect_refused("pixel 3,4", "sweep reflections", "lesson.md:24: unknown option 'reflections'");
-  expect_refused("pixel 3,4", "experiment holes", "lesson.md:24");
+  expect_refused("pixel 3,4", "experiment bhv-holes", "lesson.md:24: unknown experiment 'bhv-holes'");
   expect_refused("size 60x50", "size 0x50", "lesson.md:25: picture size");
   expect_refused("show-b depth", "show-b dept", "lesson.md:26");
   expect_refused("compare split", "compare both", "lesson.md:27");

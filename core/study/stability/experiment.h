@@ -77,7 +77,7 @@ struct StabilityExperiment {
 /// All experiments, in the order of their subject: rays, boxes, coverage, depth, shadows, shading, sampling, numbers.
 /// Adding one is a file with its constant, a line in experiments.h and one in table.cpp.
 std::span<const StabilityExperiment> stability_experiments();
-/// Throws InputError naming the experiments that exist.
+/// Throws InputError naming the nearest key.
 const StabilityExperiment& find_stability_experiment(std::string_view key);
 
 /// The table "knob,series,naive,robust,unit"; a method that does not exist is an empty field.

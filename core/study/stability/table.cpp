@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/spelling.h"
 #include "study/stability/experiments.h"
 
 namespace ps {
@@ -93,9 +94,9 @@ std::span<const StabilityExperiment> stability_experiments() { return table(); }
 const StabilityExperiment& find_stability_experiment(std::string_view key) {
   const auto found = std::find_if(table().begin(), table().end(), [&](const auto& row) { return row.key == key; });
   if (found != table().end()) return *found;
-  std::string known;
-  for (const StabilityExperiment& row : table()) known += fmt::format(" {}", row.key);
-  throw InputError(fmt::format("stability: found '{}', expected one of{}", key, known));
+  std::vector<std::string_view> known;
+  for (const StabilityExperiment& row : table()) known.push_back(row.key);
+  throw InputError(fmt::format("unknown experiment '{}'; did you mean '{}'?", key, nearest_word(key, known)));
 }
 
 std::string stability_csv(std::span<const StabilityRow> rows) {
