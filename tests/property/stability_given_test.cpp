@@ -56,9 +56,11 @@ bool holds(double ours, const Given& given) {
   return found <= size * 1.5 + given.noise && found >= size / 1.5 - given.noise;
 }
 
-/// A row of assets/gallery/stability.md.
+/// A row of assets/gallery/stability.md. A bar in a name would begin a cell.
 void write_row(std::ostream& table, const Given& given, double ours) {
-  table << fmt::format("| {} | {} | {} | {} | {:.4g} | {} | {} |\n", given.experiment, given.series, given.knob_text,
+  std::string series;
+  for (const char c : given.series) series += c == '|' ? "\\|" : std::string(1, c);
+  table << fmt::format("| {} | {} | {} | {} | {:.4g} | {} | {} |\n", given.experiment, series, given.knob_text,
                        given.method, ours, given.text, given.noise > 0 ? "holds, given " + given.remark : "holds");
 }
 
