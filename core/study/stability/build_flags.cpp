@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "study/stability/build_flags/kernels.h"
 #include "study/stability/triangle_methods.h"
 
@@ -12,30 +14,24 @@ std::vector<StabilityRow> measure_contraction(const StabilityRun& run) {
     return
         [test](const AimedRay& ray, const TracedTriangle<float>& triangle) { return test(flat(ray), flat(triangle)); };
   };
-  for (const AimAt what : {AimAt::edge, AimAt::vertex, AimAt::interior}) {
-    const std::vector<CrackRates> rates = crack_rates(
-        what,
-        {watertight_hits, hits(fused.watertight), hits(plain.watertight), hits(fused.moeller_trumbore),
-         hits(plain.moeller_trumbore), fused_edges_hits, hits(fused.compared_products), hits(fused.kahan_products)},
-        run);
-    const CrackRates &product = rates[0], &fused_woop = rates[1], &plain_woop = rates[2];
-    if (what == AimAt::interior) {
-      add_cracks(rows, 1, "watertight (Woop), inside triangles", fused_woop, plain_woop);
-      add_cracks(rows, 1, "edge functions alone fused, inside triangles", rates[5], plain_woop);
-      continue;
-    }
-    if (what == AimAt::vertex) {
-      add_cracks(rows, 1, "watertight (Woop), at vertices", fused_woop, plain_woop);
-      add_cracks(rows, 1, "edge functions alone fused, at vertices", rates[5], plain_woop);
-      continue;
-    }
-    rows.push_back({1, "watertight (Woop)", fused_woop.misses, plain_woop.misses, "misses per million"});
-    rows.push_back({1, "watertight (Woop), double hits", fused_woop.doubles, plain_woop.doubles, "per million rays"});
-    add_cracks(rows, 1, "edge functions alone fused, at edges", rates[5], plain_woop);
-    rows.push_back({1, "cured: products compared", fused_woop.misses, rates[6].misses, "misses per million"});
-    rows.push_back({1, "cured: Kahan's products", fused_woop.misses, rates[7].misses, "misses per million"});
-    rows.push_back({1, "Moeller-Trumbore", rates[3].misses, product.misses, "misses per million"});
-    rows.push_back({0, "Moeller-Trumbore", rates[4].misses, product.misses, "misses per million"});
+  const std::vector<CrackRates> rates = crack_rates(
+      AimAt::edge,
+      {watertight_hits, hits(fused.watertight), hits(plain.watertight), hits(fused.moeller_trumbore),
+       hits(plain.moeller_trumbore), fused_edges_hits, hits(fused.compared_products), hits(fused.kahan_products)},
+      run);
+  const CrackRates &product = rates[0], &fused_woop = rates[1], &plain_woop = rates[2];
+  rows.push_back({1, "watertight (Woop)", fused_woop.misses, plain_woop.misses, "misses per million"});
+  rows.push_back({1, "watertight (Woop), double hits", fused_woop.doubles, plain_woop.doubles, "per million rays"});
+  add_cracks(rows, 1, "edge functions alone fused, at edges", rates[5], plain_woop);
+  rows.push_back({1, "cured: products compared", fused_woop.misses, rates[6].misses, "misses per million"});
+  rows.push_back({1, "cured: Kahan's products", fused_woop.misses, rates[7].misses, "misses per million"});
+  rows.push_back({1, "Moeller-Trumbore", rates[3].misses, product.misses, "misses per million"});
+  rows.push_back({0, "Moeller-Trumbore", rates[4].misses, product.misses, "misses per million"});
+  for (const auto& [what, where] : {std::pair{AimAt::vertex, "at vertices"}, {AimAt::interior, "inside triangles"}}) {
+    const std::vector<CrackRates> others =
+        crack_rates(what, {hits(fused.watertight), hits(plain.watertight), fused_edges_hits}, run);
+    add_cracks(rows, 1, fmt::format("watertight (Woop), {}", where), others[0], others[1]);
+    add_cracks(rows, 1, fmt::format("edge functions alone fused, {}", where), others[2], others[1]);
   }
   return rows;
 }

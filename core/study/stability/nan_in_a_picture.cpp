@@ -12,13 +12,16 @@ namespace {
 constexpr double limit = 0.01;  ///< of the error that a check of pictures lets pass
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
+enum class Middle { number, not_a_number };
+enum class Sums { all, finite };  ///< what they take in
+
 /// Random greys; the pixel in the middle is NaN if asked for.
 constexpr int side = 64, middle = side / 2;
-Image<Vec3f> greys(bool with_nan, const StabilityRun& run) {
+Image<Vec3f> greys(Middle pixel_there, const StabilityRun& run) {
   Random random(run.seed);
   Image<Vec3f> picture(side, side);
   for (Vec3f& pixel : picture.pixels()) pixel = Vec3f(static_cast<float>(random.unit()));
-  if (with_nan) picture.at(middle, middle) = Vec3f(nan);
+  if (pixel_there == Middle::not_a_number) picture.at(middle, middle) = Vec3f(nan);
   return picture;
 }
 
@@ -30,7 +33,7 @@ Image<Vec3f> clamped(Image<Vec3f> picture, Clamp&& clamp) {
 }
 
 void add_clamps(Rows& rows, const StabilityRun& run) {
-  const Image<Vec3f> picture = greys(true, run);
+  const Image<Vec3f> picture = greys(Middle::not_a_number, run);
   Image<Vec3f> robust = picture;
   for (Vec3f& pixel : robust.pixels()) pixel = clamp_colour(pixel);
   const auto add = [&](const std::string& how, const Image<Vec3f>& naive) {
@@ -57,7 +60,7 @@ double plain_rmse(const Image<Vec3f>& a, const Image<Vec3f>& b) {
 }
 
 void add_checks(Rows& rows, const StabilityRun& run) {
-  const Image<Vec3f> right = greys(false, run), wrong = greys(true, run);
+  const Image<Vec3f> right = greys(Middle::number, run), wrong = greys(Middle::not_a_number, run);
   const auto add = [&](const char* series, const Image<Vec3f>& picture) {
     const double rmse = plain_rmse(picture, right);
     rows.push_back({0, series, rmse > limit ? 0.0 : 1.0, rmse <= limit ? 1.0 : 0.0, "passed"});
@@ -71,7 +74,7 @@ void add_checks(Rows& rows, const StabilityRun& run) {
 }
 
 /// Means of `width` x `width` pixels; the robust ones are of the pixels that are finite.
-double lost_to_blur(const Image<Vec3f>& picture, int width, bool robust) {
+double lost_to_blur(const Image<Vec3f>& picture, int width, Sums sums) {
   const int reach = width / 2;
   double lost = 0;
   for (int y = reach; y < side - reach; ++y)
@@ -80,11 +83,11 @@ double lost_to_blur(const Image<Vec3f>& picture, int width, bool robust) {
       for (int v = y - reach; v <= y + reach; ++v)
         for (int u = x - reach; u <= x + reach; ++u) {
           const float grey = picture.at(u, v).r;
-          if (robust && !std::isfinite(grey)) continue;
+          if (sums == Sums::finite && !std::isfinite(grey)) continue;
           sum += grey;
           ++taken;
         }
-      const float mean = robust && taken == 0 ? 0.0f : sum / taken;
+      const float mean = sums == Sums::finite && taken == 0 ? 0.0f : sum / taken;
       lost += std::isnan(mean) ? 1 : 0;
     }
   return lost;
@@ -92,11 +95,11 @@ double lost_to_blur(const Image<Vec3f>& picture, int width, bool robust) {
 
 /// Means along the row of the NaN pixel from a sum that takes one pixel in and lets one go. Percentage that is NaN of
 /// those behind the window's first touch, to the row's end.
-double lost_to_running_sum(const Image<Vec3f>& picture, int width, bool robust) {
+double lost_to_running_sum(const Image<Vec3f>& picture, int width, Sums sums) {
   const auto row = picture.row(middle);
   const auto value = [&](int x) {
     const float grey = row[static_cast<std::size_t>(x)].r;
-    return robust && !std::isfinite(grey) ? 0.0f : grey;
+    return sums == Sums::finite && !std::isfinite(grey) ? 0.0f : grey;
   };
   float sum = 0;
   double lost = 0, later = 0;
@@ -112,14 +115,14 @@ double lost_to_running_sum(const Image<Vec3f>& picture, int width, bool robust) 
 
 /// A pixel's mean of 256 samples, taken in one after another, of which the 17th is NaN: percentage that is NaN of the
 /// means from there on.
-double lost_to_samples(bool robust, const StabilityRun& run) {
+double lost_to_samples(Sums sums, const StabilityRun& run) {
   constexpr int samples = 256, bad = 16;
   Random random(run.seed);
   float mean = 0;
   double taken = 0, lost = 0;
   for (int i = 0; i < samples; ++i) {
     const float sample = i == bad ? nan : static_cast<float>(random.unit());
-    if (!robust || std::isfinite(sample)) mean += (sample - mean) / static_cast<float>(++taken);
+    if (sums == Sums::all || std::isfinite(sample)) mean += (sample - mean) / static_cast<float>(++taken);
     if (i >= bad) lost += std::isnan(mean) ? 1 : 0;
   }
   return percent(lost, samples - bad);
@@ -127,15 +130,15 @@ double lost_to_samples(bool robust, const StabilityRun& run) {
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
   Rows rows(run);
-  const Image<Vec3f> picture = greys(true, run);
+  const Image<Vec3f> picture = greys(Middle::not_a_number, run);
   for (const int width : {1, 3, 5, 9, 15})
-    rows.push_back({static_cast<double>(width), "blur, one NaN pixel", lost_to_blur(picture, width, false),
-                    lost_to_blur(picture, width, true), "pixels lost"});
+    rows.push_back({static_cast<double>(width), "blur, one NaN pixel", lost_to_blur(picture, width, Sums::all),
+                    lost_to_blur(picture, width, Sums::finite), "pixels lost"});
   for (const int width : {3, 5, 9, 15})
-    rows.push_back({static_cast<double>(width), "blur by a running sum", lost_to_running_sum(picture, width, false),
-                    lost_to_running_sum(picture, width, true), "% of later means lost"});
-  rows.push_back(
-      {0, "running mean of samples", lost_to_samples(false, run), lost_to_samples(true, run), "% of later means lost"});
+    rows.push_back({static_cast<double>(width), "blur by a running sum", lost_to_running_sum(picture, width, Sums::all),
+                    lost_to_running_sum(picture, width, Sums::finite), "% of later means lost"});
+  rows.push_back({0, "running mean of samples", lost_to_samples(Sums::all, run), lost_to_samples(Sums::finite, run),
+                  "% of later means lost"});
   add_clamps(rows, run);
   add_checks(rows, run);
   return rows;

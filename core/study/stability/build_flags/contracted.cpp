@@ -3,9 +3,6 @@
 
 namespace ps::stability {
 
-FlagBuild contracted_build() {
-  return {"-mfma -ffp-contract=fast", has_instructions,      flag_watertight,  flag_compared_products,
-          flag_kahan_products,        flag_moeller_trumbore, flag_book_picture};
-}
+FlagBuild contracted_build() { return flag_build("-mfma -ffp-contract=fast", has_instructions); }
 
 }  // namespace ps::stability

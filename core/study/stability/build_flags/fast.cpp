@@ -2,9 +2,6 @@
 
 namespace ps::stability {
 
-FlagBuild fast_build() {
-  return {"-ffast-math",       [] { return true; },   flag_watertight,  flag_compared_products,
-          flag_kahan_products, flag_moeller_trumbore, flag_book_picture};
-}
+FlagBuild fast_build() { return flag_build("-ffast-math"); }
 
 }  // namespace ps::stability

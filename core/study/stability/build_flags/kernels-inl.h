@@ -174,5 +174,17 @@ void flag_book_picture(int side, std::uint8_t* pixels) {
     }
 }
 
+/// What this file was compiled to.
+FlagBuild flag_build(
+    const char* name, bool (*available)() = [] { return true; }) {
+  return {name,
+          available,
+          flag_watertight,
+          flag_compared_products,
+          flag_kahan_products,
+          flag_moeller_trumbore,
+          flag_book_picture};
+}
+
 }  // namespace
 }  // namespace ps::stability

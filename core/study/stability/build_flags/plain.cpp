@@ -2,9 +2,6 @@
 
 namespace ps::stability {
 
-FlagBuild plain_build() {
-  return {"as the program",    [] { return true; },   flag_watertight,  flag_compared_products,
-          flag_kahan_products, flag_moeller_trumbore, flag_book_picture};
-}
+FlagBuild plain_build() { return flag_build("as the program"); }
 
 }  // namespace ps::stability

@@ -3,14 +3,6 @@
 
 namespace ps::stability {
 
-FlagBuild uncontracted_build() {
-  return {"-mavx2 -mfma -ffp-contract=off",
-          has_instructions,
-          flag_watertight,
-          flag_compared_products,
-          flag_kahan_products,
-          flag_moeller_trumbore,
-          flag_book_picture};
-}
+FlagBuild uncontracted_build() { return flag_build("-mavx2 -mfma -ffp-contract=off", has_instructions); }
 
 }  // namespace ps::stability

@@ -2,14 +2,6 @@
 
 namespace ps::stability {
 
-FlagBuild unoptimised_build() {
-  return {"-O0",
-          [] { return true; },
-          flag_watertight,
-          flag_compared_products,
-          flag_kahan_products,
-          flag_moeller_trumbore,
-          flag_book_picture};
-}
+FlagBuild unoptimised_build() { return flag_build("-O0"); }
 
 }  // namespace ps::stability

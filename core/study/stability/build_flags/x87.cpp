@@ -12,9 +12,6 @@ bool has_x87() {
 }
 }  // namespace
 
-FlagBuild x87_build() {
-  return {"-mfpmath=387",        has_x87,          flag_watertight, flag_compared_products, flag_kahan_products,
-          flag_moeller_trumbore, flag_book_picture};
-}
+FlagBuild x87_build() { return flag_build("-mfpmath=387", has_x87); }
 
 }  // namespace ps::stability
