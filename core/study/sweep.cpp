@@ -218,20 +218,35 @@ std::span<const NamedSweep> named_sweeps() {
   return usable;
 }
 
+namespace {
+
+/// The axes of all named sweeps, in their order.
+const std::vector<std::vector<SweepAxis>>& named_axes() {
+  static const std::vector<std::vector<SweepAxis>> all = [] {
+    std::vector<std::vector<SweepAxis>> axes;
+    for (const NamedSweep& sweep : named_sweeps()) {
+      axes.emplace_back();
+      for (const std::string& axis : sweep.axes) axes.back().push_back(parse_sweep_axis(axis));
+    }
+    return axes;
+  }();
+  return all;
+}
+
+}  // namespace
+
 std::vector<SweepAxis> parse_sweep(std::string_view text) {
-  std::vector<SweepAxis> axes;
-  for (const NamedSweep& sweep : named_sweeps())
-    if (sweep.key == text)
-      for (const std::string& axis : sweep.axes) axes.push_back(parse_sweep_axis(axis));
-  if (axes.empty()) axes.push_back(parse_sweep_axis(text));
-  return axes;
+  for (std::size_t i = 0; i < named_sweeps().size(); ++i)
+    if (named_sweeps()[i].key == text) return named_axes()[i];
+  return {parse_sweep_axis(text)};
 }
 
 std::string sweep_text(std::span<const SweepAxis> axes) {
   const auto same = [](const SweepAxis& a, const SweepAxis& b) { return a.option == b.option && a.values == b.values; };
-  for (const NamedSweep& sweep : named_sweeps()) {
-    const std::vector<SweepAxis> named = parse_sweep(sweep.key);
-    if (std::equal(named.begin(), named.end(), axes.begin(), axes.end(), same)) return std::string(sweep.key);
+  for (std::size_t i = 0; i < named_sweeps().size(); ++i) {
+    const std::vector<SweepAxis>& named = named_axes()[i];
+    if (std::equal(named.begin(), named.end(), axes.begin(), axes.end(), same))
+      return std::string(named_sweeps()[i].key);
   }
   std::vector<std::string> texts;
   for (const SweepAxis& axis : axes)
