@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gui/app/picture_text.h"
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 #include "render/left_out.h"
 
 namespace ps::gui {
@@ -46,13 +46,10 @@ void clipped_text(ImDrawList& list, Face face, ImVec2 at, float width, ImU32 col
 
 /// Cuts at a space so that the first part fits the width; answers the rest.
 std::string take_line(Face face, std::string& text, float width) {
-  const char* begin = text.c_str();
-  const char* end = begin + text.size();
-  auto length = static_cast<std::size_t>(theme().font(face)->CalcWordWrapPositionA(1, begin, end, width) - begin);
-  if (length >= text.size()) return {};
-  // Dear ImGui also breaks numbers behind their point.
-  if (const auto blank = text.rfind(' ', length); blank != std::string::npos) length = blank;
-  std::string rest = text.substr(text.find_first_not_of(' ', length));
+  const FontScope font(face);
+  const std::size_t length = in_lines(text, width).find('\n');
+  if (length == std::string::npos) return {};
+  std::string rest = text.substr(length + 1);
   text.resize(length);
   return rest;
 }
