@@ -22,26 +22,16 @@ constexpr double least_height_for_legend = 170;  // at scale 1; below, the room 
 
 void choose_named(ChartTabState& state, const NamedSweep& sweep) { set_axes(state.setup, parse_sweep(sweep.key)); }
 
-/// Takes up the sweep that the document asks for: by a lesson's step, or by a link.
 void follow_document(Session& session, ChartTabState& state) {
-  const std::string& asked = session.document().layout.sweep;
-  if (asked == state.told) return;
-  state.told = asked;
-  try {
+  state.sweep.follow(session, [&](const std::string& asked) {
     set_axes(state.setup, parse_sweep_text(asked.empty() ? named_sweeps().front().key : asked));
     state.begun = true;
-  } catch (const InputError& error) {
-    session.say(Message::Kind::error, error.what());
-  }
+  });
 }
 
-/// Tells the document what was chosen here, so that a link brings it back.
 void tell_document(Session& session, ChartTabState& state) {
   const std::string shown = sweep_text(state.setup.axes);
-  const std::string now = shown == named_sweeps().front().key ? "" : shown;
-  if (now == state.told) return;
-  state.told = now;
-  session.navigate([&](Document& document) { document.layout.sweep = now; });
+  state.sweep.tell(session, shown == named_sweeps().front().key ? "" : shown);
 }
 
 /// The first sweep is the one whose points the most people ask for: who draws it, and how well.

@@ -8,6 +8,7 @@
 #include "gui/study/chart_plot.h"
 #include "gui/study/chart_setup.h"
 #include "gui/study/chart_study.h"
+#include "gui/study/layout_choice.h"
 #include "gui/study/study_folder.h"
 
 namespace ps::gui {
@@ -25,7 +26,7 @@ struct ChartTabState {
 
   ChartSetup setup;
   bool begun = false;  ///< the first sweep has been chosen
-  std::string told;    ///< Layout::sweep as it was seen or set last
+  LayoutChoice sweep{&Layout::sweep};
   ErrorMetric metric = ErrorMetric::rmse;
   ChartPlan plan;
   bool kept = false;                        ///< results of the plan lie in its folder

@@ -372,22 +372,12 @@ void update_stability(Session& session, StabilityTabState& state, const std::fil
 bool stability_tab(Session& session, StabilityTabState& state, bool filled) {
   const NameScope scope("stability");
   look_into_folder(state);
-  // The document asks by a lesson's step or by a link; what is chosen here it is told, so that a link brings it back.
-  if (const std::string& asked = session.document().layout.experiment; asked != state.told) {
-    state.told = asked;
-    try {
-      show_experiment(state, asked.empty() ? std::string(stability_experiments().front().key) : asked);
-    } catch (const InputError& error) {
-      session.say(Message::Kind::error, error.what());
-    }
-  }
+  const std::string first(stability_experiments().front().key);
+  state.choice.follow(session,
+                      [&](const std::string& asked) { show_experiment(state, asked.empty() ? first : asked); });
   const bool fill = laboratory(state, filled);
-  const std::string_view shown = selected(state).key;
-  const std::string now(shown == stability_experiments().front().key ? "" : shown);
-  if (now != state.told) {
-    state.told = now;
-    session.navigate([&](Document& document) { document.layout.experiment = now; });
-  }
+  const std::string shown(selected(state).key);
+  state.choice.tell(session, shown == first ? "" : shown);
   return fill;
 }
 

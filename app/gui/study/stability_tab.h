@@ -10,6 +10,7 @@
 #include "gui/study/background_study.h"
 #include "gui/study/curve_plot.h"
 #include "gui/study/film_strip_view.h"
+#include "gui/study/layout_choice.h"
 #include "gui/study/stability_opening.h"
 #include "study/stability_study.h"
 
@@ -27,9 +28,9 @@ struct StabilityTabState {
   explicit StabilityTabState(const std::function<void()>& wake) : strip(wake), study(wake), opening(wake) {}
 
   std::string selected;  ///< key of the experiment that is shown; empty = the first
-  std::string told;      ///< Layout::experiment as it was seen or set last
-  std::string search;    ///< in the list
-  std::string series;    ///< of it, as chosen; empty = the one that tells most
+  LayoutChoice choice{&Layout::experiment};
+  std::string search;  ///< in the list
+  std::string series;  ///< of it, as chosen; empty = the one that tells most
   std::map<std::string, MeasuredExperiment, std::less<>> measured;  ///< by key; one of them may be a part
   std::vector<std::string> asked;                                   ///< keys of the study that was started last
   std::shared_ptr<const StabilityFound> taken;                      ///< what was taken up last
