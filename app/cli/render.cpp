@@ -59,6 +59,9 @@ std::string stats_json(const Document& document, const View& view, const Frame& 
     json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = frame.counters.values[i];
   if (const auto efficiency = raster::sample_test_efficiency(frame.counters))
     json["sample_test_efficiency"] = *efficiency;
+  json["machinery"] = {{"path", machinery_key(frame.path.machinery)},
+                       {"shading", shading_key(frame.path.shading)},
+                       {"reason", frame.path.reason}};
   json["time_ms"] = milliseconds;
   json["stages"] = nlohmann::ordered_json::array();
   for (const StageTime& time : frame.times)

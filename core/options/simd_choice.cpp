@@ -9,4 +9,16 @@ std::int64_t processor_targets() {
   return targets;
 }
 
+std::optional<Simd> widest_simd(Simd setting) {
+#if HWY_ARCH_X86
+  const std::int64_t have = processor_targets();
+  if (may_use(setting, Simd::avx512, have, HWY_AVX3)) return Simd::avx512;
+  if (may_use(setting, Simd::avx2, have, HWY_AVX2)) return Simd::avx2;
+  if (may_use(setting, Simd::sse4, have, HWY_SSE4)) return Simd::sse4;
+#else
+  static_cast<void>(setting);
+#endif
+  return {};
+}
+
 }  // namespace ps

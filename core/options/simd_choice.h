@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "options/settings.h"
 
@@ -15,5 +16,8 @@ inline bool may_use(Simd setting, Simd target, std::int64_t supported, std::int6
   if (setting == Simd::off || (supported & bit) == 0) return false;
   return setting == Simd::automatic || static_cast<int>(setting) >= static_cast<int>(target);
 }
+
+/// The target that runs with this setting on this processor; none with `off` and on processors without SSE4.
+std::optional<Simd> widest_simd(Simd setting);
 
 }  // namespace ps

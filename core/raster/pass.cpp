@@ -1,6 +1,5 @@
 #include "raster/pass.h"
 
-#include "raster/draw_stage.h"
 #include "raster/multisample.h"
 
 namespace ps::raster {
@@ -36,14 +35,6 @@ std::shared_ptr<const std::vector<PackedTexture>> pack_textures(const Scene& sce
 }
 
 }  // namespace
-
-/// Is every light's intensity the same everywhere, as the fast path takes it to be?
-template <class Real>
-bool book_lights(const std::vector<ShadingLight<Real>>& lights, const Settings& settings) {
-  if (settings.illumination != Illumination::book) return false;
-  return std::none_of(lights.begin(), lights.end(),
-                      [&](const ShadingLight<Real>& light) { return light.attenuates && settings.attenuation; });
-}
 
 template <class Real>
 Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,
@@ -81,11 +72,10 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
                  (settings.textures && surface.layout.uv != AttributeLayout::absent && material.texture >= 0);
     }
   }
+  pass.path = rasterized_fast_path(settings, prepared_traits(scene, prepared), channels);
   if constexpr (std::is_same_v<Real, float>)
-    if (pass.divides() && only_fast_channels(channels) && pass.coverage.is_common() &&
-        pass.depth.format == DepthFormat::plain && draw_steps(settings, 1).front().stage == DrawStage::whole &&
-        pass.grid.samples == 1) {
-      if (book_lights(pass.lights, settings)) pass.shade_batch = shade_function(settings.simd);
+    if (pass.path.machinery != Machinery::clear) {
+      pass.shade_batch = shade_function(settings.simd);
       pass.scan_triangle = scan_function(settings.simd);
     }
   if (textured) {

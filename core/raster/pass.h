@@ -16,6 +16,7 @@
 #include "raster/shade_batch.h"
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/stencil.h"
+#include "render/fast_path.h"
 #include "render/frame.h"
 #include "render/prepared.h"
 #include "scene/scene.h"
@@ -61,10 +62,6 @@ struct VertexBuffer {
   bool has_normals() const { return !normals.empty() || normals_of; }
 };
 
-/// Channels that the fast paths store, too: what they know of a fragment before it is shaded.
-inline constexpr Channel fast_channels = Channel::depth | Channel::ids;
-constexpr bool only_fast_channels(Channel channels) { return (channels | fast_channels) == fast_channels; }
-
 /// Everything that stays the same while one picture is made.
 template <class Real>
 struct Pass {
@@ -89,7 +86,8 @@ struct Pass {
 
   std::shared_ptr<const std::vector<PackedTexture>> packed_textures;  ///< the same, only for the fast path
 
-  ShadeFragments shade_batch = nullptr;  ///< the fast path, where the settings allow it; nullptr = clear path
+  FastPath path;                         ///< what may draw the picture
+  ShadeFragments shade_batch = nullptr;  ///< the fast path, where `path` allows it; nullptr = clear path
   ScanTriangle scan_triangle = nullptr;  ///< together with it
 
   std::shared_ptr<const ShadowMaps> shadow_maps;  ///< set by add_maps(), at most one of the two

@@ -39,6 +39,13 @@ class Stages {
   Timer timer_;
 };
 
+/// What draws the picture where whole tiles cannot be drawn at once.
+FastPath drawn_by(const FastPath& allowed, const RenderRequest& request) {
+  if (allowed.machinery != Machinery::whole_frame) return allowed;
+  return {Machinery::fragment_batches, SurfaceShading::lanes,
+          request.region ? "whole tiles need the whole picture" : "a texture is too large for the SIMD kernels"};
+}
+
 /// The channels that show maps and stencil buffers, and what those took.
 template <class Real>
 void store_map_pictures(const Pass<Real>& pass, Frame& frame) {
@@ -74,6 +81,7 @@ Frame draw(const Scene& scene, const View& view, const Settings& settings, const
       draw_fast(pass, request, frame, progress);
       return frame;
     }
+  frame.path = drawn_by(pass.path, request);
   const ScreenGeometry<Real> geometry = make_geometry(pass, {}, parallel, progress);
   stages.done("vertices and clipping");
   const auto bins = bin_primitives(pass, geometry, tile_size, parallel, progress);

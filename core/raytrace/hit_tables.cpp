@@ -24,15 +24,11 @@ HitMaterial hit_material(const ShadingMaterial<float>& material, const Settings&
 
 }  // namespace
 
-std::optional<HitTables> hit_tables(const TraceInputs<float>& inputs, const RenderRequest& request) {
+std::optional<HitTables> hit_tables(const TraceInputs<float>& inputs) {
   const TracedGeometry<float>& geometry = *inputs.geometry;
   const Settings& settings = inputs.settings;
-  constexpr Channel stored = Channel::ids | Channel::depth;
-  if ((request.channels | stored) != stored || geometry.triangles.empty() || shares_meshes(geometry) ||
-      settings.illumination != Illumination::book || settings.shadow_cache)
-    return {};
-  for (const ShadingLight<float>& light : inputs.lights)
-    if (light.attenuates && settings.attenuation) return {};
+  if (inputs.path.machinery != Machinery::wide_triangles || inputs.path.shading == SurfaceShading::single) return {};
+  if (geometry.triangles.empty()) return {};
   HitTables tables;
   const HitFunctions functions = hit_functions(settings.simd);
   tables.place = functions.place;

@@ -43,7 +43,7 @@ struct PacketScene {
 };
 
 /// The scene for the fast path, or nothing if it does not cover what is asked for.
-std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const RenderRequest& request);
+std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs);
 
 /// The pixels `part` of a tile.
 using TracePackets = void (*)(const PacketScene& scene, const TileRect& tile, const TileRect& part, Frame& frame,

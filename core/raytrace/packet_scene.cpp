@@ -1,3 +1,4 @@
+#include "base/check.h"
 #include "raytrace/packet.h"
 #include "raytrace/plain_material.h"
 #include "raytrace/sampling/plan.h"
@@ -5,17 +6,6 @@
 
 namespace ps {
 namespace {
-
-/// Beyond this the tree of boxes pays, or, without one, packets would do too much in vain.
-constexpr std::size_t most_spheres = bvh_no_tree;
-
-bool covers(const Settings& settings) {
-  return settings.precision == Precision::float32 && settings.projection == Projection::perspective &&
-         settings.sphere_test == SphereTest::robust && settings.self_hit == SelfHit::offset &&
-         settings.highlight == Highlight::phong && settings.illumination == Illumination::book &&
-         settings.cache_constants && !settings.shadow_cache &&
-         (settings.accelerator == Accelerator::bvh || settings.accelerator == Accelerator::none);
-}
 
 PacketSphere packet_sphere(const PixelId& id, const TracedSphere<float>& sphere, const ShadingMaterial<float>& material,
                            const Vec3f& eye) {
@@ -38,19 +28,14 @@ PacketSphere packet_sphere(const PixelId& id, const TracedSphere<float>& sphere,
 
 }  // namespace
 
-std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs, const RenderRequest& request) {
+std::optional<PacketScene> packet_scene(const TraceInputs<float>& inputs) {
+  if (inputs.path.machinery != Machinery::sphere_packets) return {};
   const TracedGeometry<float>& geometry = *inputs.geometry;
   const Settings& settings = inputs.settings;
-  constexpr Channel stored = Channel::ids | Channel::depth;
-  if ((request.channels | stored) != stored || !covers(settings) || !geometry.triangles.empty() ||
-      !geometry.solids.empty() || geometry.spheres.size() > most_spheres)
-    return {};
-  for (const ShadingLight<float>& light : inputs.lights)
-    if (light.attenuates && settings.attenuation) return {};
   PacketScene scene;
   for (const Primitive& primitive : geometry.primitives) {
     const ShadingMaterial<float>& material = inputs.materials[primitive.material];
-    if (!has_plain_light(material) || material.transparency > 0) return {};
+    PS_ASSERT(has_plain_light(material), "traced_fast_path() lets plain surfaces alone into packets");
     scene.spheres.push_back(packet_sphere(primitive.id, geometry.spheres[primitive.shape], material, inputs.eye));
   }
   scene.lights = inputs.lights;

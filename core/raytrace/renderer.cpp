@@ -20,22 +20,17 @@ class PictureTracer {
                 Prepared& prepared, Progress& progress)
       : settings_(settings), request_(request), ids_asked_(has(request.channels, Channel::ids)),
         plan_(sampling_plan(settings)), parallel_{settings.threads, request.priority}, progress_(progress),
-        inputs_(make_trace_inputs<Real>(scene, view, settings, prepared)),
+        inputs_(make_trace_inputs<Real>(scene, view, settings, prepared, request.channels)),
         tiles_(make_tiles(view.width, view.height, traced_tile_size)),
         region_(asked_region(request, view.width, view.height)) {
-    if (has(request.channels, Channel::tests)) {  // a picture of the tests that inspection lists
-      inputs_.wide.reset();
-      inputs_.list.reset();
-    }
     if (plan_.mode == SamplingMode::adaptive) request_.channels = request_.channels | Channel::ids;
     if constexpr (std::is_same_v<Real, float>) {
       packets_ = packet_functions(settings.simd);
-      RenderRequest traced = request_;  // sample counts are stored here
-      traced.channels = without(request_.channels, Channel::samples);
-      if (packets_.tile) scene_ = packet_scene(inputs_, traced);
-      hit_tables_ = hit_tables(inputs_, traced);
+      scene_ = packet_scene(inputs_);
+      hit_tables_ = hit_tables(inputs_);
     }
     frame_ = empty_frame<Real>(view, request_);
+    frame_.path = used_path();
   }
 
   Frame trace() {
@@ -66,7 +61,17 @@ class PictureTracer {
   }
 
  private:
-  /// Calls body(index, counters) for all tiles; those for which it tells that it changed something are shown.
+  /// What draws the picture: what is allowed, unless there is nothing of the kind to draw.
+  FastPath used_path() const {
+    FastPath path = inputs_.path;
+    if (path.machinery == Machinery::wide_triangles && !inputs_.wide && !inputs_.list)
+      path = {Machinery::clear, SurfaceShading::single, "no triangle has an area"};
+    if (path.machinery == Machinery::wide_triangles && path.shading != SurfaceShading::single && !hit_tables_)
+      path = {Machinery::wide_triangles, SurfaceShading::single, "every surface is shaded one hit at a time"};
+    return path;
+  }
+
+  /// Calls body(index, counters) for all tiles; those for which it returns true are shown.
   template <class Body>
   void for_each_tile(Body&& body) {
     std::vector<Counters> counters(tiles_.size());

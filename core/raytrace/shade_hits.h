@@ -54,9 +54,8 @@ struct HitTables {
   LightHits light = nullptr;
 };
 
-/// The tables for a picture, or nothing if it asks for more than this path does: other illumination than the book's,
-/// attenuation, shared meshes, channels of surfaces, a processor without eight lanes.
-std::optional<HitTables> hit_tables(const TraceInputs<float>& inputs, const RenderRequest& request);
+/// The tables for a picture, or nothing if traced_fast_path() allows no SIMD shading or no surface is plain.
+std::optional<HitTables> hit_tables(const TraceInputs<float>& inputs);
 
 /// The two functions for this setting on this processor, or none.
 struct HitFunctions {

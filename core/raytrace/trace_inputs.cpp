@@ -18,8 +18,8 @@ Real padding(const Settings& settings) {
 }  // namespace
 
 template <class Real>
-TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const Settings& settings,
-                                    Prepared& prepared) {
+TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared,
+                                    Channel channels) {
   TraceInputs<Real> inputs;
   inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
   inputs.only_triangles = inputs.geometry->triangles.size() == inputs.geometry->primitives.size();
@@ -27,13 +27,11 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   inputs.simple = simple_accelerators<Real>(scene, *inputs.geometry, settings, prepared);
   for (const Material& material : *scene.materials)
     inputs.any_transparent = inputs.any_transparent || material.transparency > 0;
+  inputs.path = traced_fast_path(settings, prepared_traits(scene, prepared), channels);
   if constexpr (std::is_same_v<Real, float>) {
-    // The SIMD queries know neither one-sided triangles nor surfaces that throw no shadow.
     const bool everything = settings.accelerator == Accelerator::none;
-    const bool triangles = settings.cache_constants &&
-                           (uses_bvh<Real>(settings) || inputs.simple.octree || everything) &&
-                           settings.slab_test == SlabTest::robust && !inputs.geometry->triangles.empty() &&
-                           !inputs.geometry->one_sided_triangles && !inputs.any_transparent;
+    // Triangles without area are left out: there may be none to search.
+    const bool triangles = inputs.path.machinery == Machinery::wide_triangles && !inputs.geometry->triangles.empty();
     if (triangles) inputs.wide_searches = wide_searches(settings.simd, settings.triangle_test);
     if (inputs.wide_searches.nearest && everything) inputs.list = list_geometry(scene, *inputs.geometry, prepared);
     if (triangles) inputs.packet_searches = packet_searches(settings.simd, settings.triangle_test);
@@ -63,7 +61,7 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   return inputs;
 }
 
-template TraceInputs<float> make_trace_inputs(const Scene&, const View&, const Settings&, Prepared&);
-template TraceInputs<double> make_trace_inputs(const Scene&, const View&, const Settings&, Prepared&);
+template TraceInputs<float> make_trace_inputs(const Scene&, const View&, const Settings&, Prepared&, Channel);
+template TraceInputs<double> make_trace_inputs(const Scene&, const View&, const Settings&, Prepared&, Channel);
 
 }  // namespace ps

@@ -6,6 +6,7 @@
 #include "raytrace/geometry.h"
 #include "raytrace/wide_packet.h"
 #include "raytrace/wide_search.h"
+#include "render/fast_path.h"
 #include "render/viewport.h"
 #include "shade/shading_inputs.h"
 
@@ -29,6 +30,7 @@ struct TraceInputs {
   std::vector<ShadingLight<Real>> lights;
   std::vector<std::shared_ptr<const Image<Vec3f>>> textures;
   bool any_transparent = false;
+  FastPath path;  ///< what may draw the picture
   Vec3<Real> background{0};
   Settings settings;
   Viewport<Real> viewport;
@@ -38,7 +40,9 @@ struct TraceInputs {
   Real box_padding = 0;  ///< how far boxes are grown, in units of the sizes of the coordinates involved
 };
 
+/// `channels` are those that the picture stores: some of them only the clear path knows.
 template <class Real>
-TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared);
+TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const Settings& settings, Prepared& prepared,
+                                    Channel channels = Channel::none);
 
 }  // namespace ps

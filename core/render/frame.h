@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "image/image.h"
 #include "math/vec.h"
+#include "render/machinery.h"
 #include "render/precision_fault.h"
 
 namespace ps {
@@ -81,6 +82,7 @@ struct Frame {
   Image<float> depth_gap;  ///< see render/precision_channels.h
   Counters counters;
   std::vector<StageTime> times;
+  FastPath path;  ///< what drew it, as the kernels report it
 
   int width() const { return colour.width(); }
   int height() const { return colour.height(); }

@@ -19,6 +19,10 @@ void note_material(const Material& material, SceneTraits& traits) {
   traits.normal_maps = traits.normal_maps || material.normal_map >= 0;
   traits.height_maps = traits.height_maps || material.height_map >= 0;
   traits.transparent = traits.transparent || material.transparency >= least_transparency;
+  traits.any_transparency = traits.any_transparency || material.transparency > 0;
+  traits.tinted = traits.tinted || material.ambient_colour || material.specular_colour;
+  const bool usual = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
+  traits.odd_highlights = traits.odd_highlights || !usual;
 }
 
 }  // namespace
@@ -29,6 +33,7 @@ SceneTraits scene_traits(const Scene& scene) {
   for (const Object& object : scene.geometry->objects) {
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
       traits.spheres = true;
+      ++traits.sphere_count;
       note_material(materials.at(sphere->material), traits);
       continue;
     }
@@ -45,6 +50,7 @@ SceneTraits scene_traits(const Scene& scene) {
     const auto& instance = std::get<Instance>(object.shape);
     const Mesh& mesh = *scene.geometry->meshes.at(instance.mesh);
     traits.triangles = traits.triangles || !mesh.triangles.empty();
+    traits.one_sided = traits.one_sided || instance.sides == Sides::front;
     traits.patches = traits.patches || !mesh.patches.empty();
     traits.vertex_normals = traits.vertex_normals || !mesh.normals.empty();
     if (instance.material) {

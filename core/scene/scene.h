@@ -66,6 +66,11 @@ struct SceneTraits {
   bool patches = false;  ///< curved models that can be cut into triangles anew
   bool canvas_items = false;
   bool canvas_triangles = false;
+  bool tinted = false;            ///< a surface whose ambient light or highlight has a colour of its own
+  bool odd_highlights = false;    ///< a highlight's exponent is not a positive finite number
+  bool any_transparency = false;  ///< a transparency above 0, even one that cannot be seen
+  bool one_sided = false;         ///< triangles that are seen from their front alone
+  std::size_t sphere_count = 0;
 };
 SceneTraits scene_traits(const Scene& scene);
 

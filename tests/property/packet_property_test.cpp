@@ -25,7 +25,7 @@ Frame traced(const Scene& scene, const View& view, Settings settings, Simd simd)
 
 bool takes_the_fast_path(const Scene& scene, const View& view, const Settings& settings) {
   Prepared prepared;
-  return packet_scene(make_trace_inputs<float>(scene, view, settings, prepared), {}).has_value();
+  return packet_scene(make_trace_inputs<float>(scene, view, settings, prepared)).has_value();
 }
 
 /// What does not depend on the tree: with triangles, SIMD searches a tree of its own, and from eight lanes on with

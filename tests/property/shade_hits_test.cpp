@@ -27,10 +27,8 @@ Frame shaded(const Scene& scene, Settings settings, Simd simd) {
 
 bool by_eight(const Scene& scene, const Settings& settings) {
   Prepared prepared;
-  const auto inputs = make_trace_inputs<float>(scene, View{scene.camera, 61, 43}, settings, prepared);
-  RenderRequest request;
-  request.channels = stored_channels;
-  return hit_tables(inputs, request).has_value();
+  return hit_tables(make_trace_inputs<float>(scene, View{scene.camera, 61, 43}, settings, prepared, stored_channels))
+      .has_value();
 }
 
 constexpr std::array work_of_shading{Counter::eye_rays,      Counter::shadow_rays,   Counter::reflection_rays,

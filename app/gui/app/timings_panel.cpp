@@ -8,6 +8,7 @@
 
 #include "gui/app/picture_text.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/record.h"
 #include "raster/coverage/efficiency.h"
 
 namespace ps::gui {
@@ -87,6 +88,23 @@ void times(const Results& results) {
   ImGui::EndTable();
 }
 
+/// Which code drew each picture, and why it was nothing faster.
+void machinery(const Results& results) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  for (const Side side : both_sides) {
+    const auto& result = results[index_of(side)];
+    if (!result) continue;
+    const FastPath& path = result->frame.path;
+    std::string text = fmt::format("{}: {}", letter_of(side), machinery_label(path.machinery));
+    if (!path.reason.empty()) text += fmt::format(" ({})", path.reason);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + px(table_width));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    controls().record(fmt::format("machinery/{}", letter_of(side)), text);
+  }
+  ImGui::PopStyleColor();
+}
+
 void counters(const Results& results) {
   if (!ImGui::BeginTable("counters", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
   columns();
@@ -122,6 +140,7 @@ void timings_panel(Session& session) {
   const bool beside = ImGui::GetContentRegionAvail().x >= 2 * column;
   ImGui::BeginGroup();
   times(results);
+  machinery(results);
   ImGui::EndGroup();
   if (beside) ImGui::SameLine(column);
   ImGui::BeginGroup();

@@ -12,15 +12,12 @@
 namespace ps::raster {
 namespace {
 
-bool can_shade(const Pass<float>& pass, const Surface<float>& surface) {
-  const ShadingMaterial<float>& material = surface.material;
-  if (material.ambient_colour || material.specular_colour || (material.specular && !(*material.specular > 0)))
-    return false;
-  if (surface.layout.relief) return false;
-  if (surface.layout.tangents != AttributeLayout::absent) return false;
+/// Was there room for the texture in the form that the kernels read?
+bool has_packed_texture(const Pass<float>& pass, const Surface<float>& surface) {
   if (surface.layout.uv == AttributeLayout::absent) return true;
-  if (!pass.packed_textures || material.texture < 0) return false;
-  return (*pass.packed_textures)[static_cast<std::size_t>(material.texture)].levels > 0;
+  const int texture = surface.material.texture;
+  if (!pass.packed_textures || texture < 0) return false;
+  return (*pass.packed_textures)[static_cast<std::size_t>(texture)].levels > 0;
 }
 
 /// What one worker keeps from tile to tile.
@@ -35,22 +32,14 @@ struct Worker {
 }  // namespace
 
 bool can_draw_fast(const Pass<float>& pass) {
-  const Settings& settings = pass.settings;
-  if (!pass.shade_batch || !pass.divides() || !only_fast_channels(pass.channels)) return false;
-  if (settings.draw != Draw::filled || settings.visibility != Visibility::depth_buffer) return false;
-  if (settings.depth_value != DepthValue::inverse_z || settings.depth_format != DepthFormat::plain) return false;
-  if (!pass.coverage.is_common() || settings.multisampling != 1) return false;
-  if (settings.early_depth || settings.deferred_shading || settings.light_passes != LightPasses::one) return false;
-  if (!settings.camera_relative) return false;
-  if (pass.grid.subpixel_bits > fast_subpixel_bits || pass.planes.size() > 16) return false;
-  if (!pass.scene->canvas_items->empty()) return false;
-  if (settings.lighting && settings.shading != Shading::phong) return false;
-  return std::all_of(pass.surfaces.begin(), pass.surfaces.end(),
-                     [&](const auto& surface) { return can_shade(pass, surface); });
+  return pass.path.machinery == Machinery::whole_frame &&
+         std::all_of(pass.surfaces.begin(), pass.surfaces.end(),
+                     [&](const auto& surface) { return has_packed_texture(pass, surface); });
 }
 
 void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& frame, Progress& progress) {
   const ParallelOptions parallel{pass.settings.threads, request.priority};
+  frame.path = pass.path;
   Timer timer;
   const auto done = [&](const char* stage) {
     frame.times.push_back({stage, timer.milliseconds()});

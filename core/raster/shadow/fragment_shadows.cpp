@@ -12,7 +12,6 @@ void add_maps(Pass<Real>& pass, const Scene& scene, const View& view, const Tile
         make_stencil(scene, view, pass.settings, rect, notes, prepared, parallel, progress));
   if (uses_environment(pass.settings, scene))
     pass.environment = environment_maps(scene, pass.settings, prepared, parallel.priority, progress);
-  if (pass.has_shadows() || pass.environment || pass.settings.anisotropy > 1) pass.shade_batch = nullptr;
 }
 
 template void add_maps(Pass<float>&, const Scene&, const View&, const TileRect&, StencilNotes, Prepared&,

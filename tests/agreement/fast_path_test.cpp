@@ -1,0 +1,122 @@
+// fast_path() decides who may draw fast. What it says is held to what the kernels did, and to the work they counted:
+// SIMD searches visit a tree of their own, and batches of fragments need no scalar code for their depth.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "options/simd_choice.h"
+#include "render/fast_path.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "support/option_contexts.h"
+
+namespace {
+
+using namespace ps;
+
+constexpr int width = 24, height = 18;
+
+/// A choice's or a toggle's values, of a number another one than `now`.
+std::vector<OptionNumber> values_of(const Option& option, const Settings& settings) {
+  const OptionNumber now = option.get(settings);
+  if (option.kind == OptionKind::integer || option.kind == OptionKind::real)
+    return {now, std::clamp(2 * now + 1, option.minimum, std::min(option.maximum, 64.0))};
+  std::vector<OptionNumber> values;
+  const double last = option.kind == OptionKind::boolean ? 1 : static_cast<double>(option.choices.size()) - 1;
+  for (double value = 0; value <= last; ++value) values.push_back(value);
+  return values;
+}
+
+/// The key of the machinery that drew the picture.
+std::string_view expect_drawn_as_predicted(const Scene& scene, const SceneTraits& traits, const Settings& settings,
+                                           Channel channels, Prepared& prepared) {
+  const FastPath predicted = fast_path(settings, traits, channels);
+  Progress progress;
+  RenderRequest request;
+  request.channels = channels;
+  const Frame frame = render(scene, {scene.camera, width, height}, settings, request, prepared, progress);
+  EXPECT_EQ(machinery_key(frame.path.machinery), machinery_key(predicted.machinery)) << predicted.reason;
+  // Where every surface asks for scalar shading, nothing is left for SIMD.
+  const bool none_left = predicted.shading == SurfaceShading::mixed && frame.path.shading == SurfaceShading::single;
+  if (!none_left) {
+    EXPECT_EQ(shading_key(frame.path.shading), shading_key(predicted.shading)) << predicted.reason;
+  }
+  const bool fastest = predicted.shading == SurfaceShading::lanes && predicted.machinery != Machinery::fragment_batches;
+  EXPECT_EQ(predicted.reason.empty(), fastest) << predicted.reason;
+  return machinery_key(frame.path.machinery);
+}
+
+// Every value of every option that can act in a context, in one of them at least.
+TEST(FastPath, IsWhatDrawsInAllOptionContexts) {
+  std::set<std::string_view> seen;
+  for (const test::OptionContext& context : test::option_contexts()) {
+    const Scene scene = load_scene(context.scene);
+    const SceneTraits traits = scene_traits(scene);
+    Prepared prepared;
+    Settings base = settings_for(scene);
+    for (const std::string& assignment : context.assignments) parse_assignment(assignment, base);
+    for (const Channel channels : {Channel::ids | Channel::depth, Channel::normal, Channel::tests, Channel::samples})
+      seen.insert(expect_drawn_as_predicted(scene, traits, base, channels, prepared));
+    for (const Option& option : option_table()) {
+      if (inactive_reason(option, base, traits)) continue;
+      for (const OptionNumber value : values_of(option, base)) {
+        Settings settings = base;
+        option.set(settings, value);
+        SCOPED_TRACE(fmt::format("{}, {}={}", context.scene, option.key, option_text(option, settings)));
+        seen.insert(expect_drawn_as_predicted(scene, traits, settings, Channel::none, prepared));
+      }
+    }
+  }
+  if (!widest_simd(Simd::automatic)) GTEST_SKIP() << "this processor has no SSE4: all is drawn by scalar code";
+  EXPECT_EQ(seen.size(), 5u) << "the contexts reach every machinery";
+}
+
+Frame drawn(const std::string& name, const std::vector<std::string>& assignments,
+            const std::optional<TileRect>& region = {}) {
+  const Scene scene = load_scene(name);
+  Settings settings = settings_for(scene);
+  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
+  Prepared prepared;
+  Progress progress;
+  RenderRequest request;
+  request.region = region;
+  return render(scene, {scene.camera, width, height}, settings, request, prepared, progress);
+}
+
+// The work that was counted shows which code ran: SIMD searches for triangles visit a tree of their own.
+TEST(FastPath, CountsShowWhichCodeRan) {
+  if (!widest_simd(Simd::automatic)) GTEST_SKIP() << "this processor has no SSE4";
+  const auto nodes = [](const Frame& frame) { return frame.counters[Counter::node_visits]; };
+  const Frame simd = drawn("cgfs/shading", {}), scalar = drawn("cgfs/shading", {"simd=off"});
+  EXPECT_EQ(machinery_key(simd.path.machinery), "wide-triangles");
+  EXPECT_EQ(machinery_key(scalar.path.machinery), "clear");
+  EXPECT_EQ(scalar.path.reason, "simd = off");
+  EXPECT_NE(nodes(simd), nodes(scalar));
+  const Frame boxed = drawn("cgfs/shading", {"accelerator=box"}),
+              off = drawn("cgfs/shading", {"accelerator=box", "simd=off"});
+  EXPECT_EQ(machinery_key(boxed.path.machinery), "clear");
+  EXPECT_EQ(boxed.counters, off.counters);
+}
+
+TEST(FastPath, ReasonsNameWhatIsMissing) {
+  if (!widest_simd(Simd::automatic)) GTEST_SKIP() << "this processor has no SSE4";
+  const auto reason = [](const std::string& scene, const std::vector<std::string>& assignments) {
+    return std::string(drawn(scene, assignments).path.reason);
+  };
+  EXPECT_EQ(reason("cgfs/reflections", {}), "");
+  EXPECT_EQ(reason("cgfs/reflections", {"self-hit=epsilon"}), "packets need self-hit = offset");
+  EXPECT_EQ(reason("cgfs/reflections", {"precision=double"}), "needs precision = float");
+  EXPECT_EQ(reason("cgfs/crates", {"renderer=rasterizer", "multisampling=4"}), "SIMD needs multisampling = 1");
+  EXPECT_EQ(reason("cgfs/crates", {"renderer=rasterizer", "visibility=painter"}),
+            "whole tiles need visibility = depth-buffer");
+  EXPECT_EQ(drawn("cgfs/crates", {"renderer=rasterizer"}, TileRect{4, 4, 20, 20}).path.reason,
+            "whole tiles need the whole picture");
+}
+
+}  // namespace
