@@ -13,6 +13,7 @@
 #include "options/scene_settings.h"
 #include "study/chart.h"
 #include "study/chart_files.h"
+#include "study/chart_style.h"
 
 namespace ps::cli {
 namespace {
@@ -21,9 +22,9 @@ struct ChartArguments {
   SceneArguments scene;
   std::vector<std::string> folders;
   std::vector<std::string> sweeps;
-  std::string metric = "rmse", region, reference, shard = "1/1", output;
+  std::string metric = "rmse", across = "time", region, reference, shard = "1/1", output;
   int repeats = 5, samples = 0;
-  bool linear = false;
+  bool linear = false, as_used = false;
 };
 
 ChartRequest make_request(const ChartArguments& arguments) {
@@ -33,6 +34,8 @@ ChartRequest make_request(const ChartArguments& arguments) {
   request.error.values = arguments.linear ? ErrorValues::linear : ErrorValues::display;
   if (!arguments.region.empty()) request.error.region = parse_region_text(arguments.region);
   request.reference = {arguments.reference, arguments.samples};
+  request.machinery = arguments.as_used ? MachineryRule::as_used : MachineryRule::same;
+  request.across = parse_chart_across(arguments.across);
   request.repeats = arguments.repeats;
   request.folder = arguments.output;
   std::vector<SweepAxis> axes;
@@ -57,24 +60,27 @@ void print_status(const StudyStatus& status) {
 }
 
 void print_table(const Chart& chart) {
-  fmt::print("{:>11} {:>11} {:>11} {:>10} {:>11}    {}\n", "time ms", "quartile 1", "quartile 3",
+  fmt::print("{:>11} {:>11} {:>11} {:>12} {:>10} {:>11}    {}\n", "time ms", "quartile 1", "quartile 3", "work",
              error_metric(chart.metric).key, "memory MB", "point (* on the front)");
   for (const ChartPoint& point : chart.points)
-    fmt::print("{:>11.4g} {:>11.4g} {:>11.4g} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median, point.time_ms.q1,
-               point.time_ms.q3, point.error, point.memory_mb, point.on_front ? '*' : ' ', point.what.label);
-  fmt::print("against {}", chart.identity.reference);
+    fmt::print("{:>11.4g} {:>11.4g} {:>11.4g} {:>12} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median,
+               point.time_ms.q1, point.time_ms.q3, point.work, point.error, point.memory_mb, point.on_front ? '*' : ' ',
+               point.what.label);
+  fmt::print("{}", chart_provenance(chart));
   if (chart.reference_halves) {
     Reference reference;
     reference.halves = chart.reference_halves;
-    fmt::print(", which is itself uncertain by {:.3g}", reference_noise(reference, chart.metric).value_or(0));
+    fmt::print(" The truth itself is uncertain by {:.3g}.", reference_noise(reference, chart.metric).value_or(0));
   }
   fmt::print("\n");
 }
 
 int run_merge(const ChartArguments& arguments) {
   if (arguments.folders.empty()) throw InputError("chart merge: found no folder, expected those of the shards");
-  const Chart chart =
+  Chart chart =
       merge_charts({arguments.folders.begin(), arguments.folders.end()}, parse_error_metric(arguments.metric));
+  chart.across = parse_chart_across(arguments.across);
+  summarise(chart, chart.metric);
   std::filesystem::create_directories(arguments.output);
   write_chart(arguments.output, chart);
   print_table(chart);
@@ -111,14 +117,18 @@ void add_chart_command(CLI::App& app, Action& chosen) {
       ->type_name("KEY[=V1,V2..]")
       ->allow_extra_args(false);
   command->add_option("--metric", arguments->metric, "mae rmse psnr max ssim or flip");
+  command->add_option("--across", arguments->across, "the horizontal axis: time, or work, which is counted");
+  command->add_flag("--as-used", arguments->as_used,
+                    "time each point as the window draws it; without it all run on the same code, SIMD or scalar");
   command->add_flag("--linear", arguments->linear, "compare unit floats instead of display levels");
   command->add_option("--region", arguments->region, "compare only this part")->type_name("X,Y,W,H");
   command->add_option("--repeats", arguments->repeats, "timed runs of each point")->check(CLI::Range(1, 1000));
   command->add_option("--reference", arguments->reference, "a picture to compare with; without it one is rendered");
   command
-      ->add_option(
-          "--reference-samples", arguments->samples,
-          "samples for each pixel of the rendered reference; without it four times those of any point, at least 16")
+      ->add_option("--reference-samples", arguments->samples,
+                   "samples for each pixel of the rendered reference, a square number; 1 = the points' own samples; "
+                   "without it as "
+                   "the truth of the swept options asks")
       ->check(CLI::Range(1, 4096));
   command->add_option("--shard", arguments->shard, "only part i of n of the sweep")->type_name("i/n");
   command->add_option("--out", arguments->output, "folder for the results; a cut-off run continues there")->required();

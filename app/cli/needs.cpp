@@ -40,7 +40,8 @@ void print_json(const Document& document, const Needs& needs) {
                               {"time_ms", needs.time_ms},
                               {"default_time_ms", needs.default_time_ms},
                               {"work", needs.work},
-                              {"default_work", needs.default_work}};
+                              {"default_work", needs.default_work},
+                              {"machinery", needs.machinery}};
   json["features"] = nlohmann::ordered_json::array();
   for (const FeatureShare& share : needs.shares) {
     nlohmann::ordered_json feature{{"name", share.feature.name},
@@ -77,8 +78,8 @@ void print_text(const Document& document, const Needs& needs) {
         "           the settings as they are differ from the reference by more than the tolerance; these do not\n");
   fmt::print("error      {:.4g} of {:.4g} allowed (largest mean FLIP of a tile); as it is {:.4g}\n", needs.error,
              needs.tolerance, needs.default_error);
-  fmt::print("time       {:.4g} ms, as it is {:.4g} ms{}\n", needs.time_ms, needs.default_time_ms,
-             needs.time_told ? "" : ": the same within noise");
+  fmt::print("time       {:.4g} ms, as it is {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
+             needs.time_told ? "" : ": the same within noise", needs.machinery);
   fmt::print("work       {} rays, tests, fragments and texels, as it is {}\n", needs.work, needs.default_work);
 }
 

@@ -47,6 +47,7 @@ std::vector<Option> drawing_rows() {
       choice<&Settings::draw>({.key = "draw",
                                .label = "Draw",
                                .help = {"What is drawn of each triangle.", "CGFS ch. 6 and 7", ""},
+                               .truth = exactly("draw=filled"),
                                .inactive = needs_fragments},
                               {{"filled", "filled", "All pixels that it covers."},
                                {"wireframe", "wireframe", "Its three edges."},
@@ -56,6 +57,7 @@ std::vector<Option> drawing_rows() {
            .label = "Line algorithm",
            .help = {"How a line becomes pixels.", "CGFS ch. 6; LAB 3",
                     "Walking x alone leaves gaps in steep lines; walking y alone, in flat ones."},
+           .truth = exactly("line-algorithm=bresenham"),
            .inactive = needs_lines},
           {{"general", "general", "Walks along the longer side."},
            {"y-of-x", "y = f(x) alone", "One pixel for each column: steep lines have gaps."},
@@ -71,6 +73,7 @@ std::vector<Option> drawing_rows() {
                 "CGPP 15.6",
                 "The ray test asks every triangle for every pixel; barycentric weights in float may round to the "
                 "wrong side of an edge."},
+           .truth = exactly("coverage=edge-function;edge-arithmetic=fixed"),
            .inactive = needs_single_samples},
           {{"edge-function", "edge functions",
             "Three sums for each sample of the triangle's box, stepped in integers."},
@@ -88,6 +91,7 @@ std::vector<Option> drawing_rows() {
                {"The numbers in which edge functions decide coverage.", "CGPP 15.6.4.4",
                 "Float cracks along shared edges, stepped float drifts with every addition, 32-bit integers overflow "
                 "in triangles of more than about 128 pixels."},
+           .truth = exactly("edge-arithmetic=fixed"),
            .inactive = needs_edge_functions},
           {{"fixed", "64-bit integers", "Exact for every triangle that fits."},
            {"float", "float", "Each sample afresh; two triangles may round their edge to different sides."},
@@ -101,6 +105,7 @@ std::vector<Option> drawing_rows() {
                 "between act as the lower one.",
                 "the standard sample patterns of Direct3D",
                 "Smooths edges of triangles, not highlights or textures inside them."},
+           .truth = pixel_average(),
            .inactive = needs_filling},
           1, 8, "samples"),
       integer<&Settings::subpixel_bits>(
@@ -108,6 +113,7 @@ std::vector<Option> drawing_rows() {
            .label = "Sub-pixel bits",
            .help = {"Corners are rounded to 1 / 2^bits of a pixel before the edges are computed in exact integers.",
                     "CGPP 15.6; Direct3D 11 uses 8", "With 0 bits corners jump to whole pixels and edges shift."},
+           .truth = exactly("subpixel-bits=12"),
            .inactive = needs_filling},
           0, 12, "bits"),
       choice<&Settings::fill_rule>(
@@ -115,6 +121,7 @@ std::vector<Option> drawing_rows() {
            .label = "Fill rule",
            .help = {"Who owns a sample that lies exactly on an edge.", "CGPP 15.6.4.4",
                     "Inclusive draws shared edges twice, exclusive leaves cracks."},
+           .truth = exactly("fill-rule=top-left"),
            .inactive = needs_filling},
           {{"top-left", "top-left", "The triangle for which the edge is a top or a left one: each pixel once."},
            {"inclusive", "inclusive", "Both triangles, as in the book's scanlines."},
@@ -125,6 +132,7 @@ std::vector<Option> drawing_rows() {
            .help = {"Spheres, cylinders and curved models are made of triangles that stray from them by at most this "
                     "much.",
                     "LAB 7; CGFS ch. 10", "Large values show corners on round outlines; small ones cost triangles."},
+           .truth = exactly("tessellation=0.05"),
            .inactive = needs_spheres},
           0.05, 50, OptionScale::logarithmic, "px"),
       choice<&Settings::patches>(
@@ -133,6 +141,7 @@ std::vector<Option> drawing_rows() {
            .help = {"Into how many triangles a model of Bezier patches, the teapot, is cut.",
                     "LAB 7; CGFS ch. 10; bound of Filip, Magedson and Markot 1986",
                     "As made: corners on the outline near by, thousands of triangles in a few pixels far away."},
+           .truth = exactly("patches=projected-error;tessellation=0.05"),
            .inactive = needs_patches},
           {{"as-made", "as made", "As many as the scene file says, from everywhere."},
            {"projected-error", "by projected error",

@@ -29,7 +29,8 @@ std::vector<Option> intersection_rows() {
                                     .label = "Precision",
                                     .help = {"The arithmetic of the whole renderer.", "IEEE 754; PBR 4th ed. sec. 6.8",
                                              "Float needs care near surfaces and far from the origin; double is the "
-                                             "reference."}},
+                                             "reference."},
+                                    .truth = exactly("precision=double")},
                                    {{"float", "float (32 bits)", "About 7 digits; what fast renderers use."},
                                     {"double", "double (64 bits)", "About 16 digits; slower."}}),
       choice<&Settings::sphere_test>(
@@ -38,6 +39,7 @@ std::vector<Option> intersection_rows() {
            .help = {"How the quadratic equation of ray and sphere is solved.",
                     "CGFS ch. 2; Haines et al., Ray Tracing Gems 7",
                     "The textbook form loses all digits for spheres 4000 radii away: 42 % wrong answers."},
+           .truth = exactly("sphere-test=robust"),
            .inactive = needs_traced_spheres},
           {{"robust", "robust", "Discriminant from the remainder vector, roots without cancellation."},
            {"quadratic", "textbook quadratic", "b^2 - 4ac, as in the book."}}),
@@ -46,6 +48,7 @@ std::vector<Option> intersection_rows() {
            .label = "Triangle test",
            .help = {"How ray and triangle are intersected.", "CGPP 15.4.3; Woop et al., JCGT 2013",
                     "Moeller-Trumbore misses one ray in ten that is aimed exactly at a shared edge."},
+           .truth = exactly("triangle-test=watertight"),
            .inactive = needs_traced_triangles},
           {{"watertight", "watertight", "Sheared edge functions: neighbours agree on every edge."},
            {"moeller-trumbore", "Moeller-Trumbore", "Cramer's rule on the barycentric equations."},
@@ -56,6 +59,7 @@ std::vector<Option> intersection_rows() {
                                          .label = "Triangle epsilon",
                                          .help = {"Determinants up to this size count as parallel.", "CGPP 15.4.3",
                                                   "An absolute epsilon makes small triangles vanish."},
+                                         .truth = exactly("triangle-epsilon=0"),
                                          .inactive = needs_moeller_trumbore},
                                         0, 1, OptionScale::logarithmic),
   };

@@ -32,6 +32,19 @@ enum class OptionScale { linear, logarithmic };
 /// What a change can touch: lets a front end keep a picture when only its display changes.
 enum class OptionEffect { picture, display, speed };
 
+/// What the error of a value is measured against, when pictures over several values are charted.
+enum class TruthKind {
+  undeclared,
+  as_set,         ///< no value is nearer to the truth: the picture with the value that is not swept
+  exact,          ///< the picture with the exact settings, sampled where the others are sampled
+  pixel_average,  ///< the values estimate the mean colour over a pixel: that mean, of many samples
+};
+struct Truth {
+  TruthKind kind = TruthKind::undeclared;
+  /// The settings of the true picture: "K=V;K=V". "K=V1|V2" takes the first choice that can act.
+  std::string_view exact{};
+};
+
 /// Values in the form that all kinds share: booleans 0/1, choices by index, integers and reals as they are.
 using OptionNumber = double;
 
@@ -48,6 +61,8 @@ struct Option {
   OptionScale scale = OptionScale::linear;  ///< how a slider or a sweep should step
   std::string_view unit;                    ///< "px", "samples", ...; may be empty
   OptionEffect effect = OptionEffect::picture;
+  Truth truth;
+  std::string_view sweep_values{};  ///< of a sweep that names none, "1,4,16"; empty: spread over the range
   OptionNumber (*get)(const Settings&) = nullptr;
   void (*set)(Settings&, OptionNumber) = nullptr;  ///< takes only values that are valid for the row
   /// Why the option cannot act with these settings and this scene ("needs a texture"), or nothing if it can.

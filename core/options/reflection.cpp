@@ -26,6 +26,7 @@ std::vector<Option> reflection_rows() {
            .label = "Reflection depth",
            .help = {"How many bounces a ray may make, refractions included.", "CGFS ch. 4 and 5",
                     "Too few: mirrors in mirrors turn to the surface's own colour."},
+           .truth = exactly("reflection-depth=64"),
            .inactive = needs_bouncing_rays},
           0, 64, "bounces"),
       real<&Settings::reflection_cutoff>(
@@ -35,6 +36,7 @@ std::vector<Option> reflection_rows() {
                     "shows its own colour, as at the greatest depth.",
                     "Hall and Greenberg, IEEE CG&A 1983 (adaptive depth control)",
                     "Too large: weak mirrors mirror nothing. 0 follows every bounce up to the depth."},
+           .truth = exactly("reflection-cutoff=0"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_bouncing_rays(s, t)) return reason;
              if (s.reflection_depth == 0) return "needs reflection-depth above 0";
@@ -46,6 +48,7 @@ std::vector<Option> reflection_rows() {
            .label = "Reflection epsilon",
            .help = {"How far from its start a reflected ray begins to look for surfaces.", "CGFS ch. 4",
                     "The book's 0.001 is too small in float for its own ground sphere of radius 5000."},
+           .truth = exactly("self-hit=offset"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_rays(s, t)) return reason;
              if ((!t.reflective && !t.transparent) || s.reflection_depth == 0) return "no reflected rays";
@@ -58,6 +61,7 @@ std::vector<Option> reflection_rows() {
            .label = "Refraction",
            .help = {"Light bends where it enters or leaves a material (Snell's law).", "CGFS ch. 5",
                     "Off: it runs straight on, and glass looks like a thin film."},
+           .truth = exactly("refraction=on"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_rays(s, t)) return reason;
              if (!t.transparent) return "no material of the scene is transparent";
@@ -73,6 +77,7 @@ std::vector<Option> reflection_rows() {
                     "each boundary. In both, what is transparent throws no shadow at all: shadow rays pass it straight "
                     "and unweakened, since the book says nothing of its shadow and the true one is bent light "
                     "(caustics), which no straight ray finds."},
+           .truth = exactly("transparency=fresnel"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_rays(s, t)) return reason;
              if (!t.transparent) return "no material of the scene is transparent";
@@ -91,6 +96,7 @@ std::vector<Option> reflection_rows() {
                 "CGFS ch. 15",
                 "A map is right only at the point it was made from: near things and flat mirrors show the wrong "
                 "place, and an object never mirrors itself."},
+           .truth = exactly("renderer=ray-tracer"),
            .inactive = needs_mirrors},
           {{"none", "none", "Mirrors show their own colour."},
            {"cube-map", "cube map for each object", "Made at the object's centre, again whenever something moves."},
@@ -103,6 +109,7 @@ std::vector<Option> reflection_rows() {
            .label = "Environment map size",
            .help = {"Pixels along an edge of a cube map.", "CGFS ch. 15",
                     "Small ones blur what is mirrored; large ones cost memory, and six pictures each."},
+           .truth = exactly("environment-size=1024"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_mirrors(s, t)) return reason;
              if (s.environment == Environment::none) return "needs environment = cube-map or room-map";

@@ -10,6 +10,7 @@ Option listing_row() {
        .label = "Listing",
        .help = {"Which lesson's routine the textbook renderer runs.", "CGFS, chapter by chapter",
                 "A listing draws only what its chapter knows: a chapter on lines leaves spheres out."},
+       .truth = exactly("renderer=ray-tracer"),
        .inactive = [](const Settings& s, const SceneTraits&) -> Reason {
          if (s.renderer != Renderer::textbook) return "only textbook listings use it";
          return {};
@@ -34,7 +35,8 @@ std::vector<Option> renderer_rows() {
                     "the pixels of each triangle.",
                     "CGFS parts I and II",
                     "Spheres are exact for rays and made of triangles for the rasterizer, so "
-                    "their outlines may differ by a pixel."}},
+                    "their outlines may differ by a pixel."},
+           .truth = exactly("renderer=ray-tracer")},
           {{"ray-tracer", "ray tracer", "For each pixel: which surface does its ray meet first?"},
            {"rasterizer", "rasterizer", "For each triangle: which pixels does it cover?"},
            {"textbook", "textbook listing", "The short routine of a lesson, line by line as its source tells it."}}),
@@ -45,6 +47,7 @@ std::vector<Option> renderer_rows() {
            .help = {"Whether a listing keeps what the author's own program does wrong, or cures it.",
                     "the programs that accompany CGFS",
                     "With the slip, highlights are right only for a camera at the origin."},
+           .truth = exactly("demo-slips=off"),
            .inactive = [](const Settings& s, const SceneTraits&) -> Reason {
              if (s.renderer != Renderer::textbook) return "only textbook listings use it";
              return {};

@@ -24,10 +24,15 @@ void set_member(Settings& settings, OptionNumber value) {
     settings.*Member = static_cast<Value>(value);
 }
 
+constexpr Truth as_set() { return {TruthKind::as_set, {}}; }
+constexpr Truth exactly(std::string_view settings) { return {TruthKind::exact, settings}; }
+constexpr Truth pixel_average(std::string_view settings = {}) { return {TruthKind::pixel_average, settings}; }
+
 /// What all kinds of rows share. `inactive` may be nullptr: the option can always act.
 struct Names {
   std::string_view key, label;
   OptionHelp help;
+  Truth truth;
   std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
   OptionEffect effect = OptionEffect::picture;
 };
@@ -38,6 +43,7 @@ Option row(const Names& names, OptionKind kind) {
   option.key = names.key;
   option.label = names.label;
   option.help = names.help;
+  option.truth = names.truth;
   option.inactive = names.inactive;
   option.effect = names.effect;
   option.kind = kind;

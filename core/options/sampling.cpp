@@ -36,9 +36,11 @@ std::vector<Option> sampling_rows() {
        .help = {"Rays whose mean colour a pixel takes. 1, 4, 9, 16 and 64 make a square grid.", "CGFS ch. 5",
                 "n samples cost n times as much; the error of edges falls with 1 / n on a grid, noise with "
                 "1 / sqrt(n)."},
+       .truth = pixel_average(),
        .inactive = needs_eye_rays},
       1, 4096, "rays");
   samples.scale = OptionScale::logarithmic;
+  samples.sweep_values = "1,4,16,64,256";  // the curve is clear by then, and 4096 take minutes
   const Option subsampling = integer<&Settings::subsampling>(
       {.key = "subsampling",
        .label = "Subsampling",
@@ -46,6 +48,7 @@ std::vector<Option> sampling_rows() {
            {"The first hit is searched for at every n-th pixel; where those around a pixel saw the same object, only "
             "that object is tested. Shading is done for each pixel.",
             "CGFS ch. 5", "A thing thinner than the step may fall between the searched rays and vanish."},
+       .truth = pixel_average(),
        .inactive = needs_one_sample},
       1, 16, "pixels");
   return {
@@ -55,6 +58,7 @@ std::vector<Option> sampling_rows() {
            .label = "Sample pattern",
            .help = {"Where in the pixel its rays go.", "CGFS ch. 5; Cook 1986; Halton 1960; Roberts 2018",
                     "A grid turns fine detail into false patterns; random places turn it into noise."},
+           .truth = pixel_average(),
            .inactive = needs_eye_rays},
           {{"grid", "grid", "The middle of equal cells."},
            {"jitter", "jittered grid", "Anywhere in equal cells."},
@@ -67,6 +71,7 @@ std::vector<Option> sampling_rows() {
            .help = {"One ray for each pixel first; only pixels whose neighbours met another object or differ in colour "
                     "get all samples. The view 'samples' shows where.",
                     "CGFS ch. 5", "Detail that falls between the first rays is not found."},
+           .truth = pixel_average(),
            .inactive = needs_several_samples}),
       real<&Settings::adaptive_threshold>(
           {.key = "adaptive-threshold",
@@ -75,6 +80,7 @@ std::vector<Option> sampling_rows() {
                {"The difference of a linear colour channel (1 = white, before exposure) from which neighbours on one "
                 "object are subdivided.",
                 "CGFS ch. 5", "Large ones leave jagged shadows; 0 samples all that is shaded."},
+           .truth = pixel_average(),
            .inactive = needs_adaptive},
           0, 1, OptionScale::linear),
       subsampling,

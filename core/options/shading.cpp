@@ -67,6 +67,7 @@ std::vector<Option> shading_rows() {
                                    .label = "Lighting",
                                    .help = {"Off: every surface shows its own colour.", "CGFS ch. 2 against ch. 3",
                                             "Without light, shapes look flat."},
+                                   .truth = exactly("lighting=on"),
                                    .inactive = needs_surfaces}),
       integer<&Settings::light_shown>(
           {.key = "light-shown",
@@ -75,6 +76,7 @@ std::vector<Option> shading_rows() {
                     "shows all.",
                     "CGFS ch. 15; CGPP 15.7.2.3",
                     "The pictures of all lights add up to the whole; none of them is it."},
+           .truth = exactly("light-shown=0"),
            .inactive = needs_several_lights},
           0, 16),
       choice<&Settings::shading>(
@@ -82,6 +84,7 @@ std::vector<Option> shading_rows() {
            .label = "Shading",
            .help = {"Where the illumination equation is evaluated on a triangle.", "CGFS ch. 13",
                     "Gouraud misses highlights that fall between the corners; flat shows the facets."},
+           .truth = exactly("shading=phong"),
            .inactive = needs_lit_fragments},
           {{"phong", "Phong", "At every pixel, with interpolated normals."},
            {"gouraud", "Gouraud", "At the corners; the light is interpolated."},
@@ -91,6 +94,7 @@ std::vector<Option> shading_rows() {
            .label = "Normals",
            .help = {"Which way the surface is said to face.", "CGFS ch. 13",
                     "Triangle normals show facets; vertex normals hide them but not the outline."},
+           .truth = exactly("normals=vertex"),
            .inactive = needs_vertex_normals},
           {{"vertex", "of the vertices", "Given by the model, interpolated between corners."},
            {"triangle", "of the triangle", "Perpendicular to it."}}),
@@ -98,6 +102,7 @@ std::vector<Option> shading_rows() {
                                       .label = "Renormalise",
                                       .help = {"Brings interpolated normals back to length 1.", "CGFS ch. 13",
                                                "Without it the shortened normal weakens highlights between corners."},
+                                      .truth = exactly("renormalise=on"),
                                       .inactive = needs_interpolated_normals}),
       choice<&Settings::normal_transform>(
           {.key = "normal-transform",
@@ -105,6 +110,7 @@ std::vector<Option> shading_rows() {
            .help =
                {"How normals follow a model's transform.", "LAB 7; OCT",
                 "Under unequal scales the model matrix tilts normals: up to 44 levels of shading error at scale 2."},
+           .truth = exactly("normal-transform=inverse-transpose"),
            .inactive = needs_vertex_normals},
           {{"inverse-transpose", "inverse transpose", "Stays perpendicular to the surface."},
            {"model", "model matrix", "As positions are transformed; wrong under unequal scales."}}),
@@ -113,6 +119,7 @@ std::vector<Option> shading_rows() {
            .label = "Illumination",
            .help = {"What a light's intensity means and how a surface answers.", "CGFS ch. 3; CGPP 15.4",
                     "Radiometric pictures need an exposure and a gamma to look right."},
+           .truth = as_set(),
            .inactive = needs_lighting},
           {{"book", "the book's",
             "Shares of full brightness that do not fade; nothing is overexposed if they sum to 1."},
@@ -124,6 +131,7 @@ std::vector<Option> shading_rows() {
            .label = "Attenuation",
            .help = {"Point lights grow weaker with distance by their constant, linear and quadratic factors.", "OCT",
                     "With a small constant, surfaces near the light are overexposed."},
+           .truth = exactly("attenuation=on"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_lighting(s, t)) return reason;
              if (!t.attenuated) return "no point light of the scene has attenuation factors";
@@ -133,12 +141,14 @@ std::vector<Option> shading_rows() {
       toggle<&Settings::specular>({.key = "specular",
                                    .label = "Highlights",
                                    .help = {"Adds the mirror-like reflection of the lights.", "CGFS ch. 3", ""},
+                                   .truth = exactly("specular=on"),
                                    .inactive = needs_highlights}),
       choice<&Settings::highlight>(
           {.key = "highlight",
            .label = "Highlight model",
            .help = {"Which angle the highlight depends on.", "CGFS ch. 3; OCT",
                     "The same exponent gives a wider highlight with N.H than with R.V."},
+           .truth = as_set(),
            .inactive = needs_visible_highlights},
           {{"phong", "R.V (Phong)", "Between the mirrored light and the viewer."},
            {"blinn-phong", "N.H (Blinn-Phong)", "Between the normal and the middle of light and viewer."}}),
@@ -147,6 +157,7 @@ std::vector<Option> shading_rows() {
            .label = "Interpolation",
            .help = {"How values at the corners spread across a triangle.", "CGFS ch. 12 and 14; LAB 6",
                     "Affine textures bend and swim along the triangle's diagonal."},
+           .truth = exactly("interpolation=perspective"),
            .inactive = needs_attributes},
           {{"perspective", "perspective-correct", "value/z and 1/z are linear on the screen; one division a pixel."},
            {"affine", "affine", "The value itself is taken to be linear on the screen."}}),

@@ -76,6 +76,7 @@ std::vector<Option> shadow_rows() {
                     "CGFS ch. 4 and 15; CGPP 15.6.5",
                     "The ray tracer sends a shadow ray to each light unless this is none. The "
                     "rasterizer has no rays: with traced it shows no shadows."},
+           .truth = exactly("shadows=traced|stencil-depth-fail"),
            .inactive = needs_casting_light},
           {{"traced", "traced", "One shadow ray for each light; the rasterizer has none to send."},
            {"none", "none", "All lights shine through everything."},
@@ -94,6 +95,7 @@ std::vector<Option> shadow_rows() {
                {"Texels along an edge of a shadow map; a point light has six of them.", "CGFS ch. 15",
                 "Small maps make blocky shadows and more acne; large ones cost memory and time: at 4096 texels a point "
                 "light takes 400 MB."},
+           .truth = exactly("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           8, 4096, "texels"),
       real<&Settings::shadow_bias>(
@@ -103,6 +105,7 @@ std::vector<Option> shadow_rows() {
                     "CGFS ch. 15; Direct3D 11 15.10",
                     "Too small: acne, lit surfaces shadow themselves in stripes. Too large: shadows come off their "
                     "objects."},
+           .truth = exactly("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           0, 10, OptionScale::logarithmic, "world units"),
       real<&Settings::shadow_slope_bias>(
@@ -113,6 +116,7 @@ std::vector<Option> shadow_rows() {
                 "cover there. Added to the constant one.",
                 "Direct3D 11 15.10",
                 "Half a texel is enough for one tap; with a filter of k x k taps acne comes back below k / 2."},
+           .truth = exactly("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           0, 16, OptionScale::linear, "texels"),
       integer<&Settings::shadow_filter>(
@@ -121,6 +125,7 @@ std::vector<Option> shadow_rows() {
            .help = {"Percentage-closer filtering: how many texels along each side are compared, and their answers "
                     "averaged.",
                     "CGFS ch. 15", "Softens the blocks, but needs more bias, and costs the square of the number."},
+           .truth = pixel_average("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           1, 7, "taps"),
       integer<&Settings::stencil_bits>(
@@ -128,6 +133,7 @@ std::vector<Option> shadow_rows() {
            .label = "Stencil bits",
            .help = {"Bits of a pixel's count of shadow volumes.", "CGFS ch. 15",
                     "The count wraps: where 2^bits shadows lie over each other, the pixel is lit."},
+           .truth = exactly("stencil-bits=16"),
            .inactive = needs_stencil},
           1, 16, "bits"),
       toggle<&Settings::volume_caps>(
@@ -138,6 +144,7 @@ std::vector<Option> shadow_rows() {
                     "CGFS ch. 15; Everitt and Kilgard 2002",
                     "Depth fail counts behind the surface. Without caps, what a line of sight leaves or enters through "
                     "an end is not counted, and surfaces lie in their own shadow."},
+           .truth = exactly("volume-caps=on"),
            .inactive = needs_depth_fail}),
       real<&Settings::volume_length>(
           {.key = "volume-length",
@@ -146,6 +153,7 @@ std::vector<Option> shadow_rows() {
                     "CGFS ch. 15; Everitt and Kilgard 2002",
                     "Beyond its volume's end an object throws no shadow. A short volume covers fewer pixels, which is "
                     "why programs shorten them."},
+           .truth = exactly("volume-length=0"),
            .inactive = needs_stencil},
           0, 1e6, OptionScale::logarithmic, "world units"),
       toggle<&Settings::volume_depth_clamp>(
@@ -155,6 +163,7 @@ std::vector<Option> shadow_rows() {
                     "Everitt and Kilgard 2002",
                     "Without, the far limit cuts volumes open, and depth fail misses a face wherever a line of sight "
                     "leaves a volume behind the limit."},
+           .truth = exactly("volume-depth-clamp=on"),
            .inactive = needs_cut_volumes}),
       choice<&Settings::self_hit>(
           {.key = "self-hit",
@@ -162,6 +171,7 @@ std::vector<Option> shadow_rows() {
            .help = {"How a ray that starts on a surface avoids meeting that surface again.",
                     "CGFS ch. 4; pbrt 6.8; Waechter and Binder, Ray Tracing Gems 6",
                     "With the book's epsilon in float, 5.7 % of the ground's pixels reflect themselves."},
+           .truth = exactly("self-hit=offset"),
            .inactive = needs_secondary_rays},
           {{"offset", "bounded offset",
             "Starts outside the bound of the hit point's own rounding error; a sphere leaves its root t = 0 out. No "
@@ -173,6 +183,7 @@ std::vector<Option> shadow_rows() {
            .label = "Shadow epsilon",
            .help = {"How far from its start a shadow ray begins to look for blockers.", "CGFS ch. 4",
                     "Too small: acne, surfaces shadow themselves. Too large: shadows come off their objects."},
+           .truth = exactly("self-hit=offset"),
            .inactive = needs_shadow_epsilon},
           0, 10, OptionScale::logarithmic),
       choice<&Settings::epsilon_unit>(
@@ -180,6 +191,7 @@ std::vector<Option> shadow_rows() {
            .label = "Epsilon measures",
            .help = {"The unit of both epsilons.", "CGFS ch. 4",
                     "As a ray parameter, 0.001 is 0.0057 units long for the light direction (1, 4, 4)."},
+           .truth = exactly("self-hit=offset"),
            .inactive = needs_epsilon},
           {{"ray-parameter", "ray parameter t", "In lengths of the ray's direction, as in the book."},
            {"distance", "distance", "In world units."}}),
@@ -188,6 +200,7 @@ std::vector<Option> shadow_rows() {
            .label = "Stop at any hit",
            .help = {"A shadow ray ends at the first blocker found instead of searching for the nearest.", "CGFS ch. 5",
                     "Only speed changes."},
+           .truth = as_set(),
            .inactive = needs_shadow_rays,
            .effect = OptionEffect::speed}),
       choice<&Settings::shadow_rays>(
@@ -196,6 +209,7 @@ std::vector<Option> shadow_rows() {
            .help = {"To which lights a lit point sends a shadow ray.", "CGFS ch. 4",
                     "The colours stay the same: where a light adds nothing, it does not matter what stands before it. "
                     "Only the picture of shadows no longer marks those points."},
+           .truth = as_set(),
            .inactive = needs_shadow_rays},
           {{"all", "to every light", "As in the book: also where the light comes from behind the surface."},
            {"useful", "to lights that add something",

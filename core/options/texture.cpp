@@ -51,6 +51,7 @@ std::vector<Option> texture_rows() {
       toggle<&Settings::textures>({.key = "textures",
                                    .label = "Textures",
                                    .help = {"Surfaces wear their pictures.", "CGFS ch. 14", ""},
+                                   .truth = exactly("textures=on"),
                                    .inactive = needs_texture}),
       choice<&Settings::texture_filter>(
           {.key = "texture-filter",
@@ -58,6 +59,7 @@ std::vector<Option> texture_rows() {
            .help = {"How the texture is read between and across its texels.", "CGFS ch. 14",
                     "Nearest shows blocks near by and sparkles far away; mipmaps blur at grazing angles. Rays read "
                     "the finest level, so for them the last three look like bilinear."},
+           .truth = pixel_average("texture-filter=bilinear"),
            .inactive = needs_textures_on},
           {{"trilinear", "trilinear", "Bilinear in the two nearest mip levels, mixed."},
            {"mipmap", "mipmap", "Bilinear in the nearest mip level."},
@@ -68,6 +70,7 @@ std::vector<Option> texture_rows() {
            .label = "Mip bias",
            .help = {"Added to the level of detail.", "CGFS ch. 14",
                     "Negative: sharper, with sparkle. Positive: blurred. -0.5 has the least error."},
+           .truth = pixel_average("texture-filter=bilinear"),
            .inactive = needs_mipmaps},
           -4, 4, OptionScale::linear, "levels"),
       integer<&Settings::anisotropy>(
@@ -78,11 +81,13 @@ std::vector<Option> texture_rows() {
                 "at the level that suits the short one.",
                 "CGFS ch. 14; hardware offers up to 16",
                 "At 1 far ground is a blur; each doubling costs up to twice the texels."},
+           .truth = pixel_average("texture-filter=bilinear"),
            .inactive = needs_mipmaps},
           1, 16, "taps"),
       choice<&Settings::texture_wrap>({.key = "texture-wrap",
                                        .label = "Wrap",
                                        .help = {"What lies beyond the texture's border.", "CGFS ch. 14", ""},
+                                       .truth = as_set(),
                                        .inactive = needs_textures_on},
                                       {{"repeat", "repeat", "The picture again."},
                                        {"clamp", "clamp", "Its border texels."},
@@ -95,6 +100,7 @@ std::vector<Option> texture_rows() {
                 "u, green towards the top of the picture, blue along the surface's own normal.",
                 "CGFS ch. 15; normal mapping after OBJ files",
                 "Outlines and shadows stay those of the flat surface; seen edge-on, the trick shows."},
+           .truth = exactly("normal-mapping=on"),
            .inactive = needs_normal_map}),
       choice<&Settings::parallax>(
           {.key = "parallax-mapping",
@@ -104,6 +110,7 @@ std::vector<Option> texture_rows() {
                 "sight meets that relief.",
                 "Kaneko et al. 2001; Welsh 2004; McGuire and McGuire 2005; Tatarchuk 2006",
                 "Outlines, depth and shadows stay flat; at a flat angle offsets swim and steps show as slices."},
+           .truth = exactly("parallax-mapping=occlusion;parallax-steps=256"),
            .inactive = needs_height_map},
           {{"off", "off", "The picture lies on the surface."},
            {"offset", "offset", "The depth below the point decides the shift: too far where the view is flat."},
@@ -115,6 +122,7 @@ std::vector<Option> texture_rows() {
            .label = "Parallax steps",
            .help = {"Steps from the top of a relief to its bottom.", "McGuire and McGuire 2005",
                     "Few of them slice the relief and miss what is thinner than a step; each may read the map."},
+           .truth = exactly("parallax-steps=256"),
            .inactive = needs_relief_steps},
           1, 256, "steps"),
   };

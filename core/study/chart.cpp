@@ -11,6 +11,7 @@
 #include "options/scene_settings.h"
 #include "render/display_frame.h"
 #include "study/chart_log.h"
+#include "study/counted_work.h"
 #include "study/pareto.h"
 
 namespace ps {
@@ -47,7 +48,7 @@ std::string fingerprint_of(const ChartRequest& request, const Image<Rgb8>& refer
   return all.text();
 }
 
-ChartIdentity identity_of(const ChartRequest& request, const Reference& reference) {
+ChartIdentity identity_of(const ChartRequest& request, const Reference& reference, const TimedSettings& timed) {
   ChartIdentity identity;
   identity.scene = request.scene.name;
   identity.width = request.view.width;
@@ -58,6 +59,7 @@ ChartIdentity identity_of(const ChartRequest& request, const Reference& referenc
     identity.region = fmt::format("{},{},{},{}", r->x0, r->y0, r->width(), r->height());
   identity.reference = reference.description;
   identity.base = fmt::format("{}", fmt::join(changed_options(request.base), ";"));
+  identity.machinery = timed.reason;
   identity.points = static_cast<int>(request.points.size());
   identity.fingerprint = fingerprint_of(request, reference.picture.levels);
   return identity;
@@ -67,16 +69,18 @@ ChartIdentity identity_of(const ChartRequest& request, const Reference& referenc
 class Runner {
  public:
   Runner(const ChartRequest& request, StudyControl& control, const ChartUpdate& update, const Clock& clock)
-      : request_(request), control_(control), update_(update), clock_(clock) {}
+      : request_(request), control_(control), update_(update), clock_(clock), traits_(scene_traits(request.scene)) {}
 
   Chart run() {
-    ReferenceOptions options = request_.reference;
-    if (options.samples == 0) options.samples = reference_samples_for(request_.points);
-    reference_ = make_reference(request_.scene, request_.view, request_.base, options, request_.error,
+    const ReferencePlan plan =
+        plan_reference(request_.points, request_.base, traits_, request_.view, request_.reference);
+    reference_ = make_reference(request_.scene, request_.view, plan, request_.reference, request_.error,
                                 request_.priority, control_.progress());
-    chart_.identity = identity_of(request_, reference_);
+    const TimedSettings timed = timed_settings();
+    chart_.identity = identity_of(request_, reference_, timed);
     chart_.machine = this_machine();
     chart_.metric = request_.error.metric;
+    chart_.across = request_.across;
     chart_.reference_halves = reference_.halves;
     for (std::size_t i = 0; i < request_.points.size(); ++i)
       if (static_cast<int>(i) % request_.shard.count == request_.shard.index) {
@@ -84,6 +88,7 @@ class Runner {
         point.number = static_cast<int>(i);
         point.what = request_.points[i];
         chart_.points.push_back(std::move(point));
+        drawn_with_.push_back(timed.settings[i]);
       }
     prepared_.resize(chart_.points.size());
     calls_.assign(chart_.points.size(), 0);
@@ -97,10 +102,20 @@ class Runner {
   }
 
  private:
+  TimedSettings timed_settings() const {
+    std::vector<Settings> settings;
+    std::vector<std::string> labels;
+    for (const SweepPoint& point : request_.points) {
+      settings.push_back(point.value);
+      labels.push_back(point.label);
+    }
+    return on_same_machinery(settings, labels, traits_, request_.machinery);
+  }
+
   Frame picture_of(std::size_t i, Prepared& prepared) {
     RenderRequest how;
     how.priority = request_.priority;
-    return render(request_.scene, request_.view, chart_.points[i].what.value, how, prepared, control_.progress());
+    return render(request_.scene, request_.view, drawn_with_[i], how, prepared, control_.progress());
   }
 
   void run_once(std::size_t i) {
@@ -135,8 +150,19 @@ class Runner {
     MeasuredPicture picture{display_frame(frame, point.what.value), frame.colour};
     point.comparison = compare_pictures(reference_.picture, picture, request_.error);
     point.memory_mb = 1e-6 * static_cast<double>(prepared.bytes() + frame_bytes(frame));
-    point.counters = frame.counters;
+    point.counters = counters_of(i, frame);
+    point.work = counted_work(point.counters);
     point.picture = std::move(picture.levels);
+  }
+
+  /// What does not depend on the processor: of another picture, if need be.
+  Counters counters_of(std::size_t i, const Frame& frame) {
+    const Settings counted = counted_settings(drawn_with_[i], traits_);
+    if (counted == drawn_with_[i]) return frame.counters;
+    RenderRequest how;
+    how.priority = request_.priority;
+    Prepared prepared;
+    return render(request_.scene, request_.view, counted, how, prepared, control_.progress()).counters;
   }
 
   void forget_if_large(std::size_t i) {
@@ -173,14 +199,32 @@ class Runner {
   StudyControl& control_;
   const ChartUpdate& update_;
   const Clock& clock_;
+  SceneTraits traits_;
   Reference reference_;
   Chart chart_;
   std::vector<std::shared_ptr<Prepared>> prepared_;
-  std::vector<int> calls_;  ///< renders within one sample of each point; 0 = not known yet
+  std::vector<Settings> drawn_with_;  ///< of each point: its settings, or those on the machinery that all share
+  std::vector<int> calls_;            ///< renders within one sample of each point; 0 = not known yet
   std::optional<ChartLog> log_;
 };
 
 }  // namespace
+
+std::string_view chart_across_key(ChartAcross across) {
+  switch (across) {
+  case ChartAcross::time:
+    return "time";
+  case ChartAcross::work:
+    return "work";
+  }
+  return "";
+}
+
+ChartAcross parse_chart_across(std::string_view key) {
+  for (const ChartAcross across : {ChartAcross::time, ChartAcross::work})
+    if (chart_across_key(across) == key) return across;
+  throw InputError(fmt::format("across: found '{}', expected time or work", key));
+}
 
 Shard parse_shard(std::string_view text) {
   const auto slash = text.find('/');
@@ -194,13 +238,6 @@ Shard parse_shard(std::string_view text) {
   if (index < 0 || count < 1 || index > count)
     throw InputError(fmt::format("shard: found '{}', expected i/n with i from 1 to n", text));
   return {index % count, count};
-}
-
-int reference_samples_for(std::span<const SweepPoint> points) {
-  int samples = 16;
-  for (const SweepPoint& point : points)
-    while (samples < 4 * std::max(point.value.samples_per_pixel, point.value.multisampling)) samples *= 4;
-  return samples;
 }
 
 Chart run_chart(const ChartRequest& request, StudyControl& control, const ChartUpdate& update, const Clock& clock) {
@@ -218,7 +255,9 @@ void summarise(Chart& chart, ErrorMetric metric) {
     point.time_ms = quartiles(point.samples_ms);
     point.error = error_of(point.comparison, metric);
     const double sign = error_metric(metric).higher_is_better ? -1 : 1;
-    tradeoffs.push_back({point.time_ms.median, sign * point.error});
+    const auto work = static_cast<double>(point.work);
+    point.cost = chart.across == ChartAcross::time ? point.time_ms : Quartiles{work, work, work};
+    tradeoffs.push_back({point.cost.median, sign * point.error});
     measured.push_back(&point);
   }
   const std::vector<bool> front = pareto_front(tradeoffs);

@@ -10,22 +10,31 @@
 #include "base/machine.h"
 #include "study/control.h"
 #include "study/reference.h"
+#include "study/same_machinery.h"
 #include "study/sweep.h"
 #include "study/timing.h"
 
 namespace ps {
 
-/// One point of the chart of time against error.
+/// What a chart shows along its horizontal axis.
+enum class ChartAcross {
+  time,  ///< milliseconds of one picture, median and quartiles
+  work,  ///< counted_work(): the same on every machine
+};
+
+/// One point of the chart of time or work against error.
 struct ChartPoint {
   int number = 0;  ///< in the whole sweep, from 0; shards keep the numbers of the whole
   SweepPoint what;
   std::vector<double> samples_ms;  ///< wall time of one render, everything prepared; one for each repeat
   Quartiles time_ms;
+  Quartiles cost;         ///< on the chart's horizontal axis: time_ms, or work without any spread
   double prepare_ms = 0;  ///< the first render, with building trees, mips and tessellations, less the median time
   double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes
   Comparison comparison;
   double error = 0;  ///< the chosen metric
   Counters counters;
+  std::uint64_t work = 0;  ///< counted_work() of the counters, which are the same on every processor
   bool on_front = false;
   std::optional<Image<Rgb8>> picture;  ///< for thumbnails and differences
 
@@ -40,16 +49,23 @@ struct ChartIdentity {
   std::string region;     ///< "X,Y,W,H", or "all"
   std::string reference;  ///< its description
   std::string base;       ///< the settings under the sweep: "K=V;K=V"
+  std::string machinery;  ///< which code was timed, and why: TimedSettings::reason
   int points = 0;         ///< of the whole sweep
   /// Of the reference's pixels, the camera and the settings of all points: tells sweeps, views and edited scenes apart.
   std::string fingerprint;
   bool operator==(const ChartIdentity&) const = default;
 };
 
+/// "time" or "work".
+std::string_view chart_across_key(ChartAcross across);
+/// Throws InputError.
+ChartAcross parse_chart_across(std::string_view key);
+
 struct Chart {
   ChartIdentity identity;
   Machine machine;
   ErrorMetric metric = ErrorMetric::rmse;
+  ChartAcross across = ChartAcross::time;
   std::optional<Comparison> reference_halves;  ///< how far two halves of the reference's samples are apart
   std::vector<ChartPoint> points;              ///< in the order of the sweep; some may not be measured yet
 };
@@ -68,17 +84,15 @@ struct ChartRequest {
   std::vector<SweepPoint> points;  ///< of the whole sweep
   Shard shard;
   ErrorOptions error;
-  ReferenceOptions reference;  ///< with 0 samples it takes reference_samples_for() the points
+  ReferenceOptions reference;
+  MachineryRule machinery = MachineryRule::same;
+  ChartAcross across = ChartAcross::time;
   int repeats = 5;
   double shortest_sample = 0.005;  ///< seconds; shorter renders are repeated within one sample
   WorkerPriority priority = WorkerPriority::normal;
   /// Where results are kept as they arrive, and found again when the same chart is asked for; empty = nowhere.
   std::filesystem::path folder;
 };
-
-/// Samples for each pixel of a reference that is closer to the truth than every point: four times the most that any of
-/// them takes, at least 16. A power of 4.
-int reference_samples_for(std::span<const SweepPoint> points);
 
 /// Called after each run, on the thread that runs the chart.
 using ChartUpdate = std::function<void(const Chart&, const StudyStatus&)>;
@@ -90,7 +104,7 @@ using ChartUpdate = std::function<void(const Chart&, const StudyStatus&)>;
 Chart run_chart(const ChartRequest& request, StudyControl& control, const ChartUpdate& update = {},
                 const Clock& clock = steady_seconds);
 
-/// Brings quartiles, errors in `metric` and the front up to date with the samples.
+/// Brings quartiles, costs along Chart::across, errors in `metric` and the front up to date with the samples.
 void summarise(Chart& chart, ErrorMetric metric);
 
 /// Reads the charts kept in several folders and makes one of them. Throws InputError unless all are parts of the same

@@ -29,7 +29,8 @@ Json point_json(const ChartPoint& point) {
             {"settings", point.what.settings}, {"time_ms", point.time_ms.median},
             {"time_q1_ms", point.time_ms.q1},  {"time_q3_ms", point.time_ms.q3},
             {"samples_ms", point.samples_ms},  {"prepare_ms", point.prepare_ms},
-            {"memory_mb", point.memory_mb},    {"on_front", point.on_front}};
+            {"memory_mb", point.memory_mb},    {"work", point.work},
+            {"on_front", point.on_front}};
   if (std::isfinite(point.error))
     json["error"] = point.error;
   else
@@ -44,12 +45,14 @@ Json point_json(const ChartPoint& point) {
 }  // namespace
 
 std::string chart_csv(const Chart& chart) {
-  std::string text = "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front\n";
+  std::string text =
+      "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth\n";
   for (const ChartPoint& point : chart.points)
     if (point.measured())
-      text += fmt::format("{},{},{},{},{},{},{},{},{}\n", field(point.what.label), renderer_key(point.what.value),
-                          field(point.what.settings), point.time_ms.median, point.time_ms.q1, point.time_ms.q3,
-                          point.error, point.memory_mb, point.on_front ? 1 : 0);
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", field(point.what.label),
+                          renderer_key(point.what.value), field(point.what.settings), point.time_ms.median,
+                          point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb, point.on_front ? 1 : 0,
+                          point.work, field(chart.identity.machinery), field(chart.identity.reference));
   return text;
 }
 
@@ -65,7 +68,9 @@ std::string chart_json(const Chart& chart) {
             {"metric", error_metric(chart.metric).key},
             {"values", id.values},
             {"region", id.region},
-            {"reference", id.reference}};
+            {"reference", id.reference},
+            {"machinery", id.machinery},
+            {"across", chart_across_key(chart.across)}};
   if (chart.reference_halves) json["reference-halves"] = comparison_json(*chart.reference_halves);
   json["points"] = Json::array();
   for (const ChartPoint& point : chart.points)

@@ -11,6 +11,7 @@
 #include "image/file.h"
 #include "options/option.h"
 #include "study/comparison_json.h"
+#include "study/counted_work.h"
 
 namespace ps {
 namespace {
@@ -22,13 +23,13 @@ constexpr const char* log_name = "runs.jsonl";
 Json identity_json(const ChartIdentity& id) {
   return {{"scene", id.scene},   {"size", {id.width, id.height}}, {"values", id.values},
           {"region", id.region}, {"reference", id.reference},     {"base", id.base},
-          {"points", id.points}, {"fingerprint", id.fingerprint}};
+          {"points", id.points}, {"machinery", id.machinery},     {"fingerprint", id.fingerprint}};
 }
 
 ChartIdentity identity_from(const Json& json) {
-  return {json.at("scene"),  json.at("size").at(0), json.at("size").at(1),
-          json.at("values"), json.at("region"),     json.at("reference"),
-          json.at("base"),   json.at("points"),     json.value("fingerprint", "")};
+  return {json.at("scene"),  json.at("size").at(0),        json.at("size").at(1), json.at("values"),
+          json.at("region"), json.at("reference"),         json.at("base"),       json.value("machinery", ""),
+          json.at("points"), json.value("fingerprint", "")};
 }
 
 Json head_json(const Chart& chart) {
@@ -78,6 +79,7 @@ void read_picture(const Json& json, const std::filesystem::path& folder, ChartPo
     if (json.contains("counters") && json.at("counters").contains(key))
       point.counters.values[i] = json.at("counters").at(key);
   }
+  point.work = counted_work(point.counters);
   point.picture = load_levels(folder / picture_name(point));
 }
 

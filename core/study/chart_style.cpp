@@ -8,28 +8,37 @@
 namespace ps {
 
 ChartAxes chart_axes(const Chart& chart) {
-  std::vector<double> times, errors;
+  std::vector<double> costs, errors;
   for (const ChartPoint& point : chart.points) {
     if (!point.measured()) continue;
-    times.insert(times.end(), {point.time_ms.q1, point.time_ms.median, point.time_ms.q3});
+    costs.insert(costs.end(), {point.cost.q1, point.cost.median, point.cost.q3});
     errors.push_back(point.error);
   }
   const ErrorMetricRow& row = error_metric(chart.metric);
   ChartAxes axes;
-  axes.time = fit_axis(times, AxisScale::logarithmic);
+  axes.cost = fit_axis(costs, AxisScale::logarithmic);
+  axes.cost_title = chart.across == ChartAcross::time ? "time of one picture (ms)"
+                                                      : "work: rays, tests, fragments and reads, counted";
+  if (chart.across == ChartAcross::time) axes.cost_spread = ", median and quartiles";
   axes.error = fit_axis(errors, row.logarithmic ? AxisScale::logarithmic : AxisScale::linear);
   axes.error_title = std::string(row.label);
   if (row.in_levels) axes.error_title += chart.identity.values == "linear" ? " (unit floats)" : " (levels of 255)";
   return axes;
 }
 
-std::vector<const ChartPoint*> front_by_time(const Chart& chart) {
+std::vector<const ChartPoint*> front_by_cost(const Chart& chart) {
   std::vector<const ChartPoint*> front;
   for (const ChartPoint& point : chart.points)
     if (point.on_front) front.push_back(&point);
   std::sort(front.begin(), front.end(),
-            [](const ChartPoint* a, const ChartPoint* b) { return a->time_ms.median < b->time_ms.median; });
+            [](const ChartPoint* a, const ChartPoint* b) { return a->cost.median < b->cost.median; });
   return front;
+}
+
+std::string chart_provenance(const Chart& chart) {
+  std::string text = fmt::format("Truth: {}.", chart.identity.reference);
+  if (!chart.identity.machinery.empty()) text += fmt::format(" Timed: {}.", chart.identity.machinery);
+  return text;
 }
 
 Rgb8 mark_colour(const Settings& settings) {

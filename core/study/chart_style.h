@@ -9,14 +9,18 @@ namespace ps {
 
 /// How a chart is drawn, in the window and in files alike.
 struct ChartAxes {
-  PlotAxis time, error;
+  PlotAxis cost, error;
+  std::string cost_title;   ///< "time of one picture (ms)"
+  std::string cost_spread;  ///< ", median and quartiles"; empty for work
   std::string error_title;  ///< "RMSE (levels of 255)"
 };
 /// Axes that hold all measured points. PSNR and SSIM grow upwards as they are: better is then up, not down.
 ChartAxes chart_axes(const Chart& chart);
 
-/// Points on the front, fastest first.
-std::vector<const ChartPoint*> front_by_time(const Chart& chart);
+/// Points on the front, the cheapest first.
+std::vector<const ChartPoint*> front_by_cost(const Chart& chart);
+/// Two sentences under a chart: what its errors are measured against, and which code its times are of.
+std::string chart_provenance(const Chart& chart);
 
 /// Colours of Okabe and Ito, told apart by colour-blind eyes as well: one for each renderer and precision. Shape
 /// (round for rays, square for fragments) says the renderer again.

@@ -29,8 +29,8 @@ double estimated_width(std::string_view text, double size) {
   return width * size;
 }
 
-Vec2d on_plot(const ChartAxes& axes, double time, double error) {
-  return {plot_corner.x + plot_size.x * axes.time.place(time),
+Vec2d on_plot(const ChartAxes& axes, double cost, double error) {
+  return {plot_corner.x + plot_size.x * axes.cost.place(cost),
           plot_corner.y + plot_size.y * (1 - axes.error.place(error))};
 }
 
@@ -50,8 +50,8 @@ std::string draw_axes(const ChartAxes& axes, ErrorMetric metric) {
   std::string svg;
   const double bottom = plot_corner.y + plot_size.y, right = plot_corner.x + plot_size.x;
   const auto shade = [](const Tick& tick) { return tick.text.empty() ? "#efefef" : "#d4d4d4"; };
-  for (const Tick& tick : axes.time.ticks()) {
-    const double x = plot_corner.x + plot_size.x * axes.time.place(tick.value);
+  for (const Tick& tick : axes.cost.ticks()) {
+    const double x = plot_corner.x + plot_size.x * axes.cost.place(tick.value);
     svg += line({x, plot_corner.y}, {x, bottom}, shade(tick), 1);
     if (!tick.text.empty()) svg += text_at(x, bottom + 20, "middle", tick.text, tick_size);
   }
@@ -63,7 +63,7 @@ std::string draw_axes(const ChartAxes& axes, ErrorMetric metric) {
   svg += line({plot_corner.x, bottom}, {right, bottom}, "#606060", 1.5);
   svg += line({plot_corner.x, plot_corner.y}, {plot_corner.x, bottom}, "#606060", 1.5);
   svg += text_at(plot_corner.x + plot_size.x / 2, bottom + 44, "middle",
-                 "time of one picture (ms), median and quartiles; left is faster", axis_size);
+                 fmt::format("{}{}; left is cheaper", axes.cost_title, axes.cost_spread), axis_size);
   const bool up = error_metric(metric).higher_is_better;
   svg += fmt::format("<text transform=\"translate(24 {:.0f}) rotate(-90)\" text-anchor=\"middle\" "
                      "font-size=\"{}\">{}; {} is better</text>\n",
@@ -73,8 +73,8 @@ std::string draw_axes(const ChartAxes& axes, ErrorMetric metric) {
 
 std::string front_line(const Chart& chart, const ChartAxes& axes) {
   std::string points;
-  for (const ChartPoint* point : front_by_time(chart)) {
-    const Vec2d place = on_plot(axes, point->time_ms.median, point->error);
+  for (const ChartPoint* point : front_by_cost(chart)) {
+    const Vec2d place = on_plot(axes, point->cost.median, point->error);
     points += fmt::format("{:.1f},{:.1f} ", place.x, place.y);
   }
   return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"2\" "
@@ -82,9 +82,9 @@ std::string front_line(const Chart& chart, const ChartAxes& axes) {
                      points);
 }
 
-/// Round for rays, square for fragments, a triangle for the textbook. `told` is shown to a pointer over it.
-std::string sign(Renderer renderer, Vec2d at, double radius, std::string_view look, std::string_view told) {
-  const std::string rest = fmt::format("{}><title>{}</title>", look, xml_escaped(told));
+/// Round for rays, square for fragments, a triangle for the textbook. `words` are shown to a pointer over it.
+std::string sign(Renderer renderer, Vec2d at, double radius, std::string_view look, std::string_view words) {
+  const std::string rest = fmt::format("{}><title>{}</title>", look, xml_escaped(words));
   switch (renderer) {
   case Renderer::ray_tracer:
     return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}</circle>\n", at.x, at.y, radius, rest);
@@ -99,17 +99,17 @@ std::string sign(Renderer renderer, Vec2d at, double radius, std::string_view lo
 }
 
 std::string mark(const ChartPoint& point, const ChartAxes& axes, double largest_memory) {
-  const Vec2d at = on_plot(axes, point.time_ms.median, point.error);
-  const Vec2d low = on_plot(axes, point.time_ms.q1, point.error), high = on_plot(axes, point.time_ms.q3, point.error);
+  const Vec2d at = on_plot(axes, point.cost.median, point.error);
+  const Vec2d low = on_plot(axes, point.cost.q1, point.error), high = on_plot(axes, point.cost.q3, point.error);
   const std::string colour = hex_colour(mark_colour(point.what.value));
   std::string svg = line(low, high, colour, 2);
   for (const Vec2d& end : {low, high}) svg += line(end - Vec2d(0, 4), end + Vec2d(0, 4), colour, 2);
   const std::string look = fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", colour,
                                        point.on_front ? "#000000" : "#ffffff", point.on_front ? 2 : 1);
-  const std::string told =
-      fmt::format("{}: {:.4g} ms ({:.4g} to {:.4g}), error {:.4g}, {:.4g} MB", point.what.settings,
-                  point.time_ms.median, point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb);
-  return svg + sign(point.what.value.renderer, at, mark_radius(point.memory_mb, largest_memory), look, told);
+  const std::string words =
+      fmt::format("{}: {:.4g} ms ({:.4g} to {:.4g}), work {}, error {:.4g}, {:.4g} MB", point.what.settings,
+                  point.time_ms.median, point.time_ms.q1, point.time_ms.q3, point.work, point.error, point.memory_mb);
+  return svg + sign(point.what.value.renderer, at, mark_radius(point.memory_mb, largest_memory), look, words);
 }
 
 std::string labels(const Chart& chart, const ChartAxes& axes) {
@@ -117,9 +117,9 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
   std::vector<const ChartPoint*> of_wish;
   for (const ChartPoint& point : chart.points) {
     if (!point.measured()) continue;
-    const Vec2d at = on_plot(axes, point.time_ms.median, point.error) - plot_corner;
-    const double low = on_plot(axes, point.time_ms.q1, point.error).x - plot_corner.x;
-    const double high = on_plot(axes, point.time_ms.q3, point.error).x - plot_corner.x;
+    const Vec2d at = on_plot(axes, point.cost.median, point.error) - plot_corner;
+    const double low = on_plot(axes, point.cost.q1, point.error).x - plot_corner.x;
+    const double high = on_plot(axes, point.cost.q3, point.error).x - plot_corner.x;
     wishes.push_back({at,
                       {estimated_width(point.what.label, label_size), label_size + 2},
                       point.on_front ? 0 : 1,
@@ -127,10 +127,10 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
     of_wish.push_back(&point);
   }
   std::vector<LabelLine> front;
-  const std::vector<const ChartPoint*> on_front = front_by_time(chart);
+  const std::vector<const ChartPoint*> on_front = front_by_cost(chart);
   for (std::size_t i = 1; i < on_front.size(); ++i)
-    front.emplace_back(on_plot(axes, on_front[i - 1]->time_ms.median, on_front[i - 1]->error) - plot_corner,
-                       on_plot(axes, on_front[i]->time_ms.median, on_front[i]->error) - plot_corner);
+    front.emplace_back(on_plot(axes, on_front[i - 1]->cost.median, on_front[i - 1]->error) - plot_corner,
+                       on_plot(axes, on_front[i]->cost.median, on_front[i]->error) - plot_corner);
   std::string lines, words;
   const std::vector<LabelPlace> places = place_labels(wishes, plot_size, largest_mark_radius, front);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -203,9 +203,10 @@ std::string chart_svg(const Chart& chart) {
                                 "{0} {1}\" font-family=\"Inter, Helvetica, Arial, sans-serif\" fill=\"#202020\">\n"
                                 "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
                                 paper_width, paper_height);
-  svg +=
-      text_at(plot_corner.x, 36, "start", fmt::format("{}, {} x {}: time against error", id.scene, id.width, id.height),
-              title_size, " font-weight=\"bold\"");
+  svg += text_at(
+      plot_corner.x, 36, "start",
+      fmt::format("{}, {} x {}: {} against error", id.scene, id.width, id.height, chart_across_key(chart.across)),
+      title_size, " font-weight=\"bold\"");
   double largest_memory = 0;
   for (const ChartPoint& point : chart.points) largest_memory = std::max(largest_memory, point.memory_mb);
   svg += legend(chart, largest_memory);
@@ -214,7 +215,7 @@ std::string chart_svg(const Chart& chart) {
   for (const ChartPoint& point : chart.points)
     if (point.measured()) svg += mark(point, axes, largest_memory);
   svg += labels(chart, axes);
-  svg += notes(fmt::format("Against: {}. pixelscope {}, {}, {}, {} threads. {}", id.reference, chart.machine.version,
+  svg += notes(fmt::format("{} pixelscope {}, {}, {}, {} threads. {}", chart_provenance(chart), chart.machine.version,
                            chart.machine.processor, chart.machine.simd, chart.machine.threads, id.base),
                plot_corner.y + plot_size.y + 72);
   return svg + "</svg>\n";

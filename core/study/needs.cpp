@@ -9,6 +9,7 @@
 #include "options/option.h"
 #include "render/display_frame.h"
 #include "study/reference.h"
+#include "study/same_machinery.h"
 #include "study/timing.h"
 #include "study/worst_tile.h"
 
@@ -79,7 +80,7 @@ class Search {
   }
 
   Tried try_out(const Settings& settings) {
-    const Rendered rendered = picture_of(settings);
+    const Rendered rendered = picture_of(counted_settings(settings, traits_));
     ++status_.done;
     status_.total = std::max(status_.total, status_.done);
     if (update_) update_(needs_, status_);
@@ -135,13 +136,18 @@ class Search {
   static bool lie_apart(const Quartiles& a, const Quartiles& b) { return a.q3 < b.q1 || b.q3 < a.q1; }
 
   void measure_times() {
-    std::vector<Settings> variants{request_.base, needs_.advice};
+    std::vector<Settings> all{request_.base, needs_.advice};
+    std::vector<std::string> labels{"the settings as they are", "the advice"};
     std::vector<FeatureShare*> measured;
     for (FeatureShare& share : needs_.shares)
       if (share.used) {
-        variants.push_back(without(share.feature, request_.base));
+        all.push_back(without(share.feature, request_.base));
+        labels.push_back(fmt::format("without {}", share.feature.label));
         measured.push_back(&share);
       }
+    const TimedSettings timed = on_same_machinery(all, labels, traits_);
+    const std::vector<Settings>& variants = timed.settings;
+    needs_.machinery = timed.reason;
     std::vector<std::vector<double>> samples(variants.size());
     for (int round = 0; round < request_.repeats; ++round)
       for (std::size_t i = 0; i < variants.size(); ++i) {
@@ -170,15 +176,6 @@ class Search {
 };
 
 }  // namespace
-
-std::uint64_t counted_work(const Counters& counters) {
-  std::uint64_t work = 0;
-  for (const Counter counter :
-       {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays,
-        Counter::sphere_tests, Counter::triangle_tests, Counter::solid_tests, Counter::fragments, Counter::texel_reads})
-    work += counters[counter];
-  return work;
-}
 
 std::string needs_free_sentence(const FeatureShare& share) {
   const bool asks = share.reason.starts_with("needs ");

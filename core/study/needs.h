@@ -6,13 +6,11 @@
 
 #include "render/render.h"
 #include "study/control.h"
+#include "study/counted_work.h"
 #include "study/features.h"
 #include "study/metric.h"
 
 namespace ps {
-
-/// Counted work: rays, intersection tests, fragments and texel reads. The same on every machine.
-std::uint64_t counted_work(const Counters& counters);
 
 struct NeedsRequest {
   Scene scene;
@@ -50,6 +48,7 @@ struct Needs {
   double error = 0, default_error = 0;  ///< worst_tile_flip against the reference
   double time_ms = 0, default_time_ms = 0;
   bool time_told = false;  ///< the quartiles of both times lie apart; else they are the same within noise
+  std::string machinery;   ///< which code was timed, the same for all: TimedSettings::reason
   std::uint64_t work = 0, default_work = 0;
   std::vector<FeatureShare> shares;
   std::vector<NeedsStep> trail;

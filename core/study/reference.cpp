@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -22,13 +23,44 @@ bool shown_by_rays(const Settings& base, const SceneTraits& traits) {
   return !only_canvas && !outlines;
 }
 
-/// Sums over the samples of a pixel; `first` and `second` are the two colours of a chessboard of samples.
-struct Sums {
+/// Two means over each pixel, of samples that have none in common.
+struct Halves {
   Image<Vec3d> first, second;
+  double first_share = 0.5;  ///< of all samples
+
+  Image<Vec3d> mean() const {
+    Image<Vec3d> all = first;
+    for (std::size_t i = 0; i < all.pixels().size(); ++i)
+      all.pixels()[i] = first.pixels()[i] * first_share + second.pixels()[i] * (1 - first_share);
+    return all;
+  }
 };
+
+using Colours = std::function<Image<Vec3d>(const View&, const Settings&)>;
+
+Image<Vec3d> colours_of(const Frame& frame) {
+  if (!frame.colour_double.empty()) return frame.colour_double;
+  Image<Vec3d> colours(frame.width(), frame.height());
+  std::transform(frame.colour.pixels().begin(), frame.colour.pixels().end(), colours.pixels().begin(),
+                 [](const Vec3f& colour) { return Vec3d(colour); });
+  return colours;
+}
+
+/// All samples on a grid, and as many at Halton's places.
+Halves sampled_halves(const View& view, const ReferencePlan& plan, const Colours& colours) {
+  Settings settings = plan.settings;
+  settings.samples_per_pixel = plan.samples;
+  Halves halves;
+  settings.sample_pattern = SamplePattern::grid;
+  halves.first = colours(view, settings);
+  settings.sample_pattern = SamplePattern::halton;
+  halves.second = colours(view, settings);
+  return halves;
+}
 
 /// The view and settings that render `side` x `side` samples for each pixel of `view`, one pixel for each sample.
 /// With the book's sample position the picture has one more column and row, since its samples lie on pixel corners.
+/// Footprints of textures, tessellation and sub-pixel positions keep their size in pixels of `view`.
 struct Enlarged {
   View view;
   Settings settings;
@@ -46,25 +78,29 @@ Enlarged enlarge(const View& view, const Settings& settings, int side) {
   large.settings.viewport_fit = ViewportFit::stretch;
   large.settings.field_of_view_span = FieldOfViewSpan::edges;
   large.settings.sample_position = SamplePosition::centre;
+  large.settings.mip_bias += std::log2(side);
+  large.settings.tessellation *= side;
+  large.settings.subpixel_bits = std::max(0, settings.subpixel_bits - static_cast<int>(std::lround(std::log2(side))));
   return large;
 }
 
-Sums sum_samples(const Frame& frame, const View& view, int side, int first_row) {
-  Sums sums{Image<Vec3d>(view.width, view.height), Image<Vec3d>(view.width, view.height)};
+/// The two colours of a chessboard of samples, from a picture that has `side` x `side` pixels for each.
+Halves enlarged_halves(const View& view, const Settings& settings, int side, const Colours& colours) {
+  const Enlarged large = enlarge(view, settings, side);
+  const Image<Vec3d> samples = colours(large.view, large.settings);
+  const int in_second = side * side / 2, in_first = side * side - in_second;
+  Halves halves{Image<Vec3d>(view.width, view.height), Image<Vec3d>(view.width, view.height),
+                static_cast<double>(in_first) / (side * side)};
   for (int y = 0; y < view.height; ++y)
-    for (int x = 0; x < view.width; ++x)
+    for (int x = 0; x < view.width; ++x) {
       for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
-          const Vec3d& colour = frame.colour_double.at(x * side + i, (y + first_row) * side + j);
-          ((i + j) % 2 == 0 ? sums.first : sums.second).at(x, y) += colour;
-        }
-  return sums;
-}
-
-Image<Vec3d> mean_of(const Image<Vec3d>& sums, double samples) {
-  Image<Vec3d> mean = sums;
-  for (Vec3d& colour : mean.pixels()) colour /= samples;
-  return mean;
+        for (int i = 0; i < side; ++i)
+          ((i + j) % 2 == 0 ? halves.first : halves.second).at(x, y) +=
+              samples.at(x * side + i, (y + large.first_row) * side + j);
+      halves.first.at(x, y) /= in_first;
+      halves.second.at(x, y) /= in_second;
+    }
+  return halves;
 }
 
 MeasuredPicture measured(const Image<Vec3d>& colours, const Settings& settings) {
@@ -105,31 +141,31 @@ Settings reference_settings(const Settings& base, const SceneTraits& traits) {
   return best;
 }
 
-Reference make_reference(const Scene& scene, const View& view, const Settings& base, const ReferenceOptions& options,
-                         const ErrorOptions& error, WorkerPriority priority, Progress& progress) {
+Reference make_reference(const Scene& scene, const View& view, const ReferencePlan& plan,
+                         const ReferenceOptions& options, const ErrorOptions& error, WorkerPriority priority,
+                         Progress& progress) {
   if (!options.file.empty()) return read_reference(options.file, view);
-  const int side = static_cast<int>(std::lround(std::sqrt(options.samples)));
-  if (side < 1 || side * side != options.samples)
-    throw InputError(fmt::format("reference samples: found {}, expected a square number", options.samples));
-  const Settings best = reference_settings(base, scene_traits(scene));
-  const Enlarged large = side == 1 ? Enlarged{view, best, 0} : enlarge(view, best, side);
+  const int side = static_cast<int>(std::lround(std::sqrt(plan.samples)));
+  if (side < 1 || side * side != plan.samples)
+    throw InputError(fmt::format("reference samples: found {}, expected a square number", plan.samples));
   Prepared prepared;
   RenderRequest request;
   request.priority = priority;
-  const Frame frame = render(scene, large.view, large.settings, request, prepared, progress);
-  const Sums sums = sum_samples(frame, view, side, large.first_row);
-  Image<Vec3d> all = sums.first;
-  for (std::size_t i = 0; i < all.pixels().size(); ++i) all.pixels()[i] += sums.second.pixels()[i];
   Reference reference;
-  reference.picture = measured(mean_of(all, options.samples), best);
-  reference.description = fmt::format("{} in double, {} sample{} for each pixel",
-                                      best.renderer == Renderer::ray_tracer ? "ray tracer" : "rasterizer",
-                                      options.samples, options.samples == 1 ? "" : "s");
-  if (side > 1) {
-    const int in_second = options.samples / 2;
-    reference.halves = compare_pictures(measured(mean_of(sums.first, options.samples - in_second), best),
-                                        measured(mean_of(sums.second, in_second), best), error);
+  reference.description = plan.description;
+  const auto colours = [&](const View& seen, const Settings& settings) {
+    return colours_of(render(scene, seen, settings, request, prepared, progress));
+  };
+  if (side == 1) {
+    reference.picture = measured(colours(view, plan.settings), plan.settings);
+    return reference;
   }
+  const bool rays = plan.settings.renderer == Renderer::ray_tracer;
+  const Halves halves =
+      rays ? sampled_halves(view, plan, colours) : enlarged_halves(view, plan.settings, side, colours);
+  reference.picture = measured(halves.mean(), plan.settings);
+  reference.halves =
+      compare_pictures(measured(halves.first, plan.settings), measured(halves.second, plan.settings), error);
   return reference;
 }
 

@@ -145,6 +145,8 @@ bool acts_somewhere(const SweepAxis& axis, const std::vector<Settings>& all, con
 
 std::vector<std::string> standard_values(const Option& option) {
   std::vector<std::string> values;
+  if (!option.sweep_values.empty())
+    return parse_sweep_axis(fmt::format("{}={}", option.key, option.sweep_values)).values;
   switch (option.kind) {
   case OptionKind::boolean:
     return {"off", "on"};

@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "bench/bench.h"
 #include "bench/meshes.h"
@@ -11,6 +13,7 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "study/same_machinery.h"
 
 namespace ps::bench {
 namespace {
@@ -57,6 +60,11 @@ Job gain_job(const GainPicture& start, const Change& with, const Change& without
   const auto ours = std::make_shared<GainPicture>(start), yardstick = std::make_shared<GainPicture>(start);
   with(ours->settings);
   without(yardstick->settings);
+  const std::array both{ours->settings, yardstick->settings};
+  const std::array<std::string, 2> labels{"with it", "without it"};
+  const TimedSettings timed = on_same_machinery(both, labels, scene_traits(start.scene));
+  ours->settings = timed.settings[0];
+  yardstick->settings = timed.settings[1];
   Job job;
   job.ours = [ours] { ours->render(); };
   job.yardstick = [yardstick] { yardstick->render(); };
@@ -65,7 +73,7 @@ Job gain_job(const GainPicture& start, const Change& with, const Change& without
     if (share <= allowed_share) return "";
     return fmt::format("{:.2f} % of the pixels differ", 100 * share);
   };
-  job.note = fmt::format("{} x {}, {}", start.view.width, start.view.height, start.scene.name);
+  job.note = fmt::format("{} x {}, {}, {}", start.view.width, start.view.height, start.scene.name, timed.reason);
   return job;
 }
 

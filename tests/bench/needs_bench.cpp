@@ -4,12 +4,15 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <memory>
+#include <string>
 
 #include "bench/bench.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "study/needs.h"
+#include "study/same_machinery.h"
 
 namespace ps::bench {
 namespace {
@@ -45,6 +48,12 @@ Job needs_job(const std::string& name) {
   const auto after = std::make_shared<AdvicePicture>();
   after->scene = before->scene;
   after->settings = needs.advice;
+  const std::array both{after->settings, before->settings};
+  const std::array<std::string, 2> labels{"the advice", "the settings as they are"};
+  const TimedSettings timed = on_same_machinery(both, labels, scene_traits(before->scene));
+  const std::string advice = advice_text(before->settings, needs.advice);
+  after->settings = timed.settings[0];
+  before->settings = timed.settings[1];
   Job job;
   job.ours = [after] { after->render(); };
   job.yardstick = [before] { before->render(); };
@@ -52,9 +61,9 @@ Job needs_job(const std::string& name) {
     if (needs.error <= needs.tolerance) return "";
     return fmt::format("the advice is off by {:.3f}, {:.3f} is allowed", needs.error, needs.tolerance);
   };
-  job.note = fmt::format("{}; error {:.3f} -> {:.3f}, work {:.3f} -> {:.3f} million",
-                         advice_text(before->settings, needs.advice), needs.default_error, needs.error,
-                         static_cast<double>(needs.default_work) * 1e-6, static_cast<double>(needs.work) * 1e-6);
+  job.note = fmt::format("{}; {}; error {:.3f} -> {:.3f}, work {:.3f} -> {:.3f} million", advice, timed.reason,
+                         needs.default_error, needs.error, static_cast<double>(needs.default_work) * 1e-6,
+                         static_cast<double>(needs.work) * 1e-6);
   return job;
 }
 

@@ -10,7 +10,9 @@
 #include "base/check.h"
 #include "image/display.h"
 #include "image/file.h"
+#include "options/option.h"
 #include "options/scene_settings.h"
+#include "options/simd_choice.h"
 #include "render/display_frame.h"
 #include "scene/load.h"
 #include "study/chart_files.h"
@@ -93,24 +95,21 @@ TEST(Chart, ShardsMergedEqualTheWhole) {
 }
 
 TEST(Chart, TheReferenceTakesMoreSamplesThanAnyPoint) {
-  const auto samples = [](std::initializer_list<int> of_points) {
+  const auto samples = [](std::initializer_list<int> of_points, int side = 64) {
     std::vector<SweepPoint> points;
     for (const int samples_per_pixel : of_points) {
       points.emplace_back();
       points.back().value.samples_per_pixel = samples_per_pixel;
     }
-    return reference_samples_for(points);
+    return plan_reference(points, {}, {}, {{}, side, side}, {}).samples;
   };
-  EXPECT_EQ(samples({}), 16);
-  EXPECT_EQ(samples({1}), 16);
+  EXPECT_EQ(samples({}), 1) << "nothing estimates an average";
+  EXPECT_EQ(samples({1}), 1);
   EXPECT_EQ(samples({1, 4}), 16);
-  EXPECT_EQ(samples({5}), 64);
+  EXPECT_EQ(samples({5, 1}), 64);
   EXPECT_EQ(samples({1, 16, 4}), 64);
-  EXPECT_EQ(samples({64, 1}), 256);
-  std::vector<SweepPoint> points(1);
-  points[0].value.renderer = Renderer::rasterizer;
-  points[0].value.multisampling = 16;
-  EXPECT_EQ(reference_samples_for(points), 64);
+  EXPECT_EQ(samples({64, 1}, 600), 256);
+  EXPECT_EQ(samples({4096, 1}, 600), 4096) << "no more than the option allows";
 }
 
 TEST(Chart, ShardTextCountsFromOneOrFromZero) {
@@ -214,10 +213,12 @@ TEST(Chart, RegionAndValuesDecideWhatIsCompared) {
   ChartRequest request = small_request();
   request.error.region = TileRect{5, 6, 25, 20};
   request.error.values = ErrorValues::linear;
-  request.reference.samples = 1;
   StudyControl control;
   const Chart chart = run_chart(request, control);
-  Settings best = reference_settings(request.base, scene_traits(request.scene));
+  Settings best = request.base;
+  best.reflection_depth = 64;
+  best.precision = Precision::float64;
+  best.sphere_test = SphereTest::robust;
   const Frame reference = render(request.scene, request.view, best);
   for (const ChartPoint& point : chart.points) {
     const Frame frame = render(request.scene, request.view, point.what.value);
@@ -241,13 +242,87 @@ TEST(Chart, FilesHoldTheTableOfTheDesign) {
   const Chart chart = run_chart(request, control);
   const std::string csv = chart_csv(chart);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front");
+            "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
   const std::string svg = chart_svg(chart);
   std::size_t circles = 0;
   for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++circles;
   EXPECT_EQ(circles, 8u) << "six points, and both precisions in the legend";
   EXPECT_NE(chart_json(chart).find("\"processor\""), std::string::npos);
+}
+
+Chart chart_of(const std::string& scene, const std::vector<std::string>& sweeps,
+               const std::vector<std::string>& assignments = {}, MachineryRule rule = MachineryRule::same) {
+  ChartRequest request;
+  request.scene = load_scene(scene);
+  request.view = {request.scene.camera, 80, 60};
+  request.base = settings_for(request.scene);
+  for (const std::string& assignment : assignments) parse_assignment(assignment, request.base);
+  std::vector<SweepAxis> axes;
+  for (const std::string& sweep : sweeps)
+    for (SweepAxis& axis : parse_sweep(sweep)) axes.push_back(std::move(axis));
+  request.points = sweep_points(axes, request.base, request.base, scene_traits(request.scene));
+  request.machinery = rule;
+  request.repeats = 1;
+  request.shortest_sample = 0;
+  StudyControl control;
+  return run_chart(request, control);
+}
+
+const ChartPoint& point_of(const Chart& chart, const std::string& label) {
+  const auto found = std::find_if(chart.points.begin(), chart.points.end(),
+                                  [&](const ChartPoint& point) { return point.what.label == label; });
+  if (found == chart.points.end()) throw InputError("no point " + label);
+  return *found;
+}
+
+// What is not swept is the same in the reference: neither missing reflections nor anti-aliasing count as an error.
+TEST(Chart, ErrorsAreThoseOfTheSweptOptionAlone) {
+  const Chart guards = chart_of("cgfs/reflections", {"self-hit"});
+  EXPECT_LT(point_of(guards, "offset").error, 0.05);
+  EXPECT_GT(point_of(guards, "epsilon").error, 10 * point_of(guards, "offset").error);
+  for (const char* renderer : {"renderer=ray-tracer", "renderer=rasterizer"}) {
+    const Chart accelerators = chart_of("cgfs/shading", {"threads=1,2"}, {renderer, "simd=off"});
+    for (const ChartPoint& point : accelerators.points) EXPECT_LT(point.error, 0.5) << renderer;
+  }
+  const Chart filters = chart_of("cgfs/crates", {"texture-filter"}, {"renderer=rasterizer"});
+  EXPECT_LT(point_of(filters, "trilinear").error, point_of(filters, "nearest").error);
+  const Chart depths = chart_of("cgfs/reflections", {"reflection-depth=0,1,2,4,8"});
+  for (std::size_t i = 1; i < depths.points.size(); ++i) EXPECT_LT(depths.points[i].error, depths.points[i - 1].error);
+  const Chart samples = chart_of("cgfs/reflections", {"samples-per-pixel=1,4,16"});
+  EXPECT_GT(samples.points[0].error, 2 * samples.points[1].error);
+  EXPECT_GT(samples.points[1].error, 2 * samples.points[2].error);
+}
+
+// The scalar path visits another tree than the SIMD one, so counted nodes show which of them was timed.
+TEST(Chart, AllPointsRunOnTheSameMachinery) {
+  const Chart same = chart_of("cgfs/shading", {"accelerator=bvh,box"});
+  EXPECT_NE(same.identity.machinery.find("all on scalar code, because of 'box'"), std::string::npos)
+      << same.identity.machinery;
+  const Chart fast = chart_of("cgfs/reflections", {"reflection-depth=0,3"});
+  const bool simd = widest_simd(Simd::automatic).has_value();
+  EXPECT_EQ(fast.identity.machinery, simd ? "all on SIMD code" : "all on scalar code");
+  if (!simd) return;
+  const Chart used = chart_of("cgfs/shading", {"accelerator=bvh,box"}, {}, MachineryRule::as_used);
+  EXPECT_NE(used.identity.machinery.find("as used"), std::string::npos) << used.identity.machinery;
+  EXPECT_FALSE(same.identity == used.identity) << "their times do not mix";
+  EXPECT_EQ(point_of(same, "bvh").work, point_of(used, "bvh").work) << "work is counted by the scalar path";
+  const Chart against = chart_of("cgfs/shading", {"simd=auto,off"});
+  EXPECT_NE(against.identity.machinery.find("SIMD itself"), std::string::npos);
+}
+
+TEST(Chart, WorkTakesThePlaceOfTime) {
+  Chart chart = chart_of("cgfs/reflections", {"reflection-depth=0,1,3"});
+  chart.across = ChartAcross::work;
+  summarise(chart, ErrorMetric::rmse);
+  for (const ChartPoint& point : chart.points) {
+    EXPECT_EQ(point.cost.median, static_cast<double>(point.work));
+    EXPECT_TRUE(point.on_front) << "more bounces, more work, less error";
+  }
+  EXPECT_NE(chart_svg(chart).find("work: rays"), std::string::npos);
+  EXPECT_EQ(chart_svg(chart).find("time of one picture"), std::string::npos);
+  EXPECT_EQ(parse_chart_across("work"), ChartAcross::work);
+  EXPECT_THROW(parse_chart_across("memory"), InputError);
 }
 
 TEST(Chart, LabelsLieOverTheirRimsInAnyViewer) {

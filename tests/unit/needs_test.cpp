@@ -27,10 +27,14 @@ Needs needs_of(const std::string& name, double tolerance = 0.05) {
 }
 
 std::uint64_t work_of(const Scene& scene, const Settings& settings) {
-  const Counters counters = render(scene, {scene.camera, 64, 48}, settings).counters;
+  Settings scalar = settings;
+  scalar.simd = Simd::off;  // SIMD searches count another tree, as wide as the processor's vectors
+  const Counters counters = render(scene, {scene.camera, 64, 48}, scalar).counters;
   return counters[Counter::eye_rays] + counters[Counter::shadow_rays] + counters[Counter::reflection_rays] +
          counters[Counter::refraction_rays] + counters[Counter::sphere_tests] + counters[Counter::triangle_tests] +
-         counters[Counter::solid_tests] + counters[Counter::fragments] + counters[Counter::texel_reads];
+         counters[Counter::solid_tests] + counters[Counter::node_visits] + counters[Counter::coverage_tests] +
+         counters[Counter::coverage_regions] + counters[Counter::stencil_tests] + counters[Counter::fragments] +
+         counters[Counter::texel_reads] + counters[Counter::shadow_map_taps] + counters[Counter::environment_reads];
 }
 
 Image<Rgb8> levels_of(const Scene& scene, const Settings& settings) {

@@ -222,5 +222,28 @@ TEST(OptionTable, ChangedOptionsRebuildTheSettings) {
   EXPECT_TRUE(changed_options(Settings{}).empty());
 }
 
+// A chart of any option needs to know what its errors are measured against, and the settings that it names must exist.
+TEST(OptionTable, EachDeclaresItsTruth) {
+  for (const Option& option : option_table()) {
+    EXPECT_NE(option.truth.kind, TruthKind::undeclared) << option.key;
+    std::string_view rest = option.truth.exact;
+    EXPECT_TRUE(option.truth.kind != TruthKind::exact || !rest.empty()) << option.key;
+    while (!rest.empty()) {
+      const std::string_view one = rest.substr(0, rest.find(';'));
+      const auto bar = one.find('|');
+      Settings settings;
+      EXPECT_NO_THROW(parse_assignment(one.substr(0, bar), settings)) << option.key;
+      if (bar != std::string_view::npos) {
+        const std::string other(one.substr(0, one.find('=') + 1));
+        EXPECT_NO_THROW(parse_assignment(other + std::string(one.substr(bar + 1)), settings)) << option.key;
+      }
+      rest.remove_prefix(std::min(one.size() + 1, rest.size()));
+    }
+  }
+  for (const char* key : {"samples-per-pixel", "sample-pattern", "adaptive-sampling", "subsampling", "multisampling",
+                          "texture-filter", "mip-bias", "anisotropy", "shadow-filter"})
+    EXPECT_EQ(find_option(key)->truth.kind, TruthKind::pixel_average) << key;
+}
+
 }  // namespace
 }  // namespace ps

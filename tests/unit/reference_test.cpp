@@ -14,7 +14,8 @@ using namespace ps;
 
 Reference reference_of(const Scene& scene, const View& view, const Settings& base, int samples) {
   Progress progress;
-  return make_reference(scene, view, base, {{}, samples}, {}, WorkerPriority::normal, progress);
+  const ReferencePlan plan{reference_settings(base, scene_traits(scene)), samples, ""};
+  return make_reference(scene, view, plan, {}, {}, WorkerPriority::normal, progress);
 }
 
 TEST(Reference, OneSampleIsThePlainPictureInDouble) {
@@ -68,10 +69,79 @@ TEST(Reference, BadInputIsRefused) {
   const View view{scene.camera, 20, 20};
   EXPECT_THROW(reference_of(scene, view, {}, 8), InputError);
   Progress progress;
-  EXPECT_THROW(make_reference(scene, view, {}, {"no-such-file.png", 1}, {}, WorkerPriority::normal, progress),
-               InputError);
-  EXPECT_THROW(make_reference(scene, view, {}, {"tests/golden/reference", 1}, {}, WorkerPriority::normal, progress),
-               InputError);
+  for (const char* file : {"no-such-file.png", "tests/golden/reference"})
+    EXPECT_THROW(make_reference(scene, view, {}, {file, 1}, {}, WorkerPriority::normal, progress), InputError);
+}
+
+std::vector<SweepPoint> points_of(const std::vector<std::string>& sweeps, const Settings& base,
+                                  const SceneTraits& traits) {
+  std::vector<SweepAxis> axes;
+  for (const std::string& sweep : sweeps) axes.push_back(parse_sweep_axis(sweep));
+  return sweep_points(axes, base, base, traits);
+}
+
+// What is common to all points is in the reference, too; only what is swept takes its exact value.
+TEST(ReferencePlan, KeepsWhatIsNotSwept) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const SceneTraits traits = scene_traits(scene);
+  const View view{scene.camera, 60, 60};
+  Settings base = settings_for(scene);
+  base.reflection_depth = 2;
+  base.samples_per_pixel = 4;
+  base.self_hit = SelfHit::epsilon;
+  const ReferencePlan guard = plan_reference(points_of({"self-hit"}, base, traits), base, traits, view, {});
+  EXPECT_EQ(guard.samples, 1) << "at the points' own samples";
+  Settings expected = base;
+  expected.precision = Precision::float64;
+  expected.self_hit = SelfHit::offset;
+  expected.sphere_test = SphereTest::robust;
+  EXPECT_EQ(guard.settings, expected);
+  EXPECT_NE(guard.description.find("self-hit=offset"), std::string::npos) << guard.description;
+  const ReferencePlan depth = plan_reference(points_of({"reflection-depth=0,3"}, base, traits), base, traits, view, {});
+  EXPECT_EQ(depth.settings.reflection_depth, 64);
+  EXPECT_EQ(depth.settings.self_hit, SelfHit::epsilon);
+  const ReferencePlan sampled =
+      plan_reference(points_of({"samples-per-pixel=1,16"}, base, traits), base, traits, view, {});
+  EXPECT_EQ(sampled.samples, 64);
+  EXPECT_EQ(sampled.settings.reflection_depth, 2);
+  const ReferencePlan asked = plan_reference(points_of({"self-hit"}, base, traits), base, traits, view, {{}, 9});
+  EXPECT_EQ(asked.samples, 9);
+}
+
+TEST(ReferencePlan, TakesTheExactChoiceOfEachRenderer) {
+  const Scene scene = load_scene("cgfs/shadows");
+  const SceneTraits traits = scene_traits(scene);
+  const View view{scene.camera, 60, 60};
+  Settings base = settings_for(scene);
+  EXPECT_EQ(plan_reference(points_of({"shadows"}, base, traits), base, traits, view, {}).settings.shadows,
+            Shadows::traced);
+  base.renderer = Renderer::rasterizer;
+  const ReferencePlan fragments = plan_reference(points_of({"shadows"}, base, traits), base, traits, view, {});
+  EXPECT_EQ(fragments.settings.renderer, Renderer::rasterizer);
+  EXPECT_EQ(fragments.settings.shadows, Shadows::stencil_depth_fail);
+  const ReferencePlan both =
+      plan_reference(points_of({"renderer=ray-tracer,rasterizer"}, base, traits), base, traits, view, {});
+  EXPECT_EQ(both.settings.renderer, Renderer::ray_tracer);
+}
+
+// A sweep without values must not ask for more than a machine has.
+TEST(ReferencePlan, StaysWithinTheMemoryOfAMachine) {
+  const Scene scene = load_scene("cgfs/reflections");
+  const SceneTraits traits = scene_traits(scene);
+  const Settings base = settings_for(scene);
+  const auto points = points_of({"samples-per-pixel"}, base, traits);
+  EXPECT_GE(points.size(), 4u);
+  const ReferencePlan plan = plan_reference(points, base, traits, {scene.camera, 600, 600}, {});
+  EXPECT_LE(plan.samples, 4096);
+  EXPECT_GE(plan.samples, 4 * points.back().value.samples_per_pixel);
+  Settings fragments = base;
+  fragments.renderer = Renderer::rasterizer;
+  const auto covered = points_of({"multisampling=1,2,4,8"}, fragments, traits);
+  for (const int width : {600, 1920, 3840}) {
+    const ReferencePlan large = plan_reference(covered, fragments, traits, {scene.camera, width, width * 9 / 16}, {});
+    EXPECT_GE(large.samples, 4);
+    EXPECT_LE(static_cast<double>(large.samples) * width * width * 9 / 16, 0x1p25 * 1.01);
+  }
 }
 
 }  // namespace

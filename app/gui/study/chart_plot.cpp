@@ -35,17 +35,17 @@ std::vector<Mark> place_marks(const Chart& chart, const PlotFrame& frame) {
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
     const ChartPoint& point = chart.points[i];
     if (!point.measured()) continue;
-    marks.push_back({i, frame.at(point.time_ms.median, point.error), px(mark_radius(point.memory_mb, memory))});
+    marks.push_back({i, frame.at(point.cost.median, point.error), px(mark_radius(point.memory_mb, memory))});
   }
   return marks;
 }
 
 void draw_front(ImDrawList& list, const Chart& chart, const PlotFrame& frame) {
-  const auto front = front_by_time(chart);
+  const auto front = front_by_cost(chart);
   const float dash = px(5), gap = px(4);
   for (std::size_t i = 1; i < front.size(); ++i) {
-    const ImVec2 a = frame.at(front[i - 1]->time_ms.median, front[i - 1]->error);
-    const ImVec2 b = frame.at(front[i]->time_ms.median, front[i]->error);
+    const ImVec2 a = frame.at(front[i - 1]->cost.median, front[i - 1]->error);
+    const ImVec2 b = frame.at(front[i]->cost.median, front[i]->error);
     const float length = std::hypot(b.x - a.x, b.y - a.y);
     for (float from = 0; from < length; from += dash + gap) {
       const float to = std::min(from + dash, length);
@@ -58,7 +58,7 @@ void draw_front(ImDrawList& list, const Chart& chart, const PlotFrame& frame) {
 }
 
 void draw_error_bar(ImDrawList& list, const ChartPoint& point, const PlotFrame& frame, ImU32 colour) {
-  const ImVec2 low = frame.at(point.time_ms.q1, point.error), high = frame.at(point.time_ms.q3, point.error);
+  const ImVec2 low = frame.at(point.cost.q1, point.error), high = frame.at(point.cost.q3, point.error);
   const float cap = px(3);
   list.AddLine(low, high, colour, px(2));
   for (const ImVec2 end : {low, high}) list.AddLine({end.x, end.y - cap}, {end.x, end.y + cap}, colour, px(1.5));
@@ -98,7 +98,8 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
                  const ChartMarks& shown, ChartLabels& labels) {
   ImFont* font = theme().font(Face::small);
   const auto inside = [&](ImVec2 p) { return Vec2d(p.x - frame.inner.min.x, p.y - frame.inner.min.y); };
-  std::string key = fmt::format("{} {} {}", frame.inner.width(), frame.inner.height(), static_cast<int>(chart.metric));
+  std::string key = fmt::format("{} {} {}", frame.inner.width(), frame.inner.height(), static_cast<int>(chart.metric)) +
+                    std::string(chart_across_key(chart.across));
   // The letter of a ring beside a mark takes room as an error bar does.
   const float letter = px(9) + theme().font(Face::bold)->FontSize;
   const auto taken = [&](const Mark& mark, const std::optional<std::size_t>& by) {
@@ -108,7 +109,7 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
   for (const Mark& mark : marks) {
     const ChartPoint& point = chart.points[mark.point];
     key += fmt::format(" {:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f}", mark.at.x, mark.at.y,
-                       frame.at(point.time_ms.q1, point.error).x, frame.at(point.time_ms.q3, point.error).x,
+                       frame.at(point.cost.q1, point.error).x, frame.at(point.cost.q3, point.error).x,
                        taken(mark, shown.a), taken(mark, shown.b));
     radius = std::max(radius, mark.radius);
   }
@@ -119,7 +120,7 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
     for (const Mark& mark : marks) {
       const ChartPoint& point = chart.points[mark.point];
       const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, point.what.label.c_str());
-      const float low = frame.at(point.time_ms.q1, point.error).x, high = frame.at(point.time_ms.q3, point.error).x;
+      const float low = frame.at(point.cost.q1, point.error).x, high = frame.at(point.cost.q3, point.error).x;
       wishes.push_back(
           {inside(mark.at),
            {size.x, size.y},
@@ -127,10 +128,10 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
            {std::max(mark.at.x - low, taken(mark, shown.a)), std::max(high - mark.at.x, taken(mark, shown.b))}});
     }
     std::vector<LabelLine> lines;
-    const auto front = front_by_time(chart);
+    const auto front = front_by_cost(chart);
     for (std::size_t i = 1; i < front.size(); ++i)
-      lines.emplace_back(inside(frame.at(front[i - 1]->time_ms.median, front[i - 1]->error)),
-                         inside(frame.at(front[i]->time_ms.median, front[i]->error)));
+      lines.emplace_back(inside(frame.at(front[i - 1]->cost.median, front[i - 1]->error)),
+                         inside(frame.at(front[i]->cost.median, front[i]->error)));
     labels.places = place_labels(wishes, {frame.inner.width(), frame.inner.height()}, radius, lines);
   }
   const auto outside = [&](const Vec2d& p) {
@@ -165,9 +166,9 @@ std::optional<std::size_t> draw_chart(ImDrawList& list, const Area& area, const 
                                       const ChartMarks& shown, ImVec2 mouse) {
   const ChartAxes axes = chart_axes(chart);
   const bool up = error_metric(chart.metric).higher_is_better;
-  const PlotFrame frame = draw_plot_frame(
-      list, area, axes.time, axes.error,
-      {"time of one picture, ms", axes.error_title + (up ? ", higher is better" : ", lower is better")});
+  const PlotFrame frame =
+      draw_plot_frame(list, area, axes.cost, axes.error,
+                      {axes.cost_title, axes.error_title + (up ? ", higher is better" : ", lower is better")});
   list.PushClipRect(area.min, area.max, true);
   const std::vector<Mark> marks = place_marks(chart, frame);
   const auto hovered = nearest(marks, mouse);

@@ -45,6 +45,7 @@ std::string plan_key(const ChartSetup& setup, const Settings& base, const Sessio
                                 scene_text(session), view.width, view.height, sweep_text(setup),
                                 fmt::join(changed_options(base), ";"));
   key += setup.values == ErrorValues::display ? "display" : "linear";
+  key += setup.machinery == MachineryRule::same ? "" : "|as used";
   if (const auto& region = session.region(); region && setup.part == ChartPart::rectangle)
     key += fmt::format("|{},{},{},{}", region->x0, region->y0, region->x1, region->y1);
   return key + (setup.reference_file.empty() ? fmt::format("|{} samples", setup.reference_samples)
@@ -69,6 +70,10 @@ void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& sessio
   plan.base = base;
   try {
     plan.points = sweep_points(setup.axes, base, settings_for(session.document().base), session.traits());
+    const ReferenceOptions reference{setup.reference_file, setup.reference_samples};
+    plan.truth = setup.reference_file.empty()
+                     ? plan_reference(plan.points, base, session.traits(), session.view(), reference).description
+                     : "the picture " + setup.reference_file;
     plan.notes = idle_axes(setup.axes, base, session.traits());
     if (plan.points.size() > most_points) {
       plan.error = fmt::format("{} points are too many to wait for; pixelscope-cli chart --shard parts them among "
@@ -91,6 +96,7 @@ ChartRequest make_request(const ChartPlan& plan, const ChartSetup& setup, ErrorM
   request.error = {metric, setup.values, {}};
   if (setup.part == ChartPart::rectangle) request.error.region = session.region();
   request.reference = {setup.reference_file, setup.reference_samples};
+  request.machinery = setup.machinery;
   request.repeats = setup.repeats;
   request.priority = WorkerPriority::background;
   return request;
@@ -110,6 +116,7 @@ std::string command_of(const ChartPlan& plan, const ChartSetup& setup, ErrorMetr
   if (setup.values == ErrorValues::linear) arguments.emplace_back("--linear");
   if (const auto& r = session.region(); r && setup.part == ChartPart::rectangle) add("--region", region_text(*r));
   add("--repeats", std::to_string(setup.repeats));
+  if (setup.machinery == MachineryRule::as_used) arguments.emplace_back("--as-used");
   if (!setup.reference_file.empty())
     add("--reference", setup.reference_file);
   else if (setup.reference_samples > 0)

@@ -19,8 +19,9 @@ struct ChartSetup {
   Side side = Side::a;             ///< whose settings stand under the sweep
   ErrorValues values = ErrorValues::display;
   ChartPart part = ChartPart::whole;
+  MachineryRule machinery = MachineryRule::same;
   int repeats = 5;
-  int reference_samples = 0;   ///< a square number; 0 = as many as the sweep needs (reference_samples_for)
+  int reference_samples = 0;   ///< a square number; 0 = as the truth of the swept options asks (plan_reference)
   std::string reference_file;  ///< empty = one is rendered
   std::string search;          ///< for an option to add
 };
@@ -33,6 +34,7 @@ struct ChartPlan {
   std::string key;                 ///< everything that decides the results, as text
   std::vector<SweepPoint> points;  ///< empty if there is an error
   std::vector<std::string> notes;  ///< swept options that change nothing here
+  std::string truth;               ///< what errors are measured against
   std::string error;               ///< why it cannot be measured
   Settings base;                   ///< what stands under the sweep
 };

@@ -135,17 +135,26 @@ void comparison(ChartSetup& setup, const Session& session) {
              : "No rectangle yet: drag one in a picture with Shift held. Until then the whole picture counts.");
 }
 
+/// Whether times compare techniques, or the programs that happen to draw them.
+void machinery(ChartSetup& setup) {
+  static constexpr std::array rules{
+      Choice{"same", "The same code for all", "If one point cannot take the SIMD path, none does."},
+      Choice{"as-used", "As used", "Each as fast as the window draws it: times compare code, not techniques."}};
+  int index = setup.machinery == MachineryRule::same ? 0 : 1;
+  if (choice("machinery", rules, index)) setup.machinery = index == 0 ? MachineryRule::same : MachineryRule::as_used;
+}
+
 void reference(ChartSetup& setup, const std::function<void()>& browse) {
   static constexpr std::array samples{
-      Choice{"auto", "auto", "Four times as many as any point takes, at least 16."},
-      Choice{"1", "1", "One sample for each pixel: what the settings could be at best."},
-      Choice{"4", "4", "Four samples for each pixel."},
-      Choice{"16", "16", "Sixteen samples for each pixel."},
-      Choice{"64", "64", "Takes 64 times as long as one picture in double."},
-      Choice{"256", "256", "Takes 256 times as long as one picture in double."}};
+      Choice{"auto", "auto", "As the swept options ask: the points' own samples, or the mean over each pixel."},
+      Choice{"1", "1", "The points' own samples."},
+      Choice{"4", "4", "The mean of four samples over each pixel."},
+      Choice{"16", "16", "The mean of sixteen samples over each pixel."},
+      Choice{"64", "64", "The mean of 64 samples over each pixel."},
+      Choice{"256", "256", "The mean of 256 samples over each pixel."}};
   if (setup.reference_file.empty()) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Ray tracer in double, samples:");
+    ImGui::TextUnformatted("Samples:");
     const std::string now = std::to_string(setup.reference_samples);
     int index = 0;
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -181,8 +190,11 @@ void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Sessio
   if (choice("side", sides, side)) setup.side = both_sides[static_cast<std::size_t>(side)];
   heading("Error");
   comparison(setup, session);
-  heading("Against");
+  heading("Truth");
+  quiet_text(plan.truth);
   reference(setup, browse);
+  heading("Timed on");
+  machinery(setup);
   heading("Timed runs of each point");
   double repeats = setup.repeats;
   if (number("repeats", repeats, {.minimum = 1, .maximum = 50, .integer = true}).changed)

@@ -19,6 +19,7 @@ ChartPoint light(const ChartPoint& point) {
   copy.comparison = point.comparison;
   copy.error = point.error;
   copy.counters = point.counters;
+  copy.work = point.work;
   copy.on_front = point.on_front;
   return copy;
 }
@@ -28,6 +29,7 @@ ChartFound next_state(const Chart& chart, const ChartFound& before, const std::f
   next.chart.identity = chart.identity;
   next.chart.machine = chart.machine;
   next.chart.metric = chart.metric;
+  next.chart.across = chart.across;
   next.chart.reference_halves = chart.reference_halves;
   next.pictures = before.pictures;
   for (const ChartPoint& point : chart.points) {

@@ -13,6 +13,7 @@
 #include "gui/study/chart_hover.h"
 #include "gui/widgets/widgets.h"
 #include "study/chart_files.h"
+#include "study/chart_style.h"
 
 namespace ps::gui {
 namespace {
@@ -69,15 +70,29 @@ void setup_popup(Session& session, ChartTabState& state, const ChartHost& host) 
   ImGui::EndPopup();
 }
 
+void show_found(ChartTabState& state) {
+  state.chart.across = state.across;
+  summarise(state.chart, state.metric);
+}
+
 void metric_choice(ChartTabState& state, float width) {
   std::vector<Choice> choices;
   for (const ErrorMetricRow& row : error_metrics()) choices.push_back({row.key, row.label, ""});
   int index = static_cast<int>(state.metric);
-  if (!choice("metric", choices, index,
-              {.tooltip = "How the error of a picture is told as one number.", .width = width}))
-    return;
+  if (!choice("metric", choices, index, {.tooltip = "The error metric.", .width = width})) return;
   state.metric = static_cast<ErrorMetric>(index);
-  if (state.found) summarise(state.chart, state.metric);
+  if (state.found) show_found(state);
+}
+
+/// Milliseconds of this machine, or work counted alike on every machine.
+void across_choice(ChartTabState& state, float width) {
+  static constexpr std::array choices{
+      Choice{"time", "Time", "Milliseconds of one picture on this machine."},
+      Choice{"work", "Work", "Rays, intersection tests, fragments and texel reads: the same on every machine."}};
+  int index = static_cast<int>(state.across);
+  if (!choice("across", choices, index, {.tooltip = "The horizontal axis.", .width = width})) return;
+  state.across = static_cast<ChartAcross>(index);
+  if (state.found) show_found(state);
 }
 
 /// What a click on the button would do.
@@ -135,6 +150,8 @@ bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, 
   run_buttons(session, state, folder);
   same_line_if_room(px(wide ? 150 : 76), gap);
   metric_choice(state, px(wide ? 150 : 76));
+  same_line_if_room(px(76), px(3));
+  across_choice(state, px(76));
   same_line_if_room(button_width("Save"), px(3));
   export_menu(session, state, host);
   same_line_if_room(button_width("Fill"), px(3));
@@ -162,15 +179,15 @@ std::string state_line(const ChartTabState& state) {
   }
   if (!state.found) return state.plan.error.empty() ? "" : state.plan.error;
   const ChartIdentity& id = state.chart.identity;
-  std::string text = fmt::format("{}, {} x {}, against {}", id.scene, id.width, id.height, id.reference);
+  std::string text = fmt::format("{}, {} x {}. {}", id.scene, id.width, id.height, chart_provenance(state.chart));
   if (state.chart.reference_halves) {
     Reference reference;
     reference.halves = state.chart.reference_halves;
     if (const auto noise = reference_noise(reference, state.metric); noise && std::isfinite(*noise))
-      text += fmt::format(", itself uncertain by {:.2g}", *noise);
+      text += fmt::format(" The truth itself is uncertain by {:.2g}.", *noise);
   }
-  if (id.region != "all") text += fmt::format("; only the rectangle {}", id.region);
-  if (id.values == "linear") text += "; linear values";
+  if (id.region != "all") text += fmt::format(" Only the rectangle {}.", id.region);
+  if (id.values == "linear") text += " Linear values.";
   return text;
 }
 
@@ -204,9 +221,10 @@ void invitation(const ChartTabState& state, const Area& area) {
   const std::string text =
       state.study.running()
           ? "The first point comes when the reference is done."
-          : fmt::format("How much time for how much accuracy? {} point{}: each becomes a picture, "
-                        "compared with the ray tracer in double. Press {}.",
-                        state.plan.points.size(), state.plan.points.size() == 1 ? "" : "s", measure_word(state));
+          : fmt::format("How much time for how much accuracy? {} point{}: each is rendered and compared with the "
+                        "truth: {}. Press {}.",
+                        state.plan.points.size(), state.plan.points.size() == 1 ? "" : "s", state.plan.truth,
+                        measure_word(state));
   ImFont* font = theme().font(Face::body);
   const float wrap = std::min(area.width() - px(40), px(460));
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
@@ -261,7 +279,7 @@ void update_chart(Session& session, ChartTabState& state) {
   if (!found || found == state.found || !session.has_scene()) return;
   state.found = found;
   state.chart = found->chart;
-  summarise(state.chart, state.metric);
+  show_found(state);
 }
 
 bool chart_tab(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled) {
@@ -328,6 +346,7 @@ void publish_chart(const ChartTabState& state) {
     out.publish(name + "error", point.error);
     out.publish(name + "time-ms", point.time_ms.median);
     out.publish(name + "memory-mb", point.memory_mb);
+    out.publish(name + "work", static_cast<double>(point.work));
     out.publish(name + "on-front", point.on_front);
     out.publish(name + "runs", static_cast<int>(point.samples_ms.size()));
   }
@@ -336,6 +355,8 @@ void publish_chart(const ChartTabState& state) {
   out.publish("chart/running", state.study.running());
   out.publish("chart/paused", state.study.state() == StudyState::paused);
   out.publish("chart/runs-done", state.study.status().done);
+  out.publish("chart/truth", state.chart.identity.reference);
+  out.publish("chart/machinery", state.chart.identity.machinery);
   out.publish("chart/hovered", state.hovered ? state.chart.points[*state.hovered].what.label : std::string());
 }
 

@@ -28,12 +28,13 @@ struct ChartTabState {
   bool begun = false;  ///< the first sweep has been chosen
   LayoutChoice sweep{&Layout::sweep};
   ErrorMetric metric = ErrorMetric::rmse;
+  ChartAcross across = ChartAcross::time;
   ChartPlan plan;
   bool kept = false;                        ///< results of the plan lie in its folder
   std::string kept_for;                     ///< key of the plan that `kept` was found for
   std::string measured;                     ///< key of the plan whose results are shown
   std::shared_ptr<const ChartFound> found;  ///< what `chart` was made from
-  Chart chart;                              ///< in the metric that is chosen
+  Chart chart;                              ///< in the metric and along the axis that are chosen
   ChartLabels labels;
   std::optional<std::size_t> hovered;
   ChartPreview preview;
@@ -50,7 +51,7 @@ struct ChartHost {
 
 /// Takes up what the study has found; once per frame, also while the tab is not open.
 void update_chart(Session& session, ChartTabState& state);
-/// Time against error over a sweep. `filled`: it has the whole window; answers whether that shall change.
+/// Time or work against error over a sweep. `filled`: it has the whole window; answers whether that shall change.
 bool chart_tab(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled);
 /// Sweeps one option alone, as its context menu asks.
 void sweep_option(ChartTabState& state, const Option& option, Side side);

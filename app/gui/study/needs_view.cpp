@@ -125,10 +125,10 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
                                "keeps to {} differs by {}{}.",
                                short_number(needs.default_error), short_number(needs.tolerance),
                                short_number(needs.error), work > 0.5 ? ", with less work" : "");
-  told.saving = fmt::format("Work is what is counted, the same on every computer: {} instead of {} rays, intersection "
-                            "tests, fragments and texel reads.",
+  told.saving = fmt::format("Work is what is counted, the same on every computer: {} instead of {} rays, tests, "
+                            "fragments and reads of textures and maps.",
                             count_text(needs.work), count_text(needs.default_work));
-  told.time = time_sentence(needs);
+  told.time = fmt::format("{} Timed {}.", time_sentence(needs), needs.machinery);
   return told;
 }
 

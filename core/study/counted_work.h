@@ -1,0 +1,17 @@
+#pragma once
+#include <cstdint>
+
+#include "base/counters.h"
+#include "options/settings.h"
+#include "scene/scene.h"
+
+namespace ps {
+
+/// Counted work: rays, tests of boxes, primitives and samples, fragments, and reads of textures and maps.
+std::uint64_t counted_work(const Counters& counters);
+
+/// The settings that draw the same picture with counts that are the same on every processor. SIMD searches visit a tree
+/// of their own, as wide as the processor's vectors; all other machinery counts what scalar code does.
+Settings counted_settings(const Settings& settings, const SceneTraits& traits);
+
+}  // namespace ps

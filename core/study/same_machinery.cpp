@@ -1,0 +1,65 @@
+#include "study/same_machinery.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+
+namespace ps {
+namespace {
+
+/// Why two pictures are not drawn by the same machinery, seen from the slower one.
+struct Mismatch {
+  std::size_t slower = 0;
+  std::string_view reason;
+};
+
+std::optional<Mismatch> find_mismatch(std::span<const Settings> settings, const std::vector<FastPath>& paths) {
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const bool scalar = paths[i].machinery == Machinery::clear || paths[k].machinery == Machinery::clear;
+      const bool renderers_differ = settings[i].renderer != settings[k].renderer;
+      if (paths[i].same_machinery(paths[k])) continue;
+      // Each renderer has fast code of its own.
+      if (renderers_differ && !scalar) continue;
+      const auto rank = [&](std::size_t p) {
+        return 4 * static_cast<int>(paths[p].machinery) + static_cast<int>(paths[p].shading);
+      };
+      const std::size_t slower = rank(i) < rank(k) ? i : k;
+      return Mismatch{slower, paths[slower].reason};
+    }
+  return {};
+}
+
+}  // namespace
+
+TimedSettings on_same_machinery(std::span<const Settings> settings, std::span<const std::string> labels,
+                                const SceneTraits& traits, MachineryRule rule) {
+  PS_ASSERT(settings.size() == labels.size(), "one label for each");
+  TimedSettings timed;
+  timed.settings.assign(settings.begin(), settings.end());
+  if (settings.empty()) return timed;
+  std::vector<FastPath> paths;
+  for (const Settings& one : settings) paths.push_back(fast_path(one, traits, Channel::none));
+  timed.machinery = paths.front().machinery;
+  const std::optional<Mismatch> mismatch = find_mismatch(settings, paths);
+  if (!mismatch) {
+    timed.reason = fmt::format("all on {}", timed.machinery == Machinery::clear ? "scalar code" : "SIMD code");
+    return timed;
+  }
+  const bool simd_differs = std::any_of(settings.begin(), settings.end(),
+                                        [&](const Settings& one) { return one.simd != settings.front().simd; });
+  if (rule == MachineryRule::as_used || simd_differs) {
+    timed.same = false;
+    timed.reason = simd_differs ? "on SIMD and scalar code: SIMD itself is compared"
+                                : "as used, some on SIMD and some on scalar code: times compare code, not techniques";
+    return timed;
+  }
+  for (Settings& one : timed.settings) one.simd = Simd::off;
+  timed.machinery = Machinery::clear;
+  timed.reason = fmt::format("all on scalar code, because of '{}': {}", labels[mismatch->slower], mismatch->reason);
+  return timed;
+}
+
+}  // namespace ps
