@@ -1,6 +1,7 @@
 // The tabs of long studies against the command line: the same errors, the same advice, the same curves.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -34,18 +35,29 @@ std::string output_of(const std::string& line) {
 
 void write_file(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
 
-/// The column "error" of a chart's points.csv. Counted from the end: labels may hold commas.
+/// The fields of a line of CSV; those in quotes may hold commas.
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted)
+      fields.emplace_back();
+    else
+      fields.back() += c;
+  }
+  return fields;
+}
+
+/// The column "error" of a chart's points.csv.
 std::vector<std::string> errors_of(const std::filesystem::path& csv) {
   std::vector<std::string> errors;
   std::istringstream lines(read_file(csv));
   std::string line;
   std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::vector<std::string> fields;
-    std::istringstream parts(line);
-    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
-    errors.push_back(fields.at(fields.size() - 3));
-  }
+  const std::vector<std::string> names = fields_of(line);
+  const auto column = std::find(names.begin(), names.end(), "error") - names.begin();
+  while (std::getline(lines, line)) errors.push_back(fields_of(line).at(static_cast<std::size_t>(column)));
   return errors;
 }
 

@@ -128,7 +128,8 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   told.saving = fmt::format("Work is what is counted, the same on every computer: {} instead of {} rays, tests, "
                             "fragments and reads of textures and maps.",
                             count_text(needs.work), count_text(needs.default_work));
-  told.time = fmt::format("{} Timed {}.", time_sentence(needs), needs.machinery);
+  told.time = time_sentence(needs);
+  if (!needs.machinery.empty()) told.time += fmt::format(" Timed {}.", needs.machinery);
   return told;
 }
 
