@@ -223,10 +223,11 @@ void draw_chart_legend(ImDrawList& list, const Area& area, const Chart& chart) {
     list.AddLine({at.x - px(8), at.y}, {at.x - px(2), at.y}, ink, px(1.2));
     list.AddLine({at.x + px(2), at.y}, {at.x + px(8), at.y}, ink, px(1.2));
   });
-  entry("quartiles", [&](ImVec2 at) {
-    list.AddLine({at.x - px(7), at.y}, {at.x + px(7), at.y}, ink, px(2));
-    for (const float end : {-px(7), px(7)}) list.AddLine({at.x + end, at.y - px(3)}, {at.x + end, at.y + px(3)}, ink);
-  });
+  if (chart.across == ChartAcross::time)
+    entry("quartiles", [&](ImVec2 at) {
+      list.AddLine({at.x - px(7), at.y}, {at.x + px(7), at.y}, ink, px(2));
+      for (const float end : {-px(7), px(7)}) list.AddLine({at.x + end, at.y - px(3)}, {at.x + end, at.y + px(3)}, ink);
+    });
   entry(fmt::format("area: memory, up to {:.3g} MB", largest_memory(chart)), [&](ImVec2 at) {
     list.AddCircle({at.x - px(4), at.y}, px(3), ink, 16);
     list.AddCircle({at.x + px(4), at.y}, px(5.5), ink, 20);
