@@ -23,7 +23,7 @@ std::string_view outcome_text(TestOutcome outcome) {
   case TestOutcome::back_side:
     return "seen from behind, and it has only a front";
   case TestOutcome::parallel:
-    return "missed: the ray runs in its plane";
+    return "missed: the ray is parallel to its plane";
   case TestOutcome::degenerate:
     return "skipped: it has no area";
   }
@@ -59,7 +59,7 @@ std::string_view reject_reason_text(RejectReason reason) {
   case RejectReason::outside_view:
     return "the whole object lies outside the view";
   case RejectReason::clipped_near:
-    return "clipped: behind the near plane";
+    return "clipped: nearer than the near plane";
   case RejectReason::clipped_side:
     return "clipped: outside a side of the view";
   case RejectReason::clipped_far:
@@ -165,7 +165,7 @@ std::string reject_count_text(RejectReason reason, std::size_t count) {
   case RejectReason::outside_view:
     return fmt::format("{} {} outside the view", count, triangles);
   case RejectReason::clipped_near:
-    return fmt::format("{} {} behind the near plane", count, triangles);
+    return fmt::format("{} {} nearer than the near plane", count, triangles);
   case RejectReason::clipped_side:
     return fmt::format("{} {} beyond a side of the view", count, triangles);
   case RejectReason::clipped_far:

@@ -21,7 +21,7 @@ inline constexpr std::array all_reject_reasons{
     RejectReason::outside_view,  RejectReason::clipped_near, RejectReason::clipped_side, RejectReason::clipped_far,
     RejectReason::behind_camera, RejectReason::zero_area,    RejectReason::back_face,    RejectReason::not_covered};
 
-/// "1 back face culled", "2 triangles behind the near plane"
+/// "1 back face culled", "2 triangles nearer than the near plane"
 std::string reject_count_text(RejectReason reason, std::size_t count);
 
 /// What is wrong with a fragment that clipping should have prevented (CGFS ch. 9 and 11): "two of its corners lie

@@ -68,8 +68,8 @@ std::vector<Option> drawing_rows() {
           {.key = "coverage",
            .label = "Coverage",
            .help =
-               {"How the samples that a triangle covers are found. All ways give one picture; they differ in how many "
-                "tests they need.",
+               {"How the samples that a triangle covers are found. All exact ways give one picture; they differ in how "
+                "many tests they need.",
                 "CGPP 15.6",
                 "The ray test asks every triangle for every pixel; barycentric weights in float may round to the "
                 "wrong side of an edge."},
@@ -90,7 +90,7 @@ std::vector<Option> drawing_rows() {
            .help =
                {"The numbers in which edge functions decide coverage.", "CGPP 15.6.4.4",
                 "Float cracks along shared edges, stepped float drifts with every addition, 32-bit integers overflow "
-                "in triangles of more than about 128 pixels."},
+                "in triangles of more than about 128 pixels (at 8 sub-pixel bits)."},
            .truth = exactly("edge-arithmetic=fixed"),
            .inactive = needs_edge_functions},
           {{"fixed", "64-bit integers", "Exact for every triangle that fits."},

@@ -33,9 +33,10 @@ std::vector<Option> sampling_rows() {
   Option samples = integer<&Settings::samples_per_pixel>(
       {.key = "samples-per-pixel",
        .label = "Samples per pixel",
-       .help = {"Rays whose mean colour a pixel takes. 1, 4, 9, 16 and 64 make a square grid.", "CGFS ch. 5",
-                "n samples cost n times as much; the error of edges falls with 1 / n on a grid, noise with "
-                "1 / sqrt(n)."},
+       .help = {"Number of rays that are averaged for each pixel. 1, 4, 9, 16 and other squares make a square grid.",
+                "CGFS ch. 5",
+                "n samples cost n times as much; the error along edges falls about with n^-0.75, with random positions "
+                "with n^-0.5."},
        .truth = pixel_average(),
        .inactive = needs_eye_rays},
       1, 4096, "rays");

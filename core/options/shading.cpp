@@ -75,7 +75,7 @@ std::vector<Option> shading_rows() {
            .help = {"Lets one light shine alone, by its number in the scene: what its own pass adds to the picture. 0 "
                     "shows all.",
                     "CGFS ch. 15; CGPP 15.7.2.3",
-                    "The pictures of all lights add up to the whole; none of them is it."},
+                    "The pictures of the single lights add up to the whole, unless a colour is clamped."},
            .truth = exactly("light-shown=0"),
            .inactive = needs_several_lights},
           0, 16),
@@ -101,15 +101,16 @@ std::vector<Option> shading_rows() {
       toggle<&Settings::renormalise>({.key = "renormalise",
                                       .label = "Renormalise",
                                       .help = {"Brings interpolated normals back to length 1.", "CGFS ch. 13",
-                                               "Without it the shortened normal weakens highlights between corners."},
+                                               "Without it the shortened normal changes highlights between corners."},
                                       .truth = exactly("renormalise=on"),
                                       .inactive = needs_interpolated_normals}),
       choice<&Settings::normal_transform>(
           {.key = "normal-transform",
            .label = "Normal transform",
-           .help =
-               {"How normals follow a model's transform.", "LAB 7; OCT",
-                "Under unequal scales the model matrix tilts normals: up to 44 levels of shading error at scale 2."},
+           .help = {"How normals follow a model's transform.", "LAB 7; OCT",
+                    "Under unequal scales the model matrix tilts normals: at a scale of 2 by up to 37 degrees, which "
+                    "changes "
+                    "the diffuse light of a ball by 44 of 255 levels (RMS)."},
            .truth = exactly("normal-transform=inverse-transpose"),
            .inactive = needs_vertex_normals},
           {{"inverse-transpose", "inverse transpose", "Stays perpendicular to the surface."},
@@ -122,7 +123,8 @@ std::vector<Option> shading_rows() {
            .truth = as_set(),
            .inactive = needs_lighting},
           {{"book", "the book's",
-            "Shares of full brightness that do not fade; nothing is overexposed if they sum to 1."},
+            "Relative intensities without distance fall-off; matte surfaces stay below 1 if they sum to 1, highlights "
+            "may exceed it."},
            {"radiometric", "radiometric",
             "A point light's intensity is its power: power / (4 pi r^2) arrives. Lambert scatters 1 / pi of it, "
             "highlights are normalised so that sharper ones are brighter."}}),

@@ -58,7 +58,7 @@ std::vector<Option> texture_rows() {
            .label = "Filter",
            .help = {"How the texture is read between and across its texels.", "CGFS ch. 14",
                     "Nearest shows blocks near by and sparkles far away; mipmaps blur at grazing angles. Rays read "
-                    "the finest level, so for them the last three look like bilinear."},
+                    "the finest level, so for them trilinear and mipmap look like bilinear."},
            .truth = pixel_average("texture-filter=bilinear"),
            .inactive = needs_textures_on},
           {{"trilinear", "trilinear", "Bilinear in the two nearest mip levels, mixed."},
@@ -69,7 +69,8 @@ std::vector<Option> texture_rows() {
           {.key = "mip-bias",
            .label = "Mip bias",
            .help = {"Added to the level of detail.", "CGFS ch. 14",
-                    "Negative: sharper, with sparkle. Positive: blurred. -0.5 has the least error."},
+                    "Negative: sharper, with sparkle. Positive: blurred. The RMS error is least near -0.5 "
+                    "(experiment mipmap-lod)."},
            .truth = pixel_average("texture-filter=bilinear"),
            .inactive = needs_mipmaps},
           -4, 4, OptionScale::linear, "levels"),

@@ -215,7 +215,7 @@ TEST(FragmentStory, NothingDrewSaysWhy) {
   expect_sums(story);
   story.events = {{-1, RejectEvent{{0, 1}, RejectReason::clipped_near, "", {}}}};
   finish_story(story, cube_scene(), Settings{});
-  EXPECT_EQ(story.verdict, "nothing drew here: background (1 triangle behind the near plane)");
+  EXPECT_EQ(story.verdict, "nothing drew here: background (1 triangle nearer than the near plane)");
 }
 
 TEST(Describe, NamesObjectsAndKeepsAllDigits) {
