@@ -69,6 +69,11 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/shading", {"renderer=textbook"}},
       {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
       {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
+      {"cgfs/triangles", {"renderer=textbook"}},
+      {"cgfs/crates", {"renderer=textbook"}},
+      {"cgfs/shading", {"accelerator=octree"}},
+      {"cgfs/behind", {"renderer=rasterizer", "subpixel-bits=12", "clipping=near"}},
+      {"lab/depth-complexity", {"subpixel-bits=12"}},
   };
   return all;
 }
@@ -119,6 +124,31 @@ std::optional<OptionResponse> OptionResponses::find(const Option& option) {
     for (std::size_t context = 0; context < loaded_.size(); ++context)
       if (auto response = find_in(context, option, pictures_only)) return response;
   return {};
+}
+
+std::vector<AlikeValues> OptionResponses::alike(const Option& option, const std::vector<OptionNumber>& values) {
+  const std::size_t count = values.size();
+  std::vector<std::vector<bool>> apart(count, std::vector<bool>(count, false));
+  for (const std::unique_ptr<Loaded>& loaded : loaded_) {
+    const SceneTraits traits = scene_traits(loaded->scene);
+    if (inactive_reason(option, loaded->settings, traits)) continue;
+    std::vector<std::optional<Outcome>> outcomes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_settled = std::count(apart[i].begin(), apart[i].end(), false) == 1;  // but for the value itself
+      Settings changed = loaded->settings;
+      option.set(changed, values[i]);
+      if (is_settled || inactive_value_reason(option, changed, traits)) continue;
+      outcomes[i] = outcome(loaded->scene, width_, height_, changed, loaded->prepared);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j)
+        if (outcomes[i] && outcomes[j] && *outcomes[i] != *outcomes[j]) apart[i][j] = true;
+  }
+  std::vector<AlikeValues> pairs;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      if (!apart[i][j]) pairs.push_back({values[i], values[j]});
+  return pairs;
 }
 
 }  // namespace ps::test

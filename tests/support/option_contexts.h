@@ -16,7 +16,8 @@ struct OptionContext {
   std::vector<std::string> assignments;
 };
 
-/// Enough of them that every option responds in at least one.
+/// Enough of them that any two choices of an option, and the ends of its range, differ in at least one, unless they
+/// have the same result by design.
 const std::vector<OptionContext>& option_contexts();
 
 /// What a render of a context gives.
@@ -33,6 +34,11 @@ struct OptionResponse {
   Outcome before, after;
 };
 
+/// Two values of an option that give the same pictures and counters; the first one comes earlier.
+struct AlikeValues {
+  OptionNumber first = 0, second = 0;
+};
+
 /// Renders contexts and looks for responses; keeps what the contexts give unchanged.
 class OptionResponses {
  public:
@@ -41,6 +47,10 @@ class OptionResponses {
   /// The first context, in their order, in which the option says that it can act and some value of it changes the
   /// picture or, if none does anywhere, a counter.
   std::optional<OptionResponse> find(const Option& option);
+
+  /// The pairs of these values of an option that no context tells apart, neither by its picture nor by a counter. Two
+  /// values are compared in the contexts in which the option can act and neither of them is inactive.
+  std::vector<AlikeValues> alike(const Option& option, const std::vector<OptionNumber>& values);
 
   /// A context's settings, and what it gives with them.
   const Settings& settings(std::size_t context) const;
