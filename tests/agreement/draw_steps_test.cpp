@@ -86,8 +86,9 @@ TEST(DrawSteps, KeepThePicture) {
   }
 }
 
-// At equal depth the first triangle keeps the pixel in every way of drawing: 4 bits make many depths equal.
-TEST(DrawSteps, TiesGoToTheLowestIndex) {
+// 4 bits make many depths equal: all ways of drawing give the pixel to the same triangle. That it is the first one is
+// proved in ties_test.cpp.
+TEST(DrawSteps, TiesGoTheSameWay) {
   const Drawing drawing("cgfs/cubes", 150);
   const auto ids = [&](std::initializer_list<const char*> assignments) {
     return drawing.draw(assignments, Channel::ids).ids;
