@@ -117,11 +117,14 @@ TEST(Stencil, WithoutCapsSurfacesLieInTheirOwnShadow) {
   EXPECT_LT(wrong_share(traced, draw(scene, settings), 0, 1), 1);
   settings.volume_caps = false;
   const Frame open = draw(scene, settings);
+  int floor = 0;
   for (int y = 0; y < open.height(); ++y)
     for (int x = 0; x < open.width(); ++x)
       if (open.ids.at(x, y).object == 0) {
+        ++floor;
         EXPECT_NE(open.shadow.at(x, y) >> 1 & 1, 0u) << x << " " << y;
       }
+  EXPECT_GT(floor, open.width() * open.height() / 4);
 }
 
 /// Of the floor under exactly 16 boards, as `counts` tells, how many pixels are dark and how many there are.

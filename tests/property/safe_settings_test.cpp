@@ -80,11 +80,13 @@ TEST(SafeSettings, NoReflectionsAreAChoiceAndTooFewAreAFault) {
 }
 
 TEST(SafeSettings, EveryWarningNamesAnExperimentAndAnOption) {
+  int warnings = 0;
   for (const BuiltinScene& builtin : builtin_scenes()) {
     const Scene scene = load_scene(builtin.name);
     Progress progress;
     for (const UnsafeSetting& unsafe :
          unsafe_settings(scene, {scene.camera, 40, 30}, settings_for(scene), progress, {.only_known = true})) {
+      ++warnings;
       EXPECT_NO_THROW(find_stability_experiment(unsafe.experiment)) << unsafe.experiment;
       EXPECT_TRUE(find_option(unsafe.option)) << unsafe.option;
       Settings safe = settings_for(scene);
@@ -97,6 +99,7 @@ TEST(SafeSettings, EveryWarningNamesAnExperimentAndAnOption) {
       EXPECT_FALSE(find(left, unsafe.experiment)) << "what is said to be safe is";
     }
   }
+  EXPECT_GT(warnings, 3) << "scenes that show faults on purpose";
 }
 
 TEST(StabilityPictures, EveryPointOpensAndItsFailureIsFound) {

@@ -223,6 +223,7 @@ TEST(Listing, EventsAreThoseOfTheRayTracer) {
     };
     gather(traced, hits_traced, lights_traced);
     gather(listed, hits_listed, lights_listed);
+    ASSERT_FALSE(hits_traced.empty() || lights_traced.empty());
     ASSERT_EQ(hits_listed.size(), hits_traced.size());
     ASSERT_EQ(lights_listed.size(), lights_traced.size());
     for (std::size_t i = 0; i < hits_traced.size(); ++i) {

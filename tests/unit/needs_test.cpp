@@ -102,12 +102,16 @@ TEST(Needs, NoErrorIsTakenThatSavesNoWork) {
     const Needs needs = needs_of(name);
     double error = needs.default_error;
     std::uint64_t work = needs.default_work;
+    int accepted = 0;
     for (const NeedsStep& step : needs.trail) {
       if (!step.accepted) continue;
+      ++accepted;
       EXPECT_TRUE(step.work < work || step.error <= error) << name << ": " << step.change;
       error = step.error;
       work = step.work;
     }
+    EXPECT_GT(accepted, 0) << name;
+    EXPECT_EQ(work, needs.work) << name << ": the last step taken is what is advised";
   }
 }
 
