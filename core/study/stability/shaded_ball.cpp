@@ -1,98 +1,182 @@
 #include "study/stability/shaded_ball.h"
 
-#include <array>
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <span>
+
+#include <glm/common.hpp>
 
 namespace ps::stability {
 namespace {
 
-Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
+constexpr int lights_at_a_time = 20;
+constexpr double intensity = 0.5;  // of the lights that show errors
 
-const Vec3d to_eye(0, 0, -1);
-
-/// What a light gives at most, and how far to the side the surface may be seen (cosine): at the outline a pixel's width
-/// spans any number of normals.
-constexpr double diffuse = 0.6, specular = 0.5, rim = 0.3;
-
-/// A pixel of the ball: the smooth normal there, and the triangle with the corners' shares.
-struct BallPixel {
-  Vec3d normal{0}, shares{0};
-  std::size_t triangle = 0;
-};
-
-std::array<Vec3d, 3> corners_of(const Mesh& ball, const MeshTriangle& t) {
-  return {ball.positions[t.position[0]], ball.positions[t.position[1]], ball.positions[t.position[2]]};
+Material black_with_highlight(double exponent) {
+  Material material;
+  material.colour = Vec3d(0);
+  material.specular = exponent;
+  material.specular_colour = Vec3d(1);
+  return material;
 }
 
-/// Pixels of a picture of side x side that show a triangle, without the ball's rim.
-std::vector<BallPixel> pixels_of(const Mesh& ball, int side) {
-  std::vector<BallPixel> pixels;
-  const double step = 2.0 / side;
-  const auto first = [&](double low) { return std::max(0, static_cast<int>(std::floor((low + 1) / step - 0.5))); };
-  const auto last = [&](double high) { return std::min(side - 1, static_cast<int>(std::ceil((high + 1) / step))); };
-  for (std::size_t i = 0; i < ball.triangles.size(); ++i) {
-    const auto p = corners_of(ball, ball.triangles[i]);
-    if (p[0].z + p[1].z + p[2].z > 0) continue;  // on the far side
-    const double twice = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
-    if (std::abs(twice) < 1e-14) continue;
-    const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
-    const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
-    for (int row = first(low); row <= last(high); ++row)
-      for (int column = first(left); column <= last(right); ++column) {
-        const double x = (column + 0.5) * step - 1, y = (row + 0.5) * step - 1;
-        const auto share = [&](const Vec3d& a, const Vec3d& b) {
-          return ((a.x - x) * (b.y - y) - (a.y - y) * (b.x - x)) / twice;
-        };
-        const Vec3d shares(share(p[1], p[2]), share(p[2], p[0]), share(p[0], p[1]));
-        if (!(shares.x >= 0 && shares.y >= 0 && shares.z >= 0)) continue;
-        const Vec3d normal(x, y, -std::sqrt(std::max(0.0, 1 - x * x - y * y)));
-        if (dot(normal, to_eye) < rim) continue;
-        pixels.push_back({normal, shares, i});
-      }
+constexpr double far_away = 100;
+
+/// Pictures of one ball.
+class BallPictures {
+ public:
+  /// The smooth ball.
+  BallPictures(const Material& material, int side, const StabilityRun& run)
+      : BallPictures(Sphere{}, material, side, Renderer::ray_tracer, run) {}
+  BallPictures(Mesh triangles, const Material& material, int side, const StabilityRun& run)
+      : BallPictures(Instance{}, material, side, Renderer::rasterizer, run) {
+    triangles.materials = {0};
+    scene_.geometry.edit(
+        [&](Geometry& geometry) { geometry.meshes = {std::make_shared<const Mesh>(std::move(triangles))}; });
   }
-  return pixels;
+
+  /// Linear colours without clamping, under up to three lights, each of which has a channel of its own: the first is
+  /// red, the second green, the third blue.
+  Image<Vec3f> under(std::span<const Vec3d> to_lights, double brightness, const Settings& settings) {
+    std::vector<Light> lights;
+    for (std::size_t i = 0; i < to_lights.size(); ++i) {
+      lights.push_back({LightKind::directional, brightness, Vec3d(0)});
+      lights.back().colour[static_cast<int>(i)] = 1;
+      lights.back().direction = to_lights[i];
+    }
+    scene_.lights = Part<std::vector<Light>>(std::move(lights));
+    return draw(settings, Channel::none).colour;
+  }
+
+  /// 1 where a pixel shows the ball, 0 elsewhere.
+  Image<std::uint8_t> shown() {
+    const Image<PixelId> ids = draw({}, Channel::ids).ids;
+    Image<std::uint8_t> shown(ids.width(), ids.height());
+    for (std::size_t i = 0; i < ids.pixels().size(); ++i) shown.pixels()[i] = ids.pixels()[i].object >= 0 ? 1 : 0;
+    return shown;
+  }
+
+ private:
+  BallPictures(const decltype(Object::shape)& shape, const Material& material, int side, Renderer renderer,
+               const StabilityRun& run)
+      : side_(side), renderer_(renderer), run_(run) {
+    scene_.camera.position = {0, 0, -far_away};
+    scene_.camera.projection_plane_d = far_away;
+    scene_.camera.viewport_width = scene_.camera.viewport_height = 2;
+    scene_.background = Vec3d(0);
+    scene_.materials = Part<std::vector<Material>>({material});
+    Geometry geometry;
+    geometry.objects.push_back({"ball", shape});
+    scene_.geometry = Part<Geometry>(std::move(geometry));
+  }
+
+  Frame draw(Settings settings, Channel channels) {
+    settings.renderer = renderer_;
+    settings.near = 0.5;
+    settings.shadows = Shadows::none;
+    run_.check();
+    Progress own;
+    RenderRequest request;
+    request.channels = channels;
+    return render(scene_, {scene_.camera, side_, side_}, settings, request, prepared_,
+                  run_.progress ? *run_.progress : own);
+  }
+
+  Scene scene_;
+  int side_;
+  Renderer renderer_;
+  const StabilityRun& run_;
+  Prepared prepared_;
+};
+
+/// Directions towards lights before the ball.
+std::vector<Vec3d> lights_before_ball(int count, std::uint32_t seed) {
+  constexpr double least_cosine = 0.2;  // nearer to the outline the ball's pixels see the highlight edge-on
+  Random random(seed);
+  std::vector<Vec3d> lights;
+  while (static_cast<int>(lights.size()) < count)
+    if (const Vec3d to_light = random.direction(); to_light.z < -least_cosine) lights.push_back(to_light);
+  return lights;
+}
+
+/// Calls use(first, lights) for three lights at a time, of which the first has that number.
+template <class Use>
+void for_each_three(const std::vector<Vec3d>& lights, Use&& use) {
+  for (std::size_t first = 0; first < lights.size(); first += 3)
+    use(first, std::span(lights).subspan(first, std::min<std::size_t>(3, lights.size() - first)));
 }
 
 }  // namespace
 
-double highlight(const Vec3d& normal, const Vec3d& to_light, const Vec3d& towards, double exponent) {
-  const Vec3d mirrored = normal * (2 * dot(normal, to_light)) - to_light;
-  const double cosine = dot(unit(mirrored), towards);
-  return cosine > 0 && dot(normal, to_light) > 0 ? std::pow(cosine, exponent) : 0;
+KeptPeaks kept_peaks(const Mesh& triangles, double exponent, const Settings& settings, int lights,
+                     const StabilityRun& run) {
+  BallPictures ball(triangles, black_with_highlight(exponent), 200, run);
+  std::vector<double> peaks(static_cast<std::size_t>(lights));
+  for_each_three(lights_before_ball(lights, run.seed), [&](std::size_t first, std::span<const Vec3d> three) {
+    for (const Vec3f& colour : ball.under(three, 1, settings).pixels())
+      for (std::size_t i = 0; i < three.size(); ++i)
+        peaks[first + i] = std::max(peaks[first + i], static_cast<double>(colour[static_cast<int>(i)]));
+  });
+  KeptPeaks kept;
+  for (auto some = peaks.begin(); some != peaks.end(); some += lights_at_a_time) {
+    kept.mean += std::accumulate(some, some + lights_at_a_time, 0.0) / lights;
+    kept.least += *std::min_element(some, some + lights_at_a_time) * lights_at_a_time / lights;
+  }
+  return kept;
 }
 
-ShadedBallErrors shaded_ball_errors(const Mesh& ball, double exponent, const StabilityRun& run) {
-  constexpr int lights = 20;
-  const std::vector<BallPixel> pixels = pixels_of(ball, run.side(200));
-  Random random(run.seed);
-  std::vector<double> at_corner(ball.positions.size()), at_facet(ball.triangles.size());
-  ShadedBallErrors sum;
-  for (int i = 0; i < lights; ++i) {
-    run.check();
-    Vec3d to_light = random.direction();
-    while (dot(to_light, to_eye) < 0.2) to_light = random.direction();
-    const auto light_at = [&](const Vec3d& normal) {
-      return 255 * std::min(1.0, diffuse * std::max(0.0, dot(normal, to_light)) +
-                                     specular * highlight(normal, to_light, to_eye, exponent));
+BallErrors::BallErrors(double exponent, const StabilityRun& run)
+    : side_(run.side(200)), run_(run), lights_(lights_before_ball(lights_at_a_time, run.seed)) {
+  material_.specular = exponent;
+  BallPictures smooth(material_, side_, run);
+  for_each_three(lights_, [&](std::size_t, std::span<const Vec3d> three) {
+    truths_.push_back(smooth.under(three, intensity, {}));
+  });
+  shown_ = smooth.shown();
+}
+
+double BallErrors::rmse(const Mesh& triangles, const Settings& settings) const {
+  BallPictures ball(triangles, material_, side_, run_);
+  const Image<std::uint8_t> shown = ball.shown();
+  double squares = 0, count = 0;
+  for_each_three(lights_, [&](std::size_t first, std::span<const Vec3d> three) {
+    const Image<Vec3f>& truth = truths_[first / 3];
+    const Image<Vec3f> picture = ball.under(three, intensity, settings);
+    for (std::size_t i = 0; i < shown.pixels().size(); ++i) {
+      if (shown.pixels()[i] == 0 || shown_.pixels()[i] == 0) continue;
+      const Vec3d off = 255.0 * (Vec3d(picture.pixels()[i]) - Vec3d(truth.pixels()[i]));
+      squares += dot(off, off);  // a channel without a light is 0 in both
+      count += static_cast<double>(three.size());
+    }
+  });
+  return std::sqrt(squares / count);
+}
+
+NormalErrors normal_errors(const Mesh& triangles, double exponent, const StabilityRun& run) {
+  Material material;
+  material.specular = exponent;
+  BallPictures ball(triangles, material, run.side(200), run);
+  const Image<std::uint8_t> shown = ball.shown();
+  NormalErrors errors;
+  for_each_three(lights_before_ball(6, run.seed), [&](std::size_t, std::span<const Vec3d> three) {
+    const auto draw = [&](bool renormalise, Precision numbers) {
+      return ball.under(three, intensity, {.renormalise = renormalise, .precision = numbers});
     };
-    for (std::size_t k = 0; k < at_corner.size(); ++k) at_corner[k] = light_at(ball.positions[k]);
-    for (std::size_t k = 0; k < at_facet.size(); ++k) {
-      const auto p = corners_of(ball, ball.triangles[k]);
-      const Vec3d facet = unit(cross(p[1] - p[0], p[2] - p[0]));
-      at_facet[k] = light_at(dot(facet, p[0]) < 0 ? -facet : facet);
-    }
-    for (const BallPixel& pixel : pixels) {
-      const MeshTriangle& t = ball.triangles[pixel.triangle];
-      const auto p = corners_of(ball, t);
-      const double truth = light_at(pixel.normal);
-      const auto add = [&](double& to, double light) { to += (light - truth) * (light - truth); };
-      add(sum.corners, at_corner[t.position[0]] * pixel.shares.x + at_corner[t.position[1]] * pixel.shares.y +
-                           at_corner[t.position[2]] * pixel.shares.z);
-      add(sum.pixels, light_at(unit(p[0] * pixel.shares.x + p[1] * pixel.shares.y + p[2] * pixel.shares.z)));
-      add(sum.facets, at_facet[pixel.triangle]);
-    }
-  }
-  const double all = static_cast<double>(lights) * static_cast<double>(pixels.size());
-  return {std::sqrt(sum.corners / all), std::sqrt(sum.pixels / all), std::sqrt(sum.facets / all)};
+    const Image<Vec3f> truth = draw(true, Precision::float64);
+    const auto largest_error = [&](const Image<Vec3f>& picture) {
+      float largest = 0;
+      for (std::size_t i = 0; i < shown.pixels().size(); ++i) {
+        if (shown.pixels()[i] == 0) continue;
+        const Vec3f off = glm::abs(picture.pixels()[i] - truth.pixels()[i]);
+        largest = std::max({largest, off.x, off.y, off.z});
+      }
+      return 255 * static_cast<double>(largest);
+    };
+    errors.as_interpolated = std::max(errors.as_interpolated, largest_error(draw(false, Precision::float32)));
+    errors.renormalised = std::max(errors.renormalised, largest_error(draw(true, Precision::float32)));
+  });
+  return errors;
 }
 
 }  // namespace ps::stability

@@ -1,22 +1,50 @@
 #pragma once
+#include <vector>
+
+#include "image/image.h"
 #include "scene/mesh.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {
 
-/// RMSE in levels of 255 of a ball of triangles against the smooth ball, over the pixels that show both and 20 lights.
-struct ShadedBallErrors {
-  double corners = 0;  ///< lit at the corners and mixed (Gouraud)
-  double pixels = 0;   ///< lit at each pixel with the mixed normal, brought back to length 1 (Phong)
-  double facets = 0;   ///< lit at the middle of each triangle with its own normal
+/// Balls of radius 1 that fill a picture 200 px wide, seen from 100 radii away, under directional lights. The program
+/// draws them: triangles with the rasterizer and the smooth ball with the ray tracer. Lights shine from anywhere in
+/// front, so that the highlight lies on the visible side.
+
+/// What a ball of triangles keeps of the peak of a highlight, which is 1 on the smooth ball.
+struct KeptPeaks {
+  double mean = 0;
+  double least = 0;  ///< of 20 lights; with more lights the mean of the least of each 20
 };
 
-/// The ball has radius 1 and is seen from far away along z; its rim, seen at less than 17 degrees, is left out. Light
-/// as in CGFS ch. 3, white and clamped, one light at a time: at most 0.6 diffuse and 0.5 in a highlight of this
-/// exponent.
-ShadedBallErrors shaded_ball_errors(const Mesh& ball, double exponent, const StabilityRun& run);
+/// The brightest pixel of a black ball with a white highlight, over `lights` lights, a multiple of 20. Of `settings`
+/// those of shading count.
+KeptPeaks kept_peaks(const Mesh& triangles, double exponent, const Settings& settings, int lights,
+                     const StabilityRun& run);
 
-/// The highlight at a normal: the mirrored light against the view, to a power (CGFS ch. 3).
-double highlight(const Vec3d& normal, const Vec3d& to_light, const Vec3d& to_eye, double exponent);
+/// Differences from the smooth ball, of white balls under one light of intensity 0.5 at a time, 20 in all: its diffuse
+/// light and its highlight together reach white and no more.
+class BallErrors {
+ public:
+  BallErrors(double exponent, const StabilityRun& run);
+  /// RMSE in levels of 255, over the pixels that show both balls. Of `settings` those of shading count.
+  double rmse(const Mesh& triangles, const Settings& settings) const;
+
+ private:
+  Material material_;
+  int side_;
+  const StabilityRun& run_;
+  std::vector<Vec3d> lights_;
+  std::vector<Image<Vec3f>> truths_;  ///< the smooth ball under three lights each
+  Image<std::uint8_t> shown_;         ///< 1 where a pixel shows it
+};
+
+/// How far normals as they are interpolated, and normals brought back to length 1, take a white ball of triangles from
+/// the same triangles shaded in double with normals of length 1: largest difference in levels of 255, over the ball's
+/// pixels and 6 lights of intensity 0.5, one at a time.
+struct NormalErrors {
+  double as_interpolated = 0, renormalised = 0;
+};
+NormalErrors normal_errors(const Mesh& triangles, double exponent, const StabilityRun& run);
 
 }  // namespace ps::stability
