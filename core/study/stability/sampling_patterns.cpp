@@ -81,61 +81,6 @@ std::vector<StabilityRow> measure_moire(const StabilityRun& run) {
   return rows;
 }
 
-std::vector<StabilityRow> measure_disc(const StabilityRun& run) {
-  Rows rows(run);
-  for (const double diameter : {0.1, 0.3, 0.5, 0.7, 1.0, 1.4}) {
-    run.check();
-    Random random(run.seed);
-    double centre = 0, corners = 0, both = 0, grid = 0;
-    const int discs = run.count(200000, 20000);
-    for (int i = 0; i < discs; ++i) {
-      const Vec2d at(random.unit(), random.unit());
-      const double r2 = diameter * diameter / 4;
-      // Every pixel of the plane has its samples, so the nearest one may belong to a neighbour.
-      const auto hit = [&](double step, double first) {
-        const double dx = std::remainder(at.x - first, step), dy = std::remainder(at.y - first, step);
-        return dx * dx + dy * dy < r2;
-      };
-      const bool c = hit(1, 0.5), k = hit(1, 0);
-      centre += c ? 0 : 1;
-      corners += k ? 0 : 1;
-      both += c || k ? 0 : 1;
-      grid += hit(0.25, 0.125) ? 0 : 1;
-    }
-    const double robust = percent(grid, discs);
-    rows.push_back({diameter, "centres", percent(centre, discs), robust, "% missed"});
-    rows.push_back({diameter, "corners", percent(corners, discs), robust, "% missed"});
-    rows.push_back({diameter, "centres and corners", percent(both, discs), robust, "% missed"});
-  }
-  return rows;
-}
-
-/// Percentage of bars at any place that show in none of the traced columns, every so many pixels.
-double bars_missed(int traced, int period, int width, const StabilityRun& run) {
-  Random random(run.seed);
-  double missed = 0;
-  const int bars = run.count(200000, 40000);
-  for (int i = 0; i < bars; ++i) {
-    const int first = static_cast<int>(random.below(static_cast<std::size_t>(period)));
-    bool seen = false;
-    for (int x = first; x < first + width; ++x) seen = seen || x % traced == 0;
-    missed += seen ? 0 : 1;
-  }
-  return percent(missed, bars);
-}
-
-std::vector<StabilityRow> measure_bars(const StabilityRun& run) {
-  Rows rows(run);
-  for (const int step : {2, 4, 8, 16})
-    for (const int width : {1, 2, 4, 8}) {
-      if (width >= step) continue;
-      run.check();
-      rows.push_back({static_cast<double>(step), fmt::format("bars {} px wide", width),
-                      bars_missed(step, step, width, run), bars_missed(1, step, width, run), "% missed"});
-    }
-  return rows;
-}
-
 StabilityPicture fence() {
   StabilityPicture picture{.scene = "cgfs/fence"};
   picture.robust.samples_per_pixel = 16;
@@ -153,15 +98,8 @@ StabilityPicture picture_moire(double count) {
   picture.naive.sample_pattern = SamplePattern::grid;
   return picture;
 }
-StabilityPicture picture_bars(double step) {
-  StabilityPicture picture = fence();
-  picture.robust = Settings{};
-  picture.naive.subsampling = static_cast<int>(step);
-  return picture;
-}
 
 constexpr std::array few{1.0, 4.0, 16.0, 64.0};
-constexpr std::array steps{2.0, 4.0, 8.0, 16.0};
 
 }  // namespace
 
@@ -193,31 +131,5 @@ const StabilityExperiment grid_moire{
     .measure = measure_moire,
     .picture = picture_moire,
     .frames = few};
-
-const StabilityExperiment sub_pixel_disc_missed{
-    .key = "sub-pixel-disc-missed",
-    .title = "Discs between the samples",
-    .knob = "diameter (px)",
-    .naive = "a sample at the centre, the corners, or both",
-    .robust = "4 x 4 samples",
-    .explanation = "What falls between samples is not there for them: a disc is missed with probability 1 - pi D^2 / 4 "
-                   "by one sample a pixel. No later step can bring it back.",
-    .safe = "Things larger than 1.42 pixels.",
-    .window = {1.42, everywhere},
-    .measure = measure_disc};
-
-const StabilityExperiment subsampling_bars{
-    .key = "subsampling-bars",
-    .title = "Bars between traced pixels",
-    .knob = "every so many pixels traced",
-    .naive = "subsampling, more where objects differ",
-    .robust = "every pixel",
-    .explanation = "A bar of w pixels is missed by 1 - w / k of the grids that trace every k-th pixel. Looking again "
-                   "where neighbours differ does not help, since on both sides of it they agree.",
-    .safe = "Things at least as wide as the step.",
-    .window = {1, 1},
-    .measure = measure_bars,
-    .picture = picture_bars,
-    .frames = steps};
 
 }  // namespace ps::stability
