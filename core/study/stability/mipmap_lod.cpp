@@ -98,7 +98,8 @@ Error error_of(const Floor& floor, TextureFilter filter, double bias, int anisot
   });
 }
 
-/// One trilinear lookup at the level of the footprint's short side, or of the root of its area.
+/// One trilinear lookup at the level of the footprint's short side, or of the square root of its area; the program has
+/// neither.
 enum class LevelBy { short_side, area };
 Error error_of(const Floor& floor, LevelBy by) {
   return error_of(floor, [&](double x, double y) {
@@ -147,91 +148,6 @@ std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
   return rows;
 }
 
-constexpr int screen = 256, finest = 2048;
-
-/// A picture of waves from 4 pixels of the screen to a quarter of it, smooth from texel to texel, and of grain, which
-/// is not: the waves are what fewer texels than pixels lose, the grain what more texels bring in.
-std::vector<float> master(std::uint32_t seed) {
-  constexpr int waves = 24;
-  constexpr float contrast = 0.12f, grain = 0.1f;  // rms of all waves; span of the grain
-  Random random(seed);
-  std::vector<float> values(static_cast<std::size_t>(finest) * finest);
-  for (float& value : values) value = 0.5f + grain * (static_cast<float>(random.unit()) - 0.5f);
-  const float strength = contrast * std::sqrt(2.0f / waves);
-  std::vector<Vec2f> along(finest);
-  for (int wave = 0; wave < waves; ++wave) {
-    const double length = std::pow(2, random.between(2, 6)) * finest / screen, turn = random.between(0, 2 * pi);
-    const double phase = random.between(0, 2 * pi), kx = 2 * pi * std::cos(turn) / length;
-    const double ky = 2 * pi * std::sin(turn) / length;
-    for (int x = 0; x < finest; ++x)
-      along[static_cast<std::size_t>(x)] = Vec2f(Vec2d(std::cos(kx * x), std::sin(kx * x)));
-    for (int y = 0; y < finest; ++y) {
-      // sin(a + b) of the row's b
-      const Vec2f row = Vec2f(Vec2d(std::sin(ky * y + phase), std::cos(ky * y + phase))) * strength;
-      float* const first = &values[static_cast<std::size_t>(y) * finest];
-      for (std::size_t x = 0; x < finest; ++x) first[x] += along[x].x * row.x + along[x].y * row.y;
-    }
-  }
-  return values;
-}
-
-/// The same picture with `side` x `side` texels, each the mean of what it covers.
-ScalarImage reduced(const std::vector<float>& values, int side) {
-  const int step = finest / side;
-  ScalarImage result(side, side);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      double sum = 0;
-      for (int j = 0; j < step; ++j)
-        for (int i = 0; i < step; ++i)
-          sum += static_cast<double>(
-              values[static_cast<std::size_t>(y * step + j) * finest + static_cast<std::size_t>(x * step + i)]);
-      result.at(x, y) = 255 * sum / (step * step);
-    }
-  return result;
-}
-
-/// The level of a mip chain over `texels` that has the screen's size: each level the mean of four texels of the last.
-ScalarImage level_of_screen(ScalarImage texels) {
-  while (texels.width() > screen) {
-    ScalarImage half(texels.width() / 2, texels.height() / 2);
-    for (int y = 0; y < half.height(); ++y)
-      for (int x = 0; x < half.width(); ++x)
-        half.at(x, y) = (texels.at(2 * x, 2 * y) + texels.at(2 * x + 1, 2 * y) + texels.at(2 * x, 2 * y + 1) +
-                         texels.at(2 * x + 1, 2 * y + 1)) /
-                        4;
-    texels = std::move(half);
-  }
-  return texels;
-}
-
-/// RMSE in levels of the picture whose pixels show the texel under their middle.
-double error_on_screen(const ScalarImage& texels, const ScalarImage& truth) {
-  const int side = texels.width();
-  double sum = 0;
-  for (int y = 0; y < screen; ++y)
-    for (int x = 0; x < screen; ++x) {
-      const auto texel = [&](int v) { return (2 * v + 1) * side / (2 * screen); };
-      const double off = texels.at(texel(x), texel(y)) - truth.at(x, y);
-      sum += off * off;
-    }
-  return std::sqrt(sum / (screen * screen));
-}
-
-std::vector<StabilityRow> measure_size(const StabilityRun& run) {
-  const std::vector<float> values = master(run.seed);
-  const ScalarImage truth = reduced(values, screen);
-  Rows rows(run);
-  for (const int side : {16, 64, 128, 256, 512, 1024, 2048}) {
-    run.check();
-    const ScalarImage texels = reduced(values, side);
-    const double naive = error_on_screen(texels, truth);
-    const double robust = side >= screen ? error_on_screen(level_of_screen(texels), truth) : std::nan("");
-    rows.push_back({static_cast<double>(side), "256 px of screen", naive, robust, "RMSE, levels"});
-  }
-  return rows;
-}
-
 StabilityPicture picture_lod(double bias) {
   StabilityPicture picture{.scene = "cgfs/crates"};
   picture.robust.renderer = Renderer::rasterizer;
@@ -241,43 +157,24 @@ StabilityPicture picture_lod(double bias) {
   picture.naive.mip_bias = bias;
   return picture;
 }
-StabilityPicture picture_size(double) {
-  StabilityPicture picture = picture_lod(0);
-  picture.naive.texture_filter = TextureFilter::nearest;
-  return picture;
-}
 
 constexpr std::array biases{-2.0, -1.0, 0.0, 1.0, 2.0};
-constexpr std::array sizes{2048.0};
 
 }  // namespace
 
 const StabilityExperiment mipmap_lod{
     .key = "mipmap-lod",
-    .title = "Which level of a texture",
-    .knob = "bias of the level, or taps",
-    .naive = "no levels, one level, or one tap",
-    .robust = "16 taps along the footprint",
-    .explanation = "A pixel far away covers many texels in one direction and few in the other. One round tap is either "
-                   "too sharp across or too blurred along; several taps fit both.",
-    .safe = "Surfaces that face the eye.",
+    .title = "Mip level of a texture",
+    .knob = "mip bias, or maximum number of lookups",
+    .naive = "one lookup: nearest, bilinear, or trilinear with a bias",
+    .robust = "trilinear, up to 16 lookups along the footprint (anisotropic)",
+    .explanation =
+        "A pixel of a distant floor covers many texels in depth and few across. One lookup in a square footprint is "
+        "either aliased in depth or blurred across; several lookups along the footprint fit both.",
+    .safe = "Surfaces that face the viewer.",
     .window = {16, everywhere},
     .measure = measure_lod,
     .picture = picture_lod,
     .frames = biases};
-
-const StabilityExperiment texture_too_large{
-    .key = "texture-too-large",
-    .title = "A texture larger than the screen",
-    .knob = "texels along a side",
-    .naive = "the texel under the pixel's centre",
-    .robust = "mip level of the screen's size",
-    .explanation = "With more texels than pixels each pixel shows one of the many that it covers. Beyond one texel a "
-                   "pixel more memory makes the picture worse.",
-    .safe = "One texel a pixel.",
-    .window = {256, 256},
-    .measure = measure_size,
-    .picture = picture_size,
-    .frames = sizes};
 
 }  // namespace ps::stability
