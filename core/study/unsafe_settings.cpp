@@ -1,12 +1,16 @@
 #include "study/unsafe_settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <span>
+
+#include <fmt/format.h>
 
 #include "base/check.h"
 #include "options/option.h"
 #include "render/display_frame.h"
+#include "study/stability/shadow_map_ball.h"
 
 namespace ps {
 namespace {
@@ -72,7 +76,7 @@ constexpr Rule rules[] = {
     {"reflection-epsilon", "reflection-self-hit", guarded_by_epsilon, "self-hit=offset", "shadows=none"},
     {"self-hit", "constant-normal-bump", [](const Settings& s) { return s.self_hit == SelfHit::normal_bump; },
      "self-hit=offset"},
-    {"shadow-bias", "shadow-map-acne", fixed_map_bias, "shadow-bias=0;shadow-slope-bias=FILTER"},
+    {"shadow-bias", "shadow-map-acne", fixed_map_bias, "shadow-bias=0;shadow-slope-bias=SLOPE"},
     {"stencil-bits", "stencil-bits-wrap", [](const Settings& s) { return s.stencil_bits < 8; }, "stencil-bits=8"},
     {"volume-caps", "z-fail-caps", [](const Settings& s) { return !s.volume_caps; }, "volume-caps=on"},
     {"volume-length", "z-fail-caps", [](const Settings& s) { return s.volume_length > 0; }, "volume-length=0"},
@@ -92,12 +96,15 @@ constexpr Rule rules[] = {
      "sphere-test=robust"},
 };
 
-/// The rule's remedy for these settings, with the bias that their filter needs.
+/// The rule's remedy for these settings. Where it needs the slope bias that cures acne on any surface with these taps,
+/// that is rounded up to two digits.
 std::string remedy(const Rule& rule, const Settings& settings) {
   std::string text(rule.safe);
-  constexpr std::string_view wanted = "FILTER";
-  if (const auto at = text.find(wanted); at != std::string::npos)
-    text.replace(at, wanted.size(), std::to_string(settings.shadow_filter / 2) + ".6");
+  constexpr std::string_view wanted = "SLOPE";
+  if (const auto at = text.find(wanted); at != std::string::npos) {
+    const double texels = stability::slope_bias_of_all(settings.shadow_filter);
+    text.replace(at, wanted.size(), fmt::format("{:.2f}", std::ceil(100 * texels) / 100));
+  }
   return text;
 }
 
