@@ -8,7 +8,8 @@
 namespace ps::stability {
 namespace {
 
-/// Root mean square error of the mean of `count` samples over many edges. `angle` is that of the normal, or any.
+/// Root mean square error of the mean of `count` samples over many edges. `angle` is that of the edge's normal; without
+/// one, edges have all directions.
 double edge_error(SamplePattern pattern, int count, std::optional<double> angle, const StabilityRun& run) {
   Random random(run.seed);
   double sum = 0;
@@ -106,13 +107,13 @@ constexpr std::array few{1.0, 4.0, 16.0, 64.0};
 const StabilityExperiment supersampling_rate{
     .key = "supersampling-rate",
     .title = "What another sample is worth",
-    .knob = "samples of a pixel",
+    .knob = "samples per pixel",
     .naive = "random, or a grid",
-    .robust = "jitter, or a low-discrepancy sequence",
+    .robust = "jittered grid, or a low-discrepancy sequence",
     .explanation =
-        "Random samples gather in places and leave others empty, so their error falls with the root of their "
-        "number. Spread out, each new one fills a gap, and the error at edges falls with the power 0.75.",
-    .safe = "A pattern costs quality, not correctness: any number.",
+        "N random samples form clusters and gaps, so their error falls with N^-0.5. Patterns that spread the samples "
+        "evenly fill the gaps, and the error at edges falls with about N^-0.75.",
+    .safe = "Any number: a pattern changes the noise, not the mean.",
     .window = {1, everywhere},
     .measure = measure_rate,
     .picture = picture_rate,
@@ -120,13 +121,14 @@ const StabilityExperiment supersampling_rate{
 
 const StabilityExperiment grid_moire{
     .key = "grid-moire",
-    .title = "A grid that beats with a pattern",
-    .knob = "samples of a pixel",
+    .title = "Moire: a grid of samples over a regular pattern",
+    .knob = "samples per pixel",
     .naive = "grid",
-    .robust = "jitter",
-    .explanation = "A grid whose step is a multiple of a pattern's sees the same phase everywhere: 16 samples are no "
-                   "better than one. Jitter turns that error into noise.",
-    .safe = "Grids as fine as the pattern, here 64 samples.",
+    .robust = "jittered grid",
+    .explanation =
+        "If the spacing of the samples is a multiple of the pattern's period, all samples see the same phase: 16 "
+        "samples are no better than one. Jitter turns that error into noise.",
+    .safe = "Grids as fine as the pattern: 64 samples here.",
     .window = {64, everywhere},
     .measure = measure_moire,
     .picture = picture_moire,

@@ -17,19 +17,19 @@ double light_of(double level) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-/// A pixel of 100 places, so many of them white and the rest black: the level of each kind of mean.
+/// A pixel of 100 samples, `white` of them white and the others black: the level of each kind of mean.
 struct Means {
   double of_levels = 0, of_light = 0;
 };
 Means means(int white) {
-  constexpr int places = 100;
+  constexpr int samples = 100;
   double levels = 0, light = 0;
-  for (int i = 0; i < places; ++i) {
+  for (int i = 0; i < samples; ++i) {
     const double level = i < white ? 255 : 0;
     levels += level;
     light += light_of(level);
   }
-  return {levels / places, level_of(light / places)};
+  return {levels / samples, level_of(light / samples)};
 }
 
 }  // namespace
@@ -51,12 +51,13 @@ static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run)
 
 const StabilityExperiment srgb_averaging{
     .key = "srgb-averaging",
-    .title = "Averages of stored levels",
+    .title = "Averages of sRGB levels",
     .knob = "share of white (%)",
-    .naive = "mean of levels",
-    .robust = "mean of light",
-    .explanation = "Stored levels are not proportional to light. Their mean makes edges too dark.",
-    .safe = "Nowhere between black and white.",
+    .naive = "mean of the levels",
+    .robust = "level of the mean light",
+    .explanation = "sRGB levels are not proportional to light. The mean of two levels is darker than the mean of their "
+                   "light, so filtered edges become too dark.",
+    .safe = "Between equal levels only.",
     .window = nowhere_safe,
     .measure = measure_srgb_averaging};
 
