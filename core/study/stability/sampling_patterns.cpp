@@ -113,7 +113,7 @@ const StabilityExperiment supersampling_rate{
     .explanation =
         "N random samples form clusters and gaps, so their error falls with N^-0.5. Patterns that spread the samples "
         "evenly fill the gaps, and the error at edges falls with about N^-0.75.",
-    .safe = "Any number: a pattern changes the noise, not the mean.",
+    .safe = "Any number: the pattern changes the size of the error only.",
     .window = {1, everywhere},
     .measure = measure_rate,
     .picture = picture_rate,

@@ -63,9 +63,10 @@ std::vector<StabilityRow> measure_bits(const StabilityRun& run) {
   for (const double leg : {171.0, 17.7, 5.2, 2.6, 1.3}) {
     // Large triangles have few edges: of one such mesh 8 bits change two pixels.
     const ByBits wrong = wrong_owners(leg, leg > 100 ? run.count(8) : 1, run);
+    const std::string series = leg > 100 ? fmt::format("legs of {} px", leg) : fmt::format("legs of {:#.3g} px", leg);
     for (std::size_t k = 0; k < tried_bits.size(); ++k)
-      rows.push_back({static_cast<double>(tried_bits[k]), fmt::format("legs of {} px", leg), wrong[k], wrong.back(),
-                      "% of px given to another triangle"});
+      rows.push_back(
+          {static_cast<double>(tried_bits[k]), series, wrong[k], wrong.back(), "% of px given to another triangle"});
   }
   return rows;
 }
