@@ -22,7 +22,7 @@ std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
   for (const Cut& cut : {Cut{8, 4}, Cut{20, 10}, Cut{32, 16}, Cut{64, 32}, Cut{128, 64}, Cut{256, 128}}) {
     const Mesh mesh = make_uv_sphere({cut.slices, cut.stacks});
     // What coarse balls keep of a peak differs from light to light by as much as its mean.
-    const int lights = 20 * (cut.slices <= 32 ? run.count(6, 3) : cut.slices <= 64 ? 2 : 1);
+    const int lights = 20 * (cut.slices <= 32 ? run.count(5, 2) : 1);
     for (const int exponent : {50, 500}) {
       const KeptPeaks naive = kept_peaks(mesh, exponent, gouraud, lights, run);
       const KeptPeaks robust = kept_peaks(mesh, exponent, phong, 20, run);
