@@ -28,7 +28,7 @@ bool fixed_map_bias(const Settings& s) { return s.shadow_slope_bias < 0.5 * s.sh
 
 /// In the order of the option table's groups. Windows are those of the experiments (core/study/stability).
 constexpr Rule rules[] = {
-    {"clipping", "near-plane-clipping", [](const Settings& s) { return s.clipping != Clipping::full; },
+    {"clipping", "near-plane-clipping", [](const Settings& s) { return s.clipping == Clipping::none; },
      "clipping=full"},
     {"camera-relative", "far-from-origin", [](const Settings& s) { return !s.camera_relative; }, "camera-relative=on"},
     {"visibility", "painter-s-cycle", [](const Settings& s) { return s.visibility != Visibility::depth_buffer; },

@@ -1,146 +1,195 @@
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 
-#include "study/stability/support.h"
+#include "study/stability/inner_pixels.h"
 
 namespace ps::stability {
 namespace {
 
-/// A triangle on the screen with a depth at each corner.
-struct Sheet {
-  std::array<Vec3d, 3> p;
+constexpr int side = 200;  ///< of the picture, px
+
+/// Triangles before the book's camera, submitted in an order of choice.
+class Sheets {
+ public:
+  void add(const Vec3d& a, const Vec3d& b, const Vec3d& c) { triangles_.push_back({a, b, c}); }
+  std::size_t size() const { return triangles_.size(); }
+  const std::array<Vec3d, 3>& operator[](std::size_t i) const { return triangles_[i]; }
+
+  Scene scene(const std::vector<std::size_t>& order) const {
+    Mesh mesh;
+    for (const std::size_t i : order) {
+      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.insert(mesh.positions.end(), triangles_[i].begin(), triangles_[i].end());
+      MeshTriangle triangle;
+      triangle.position = {first, first + 1, first + 2};
+      mesh.triangles.push_back(triangle);
+    }
+    mesh.materials = {0};
+    Geometry geometry;
+    geometry.meshes = {std::make_shared<Mesh>(std::move(mesh))};
+    geometry.objects.push_back({"sheets", Instance{}});
+    Scene scene;
+    scene.geometry = Part<Geometry>(std::move(geometry));
+    scene.materials = Part<std::vector<Material>>({Material{}});
+    return scene;
+  }
+
+ private:
+  std::vector<std::array<Vec3d, 3>> triangles_;
 };
 
-/// Depth at a place inside the sheet, or infinity.
-double depth_at(const Sheet& sheet, double x, double y) {
-  const auto edge = [&](const Vec3d& a, const Vec3d& b) { return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x); };
-  const double u = edge(sheet.p[1], sheet.p[2]), v = edge(sheet.p[2], sheet.p[0]), w = edge(sheet.p[0], sheet.p[1]);
-  if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) || u + v + w == 0) return everywhere;
-  return (u * sheet.p[0].z + v * sheet.p[1].z + w * sheet.p[2].z) / (u + v + w);
-}
-
-constexpr int side = 200;
-
-/// Percentage of covered pixels that show the wrong sheet when they are painted in this order, last on top.
-double wrong_share(const std::vector<Sheet>& sheets, const std::vector<std::size_t>& order) {
-  double covered = 0, wrong = 0;
-  for (int row = 0; row < side; ++row)
-    for (int column = 0; column < side; ++column) {
-      const double x = (column + 0.5) / side, y = (row + 0.5) / side;
-      double nearest = everywhere, last_painted = everywhere;
-      for (const std::size_t i : order) {
-        const double z = depth_at(sheets[i], x, y);
-        if (z == everywhere) continue;
-        nearest = std::min(nearest, z);
-        last_painted = z;
-      }
-      if (nearest == everywhere) continue;
+/// What the program shows of sheets, against exact rays.
+class Judge {
+ public:
+  Judge(const Sheets& sheets, const StabilityRun& run) : sheets_(sheets), run_(run), as_given_(sheets.size()) {
+    std::iota(as_given_.begin(), as_given_.end(), std::size_t{0});
+    Settings rays;
+    rays.lighting = false;
+    rays.precision = Precision::float64;
+    truth_ = shown(as_given_, rays);
+  }
+  /// Percentage of covered pixels that show one triangle although another one lies before it, by more than depths in
+  /// float are rounded.
+  double wrong(Visibility visibility, const std::vector<std::size_t>& order) const {
+    Settings settings;
+    settings.renderer = Renderer::rasterizer;
+    settings.visibility = visibility;
+    settings.lighting = false;
+    settings.backface_culling = false;
+    const Shown drawn = shown(order, settings);
+    constexpr float rounding = 1e-5f;  // of depths, relative
+    double covered = 0, wrong = 0;
+    for_inner_pixels(truth_.owners, [&](int x, int y) {
+      if (truth_.owners.at(x, y) == background_owner) return;
       ++covered;
-      wrong += last_painted > nearest ? 1 : 0;
-    }
-  return percent(wrong, covered);
-}
+      const bool other = drawn.owners.at(x, y) != truth_.owners.at(x, y);
+      wrong += other && drawn.depth.at(x, y) > truth_.depth.at(x, y) * (1 + rounding) ? 1 : 0;
+    });
+    return percent(wrong, covered);
+  }
+  double wrong(Visibility visibility) const { return wrong(visibility, as_given_); }
 
-/// A z-buffer in float: of the sheets in any order the nearest stays.
-double buffered_share(const std::vector<Sheet>& sheets) {
-  double covered = 0, wrong = 0;
-  for (int row = 0; row < side; ++row)
-    for (int column = 0; column < side; ++column) {
-      const double x = (column + 0.5) / side, y = (row + 0.5) / side;
-      double truth = everywhere, kept = everywhere;
-      float stored = std::numeric_limits<float>::infinity();
-      for (const Sheet& sheet : sheets) {
-        const double z = depth_at(sheet, x, y);
-        truth = std::min(truth, z);
-        if (static_cast<float>(z) < stored) stored = static_cast<float>(z), kept = z;
-      }
-      if (truth == everywhere) continue;
-      ++covered;
-      wrong += kept > truth * (1 + 1e-6) ? 1 : 0;
-    }
-  return percent(wrong, covered);
-}
+ private:
+  struct Shown {
+    Owners owners;
+    Image<float> depth;
+  };
+  Shown shown(const std::vector<std::size_t>& order, const Settings& settings) const {
+    const Scene scene = sheets_.scene(order);
+    Frame frame = picture_of(scene, {scene.camera, side, side}, settings, Channel::ids | Channel::depth, run_);
+    const auto as_given = [&](const PixelId& id) {
+      return static_cast<std::int32_t>(order[static_cast<std::size_t>(id.triangle)]);
+    };
+    return {owners_of(frame.ids, as_given), std::move(frame.depth)};
+  }
 
-/// Three bars, each over the next one and under the one before, each of so many pieces along it.
-std::vector<Sheet> bars(int pieces) {
-  std::vector<Sheet> sheets;
+  const Sheets& sheets_;
+  const StabilityRun& run_;
+  std::vector<std::size_t> as_given_;
+  Shown truth_;
+};
+
+/// Three bars 2.7 x 0.3 around a point 4 before the camera, each nearer at one end, where it lies over the next bar,
+/// and farther at the other, where it lies under the one before. Each is made of so many pieces of two triangles.
+Sheets bars(int pieces) {
+  Sheets sheets;
   for (int k = 0; k < 3; ++k) {
     const double angle = 2 * pi * k / 3;
-    const Vec2d along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
+    const Vec3d along(std::cos(angle), std::sin(angle), 0), across(-along.y, along.x, 0);
     for (int piece = 0; piece < pieces; ++piece) {
-      const double from = static_cast<double>(piece) / pieces, to = static_cast<double>(piece + 1) / pieces;
-      const auto at = [&](double share, double c) {
-        const Vec2d p = Vec2d(0.5) + along * (0.9 * share - 0.45) + across * c;
-        return Vec3d(p.x, p.y, 1 + share);
+      const auto at = [&](int end, double sideways) {
+        const double share = static_cast<double>(piece + end) / pieces - 0.5;
+        return along * (2.7 * share) + across * sideways + Vec3d(0, 0, 4 + share);
       };
-      sheets.push_back({{at(from, -0.16), at(to, -0.16), at(to, -0.06)}});
-      sheets.push_back({{at(from, -0.16), at(to, -0.06), at(from, -0.06)}});
+      sheets.add(at(0, -0.5), at(1, -0.5), at(1, -0.2));
+      sheets.add(at(0, -0.5), at(1, -0.2), at(0, -0.2));
     }
   }
   return sheets;
 }
 
-enum class SortBy { centroid, nearest, farthest };
+/// Triangles within cubes of side 2 whose centres lie anywhere in a box before the camera.
+Sheets random_triangles(int count, Random& random) {
+  Sheets sheets;
+  for (int i = 0; i < count; ++i) {
+    const Vec3d centre(random.between(-2, 2), random.between(-2, 2), random.between(4, 8));
+    const Vec3d a = centre + random.in_cube(1), b = centre + random.in_cube(1), c = centre + random.in_cube(1);
+    sheets.add(a, b, c);
+  }
+  return sheets;
+}
 
-std::vector<std::size_t> sorted(const std::vector<Sheet>& sheets, SortBy by) {
-  const auto key = [&](std::size_t i) {
-    const auto& p = sheets[i].p;
-    switch (by) {
-    case SortBy::centroid:
-      return p[0].z + p[1].z + p[2].z;
-    case SortBy::nearest:
-      return std::min({p[0].z, p[1].z, p[2].z});
-    case SortBy::farthest:
-      return std::max({p[0].z, p[1].z, p[2].z});
-    }
-    return 0.0;
+/// The triangles from the farthest to the nearest by one of their vertices. The program's painter goes by their mean
+/// depth; any other order is drawn by it as submitted.
+enum class Vertex { nearest, farthest };
+std::vector<std::size_t> sorted(const Sheets& sheets, Vertex by) {
+  const auto depth = [&](std::size_t i) {
+    const auto [low, high] = std::minmax({sheets[i][0].z, sheets[i][1].z, sheets[i][2].z});
+    return by == Vertex::nearest ? low : high;
   };
   std::vector<std::size_t> order(sheets.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) > key(b); });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
   return order;
+}
+
+constexpr const char* unit = "% of covered pixels wrong";
+
+void add_bars(Rows& rows, const StabilityRun& run) {
+  const Sheets three = bars(1);
+  const Judge of_bars(three, run);
+  double best = 100, worst = 0;
+  std::array<std::size_t, 3> order{0, 1, 2};
+  do {
+    std::vector<std::size_t> drawn;
+    for (const std::size_t bar : order) drawn.insert(drawn.end(), {2 * bar, 2 * bar + 1});
+    const double wrong = of_bars.wrong(Visibility::draw_order, drawn);
+    best = std::min(best, wrong);
+    worst = std::max(worst, wrong);
+  } while (std::next_permutation(order.begin(), order.end()));
+  const double robust = of_bars.wrong(Visibility::depth_buffer);
+  rows.push_back({3, "three bars, best order", best, robust, unit});
+  rows.push_back({3, "three bars, worst order", worst, robust, unit});
+  rows.push_back({3, "three bars, painter", of_bars.wrong(Visibility::painter), robust, unit});
+  const Sheets halves = bars(2);
+  const Judge of_halves(halves, run);
+  rows.push_back({6, "three bars cut in two, painter", of_halves.wrong(Visibility::painter),
+                  of_halves.wrong(Visibility::depth_buffer), unit});
+}
+
+/// The mean over several pictures, since few triangles overlap by chance alone.
+void add_random_triangles(Rows& rows, int count, const StabilityRun& run) {
+  Random random(run.seed);
+  const int pictures = run.count(5, 2);
+  double painter = 0, nearest = 0, farthest = 0, buffer = 0;
+  for (int i = 0; i < pictures; ++i) {
+    const Sheets sheets = random_triangles(count, random);
+    const Judge judge(sheets, run);
+    painter += judge.wrong(Visibility::painter) / pictures;
+    nearest += judge.wrong(Visibility::draw_order, sorted(sheets, Vertex::nearest)) / pictures;
+    farthest += judge.wrong(Visibility::draw_order, sorted(sheets, Vertex::farthest)) / pictures;
+    buffer += judge.wrong(Visibility::depth_buffer) / pictures;
+  }
+  const double knob = count;
+  rows.push_back({knob, "random triangles, painter", painter, buffer, unit});
+  rows.push_back({knob, "random triangles, by nearest vertex", nearest, buffer, unit});
+  rows.push_back({knob, "random triangles, by farthest vertex", farthest, buffer, unit});
 }
 
 std::vector<StabilityRow> measure(const StabilityRun& run) {
   Rows rows(run);
-  const std::vector<Sheet> three = bars(1), halves = bars(2);
-  double best = 100, worst = 0;
-  std::array<std::size_t, 3> order{0, 1, 2};
-  do {
-    std::vector<std::size_t> sheets;
-    for (const std::size_t bar : order) sheets.insert(sheets.end(), {2 * bar, 2 * bar + 1});
-    const double wrong = wrong_share(three, sheets);
-    best = std::min(best, wrong);
-    worst = std::max(worst, wrong);
-  } while (std::next_permutation(order.begin(), order.end()));
-  rows.push_back({3, "three bars, best order", best, buffered_share(three), "% of covered pixels wrong"});
-  rows.push_back({3, "three bars, worst order", worst, buffered_share(three), "% of covered pixels wrong"});
-  rows.push_back({6, "three bars cut in two, by centroid", wrong_share(halves, sorted(halves, SortBy::centroid)),
-                  buffered_share(halves), "% of covered pixels wrong"});
-  for (const int count : {10, 30, 100, 300}) {
-    run.check();
-    Random random(run.seed);
-    std::vector<Sheet> soup;
-    for (int i = 0; i < count; ++i) {
-      const Vec3d centre(random.unit(), random.unit(), random.between(2, 10));
-      Sheet sheet;
-      for (Vec3d& p : sheet.p) p = centre + random.in_cube(0.3) * Vec3d(1, 1, 3);
-      soup.push_back(sheet);
-    }
-    const double robust = buffered_share(soup);
-    for (const auto& [by, name] : {std::pair{SortBy::centroid, "soup by centroid"},
-                                   {SortBy::nearest, "soup by nearest corner"},
-                                   {SortBy::farthest, "soup by farthest corner"}})
-      rows.push_back(
-          {static_cast<double>(count), name, wrong_share(soup, sorted(soup, by)), robust, "% of covered pixels wrong"});
-  }
+  add_bars(rows, run);
+  for (const int count : {10, 30, 100, 300}) add_random_triangles(rows, count, run);
   return rows;
 }
 
 StabilityPicture picture(double) {
   StabilityPicture picture{.scene = "cgfs/depth"};
   picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.lighting = false;
+  picture.robust.backface_culling = false;
   picture.naive = picture.robust;
   picture.naive.visibility = Visibility::painter;
   return picture;
@@ -153,13 +202,13 @@ constexpr std::array frames{3.0};
 const StabilityExperiment painters_cycle{
     .key = "painter-s-cycle",
     .title = "The painter's cycle",
-    .knob = "sheets",
-    .naive = "paint from far to near",
+    .knob = "number of sheets",
+    .naive = "draw from far to near (painter's algorithm)",
     .robust = "depth buffer",
     .explanation =
-        "Three bars that overlap in a circle have no order from far to near, and a triangle that reaches from "
-        "near to far has no single depth. A depth buffer decides for each pixel.",
-    .safe = "Sheets that can be ordered.",
+        "Three bars that overlap in a cycle have no order from far to near, and a triangle that reaches from near to "
+        "far has no single depth to be sorted by. A depth buffer decides for each pixel.",
+    .safe = "Sheets that have an order from far to near, such as one alone.",
     .window = {0, 1},
     .measure = measure,
     .picture = picture,
