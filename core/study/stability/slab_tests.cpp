@@ -32,33 +32,30 @@ Case aimed_case(int dimensions, Random& random) {
   return result;
 }
 
-/// How near and far are compared at the end.
+SlabRange<float> range_of(const Case& c, SlabForm form) {
+  return slab_test(SlabRay<float>(c.origin, c.direction, 0, form), c.box, infinity);
+}
+bool robust(const Case& c) { return range_of(c, SlabForm::robust).hit(); }
+
+/// How the ends of the program's naive range are compared. The program has the closed form alone; the others are usual
+/// variants: `strict` loses what is flat, and a far end moved by one or two representable numbers makes up for the
+/// rounding (Ize, JCGT 2013).
 enum class Ending { closed, strict, one_ulp, two_ulps };
 
-/// The slab test as it is usually written, with < in place of <=, and with the far end so many representable numbers
-/// farther.
-bool textbook(const Case& c, Ending ending) {
-  float near = 0, far = infinity;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float inverse = 1 / c.direction[axis];
-    const float t0 = (c.box.low[axis] - c.origin[axis]) * inverse, t1 = (c.box.high[axis] - c.origin[axis]) * inverse;
-    near = std::max(near, std::min(t0, t1));
-    far = std::min(far, std::max(t0, t1));
-  }
+bool naive(const Case& c, Ending ending) {
+  const auto [near, far] = range_of(c, SlabForm::naive);
   switch (ending) {
   case Ending::closed:
-    break;
+    return near <= far;
   case Ending::strict:
     return near < far;
   case Ending::one_ulp:
-    return near <= far || near <= std::nextafter(far, infinity);
+    return near <= std::nextafter(far, infinity);
   case Ending::two_ulps:
-    return near <= far || near <= std::nextafter(std::nextafter(far, infinity), infinity);
+    return near <= std::nextafter(std::nextafter(far, infinity), infinity);
   }
-  return near <= far;
+  return false;
 }
-
-bool robust(const Case& c) { return slab_test(SlabRay<float>(c.origin, c.direction, 0), c.box, infinity).hit(); }
 
 /// Whether the line meets the box, by comparing products instead of quotients in long double.
 bool meets(const Case& c) {
@@ -88,7 +85,7 @@ std::vector<StabilityRow> measure_false_miss(const StabilityRun& run) {
       const Case c = aimed_case(dimensions, random);
       if (!meets(c)) continue;
       ++met;
-      for (std::size_t k = 0; k < missed_by.size(); ++k) missed_by[k] += textbook(c, static_cast<Ending>(k)) ? 0 : 1;
+      for (std::size_t k = 0; k < missed_by.size(); ++k) missed_by[k] += naive(c, static_cast<Ending>(k)) ? 0 : 1;
       lost += robust(c) ? 0 : 1;
     }
     const char* names[] = {"near <= far", "near < far", "near <= far + 1 ulp", "near <= far + 2 ulps"};
@@ -130,7 +127,8 @@ double missed(const PlaneRays& rays, const Combine& combine) {
   return percent(lost, all);
 }
 
-/// near and far of the slabs, taken in by combine(smaller t, larger t, near, far).
+/// Two more ways to write the slab test, which Pixelscope does not have: `combine` takes the sorted t of each axis into
+/// near and far.
 template <class Sort, class Combine>
 bool slabs(const Case& c, Sort sort, Combine combine) {
   float near = 0, far = infinity;
@@ -144,24 +142,20 @@ bool slabs(const Case& c, Sort sort, Combine combine) {
 }
 
 std::vector<StabilityRow> measure_nan_slab(const StabilityRun& run) {
-  const auto by_min_max = [](float& t0, float& t1) {
-    const float low = std::min(t0, t1), high = std::max(t0, t1);
-    t0 = low, t1 = high;
-  };
-  const auto by_swap = [](float& t0, float& t1) {
-    if (t0 > t1) std::swap(t0, t1);
-  };
-  const auto new_first = [=](const Case& c) {
-    return slabs(c, by_min_max, [](float t0, float t1, float& near, float& far) {
-      near = std::max(t0, near), far = std::min(t1, far);
-    });
-  };
-  const auto old_first = [=](const Case& c) {
+  const auto new_first = [](const Case& c) { return naive(c, Ending::closed); };
+  const auto old_first = [](const Case& c) {
+    const auto by_min_max = [](float& t0, float& t1) {
+      const float low = std::min(t0, t1), high = std::max(t0, t1);
+      t0 = low, t1 = high;
+    };
     return slabs(c, by_min_max, [](float t0, float t1, float& near, float& far) {
       near = std::max(near, t0), far = std::min(far, t1);
     });
   };
-  const auto swap_if = [=](const Case& c) {
+  const auto swap_if = [](const Case& c) {  // the usual code for Kay and Kajiya 1986
+    const auto by_swap = [](float& t0, float& t1) {
+      if (t0 > t1) std::swap(t0, t1);
+    };
     return slabs(c, by_swap, [](float t0, float t1, float& near, float& far) {
       if (t0 > near) near = t0;
       if (t1 < far) far = t1;
@@ -185,9 +179,9 @@ std::vector<StabilityRow> measure_nan_slab(const StabilityRun& run) {
 const StabilityExperiment slab_test_false_miss{
     .key = "slab-test-false-miss",
     .title = "Boxes missed at their edges",
-    .knob = "dimensions of the box",
-    .naive = "near <= far of the slabs",
-    .robust = "far end grown by 2 gamma(3)",
+    .knob = "dimensions of the box (3 = solid, 2 = a rectangle, 1 = a line)",
+    .naive = "near <= far, as computed (slab-test = naive)",
+    .robust = "far end grown by its rounding error, 2 gamma(3) (slab-test = robust)",
     .explanation = "A ray at an edge of a box enters through one plane and leaves through another at the same t, which "
                    "is rounded twice. The flatter the box, the more of its rays do.",
     .safe = "Nowhere for boxes that touch.",
@@ -197,11 +191,12 @@ const StabilityExperiment slab_test_false_miss{
 const StabilityExperiment zero_inf_nan_slab{
     .key = "0-inf-nan-slab",
     .title = "0 times infinity in a slab test",
-    .knob = "sign of the zero components (0 = both)",
-    .naive = "min and max in some order of operands",
-    .robust = "planes in the order of the ray, comparisons false for NaN",
-    .explanation = "A ray in the plane of a side has a distance of 0 to it and an inverse direction of infinity. "
-                   "std::max(a, b) returns a when either is NaN, so the order of operands decides what is lost.",
+    .knob = "sign of the zero components of the direction (0 = both)",
+    .naive = "min and max, with one order of operands or the other",
+    .robust = "planes in the order of the ray, comparisons false for NaN (slab-test = robust)",
+    .explanation = "A ray in the plane of a side is at distance 0 from it, and its inverse direction is infinite: 0 "
+                   "times infinity is NaN. std::max(a, b) returns a if either is NaN, so the order of operands decides "
+                   "which boxes are lost.",
     .safe = "Directions without a zero component.",
     .window = nowhere_safe,
     .measure = measure_nan_slab};
