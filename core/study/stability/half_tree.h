@@ -39,22 +39,15 @@ class HalfTree {
     build(0, order_.size(), 0);
   }
 
-  /// Calls visit(triangle) for each leaf whose boxes the ray meets; gives the number of nodes looked at.
+  /// Calls visit(triangle) for each triangle in a leaf whose boxes the ray meets.
   template <class Visit>
-  std::size_t for_each(const SlabRay<float>& ray, Visit&& visit) const {
-    return for_each(ray, visit, [](const SlabRange<float>& range) { return range.hit(); });
-  }
-  /// The same where meets(range of a box) decides.
-  template <class Visit, class Meets>
-  std::size_t for_each(const SlabRay<float>& ray, Visit&& visit, Meets&& meets) const {
+  void for_each(const SlabRay<float>& ray, Visit&& visit) const {
     std::vector<std::size_t> waiting{0};
-    std::size_t looked = 0;
     while (!waiting.empty()) {
       const std::size_t index = waiting.back();
       waiting.pop_back();
-      ++looked;
       const Node& node = nodes_[index];
-      if (!meets(slab_test(ray, node.box, std::numeric_limits<float>::infinity()))) continue;
+      if (!slab_test(ray, node.box, std::numeric_limits<float>::infinity()).hit()) continue;
       if (node.right == 0) {
         for (std::size_t i = node.first; i < node.first + node.count; ++i) visit(order_[i]);
       } else {
@@ -62,7 +55,6 @@ class HalfTree {
         waiting.push_back(index + 1);
       }
     }
-    return looked;
   }
 
  private:
