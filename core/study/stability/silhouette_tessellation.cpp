@@ -1,108 +1,121 @@
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "raster/tessellate.h"
-#include "scene/generate/uv_sphere.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {
 namespace {
 
-/// Largest distance (px) between the outline of a ball of triangles, seen along `axis`, and the circle that it stands
-/// for, whose radius is `radius` px. The outline's vertices are those of the ring across the axis.
-double outline_error(const Mesh& mesh, const Vec3d& axis, double radius) {
-  const auto on_outline = [&](const Vec3d& p) { return std::abs(dot(p, axis)) < 1e-9 * std::sqrt(dot(p, p)); };
-  double worst = 0;
-  for (const MeshTriangle& triangle : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3d &a = mesh.positions[triangle.position[k]], &b = mesh.positions[triangle.position[(k + 1) % 3]];
-      if (!on_outline(a) || !on_outline(b)) continue;
-      constexpr int steps = 100;
-      for (int i = 0; i <= steps; ++i) {
-        const Vec3d p = a + (b - a) * (static_cast<double>(i) / steps);
-        worst = std::max(worst, radius * (1 - std::sqrt(dot(p, p) / dot(a, a))));
-      }
+constexpr double half_a_pixel = 0.5;  ///< the default of the option `tessellation`
+
+/// How far a chord of a regular polygon of n segments strays from its circle.
+double chord_error(double radius, double segments) { return radius * (1 - std::cos(pi / segments)); }
+
+/// The option `tessellation` with which the program makes an outline of that many segments: it leaves one half of the
+/// error to the outline and the other to the rings across it.
+double error_for(double radius, int segments) {
+  constexpr double rounding = 1 + 1e-9;  // or one segment more is made
+  return 2 * chord_error(radius, segments) * rounding;
+}
+
+double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The convex hull, counterclockwise (Andrew's monotone chain); points within rounding of its edges are left out.
+std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
+  std::sort(points.begin(), points.end(),
+            [](const Vec2d& a, const Vec2d& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  constexpr double rounding = 1e-12;
+  std::vector<Vec2d> hull;
+  for (int way = 0; way < 2; ++way) {
+    const std::size_t first = hull.size();
+    for (const Vec2d& point : points) {
+      while (hull.size() >= first + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= rounding) hull.pop_back();
+      hull.push_back(point);
     }
-  return worst;
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
 }
 
-/// A ball of this many segments around.
-double error_of_segments(int segments, double radius) {
-  return outline_error(make_uv_sphere({segments, 4}), {0, 1, 0}, radius);
-}
-
-/// What the option `tessellation` makes of a sphere in an orthographic picture.
-struct Tessellated {
-  double error = 0;  ///< px
-  int segments = 0;
+/// The outline of a ball that is `radius` px large, in an orthographic picture, as the program cuts it into triangles.
+struct Outline {
+  double segments = 0;
+  double deviation = 0;  ///< of the outline from the circle, px
 };
-Tessellated tessellated(double allowed, double radius) {
+
+Outline outline_of(double radius, double max_error) {
   raster::TessellationView view;
   view.projection = Projection::orthographic;
-  view.pixels_per_unit = 1;
-  view.max_error = allowed;
-  const Mesh mesh = raster::tessellate_sphere(Sphere{Vec3d(0), radius}, view);
-  Tessellated result{outline_error(mesh, view.forward, radius), 0};
-  for (const Vec3d& p : mesh.positions) result.segments += std::abs(dot(p, view.forward)) < 1e-9 * radius ? 1 : 0;
-  return result;
+  view.pixels_per_unit = radius;
+  view.max_error = max_error;
+  const Mesh mesh = raster::tessellate_sphere({{0, 0, 0}, 1, 0}, view);
+  std::vector<Vec2d> seen;
+  for (const Vec3d& position : mesh.positions) seen.emplace_back(position.x, position.y);
+  const std::vector<Vec2d> hull = convex_hull(std::move(seen));
+  Outline outline{static_cast<double>(hull.size()), 0};
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vec2d &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    const double from_centre = turn({0, 0}, a, b) / std::hypot(b.x - a.x, b.y - a.y);
+    outline.deviation = std::max(outline.deviation, radius * (1 - from_centre));
+  }
+  return outline;
 }
 
-std::vector<StabilityRow> measure_silhouette(const StabilityRun& run) {
+std::vector<StabilityRow> measure(const StabilityRun& run) {
+  constexpr const char* unit = "px off the circle";
   Rows rows(run);
-  const std::string unit = "px off the circle";
-  for (const int radius : {10, 50, 100, 200, 500, 1000}) {
-    const double robust = tessellated(0.5, radius).error;
-    for (const int segments : {10, 20, 45, 100})
-      rows.push_back({static_cast<double>(segments), fmt::format("radius {} px", radius),
-                      error_of_segments(segments, radius), robust, unit});
-    const int enough = static_cast<int>(std::ceil(pi / std::acos(1 - 0.5 / radius)));
-    rows.push_back({static_cast<double>(enough), fmt::format("enough for radius {} px", radius),
-                    error_of_segments(enough, radius), robust, unit});
-  }
-  for (const double allowed : {10.0, 2.0, 0.5, 0.1}) {
-    const Tessellated mesh = tessellated(allowed, 200);
-    rows.push_back({static_cast<double>(mesh.segments), fmt::format("radius 200 px, tessellation = {} px", allowed),
-                    mesh.error, tessellated(0.5, 200).error, unit});
+  for (const double radius : {10.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+    const Outline program = outline_of(radius, half_a_pixel);
+    for (const int segments : {10, 20, 45, 100}) {
+      const Outline fixed = outline_of(radius, error_for(radius, segments));
+      rows.push_back({fixed.segments, fmt::format("radius {} px", radius), fixed.deviation, program.deviation, unit});
+      rows.push_back({fixed.segments, fmt::format("closed form: R (1 - cos(pi / n)), radius {} px", radius),
+                      chord_error(radius, segments), std::nan(""), unit});
+    }
+    const double enough = std::ceil(pi / std::acos(1 - half_a_pixel / radius));
+    rows.push_back({radius, "segments for half a pixel, by radius: closed form beside the program's", enough,
+                    program.segments, "segments"});
   }
   return rows;
 }
 
-/// A sphere made of about this many segments: half of the error that `tessellation` allows is for the outline.
-StabilityPicture picture_silhouette(double segments) {
-  constexpr double radius = 0.45;
-  StabilityPicture picture{.scene = fmt::format(R"(
-viewport_size = 1 x 1
-projection_plane_d = 1
-background = white
-sphere {{ center = (0, 0, 2)  radius = {}  color = (220, 60, 40) }}
-light {{ type = ambient  intensity = 0.3 }}
-light {{ type = directional  intensity = 0.7  direction = (1, 1, -1) }}
-)",
-                                                2 * radius)};
+/// A ball of 128 px in an orthographic picture.
+StabilityPicture picture(double segments) {
+  StabilityPicture picture{.scene = "viewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = white\n"
+                                    "sphere { center = (0, 0, 3) radius = 0.4 color = (180, 60, 50) }\n"
+                                    "light { type = ambient intensity = 0.3 }\n"
+                                    "light { type = directional intensity = 0.7 direction = (1, 2, -2) }\n",
+                           .width = 160,
+                           .height = 160};
   picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.projection = Projection::orthographic;
   picture.naive = picture.robust;
-  picture.naive.tessellation = 2 * radius * picture.height * (1 - std::cos(pi / segments));
+  picture.naive.tessellation = error_for(64, static_cast<int>(segments));
   return picture;
 }
 
-constexpr std::array segments{6.0, 10.0, 20.0, 45.0};
+constexpr std::array frames{7.0, 10.0, 20.0, 45.0};
 
 }  // namespace
 
 const StabilityExperiment silhouette_tessellation{
     .key = "silhouette-tessellation",
-    .title = "Polygonal outlines of spheres",
-    .knob = "segments of the outline",
+    .title = "Corners on round outlines",
+    .knob = "segments of the outline, or the ball's radius (px)",
     .naive = "the same number of segments at any size",
-    .robust = "as many as keep within half a pixel (tessellation = 0.5)",
-    .explanation =
-        "A chord leaves its circle by R (1 - cos(pi / n)), which grows with the radius R on the screen. So the number "
-        "of segments has to follow from the size: pi / acos(1 - 0.5 / R) for half a pixel.",
+    .robust = "as many as half a pixel of error asks for (tessellation = 0.5)",
+    .explanation = "A chord strays from its circle by R (1 - cos(pi / n)), which grows with the radius on the screen. "
+                   "How many segments are enough follows from that radius and the error that may be seen.",
     .safe = "100 segments up to a radius of 1,000 pixels.",
     .window = {100, everywhere},
-    .measure = measure_silhouette,
-    .picture = picture_silhouette,
-    .frames = segments};
+    .measure = measure,
+    .picture = picture,
+    .frames = frames};
 
 }  // namespace ps::stability
