@@ -2,7 +2,20 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 namespace ps::stability {
+
+std::string roof_text(double camera_z) {
+  return fmt::format("viewport_size = 1.5 x 1\nprojection_plane_d = 1\nbackground = (190, 215, 240)\n"
+                     "camera {{ position = (0, 0, {}) }}\n"
+                     "rectangle {{ name = floor corner = (-30, -1, -20) side_a = (60, 0, 0) side_b = (0, 0, 80)\n"
+                     "            color = (230, 225, 210) }}\n"
+                     "box {{ name = roof center = (0, 3, 0) size = (4, 0.2, 4) color = (150, 110, 80) }}\n"
+                     "light {{ type = ambient intensity = 0.25 }}\n"
+                     "light {{ type = directional intensity = 0.75 direction = (0, 1, 0) }}\n",
+                     camera_z);
+}
 
 Settings shadow_settings(Renderer renderer, Shadows shadows, double near) {
   Settings settings;

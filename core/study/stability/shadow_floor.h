@@ -1,7 +1,13 @@
 #pragma once
+#include <string>
+
 #include "study/stability/support.h"
 
 namespace ps::stability {
+
+/// A floor at y = -1, in the light of a sun right above it, and a roof of 4 x 4 x 0.2 whose centre is 3 above the
+/// origin: a scene's text. The camera is the book's, on the z axis.
+std::string roof_text(double camera_z);
 
 /// Settings that show shadows and nothing else worth noting; rays in double.
 Settings shadow_settings(Renderer renderer, Shadows shadows, double near);

@@ -8,18 +8,6 @@
 namespace ps::stability {
 namespace {
 
-/// A floor in the light of the sun right above, and a roof over the middle whose shadow volume the camera looks
-/// through, or stands in.
-std::string roof_text(double camera_z) {
-  return fmt::format(
-      "viewport_size = 1.5 x 1\nprojection_plane_d = 1\nbackground = white\n"
-      "camera {{ position = (0, 0, {}) }}\n"
-      "rectangle {{ name = floor corner = (-30, -1, -20) side_a = (60, 0, 0) side_b = (0, 0, 80) color = white }}\n"
-      "box {{ name = roof center = (0, 3, 0) size = (4, 0.2, 4) color = (150, 110, 80) }}\n"
-      "light {{ type = ambient intensity = 0.25 }}\n"
-      "light {{ type = directional intensity = 0.75 direction = (0, 1, 0) }}\n",
-      camera_z);
-}
 /// What depth pass makes of the floor, and what depth fail does.
 StabilityRow passed_and_failed(double knob, const char* series, const Scene& scene, double near,
                                const StabilityRun& run) {
@@ -123,11 +111,11 @@ constexpr std::array boards{8.0, 15.0, 16.0, 17.0};
 const StabilityExperiment z_pass_in_volume{
     .key = "z-pass-in-volume",
     .title = "Camera inside a shadow volume",
-    .knob = "z of the camera",
+    .knob = "z of the camera (the shadow lies between -2 and 2)",
     .naive = "count faces before the surface (depth pass)",
     .robust = "count faces behind the surface (depth fail)",
-    .explanation = "Depth pass takes it that the eye is in the light. Inside a volume every count is one too low, and "
-                   "light and shadow change places.",
+    .explanation = "Depth pass assumes that the eye is lit. Inside a volume every count is one too low, so light and "
+                   "shadow are exchanged.",
     .safe = "Cameras outside every volume.",
     .window = {nowhere, -2.5},
     .measure = measure_inside,
@@ -137,11 +125,11 @@ const StabilityExperiment z_pass_in_volume{
 const StabilityExperiment near_plane_cuts_volume{
     .key = "near-plane-cuts-volume",
     .title = "The near plane cuts a volume",
-    .knob = "near plane",
+    .knob = "distance of the near plane (world units)",
     .naive = "count faces before the surface (depth pass)",
     .robust = "count faces behind the surface (depth fail)",
-    .explanation = "The near plane removes the face through which the view enters the volume, and with it the count. "
-                   "Depth fail counts what lies behind the surface and never looks there.",
+    .explanation = "The near plane removes the face through which a line of sight enters the volume, so that face is "
+                   "not counted. Depth fail counts faces behind the surface, where no near plane cuts.",
     .safe = "Near planes that stay outside every volume.",
     .window = {nowhere, 0.03},
     .measure = measure_near,
@@ -150,13 +138,13 @@ const StabilityExperiment near_plane_cuts_volume{
 
 const StabilityExperiment stencil_bits_wrap{
     .key = "stencil-bits-wrap",
-    .title = "More shadows than a count can hold",
-    .knob = "volumes over each other",
+    .title = "More shadows than the stencil buffer counts",
+    .knob = "volumes that overlap",
     .naive = "4 or 8 bits",
     .robust = "16 bits",
-    .explanation = "A count of n bits comes round to 0 after 2^n volumes, and 0 means lit. All other numbers are "
-                   "right, so the fault appears at one depth of stacking alone.",
-    .safe = "Fewer than 2^bits shadows over each other.",
+    .explanation = "A count of n bits returns to 0 after 2^n volumes, and 0 means lit. Every other number of volumes "
+                   "gives a count that is not 0, so only exactly 2^n of them fail.",
+    .safe = "Fewer than 2^bits overlapping volumes.",
     .window = {nowhere, 15},
     .measure = measure_wrap,
     .picture = picture_wrap,

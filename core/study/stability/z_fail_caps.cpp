@@ -1,32 +1,21 @@
 #include <array>
 
-#include <fmt/format.h>
-
 #include "scene/scene_file.h"
 #include "study/stability/shadow_floor.h"
 
 namespace ps::stability {
 namespace {
 
-/// A floor in the light of the sun right above, 3 below a roof of 6 x 6 and 0.2. The floor is all but opaque, so that
-/// it throws no shadow: the roof's is the only volume.
-std::string roof_text(const Vec3d& eye) {
-  return fmt::format("viewport_size = 1.5 x 1\nprojection_plane_d = 1\nbackground = (150, 190, 230)\n"
-                     "camera {{ position = ({}, {}, {}) }}\n"
-                     "rectangle {{ name = floor corner = (-60, -1, -20) side_a = (120, 0, 0) side_b = (0, 0, 45)\n"
-                     "            color = (230, 225, 210) transparency = 0.000001 }}\n"
-                     "box {{ name = roof center = (0, 2.1, 0) size = (6, 0.2, 6) color = (150, 110, 80) }}\n"
-                     "light {{ type = ambient intensity = 0.25 }}\n"
-                     "light {{ type = directional intensity = 0.75 direction = (0, 1, 0) }}\n",
-                     eye.x, eye.y, eye.z);
-}
-const Vec3d outside(0.2, 3, -18), inside(0.2, 0.3, -2.5);
+constexpr double outside = -8, inside = 0;  ///< z of the camera; the roof's shadow lies between -2 and 2
 
 Settings depth_fail() { return shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.05); }
-Settings without_caps(double length) {
+Settings of_length(double length) {
   Settings settings = depth_fail();
-  settings.volume_caps = false;
   settings.volume_length = length;
+  return settings;
+}
+Settings without_caps(Settings settings) {
+  settings.volume_caps = false;
   return settings;
 }
 
@@ -34,53 +23,48 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   Rows rows(run);
   const Scene from_outside = parse_scene(roof_text(outside), "roof", "."),
               from_inside = parse_scene(roof_text(inside), "roof", ".");
-  const auto add = [&](double knob, const char* series, const Scene& scene, const Settings& naive, Settings robust) {
+  const auto add = [&](double knob, const char* series, const Scene& scene, const Settings& naive,
+                       const Settings& robust) {
     rows.push_back({knob, series, wrong_floor_share(scene, naive, run), wrong_floor_share(scene, robust, run),
                     "% of floor pixels wrong"});
   };
-  const auto open = [&](const char* series, const Scene& scene, double length) {
-    Settings closed = without_caps(length);
-    closed.volume_caps = true;
-    add(length, series, scene, without_caps(length), closed);
-  };
-  for (const double length : {4.0, 6.0, 8.0, 9.0, 10.0}) open("no caps, camera outside", from_outside, length);
-  for (const double length : {3.4, 4.2, 5.0}) open("no caps, camera inside", from_inside, length);
-  for (const double length : {1.5, 3.0, 4.0, 10.0}) {
-    Settings naive = depth_fail();
-    naive.volume_length = length;
-    add(length, "short volume", from_outside, naive, depth_fail());
+  // From 5 on volumes reach through the floor.
+  for (const double length : {5.0, 10.0, 20.0, 40.0, 80.0}) {
+    add(length, "no caps, camera outside", from_outside, without_caps(of_length(length)), of_length(length));
+    add(length, "no caps, camera inside", from_inside, without_caps(of_length(length)), of_length(length));
   }
-  for (const double far : {10.0, 17.0, 20.0, 40.0, 1000.0}) {
-    Settings naive = depth_fail();
-    naive.far = far;
-    Settings robust = naive;
-    naive.volume_depth_clamp = false;
-    add(far, "far plane", from_outside, naive, robust);
+  for (const double length : {1.0, 2.0, 4.0, 5.0, 10.0})
+    add(length, "short volume", from_outside, of_length(length), depth_fail());
+  for (const double far : {10.0, 20.0, 40.0, 80.0, 1000.0}) {
+    Settings clamped = depth_fail();
+    clamped.far = far;
+    Settings cut = clamped;
+    cut.volume_depth_clamp = false;
+    add(far, "far plane", from_outside, cut, clamped);
   }
   return rows;
 }
 
 StabilityPicture picture(double length) {
   StabilityPicture picture{.scene = roof_text(outside), .width = 240, .height = 160};
-  picture.naive = picture.robust = without_caps(length);
-  picture.robust.volume_caps = true;
+  picture.naive = without_caps(of_length(length));
+  picture.robust = of_length(length);
   return picture;
 }
 
-constexpr std::array frames{4.0, 6.0, 9.0, 10.0};
+constexpr std::array frames{5.0, 10.0, 20.0, 40.0};
 
 }  // namespace
 
 const StabilityExperiment z_fail_caps{
     .key = "z-fail-caps",
     .title = "Depth fail without its caps",
-    .knob = "length of the volume, or far plane",
-    .naive = "open, short or cut volumes",
+    .knob = "length of the volumes, or distance of the far plane (world units)",
+    .naive = "open volumes, short ones, or volumes cut at the far plane",
     .robust = "caps at both ends, nothing cut at the far plane",
     .explanation =
-        "Depth fail counts what lies behind a surface, so the volume must be closed there. Where a line of sight "
-        "leaves through a cap that is missing, or behind the far plane, a face is not counted, and the roof's upper "
-        "side "
+        "Depth fail counts the faces of volumes behind a surface, so volumes must be closed there. Where a line of "
+        "sight leaves a volume through a missing cap, or behind the far plane, a face is not counted, and a lit floor "
         "lies in its own shadow.",
     .safe = "Closed volumes that reach beyond everything, with a far plane at infinity.",
     .window = nowhere_safe,
