@@ -11,7 +11,7 @@ using raster::FixedPoint;
 
 enum class Width { int64, int32 };
 
-/// Draws a mesh with the product's edge functions and counts how often each pixel is painted.
+/// Draws a mesh with the program's edge functions and counts how often each pixel is painted.
 Image<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Width width) {
   Image<int> times(side, side);
   const CoverageGrid grid{8, rule, {0.5, 0.5}};
@@ -39,7 +39,7 @@ Image<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Width wi
 
 constexpr int window = 655;  ///< its 429,025 pixels lie inside the mesh, however that is turned
 
-/// So many by so many cells, every corner moved by up to a fifth of a cell, turned by half a radian: edges of every
+/// `cells` x `cells` cells, every vertex moved by up to a fifth of a cell, turned by half a radian: edges of every
 /// slope, and none of the mesh's rim in the window.
 FlatMesh turned_mesh(int cells, double grid, const StabilityRun& run) {
   Random random(run.seed);
@@ -55,7 +55,7 @@ FlatMesh rectangles() {
   return mesh;
 }
 
-/// 7,200 triangles with corners on half pixels, or rectangles whose sides run through samples.
+/// 7,200 triangles with vertices on half pixels, or rectangles whose sides run through samples.
 std::vector<StabilityRow> measure_easy(const StabilityRun& run) {
   Rows rows(run);
   for (const bool squares : {false, true}) {
@@ -133,13 +133,14 @@ std::vector<StabilityRow> measure_inclusive(const StabilityRun& run) {
 const StabilityExperiment fill_rule_easy{
     .key = "fill-rule-easy",
     .title = "Who owns an edge",
-    .knob = "0: >= 0, 1: > 0",
-    .naive = "inside where all edge values are >= 0, or > 0",
+    .knob = "rule (0: inside where >= 0, 1: inside where > 0)",
+    .naive = "inside where all edge values are >= 0, or > 0 (fill-rule = inclusive, exclusive)",
     .robust = "top-left rule",
     .explanation =
-        "Where a sample lies exactly on a shared edge, both triangles say the same: both paint it, or neither; the "
-        "top-left rule gives it to one of them. How many samples lie on edges is the mesh's own: here 60 x 60 cells of "
-        "15 px, each corner moved by up to a fifth of a cell, turned by half a radian and rounded to half pixels.",
+        "If a sample lies exactly on a shared edge, both triangles decide alike: both paint it, or neither does. The "
+        "top-left rule gives it to one of them. How many samples lie on edges depends on the mesh: here it has 60 x 60 "
+        "cells of 15 px, with each vertex moved by up to a fifth of a cell, turned by half a radian, and rounded to "
+        "half pixels.",
     .safe = "Meshes without a sample on an edge.",
     .window = nowhere_safe,
     .measure = measure_easy};
@@ -148,10 +149,11 @@ const StabilityExperiment int32_edge_functions{
     .key = "int32-edge-functions",
     .title = "Edge functions in 32 bits",
     .knob = "square root of a triangle's area (px)",
-    .naive = "int32, 8 sub-pixel bits",
-    .robust = "int64",
-    .explanation = "An edge value is twice the area that edge and sample span, in 65,536ths of a square pixel. From "
-                   "181 by 181 pixels, or an area of 128 by 128, on it needs more than 31 bits and changes its sign.",
+    .naive = "32-bit integers with 8 sub-pixel bits (edge-arithmetic = int32)",
+    .robust = "64-bit integers (edge-arithmetic = fixed)",
+    .explanation = "An edge value is twice the area of the triangle that edge and sample form, in units of 1/65,536 "
+                   "square pixels. From twice an area of 181 by 181 pixels on it needs more than 31 bits, and its sign "
+                   "changes.",
     .safe = "Triangles with edges of up to 128 pixels, whose areas are at most half of 128 by 128.",
     .window = {nowhere, 90},
     .measure = measure_int32};
@@ -160,11 +162,11 @@ const StabilityExperiment inclusive_scanlines{
     .key = "inclusive-scanlines",
     .title = "Scanlines with both ends",
     .knob = "length of a triangle's legs (px)",
-    .naive = "the book's filling, both ends included",
+    .naive = "the book's filling, both ends of a row included",
     .robust = "top-left rule",
     .explanation = "Rows from the rounded left edge to the rounded right edge, both included, paint every shared edge "
-                   "twice. The smaller the triangles, the more of their pixels are edges.",
-    .safe = "Opaque triangles without a depth test, where painting twice costs time alone.",
+                   "twice. The smaller the triangles, the more of their pixels lie on edges.",
+    .safe = "Opaque triangles, where painting a pixel twice only costs time.",
     .window = nowhere_safe,
     .measure = measure_inclusive};
 

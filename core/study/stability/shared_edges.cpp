@@ -1,48 +1,151 @@
-#include <map>
+#include <numeric>
 
+#include "raster/coverage/walk.h"
 #include "study/stability/edge_methods.h"
 #include "study/stability/jittered_mesh.h"
 
 namespace ps::stability {
 namespace {
 
-using Covers = bool (*)(const Corners&, const Vec2f&);
+using raster::CoverageChoice;
+using raster::FixedPoint;
+
+constexpr int canvas = 600;  ///< px, the book's
+
 struct Tally {
   double holes = 0, doubles = 0;
+  void add(int painted) {
+    holes += painted == 0 ? 1 : 0;
+    doubles += painted > 1 ? 1 : 0;
+  }
+  Tally per_million_of(int edges) const { return {per_million(holes, edges), per_million(doubles, edges)}; }
 };
 
-/// Two triangles on both sides of an edge that passes a sample as nearly as rounded corners let it, `length` px long,
-/// on a canvas of 768 x 768 px that begins `offset` px right of and below the origin. Counts per million edges.
-Tally aim_edges(float length, float offset, Covers covers, const StabilityRun& run) {
-  run.check();
+void add_rows(Rows& rows, double knob, const std::string& series, const Tally& naive, const Tally& robust) {
+  rows.push_back({knob, series + ", holes", naive.holes, robust.holes, "per million edges"});
+  rows.push_back({knob, series + ", doubles", naive.doubles, robust.doubles, "per million edges"});
+}
+
+template <class Corners>
+Corners in_any_order(const Corners& c, Random& random) {
+  const std::size_t first = random.below(3);
+  return {c[first], c[(first + 1) % 3], c[(first + 2) % 3]};
+}
+
+/// Ways to ask whether a triangle whose vertices are any floats covers a sample, as published or in common use. The
+/// program rounds vertices to sub-pixels first.
+struct Method {
+  std::string name;
+  bool (*naive)(const Corners&, const Vec2f&);
+  bool (*robust)(const Corners&, const Vec2f&);
+};
+const std::array methods{Method{"float, own order", covers_relative, covers_canonical},
+                         Method{"float, stepped", covers_stepped, covers_fixed<8>},
+                         Method{"float, A x + B y + C", covers_absolute, covers_fixed<8>},
+                         Method{"float, all >= 0", covers_inclusive, covers_canonical},
+                         Method{"float, all > 0", covers_exclusive, covers_canonical},
+                         Method{"float, u, v, 1 - u - v >= 0", covers_barycentric, covers_canonical},
+                         Method{"4 sub-pixel bits beside 8", covers_fixed<4>, covers_fixed<8>}};
+
+/// Where edges are aimed at samples, and how many: the rarer the failures, the more are needed to count them.
+struct Place {
+  float length = 0, offset = 0;  ///< px: of the edges; of the canvas from the origin, in both directions
+  int edges = 0;
+  const char* name = "";
+};
+
+/// Two triangles on both sides of an edge that passes a sample as nearly as rounded vertices let it.
+void aim_edges(Rows& rows, const Place& at, const StabilityRun& run) {
   Random random(run.seed);
-  Tally tally;
-  const int edges = run.count(200000, 20000);
+  std::array<Tally, methods.size()> naive, robust;
+  const int edges = run.count(at.edges, 20000);
   for (int trial = 0; trial < edges; ++trial) {
-    const auto place = [&] { return offset + std::floor(static_cast<float>(random.between(0, 768))) + 0.5f; };
+    if (trial % 65536 == 0) run.check();
+    const auto place = [&] { return at.offset + static_cast<float>(random.below(canvas)) + 0.5f; };
     const Vec2f sample(place(), place());
     const float angle = static_cast<float>(random.between(0, 2 * pi));
     const Vec2f along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
     const float split = static_cast<float>(random.between(0.1, 0.9));
-    const Vec2f a = sample - along * (length * split);
-    const Vec2f b = sample + along * (length * (1 - split));
-    const Vec2f left = sample + across * (length * static_cast<float>(random.between(0.4, 1)));
-    const Vec2f right = sample - across * (length * static_cast<float>(random.between(0.4, 1)));
-    const auto any_order = [&](Corners c) {
-      const std::size_t first = random.below(3);
-      return Corners{c[first], c[(first + 1) % 3], c[(first + 2) % 3]};
-    };
-    const int painted =
-        (covers(any_order({a, b, left}), sample) ? 1 : 0) + (covers(any_order({b, a, right}), sample) ? 1 : 0);
-    tally.holes += painted == 0 ? 1 : 0;
-    tally.doubles += painted == 2 ? 1 : 0;
+    const Vec2f a = sample - along * (at.length * split);
+    const Vec2f b = sample + along * (at.length * (1 - split));
+    const Vec2f left = sample + across * (at.length * static_cast<float>(random.between(0.4, 1)));
+    const Vec2f right = sample - across * (at.length * static_cast<float>(random.between(0.4, 1)));
+    const Corners one = in_any_order(Corners{a, b, left}, random), other = in_any_order(Corners{b, a, right}, random);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      naive[m].add(methods[m].naive(one, sample) + methods[m].naive(other, sample));
+      robust[m].add(methods[m].robust(one, sample) + methods[m].robust(other, sample));
+    }
   }
-  return {per_million(tally.holes, edges), per_million(tally.doubles, edges)};
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    add_rows(rows, at.length, methods[m].name + at.name, naive[m].per_million_of(edges),
+             robust[m].per_million_of(edges));
 }
 
-/// 7,200 triangles with corners at random floats, none of them aimed at a sample, over the same 429,025 pixels as in
+using GridVector = glm::vec<2, std::int64_t>;
+
+/// Vertices a and b on the program's sub-pixel grid, on both sides of the origin, whose line passes it as nearly as any
+/// two such vertices let it: the triangle that they form with the origin has an area of half a unit. In units of the
+/// grid; about `length` apart.
+std::pair<GridVector, GridVector> nearest_edge(std::int64_t length, Random& random) {
+  const auto any = [&] {
+    return static_cast<std::int64_t>(random.below(static_cast<std::size_t>(length))) - length / 2;
+  };
+  while (true) {
+    const GridVector a(any(), any());
+    if (16 * (a.x * a.x + a.y * a.y) < length * length || std::gcd(a.x, a.y) != 1) continue;
+    GridVector s(1, 0), next(0, 1);  // extended Euclid: a.x s.x + a.y s.y is 1 or -1 in the end
+    for (std::int64_t r = a.x, remainder = a.y; remainder != 0;) {
+      const std::int64_t quotient = r / remainder;
+      r = std::exchange(remainder, r - quotient * remainder);
+      s = std::exchange(next, s - next * quotient);
+    }
+    GridVector b(-s.y, s.x);
+    if (random.coin()) b = -b;
+    while (b.x * a.x + b.y * a.y >= 0) b -= a;
+    return {a, b};
+  }
+}
+
+/// The program's own ways to decide coverage, on edges that pass a sample as nearly as sub-pixels let them.
+void aim_at_program(Rows& rows, int length, const StabilityRun& run) {
+  const std::array choices{CoverageChoice{Coverage::edge_function, EdgeArithmetic::float32},
+                           CoverageChoice{Coverage::edge_function, EdgeArithmetic::float_stepped},
+                           CoverageChoice{Coverage::edge_function, EdgeArithmetic::fixed}};
+  constexpr std::size_t fixed = 2;
+  const raster::CoverageGrid grid{8, FillRule::top_left, {0.5, 0.5}};
+  const int unit = static_cast<int>(raster::fixed_unit(grid.subpixel_bits));
+  Random random(run.seed);
+  std::array<Tally, choices.size()> tallies;
+  const int edges = run.count(50000, 10000);
+  for (int trial = 0; trial < edges; ++trial) {
+    if (trial % 16384 == 0) run.check();
+    const int column = static_cast<int>(random.below(canvas)), row = static_cast<int>(random.below(canvas));
+    const auto [a, b] = nearest_edge(length * unit / 2, random);
+    const GridVector across(a.y - b.y, b.x - a.x);
+    std::array<int, choices.size()> painted{};
+    for (const int side : {1, -1}) {
+      const auto vertex = [&](const GridVector& at) {  // a unit of FixedPoint is half of one of the grid
+        return FixedPoint{column * unit + unit / 2 + 2 * static_cast<std::int32_t>(at.x),
+                          row * unit + unit / 2 + 2 * static_cast<std::int32_t>(at.y)};
+      };
+      const std::array triangle{vertex(side > 0 ? a : b), vertex(side > 0 ? b : a),
+                                vertex(across * std::int64_t{side} / std::int64_t{2})};
+      const auto corners = in_any_order(triangle, random);
+      const auto sides = raster::make_edges(corners, grid);
+      const raster::CoverageInput input{corners, *sides, grid, raster::sample_box(corners, grid)};
+      for (std::size_t k = 0; k < choices.size(); ++k)
+        painted[k] += raster::decide_sample<float>(choices[k], input, column, row).covered ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < choices.size(); ++k) tallies[k].add(painted[k]);
+  }
+  const char* names[] = {"edge-arithmetic = float", "edge-arithmetic = float-stepped"};
+  for (std::size_t k = 0; k < fixed; ++k)
+    add_rows(rows, length, names[k], tallies[k].per_million_of(edges), tallies[fixed].per_million_of(edges));
+}
+
+/// 7,200 triangles with vertices at random floats, none of them aimed at a sample, over the same 429,025 pixels as in
 /// "fill-rule-easy": pixels that no triangle or more than one paints.
-double wrong_in_random_mesh(Covers covers, const StabilityRun& run) {
+double wrong_in_random_mesh(bool (*covers)(const Corners&, const Vec2f&), const StabilityRun& run) {
   run.check();
   constexpr int side = 655;
   Random random(run.seed);
@@ -64,84 +167,14 @@ double wrong_in_random_mesh(Covers covers, const StabilityRun& run) {
 }
 
 std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
-  struct Method {
-    std::string name;
-    Covers naive, robust;
-  };
-  const std::array methods{Method{"float, own order", covers_relative, covers_canonical},
-                           Method{"float, stepped", covers_stepped, covers_fixed<8>},
-                           Method{"float, A x + B y + C", covers_absolute, covers_fixed<8>},
-                           Method{"float, all >= 0", covers_inclusive, covers_canonical},
-                           Method{"float, all > 0", covers_exclusive, covers_canonical},
-                           Method{"float, u, v, 1 - u - v >= 0", covers_barycentric, covers_canonical},
-                           Method{"4 sub-pixel bits beside 8", covers_fixed<4>, covers_fixed<8>}};
   Rows rows(run);
-  struct Place {
-    float length, offset;
-    const char* name;
-  };
-  constexpr float far_out = 16000;
-  for (const Place& place : {Place{10, 0, ""}, {100, 0, ""}, {1000, 0, ""}, {10, far_out, " at 16,000 px"}}) {
-    std::map<Covers, Tally> tallies;  // the robust ones serve several series
-    const auto tally = [&](Covers covers) {
-      const auto found = tallies.find(covers);
-      return found != tallies.end() ? found->second
-                                    : tallies[covers] = aim_edges(place.length, place.offset, covers, run);
-    };
-    for (const Method& method : methods) {
-      const Tally naive = tally(method.naive), robust = tally(method.robust);
-      const std::string name = method.name + place.name;
-      rows.push_back({place.length, name + ", holes", naive.holes, robust.holes, "per million edges"});
-      rows.push_back({place.length, name + ", doubles", naive.doubles, robust.doubles, "per million edges"});
-    }
-  }
+  for (const int length : {10, 100, 1000}) aim_at_program(rows, length, run);
+  for (const Place& place :
+       {Place{10, 0, 500000, ""}, {100, 0, 100000, ""}, {1000, 0, 50000, ""}, {10, 16000, 1500000, " at 16,000 px"}})
+    aim_edges(rows, place, run);
   for (const Method& method : methods)
     rows.push_back({15, method.name + ", random mesh", wrong_in_random_mesh(method.naive, run),
                     wrong_in_random_mesh(method.robust, run), "holes and doubles, px of 429,025"});
-  return rows;
-}
-
-/// Triangles anywhere on a canvas, their edges stepped in float from the corner of the triangle's box, against the same
-/// in double: of the rows looked at, how many pixels change sides, for each pixel that the edge passes through.
-std::vector<StabilityRow> measure_drift(const StabilityRun& run) {
-  Rows rows(run);
-  constexpr int rows_looked_at = 512, beside = 64;  // px on either side of the edge
-  for (const int canvas : {1024, 4096, 16384}) {
-    Random random(run.seed);
-    double naive = 0, robust = 0, edge_pixels = 0;
-    const int triangles = run.count(200 * 4096 / canvas, 24);
-    for (int i = 0; i < triangles; ++i) {
-      run.check();
-      const auto any = [&] { return static_cast<float>(random.between(0, canvas)); };
-      Corners p;
-      for (Vec2f& corner : p) corner = {any(), any()};
-      const int x0 = static_cast<int>(std::min({p[0].x, p[1].x, p[2].x}));
-      const int y0 = static_cast<int>(std::min({p[0].y, p[1].y, p[2].y}));
-      const auto centre = [](int pixel) { return static_cast<float>(pixel) + 0.5f; };
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2f a = p[k], b = p[(k + 1) % 3], along = b - a;
-        const Vec2d from(a), exact(Vec2d(b) - from);
-        if (std::abs(along.y) < 1) continue;
-        const auto truth_at = [&](double x, double y) { return exact.x * (y - from.y) - exact.y * (x - from.x); };
-        float row_value = relative_value(a, b, {centre(x0), centre(y0)});
-        for (int y = y0; y < static_cast<int>(std::max(a.y, b.y)); ++y, row_value += along.x) {
-          if (y % (canvas / rows_looked_at) != 0 || static_cast<float>(y) < std::min(a.y, b.y)) continue;
-          edge_pixels += 1 + std::abs(exact.x / exact.y);
-          const double crossing = from.x + exact.x * (y + 0.5 - from.y) / exact.y;
-          float value = row_value;
-          const int last = std::min(canvas, static_cast<int>(crossing) + beside);
-          for (int x = x0; x < last; ++x, value -= along.y) {
-            if (x < crossing - beside) continue;
-            const bool truth = truth_at(x + 0.5, y + 0.5) > 0;
-            naive += (value > 0) != truth ? 1 : 0;
-            robust += (relative_value(a, b, {centre(x), centre(y)}) > 0) != truth ? 1 : 0;
-          }
-        }
-      }
-    }
-    rows.push_back({static_cast<double>(canvas), "triangles on the canvas", naive / edge_pixels, robust / edge_pixels,
-                    "wrong px per edge px"});
-  }
   return rows;
 }
 
@@ -152,24 +185,12 @@ const StabilityExperiment fill_rule_adversarial{
     .title = "Edges through a sample",
     .knob = "length of the edge (px)",
     .naive = "edge functions in float",
-    .robust = "corners in one order for both triangles, or 64-bit integers",
+    .robust = "vertices in one order for both triangles, or 64-bit integers (edge-arithmetic = fixed)",
     .explanation =
-        "Two triangles start the same edge at different ends, so a sample within rounding of it may lie "
-        "outside both or inside both. Random meshes hardly ever show it, whatever the method; edges have to be aimed.",
+        "Two triangles start their shared edge at different ends, so a sample within rounding of it may lie outside "
+        "both or inside both. Random meshes hardly ever show it, whatever the method: edges have to be aimed.",
     .safe = "Nowhere for edges that pass a sample within an ulp.",
     .window = nowhere_safe,
     .measure = measure_adversarial};
-
-const StabilityExperiment stepped_edge_drift{
-    .key = "stepped-edge-drift",
-    .title = "Stepped edges drift",
-    .knob = "side of the canvas (px)",
-    .naive = "float, one addition a sample",
-    .robust = "float, each sample afresh",
-    .explanation = "An edge value near zero is what is left of many additions to a large one, and each of them was "
-                   "rounded to the spacing of the large one. The error grows with the square of the canvas.",
-    .safe = "Canvases up to 1,000 pixels for one pixel in a thousand.",
-    .window = {nowhere, 1024},
-    .measure = measure_drift};
 
 }  // namespace ps::stability

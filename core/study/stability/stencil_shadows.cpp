@@ -143,7 +143,7 @@ const StabilityExperiment stencil_bits_wrap{
     .naive = "4 or 8 bits",
     .robust = "16 bits",
     .explanation = "A count of n bits returns to 0 after 2^n volumes, and 0 means lit. Every other number of volumes "
-                   "gives a count that is not 0, so only exactly 2^n of them fail.",
+                   "gives a count that is not 0, so only multiples of 2^n fail.",
     .safe = "Fewer than 2^bits overlapping volumes.",
     .window = {nowhere, 15},
     .measure = measure_wrap,
