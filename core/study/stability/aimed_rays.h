@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
 #include <functional>
+#include <span>
 
+#include "raytrace/triangle_watertight.h"
 #include "study/stability/closed_sphere.h"
 #include "study/stability/support.h"
 
@@ -10,7 +12,9 @@ namespace ps::stability {
 /// A ray from the middle of a closed sphere to a place on it.
 struct AimedRay {
   Vec3f origin, direction;
-  std::vector<std::uint32_t> candidates;  ///< all triangles that touch that place's corners
+  Shear<float> shear;  ///< of the direction, for the watertight test
+  std::span<const std::uint32_t>
+      candidates;  ///< triangles of the mesh: all that can be met there, as the Aim keeps them
 };
 
 enum class AimAt {
@@ -20,18 +24,24 @@ enum class AimAt {
 };
 
 /// Rays that random directions would never find: three in a million go so near to an edge. They start in a cube of side
-/// 2 `reach` in the middle.
+/// `side` around the centre.
 class Aim {
  public:
-  Aim(const ClosedSphere& mesh, std::uint32_t seed, double reach = 1);
+  Aim(const ClosedSphere& mesh, std::uint32_t seed, double side);
   AimedRay next(AimAt what);
 
  private:
-  AimedRay towards(const Vec3d& target, std::initializer_list<std::uint32_t> vertices);
+  AimedRay towards(const Vec3d& target, std::span<const std::uint32_t> candidates);
+  std::span<const std::uint32_t> neighbours(std::size_t triangle) const {
+    return std::span(neighbours_)
+        .subspan(first_neighbour_[triangle], first_neighbour_[triangle + 1] - first_neighbour_[triangle]);
+  }
   const ClosedSphere& mesh_;
-  std::vector<std::vector<std::uint32_t>> around_;
+  std::vector<std::vector<std::uint32_t>> around_;  ///< of each vertex: the triangles that have it
+  std::vector<std::uint32_t> neighbours_;           ///< of each triangle in turn: those that share a vertex with it
+  std::vector<std::size_t> first_neighbour_;        ///< of each triangle in `neighbours_`, and the end
   Random random_;
-  double reach_;
+  double half_side_;
 };
 
 using TriangleHits = std::function<bool(const AimedRay&, const TracedTriangle<float>&)>;
@@ -41,9 +51,8 @@ struct CrackRates {
 };
 
 /// How often none, and how often more than one, of the triangles around is met by each test; all of them get the same
-/// rays. The mesh is the one of 101,760 triangles with radius 2.
-std::vector<CrackRates> crack_rates(AimAt what, const std::vector<TriangleHits>& tests, const StabilityRun& run,
-                                    double reach = 1);
+/// rays. The mesh has 101,760 triangles and radius 2; rays start in a cube of side 2 around its centre.
+std::vector<CrackRates> crack_rates(AimAt what, const std::vector<TriangleHits>& tests, const StabilityRun& run);
 /// Adds the series "`series`, misses" and "`series`, double hits".
 void add_cracks(Rows& rows, double knob, const std::string& series, const CrackRates& naive, const CrackRates& robust);
 

@@ -152,8 +152,8 @@ const StabilityExperiment int32_edge_functions{
     .naive = "32-bit integers with 8 sub-pixel bits (edge-arithmetic = int32)",
     .robust = "64-bit integers (edge-arithmetic = fixed)",
     .explanation = "An edge value is twice the area of the triangle that edge and sample form, in units of 1/65,536 "
-                   "square pixels. From twice an area of 181 by 181 pixels on it needs more than 31 bits, and its sign "
-                   "changes.",
+                   "square pixels. From 32,768 square pixels (181 by 181) on it needs more than 31 bits, and in 32 "
+                   "bits its sign changes.",
     .safe = "Triangles with edges of up to 128 pixels, whose areas are at most half of 128 by 128.",
     .window = {nowhere, 90},
     .measure = measure_int32};
