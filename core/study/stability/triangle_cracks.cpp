@@ -125,48 +125,48 @@ std::vector<StabilityRow> measure_determinant(const StabilityRun& run) {
 const StabilityExperiment triangle_edge_cracks{
     .key = "triangle-edge-cracks",
     .title = "Cracks along triangle edges",
-    .knob = "bits of a number",
-    .naive = "Moeller-Trumbore",
-    .robust = "watertight (Woop)",
-    .explanation = "Each triangle computes a shared edge from numbers of its own, so two neighbours may both place a "
-                   "ray beyond it. The watertight test computes it from the same numbers on both sides.",
-    .safe = "Nowhere for rays that are aimed at edges; random rays see three cracks in a million.",
+    .knob = "precision (bits of a floating-point number)",
+    .naive = "Moeller-Trumbore (triangle-test = moeller-trumbore)",
+    .robust = "watertight (Woop; triangle-test = watertight)",
+    .explanation = "Each triangle computes its shared edge from its own vertex and differences, so two neighbours may "
+                   "both place a ray beyond it. The watertight test computes the same numbers on both sides.",
+    .safe = "Nowhere for rays that are aimed at edges; random rays meet three cracks in a million.",
     .window = nowhere_safe,
     .measure = measure_edge_cracks};
 
 const StabilityExperiment mt_tolerance{
     .key = "mt-tolerance",
     .title = "A tolerance instead of a watertight test",
-    .knob = "tolerance of the weights",
-    .naive = "Moeller-Trumbore, weights >= -tolerance",
+    .knob = "tolerance of the barycentric weights",
+    .naive = "Moeller-Trumbore that accepts weights >= -tolerance",
     .robust = "watertight (Woop)",
-    .explanation = "Every triangle grows a little, so cracks close. What falls on the seam is then hit twice, which "
-                   "counts in transparency and in tests of inside and outside.",
-    .safe = "Nowhere: 1e-4 leaves a dozen misses and hits everything else twice.",
+    .explanation = "Every triangle grows a little, so cracks close. Rays at an edge then hit both triangles, which is "
+                   "wrong for transparency and for counts that decide between inside and outside.",
+    .safe = "Nowhere: 1e-4 leaves ten misses in a million rays at edges and makes all others hit twice.",
     .window = nowhere_safe,
     .measure = measure_tolerance};
 
 const StabilityExperiment plucker_vertices{
     .key = "plucker-vertices",
     .title = "Pluecker coordinates at vertices",
-    .knob = "0 = at edges, 1 = at vertices, 2 = inside",
+    .knob = "where rays are aimed (0: edges, 1: vertices, 2: inside triangles)",
     .naive = "Pluecker coordinates",
     .robust = "watertight (Woop)",
     .explanation = "Along an edge both neighbours compute the same number with opposite signs. Around a vertex several "
-                   "edges meet whose roundings have nothing to do with each other.",
-    .safe = "Edges, not vertices.",
+                   "edges meet, which are rounded independently.",
+    .safe = "Rays at edges, but not at vertices.",
     .window = {0, 0},
     .measure = measure_pluecker};
 
 const StabilityExperiment absolute_det_epsilon{
     .key = "absolute-det-epsilon",
     .title = "An absolute epsilon for determinants",
-    .knob = "radius of the mesh",
-    .naive = "|det| <= epsilon is parallel",
-    .robust = "watertight (Woop), det != 0",
-    .explanation = "The determinant is about twice the triangle's area, so it falls with the square of the scale. In "
-                   "small units every triangle is smaller than the epsilon.",
-    .safe = "Triangles with areas far above the epsilon; what is lost then are the cracks at edges.",
+    .knob = "radius of the mesh (world units)",
+    .naive = "Moeller-Trumbore that rejects |det| <= epsilon as parallel (triangle-epsilon)",
+    .robust = "watertight (Woop), which rejects det = 0 alone",
+    .explanation = "For a ray of length 1 the determinant is at most twice the triangle's area, so it falls with the "
+                   "square of the scale. In small units every triangle is rejected.",
+    .safe = "Triangles with areas far above the epsilon; the losses that remain are cracks at edges.",
     .window = {1, everywhere},
     .measure = measure_determinant};
 
