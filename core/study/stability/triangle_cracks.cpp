@@ -48,14 +48,17 @@ std::vector<StabilityRow> measure_edge_cracks(const StabilityRun& run) {
   Rows rows(run);
   for (const AimAt what : {AimAt::edge, AimAt::vertex, AimAt::interior}) {
     const std::string where = name_of(what);
-    const std::vector<CrackRates> rates = crack_rates(what,
-                                                      {watertight_hits, moeller_trumbore_hits<float>(0, 0),
-                                                       moeller_trumbore_hits<double>(0, 0), cgpp_hits, float_only_hits},
-                                                      run);
+    std::vector<TriangleHits> tests{watertight_hits, moeller_trumbore_hits<float>(0, 0),
+                                    moeller_trumbore_hits<double>(0, 0), cgpp_hits, float_only_hits};
+    if (what == AimAt::edge) tests.insert(tests.end(), {plane_barycentric_hits, plane_cross_products_hits});
+    const std::vector<CrackRates> rates = crack_rates(what, tests, run);
     add_cracks(rows, 32, where, rates[1], rates[0]);
     add_cracks(rows, 64, where, rates[2], rates[0]);
     add_cracks(rows, 32, "CGPP's epsilons, " + where, rates[3], rates[0]);
     add_cracks(rows, 32, "Woop in float alone, " + where, rates[4], rates[0]);
+    if (what != AimAt::edge) continue;
+    add_cracks(rows, 32, "triangle-test = barycentric, " + where, rates[5], rates[0]);
+    add_cracks(rows, 32, "triangle-test = cross-products, " + where, rates[6], rates[0]);
   }
   add_far_sphere(rows, run);
   return rows;

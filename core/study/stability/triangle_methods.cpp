@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raytrace/triangle_plane.h"
 #include "raytrace/triangle_watertight.h"
 
 namespace ps::stability {
@@ -27,6 +28,16 @@ TriangleHits pluecker_hits(float ulps) {
     const float zero = ulps * std::numeric_limits<float>::epsilon() * std::abs(u + v + w);
     return std::min({u, v, w}) >= -zero || std::max({u, v, w}) <= zero;
   };
+}
+
+bool plane_barycentric_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const auto result = triangle_barycentric<float>(ray.origin, ray.direction, triangle, 0);
+  return result.verdict == TriangleVerdict::inside && result.t > 0;
+}
+
+bool plane_cross_products_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {
+  const auto result = triangle_cross_products<float>(ray.origin, ray.direction, triangle, 0);
+  return result.verdict == TriangleVerdict::inside && result.t > 0;
 }
 
 bool float_only_hits(const AimedRay& ray, const TracedTriangle<float>& triangle) {

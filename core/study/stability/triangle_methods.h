@@ -20,6 +20,10 @@ bool cgpp_hits(const AimedRay& ray, const TracedTriangle<float>& triangle);
 /// size of the sum of the three.
 TriangleHits pluecker_hits(float ulps);
 
+/// The program's tests that meet the triangle's plane first.
+bool plane_barycentric_hits(const AimedRay& ray, const TracedTriangle<float>& triangle);
+bool plane_cross_products_hits(const AimedRay& ray, const TracedTriangle<float>& triangle);
+
 /// The watertight test without the fallback to double where an edge function is 0, as the program is compiled.
 bool float_only_hits(const AimedRay& ray, const TracedTriangle<float>& triangle);
 /// The same with each edge function a b - c d fused to one rounding and a product rounded before, but not the shear.
