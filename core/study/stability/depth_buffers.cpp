@@ -26,8 +26,8 @@ DepthCode reversed_float(double near = 0.1) {
   return code(DepthFormat::unit_float, 24, true, DepthValue::inverse_z, near);
 }
 
-/// What each way of writing the depth of a corner at z holds. Corners reach a depth buffer as floats, so the float
-/// formats are given z as a float; the integers are given z as it is, to show what they alone lose.
+/// What each way of storing the depth of a vertex at z holds. Vertices reach a depth buffer as floats, so the float
+/// formats get z as a float; the integers get z unrounded, to show what they alone lose.
 struct Written {
   std::function<double(double z)> depth;
   bool larger_is_nearer = false;
@@ -46,7 +46,8 @@ Written written(const DepthCode& how) {
           how.larger_is_nearer()};
 }
 
-/// (A z + B) / z with every step in float, as a vertex shader's matrix and the division after it compute it: from 0 to
+/// (A z + B) / z with every step in float, as a vertex shader's matrix and the division after it compute it (Pixelscope
+/// encodes in double and has no such format): from 0 to
 /// 1 with `low` = 0, as in OpenGL from -1 to 1 with `low` = -1, which is then moved to 0..1 and rounded to 24 bits.
 /// Product and quotient are rounded on their own, so far out a gap needs two steps of the format where one would do.
 Written by_float_matrix(float low) {
@@ -60,18 +61,18 @@ Written by_float_matrix(float low) {
   }};
 }
 
-/// The logarithm's share of the range, in 24 bits.
+/// The logarithm's share of the range, in 24 bits; not a format of Pixelscope.
 Written logarithm() {
   return {[](double z) { return std::floor(std::log2(z / 0.1) / std::log2(10000 / 0.1) * 0xffffff + 0.5); }};
 }
 
-/// Percentage of pairs with this gap, from z to a hundredth beyond, whose nearer one does not win.
+/// Percentage of pairs with this gap whose nearer surface, within 5 % of z, does not win.
 double confused(const Written& how, double z, double gap, const StabilityRun& run) {
   Random random(run.seed);
   const int pairs = run.count(20000, 4000);
   double wrong = 0;
   for (int i = 0; i < pairs; ++i) {
-    const double front = z * random.between(1, 1.01);
+    const double front = z * random.between(0.95, 1.05);
     wrong += how.nearer(front, front + gap) ? 0 : 1;
   }
   return percent(wrong, pairs);
@@ -135,26 +136,35 @@ std::vector<StabilityRow> measure_formats(const StabilityRun& run) {
       rows.push_back({depths[i], fmt::format("{}, resolved", format.name), smallest_gap(format.depth, depths[i], run),
                       robust[i], "smallest gap that 99 % of pairs show"});
     rows.push_back({1e-5, fmt::format("{}, any z, gap as a share of z", format.name),
-                    same_neighbours(format.depth, run), same_neighbours(reversed, run), "% of pairs not told apart"});
+                    same_neighbours(format.depth, run), same_neighbours(reversed, run),
+                    "% of pairs that look the same"});
   }
   return rows;
 }
 
 std::vector<StabilityRow> measure_near(const StabilityRun& run) {
   Rows rows(run);
-  for (const double near : {1.0, 0.1, 0.01, 0.001})
-    rows.push_back({near, "z = 1000",
-                    smallest_gap(written(code(DepthFormat::unorm, 24, false, DepthValue::inverse_z, near)), 1000, run),
-                    smallest_gap(written(reversed_float(near)), 1000, run), "smallest gap that 99 % of pairs show"});
+  constexpr double z = 1000;
+  for (const double near : {1.0, 0.1, 0.01, 0.001}) {
+    const Written naive = written(code(DepthFormat::unorm, 24, false, DepthValue::inverse_z, near));
+    rows.push_back({near, "z = 1000", smallest_gap(naive, z, run), smallest_gap(written(reversed_float(near)), z, run),
+                    "smallest gap that 99 % of pairs show"});
+    rows.push_back(
+        {near, "closed form: z^2 / (near 2^24), z = 1000", z * z / (near * 0x1p24), std::nan(""), "width of a code"});
+  }
   return rows;
 }
 
 std::vector<StabilityRow> measure_linear(const StabilityRun& run) {
   Rows rows(run);
-  for (const double z : {10.0, 100.0, 1000.0, 9000.0})
-    rows.push_back({z, "gap 0.01", confused(written(code(DepthFormat::unorm, 16, false, DepthValue::z)), z, 0.01, run),
-                    confused(written(code(DepthFormat::unorm, 24, false, DepthValue::z)), z, 0.01, run),
-                    "% of pixels wrong"});
+  constexpr double gap = 0.01, step = (10000 - 0.1) / 0xffff;
+  const Written naive = written(code(DepthFormat::unorm, 16, false, DepthValue::z));
+  const Written robust = written(code(DepthFormat::unorm, 24, false, DepthValue::z));
+  for (const double z : {10.0, 100.0, 1000.0, 9000.0}) {
+    rows.push_back({z, "gap 0.01", confused(naive, z, gap, run), confused(robust, z, gap, run), "% of pixels wrong"});
+    rows.push_back(
+        {z, "closed form: 1 - gap / step, gap 0.01", 100 * (1 - gap / step), std::nan(""), "% of pixels wrong"});
+  }
   return rows;
 }
 
@@ -184,8 +194,11 @@ StabilityPicture picture_near(double near) {
 }
 StabilityPicture picture_linear(double) {
   StabilityPicture picture = sheets();
+  picture.robust.depth_format = DepthFormat::unorm;
+  picture.robust.depth_reversed = false;
+  picture.robust.depth_value = DepthValue::z;
+  picture.naive = picture.robust;
   picture.naive.depth_bits = 16;
-  picture.naive.depth_value = DepthValue::z;
   return picture;
 }
 
@@ -198,11 +211,11 @@ constexpr std::array places{1000.0};
 const StabilityExperiment depth_bits_z_fighting{
     .key = "depth-bits-z-fighting",
     .title = "Z-fighting",
-    .knob = "gap between two surfaces, or their depth",
-    .naive = "depth as 0 at the near plane to 1 at the far one",
-    .robust = "reversed float",
-    .explanation = "1/z spends most of its values right behind the near plane, and floats spend most of theirs near 0: "
-                   "turned round, the two even out. Reversing an integer buffer gains nothing.",
+    .knob = "gap between two surfaces, or their depth (world units)",
+    .naive = "depth from 0 at the near plane to 1 at the far plane",
+    .robust = "float from 1 at the near plane to 0 at the far plane (reversed)",
+    .explanation = "1/z has most of its values close behind the near plane, and floats have most of theirs near 0. "
+                   "Reversed, the two compensate. Reversing an integer buffer gains nothing.",
     .safe = "Gaps above z^2 / (near 2^bits).",
     .window = nowhere_safe,
     .measure = measure_formats,
@@ -212,13 +225,12 @@ const StabilityExperiment depth_bits_z_fighting{
 const StabilityExperiment near_plane{
     .key = "near-plane",
     .title = "A near plane too near",
-    .knob = "near plane",
-    .naive = "24 bits",
+    .knob = "distance of the near plane (world units)",
+    .naive = "depth in 24 bits",
     .robust = "reversed float",
     .explanation =
-        "What 24 bits resolve at a depth grows with 1 / near. Moving the near plane ten times nearer costs a "
-        "digit everywhere. At 0.001 only 15 codes are left beyond z = 1000, 63 units each, so it counts where z falls "
-        "between two of them: the next one begins at 1037.",
+        "At depth z a code of 24 bits is z^2 / (near 2^24) wide. A near plane ten times nearer makes it ten times "
+        "wider everywhere.",
     .safe = "The farthest near plane that cuts nothing off.",
     .window = {1, everywhere},
     .measure = measure_near,
@@ -228,12 +240,12 @@ const StabilityExperiment near_plane{
 const StabilityExperiment sixteen_bit_linear_z{
     .key = "16-bit-linear-z",
     .title = "16 bits of z itself",
-    .knob = "depth",
+    .knob = "depth (world units)",
     .naive = "16 bits of z",
     .robust = "24 bits of z",
-    .explanation = "Even steps of z from 0.1 to 10,000 are 0.15 wide in 16 bits, near and far alike. 24 bits make them "
-                   "0.0006, but z is not linear on the screen, so it cannot be stepped from pixel to pixel.",
-    .safe = "Gaps above a 65,536th of the range.",
+    .explanation = "Equal steps of z from 0.1 to 10,000 are 0.15 wide in 16 bits, near and far alike. In 24 bits they "
+                   "are 0.0006, but z is not linear on the screen, so it cannot be interpolated there.",
+    .safe = "Gaps above 1/65,536 of the range.",
     .window = nowhere_safe,
     .measure = measure_linear,
     .picture = picture_linear,

@@ -1,86 +1,163 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
-#include "raster/interpolate.h"
+#include <fmt/format.h>
+
+#include "raster/depth_test.h"
+#include "raster/geometry.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {
-
 namespace {
 
-using raster::InterpolatedValues;
+constexpr int canvas = 600, middle = canvas / 2;  ///< px, the book's
 
-/// An edge from depth 1 to depth r, looked at along its whole length on the screen: z mixed as it is against 1/z mixed.
-void largest_errors(Rows& rows, const StabilityRun& run) {
-  constexpr int places = 100000;
-  for (const double ratio : {1.1, 2.0, 5.0, 10.0, 100.0, 1000.0}) {
-    run.check();
-    double naive = 0, robust = 0;
-    for (int i = 0; i <= places; ++i) {
-      const double s = static_cast<double>(i) / places;  // share of the way on the screen
-      // The point of the edge seen there: depth d with (d - 1) / (ratio - 1) * ratio / d = s.
-      const double truth = ratio / (ratio - s * (ratio - 1));
-      const double z = 1 + s * (ratio - 1);
-      const double from_inverse = 1 / (1 + s * (1 / ratio - 1));
-      naive = std::max(naive, std::abs(z - truth) / (ratio - 1));
-      robust = std::max(robust, std::abs(from_inverse - truth) / (ratio - 1));
-    }
-    rows.push_back({ratio, "largest on the edge", naive, robust, "share of the depth range"});
-  }
-}
+/// A wall that stands on edge: as seen from above a line from a to b, x and z. It is a triangle with two vertices at a,
+/// above and below the line of sight, and one at b.
+struct Wall {
+  double a_x, a_z, b_x, b_z;
 
-/// The edge from A(-1, 0, 2) to B(1, 0, 10) of the book's chapter on hidden surfaces (CGFS ch. 12), which a canvas of
-/// 600 px before a camera with d = 1 shows from x = -300 to x = 60.
-struct BookEdge {
-  static constexpr double near = 2, far = 10;
-  static constexpr int first = -300, last = 60;
-  static double mixed(int x) { return InterpolatedValues<double>(first, near, last, far).at(x - first); }
-  static double from_inverse(int x) {
-    return 1 / InterpolatedValues<double>(first, 1 / near, last, 1 / far).at(x - first);
+  double ratio() const { return b_z / a_z; }
+  int first_column() const { return middle + static_cast<int>(std::lround(canvas * a_x / a_z)); }
+  int last_column() const { return middle + static_cast<int>(std::lround(canvas * b_x / b_z)); }
+  /// Where the ray through a column meets the wall.
+  double truth(int column) const {
+    const double slope = (column - middle) / double{canvas};  // x / z
+    const double along = (slope * a_z - a_x) / ((b_x - a_x) - slope * (b_z - a_z));
+    return a_z + along * (b_z - a_z);
   }
-  /// Where the ray through (x / 600, 1) meets the line x = (z - 6) / 4.
-  static double truth(int x) { return 6 / (1 - 4 * x / 600.0); }
 };
 
-/// Its depth in the middle of the canvas, and how often it wins or loses wrongly against something of one depth, for
-/// all depths between its ends.
-void book_edge(Rows& rows) {
-  constexpr int objects = 1000;
-  constexpr double ratio = BookEdge::far / BookEdge::near;
-  rows.push_back(
-      {ratio, "the book's edge", BookEdge::mixed(0), BookEdge::from_inverse(0), "z in the middle of the canvas"});
-  double naive = 0, robust = 0, all = 0;
-  for (int x = BookEdge::first; x <= BookEdge::last; ++x) {
-    const double truth = BookEdge::truth(x), mixed = BookEdge::mixed(x), from_inverse = BookEdge::from_inverse(x);
-    for (int i = 0; i < objects; ++i) {
-      const double z = BookEdge::near + (BookEdge::far - BookEdge::near) * (i + 0.5) / objects;
-      naive += (mixed < z) != (truth < z) ? 1 : 0;
-      robust += (from_inverse < z) != (truth < z) ? 1 : 0;
-      ++all;
-    }
-  }
-  rows.push_back({ratio, "the book's edge before objects of one depth", percent(naive, all), percent(robust, all),
-                  "% of pixels that show the wrong one"});
+/// A wall across the picture from z = 1 at its left border to z = `ratio` at its right one.
+Wall across_picture(double ratio) { return {-0.5, 1, 0.5 * ratio, ratio}; }
+
+/// From A(-1, 0, 2) to B(1, 0, 10), the edge in the book's chapter on hidden surfaces (CGFS ch. 12).
+constexpr Wall book_wall{-1, 2, 1, 10};
+
+Scene scene_of(const Wall& wall) {
+  const double half_height = 0.4 * wall.a_z;
+  Mesh mesh;
+  mesh.positions = {{wall.a_x, -half_height, wall.a_z}, {wall.a_x, half_height, wall.a_z}, {wall.b_x, 0, wall.b_z}};
+  mesh.triangles.emplace_back().position = {0, 1, 2};
+  mesh.materials = {0};
+  Geometry geometry;
+  geometry.meshes = {std::make_shared<Mesh>(std::move(mesh))};
+  geometry.objects.push_back({"wall", Instance{}});
+  Scene scene;
+  scene.geometry = Part<Geometry>(std::move(geometry));
+  scene.materials = Part<std::vector<Material>>({Material{}});
+  return scene;
 }
 
-std::vector<StabilityRow> measure_inverse_depth(const StabilityRun& run) {
+/// The depths that the program compares along the middle row of the picture, as z; sampled at whole pixels, as the book
+/// does.
+std::vector<double> depths(const Wall& wall, DepthValue value, const StabilityRun& run) {
+  run.check();
+  Settings settings;
+  settings.renderer = Renderer::rasterizer;
+  settings.sample_position = SamplePosition::corner;
+  settings.lighting = false;
+  settings.backface_culling = false;
+  settings.depth_value = value;
+  const Scene scene = scene_of(wall);
+  Prepared prepared;
+  Progress progress;
+  const auto pass = raster::make_pass<float>(scene, {scene.camera, canvas, canvas}, settings, Channel::none, prepared);
+  const auto geometry = raster::make_geometry(pass, {}, ParallelOptions{1}, progress);
+  const raster::ScreenTriangle<float>& triangle = geometry.batches.at(0).triangles.at(0);
+  raster::TriangleSetup<float> setup;
+  setup.triangle = &triangle;
+  setup.edges = *raster::make_edges(triangle.corners, pass.grid);
+  setup.inverse_area = 1.0f / static_cast<float>(setup.edges.area);
+  std::vector<double> row;
+  for (int column = wall.first_column(); column <= wall.last_column(); ++column) {
+    const auto fragment = raster::make_fragment(pass, setup, column, middle, setup.edges.at(column, middle));
+    const double stored = static_cast<double>(raster::depth_value(pass, setup, fragment));
+    row.push_back(value == DepthValue::inverse_z ? 1 / stored : stored);
+  }
+  return row;
+}
+
+double largest_error(const Wall& wall, DepthValue value, const StabilityRun& run) {
+  double largest = 0;
+  int column = wall.first_column();
+  for (const double z : depths(wall, value, run))
+    largest = std::max(largest, std::abs(z - wall.truth(column++)) / (wall.b_z - wall.a_z));
+  return largest;
+}
+
+/// How often the book's wall wins or loses wrongly against something of one depth, for all depths between its ends.
+double wrongly_ordered(const std::vector<double>& row) {
+  constexpr int objects = 1000;
+  double wrong = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const double truth = book_wall.truth(book_wall.first_column() + static_cast<int>(i));
+    for (int k = 0; k < objects; ++k) {
+      const double z = book_wall.a_z + (book_wall.b_z - book_wall.a_z) * (k + 0.5) / objects;
+      wrong += (row[i] < z) != (truth < z) ? 1 : 0;
+    }
+  }
+  return percent(wrong, objects * static_cast<double>(row.size()));
+}
+
+std::vector<StabilityRow> measure(const StabilityRun& run) {
   Rows rows(run);
-  largest_errors(rows, run);
-  book_edge(rows);
+  for (const double ratio : {1.1, 2.0, 5.0, 10.0, 100.0, 1000.0}) {
+    const Wall wall = across_picture(ratio);
+    const char* unit = "share of the depth range";
+    rows.push_back({ratio, "largest on the edge", largest_error(wall, DepthValue::z, run),
+                    largest_error(wall, DepthValue::inverse_z, run), unit});
+    rows.push_back({ratio, "closed form: (sqrt r - 1) / (sqrt r + 1)", (std::sqrt(ratio) - 1) / (std::sqrt(ratio) + 1),
+                    std::nan(""), unit});
+  }
+  const std::vector<double> naive = depths(book_wall, DepthValue::z, run);
+  const std::vector<double> robust = depths(book_wall, DepthValue::inverse_z, run);
+  const auto centre = static_cast<std::size_t>(middle - book_wall.first_column());
+  rows.push_back(
+      {book_wall.ratio(), "the book's edge", naive[centre], robust[centre], "z in the middle of the canvas"});
+  rows.push_back({book_wall.ratio(), "the book's edge before objects of one depth", wrongly_ordered(naive),
+                  wrongly_ordered(robust), "% of pixels that show the wrong one"});
   return rows;
 }
+
+/// The wall from z = 2 to z = 2 `ratio`, and a board halfway between those depths.
+StabilityPicture picture(double ratio) {
+  const Wall wall = across_picture(ratio);
+  const double z = 1 + ratio;
+  StabilityPicture picture;
+  picture.scene = fmt::format(
+      "viewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = white\n"
+      "model {{\n  name = wall\n  vertices {{ ({0}, -0.8, 2) ({0}, 0.8, 2) ({1}, 0, {2}) }}\n"
+      "  triangles {{ (0, 1, 2, (200, 90, 60)) }}\n}}\n"
+      "model {{\n  name = board\n  vertices {{ (-{3}, -{4}, {5}) ({3}, -{4}, {5}) (-{3}, {4}, {5}) ({3}, {4}, {5}) }}\n"
+      "  triangles {{ (0, 1, 2, (70, 120, 190)) (2, 1, 3, (70, 120, 190)) }}\n}}\n"
+      "instance {{ model = wall }}\ninstance {{ model = board }}\n",
+      2 * wall.a_x, 2 * wall.b_x, 2 * wall.b_z, 0.4 * z, 0.1 * z, z);
+  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.lighting = false;
+  picture.robust.backface_culling = false;
+  picture.naive = picture.robust;
+  picture.naive.depth_value = DepthValue::z;
+  return picture;
+}
+
+constexpr std::array frames{1.1, 2.0, 5.0, 100.0};
 
 }  // namespace
 
 const StabilityExperiment inverse_depth{
     .key = "z-vs-1-z",
     .title = "z against 1/z",
-    .knob = "ratio of the depths of the ends",
-    .naive = "mix z",
-    .robust = "mix 1/z",
-    .explanation = "Equal steps on the screen are not equal steps in depth. 1/z is linear on the screen, z is not.",
-    .safe = "Ratios up to 1.1 for an error of 2.5 %.",
+    .knob = "ratio of the depths of an edge's ends",
+    .naive = "interpolate z on the screen (depth-value = z)",
+    .robust = "interpolate 1/z (depth-value = inverse-z)",
+    .explanation = "Equal steps on the screen are not equal steps in depth: 1/z is linear on the screen, z is not.",
+    .safe = "Ratios up to 1.1 for an error of 2.5 % of the depth range.",
     .window = {nowhere, 1.1},
-    .measure = measure_inverse_depth};
+    .measure = measure,
+    .picture = picture,
+    .frames = frames};
 
 }  // namespace ps::stability
