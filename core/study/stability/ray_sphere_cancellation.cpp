@@ -17,9 +17,9 @@ namespace ps::stability {
 
 namespace {
 
-/// What one float method gets wrong about one place on the unit sphere.
+/// What one method gets wrong about the unit sphere.
 struct Errors {
-  int wrong = 0;           ///< hits and misses that are none
+  int wrong = 0;           ///< rays that hit where they should miss, or miss where they should hit
   double off_squared = 0;  ///< of distances from the surface, summed
   double turned = 0;       ///< largest angle between the normal there and the true one, degrees
   int hits = 0;
@@ -58,8 +58,8 @@ SphereRoots<float> sphere_remainder(const Vec3f& origin, const Vec3f& direction,
 
 /// Parallel rays along a generic axis at a unit sphere, spread evenly over a square of side 2.4; the truth is the same
 /// ray in double with the robust test. The products of the remainder form are rounded to some 2e-8 of the distance, so
-/// a ray that passes the outline within that may turn either way: at 1000 radii that is one of 200,000 rays on average,
-/// by chance none, and no test in float can do without.
+/// a ray that passes the outline within that may be judged either way: at 1000 radii that is one of 200,000 rays, and
+/// no test in float avoids it.
 Errors draw_errors(Method method, double distance, std::uint32_t seed, const StabilityRun& run) {
   run.check();
   const Vec3d along = glm::normalize(Vec3d(0.3, -0.5, 0.81));
@@ -116,23 +116,28 @@ Errors draw_errors(Method method, double distance, std::uint32_t seed, const Sta
   return errors;
 }
 
-/// The first draw, but for the normal: the largest angle of a draw is that of the one ray that came closest to the
-/// outline and scatters by as much as 2 between draws, so it is the median of several.
+/// All draws together, but for the normal: the largest angle of a draw is that of the one ray that came closest to the
+/// outline and scatters by as much as 2 between draws, so it is the median of the draws.
 Errors errors_of(Method method, double distance, int draws, const StabilityRun& run) {
-  Errors first = draw_errors(method, distance, run.seed, run);
-  std::vector<double> turned{first.turned};
-  for (int i = 1; i < draws; ++i)
-    turned.push_back(draw_errors(method, distance, run.seed + static_cast<std::uint32_t>(i), run).turned);
+  Errors all;
+  std::vector<double> turned;
+  for (int i = 0; i < draws; ++i) {
+    const Errors draw = draw_errors(method, distance, run.seed + static_cast<std::uint32_t>(i), run);
+    all.wrong += draw.wrong;
+    all.off_squared += draw.off_squared;
+    all.hits += draw.hits;
+    turned.push_back(draw.turned);
+  }
   const auto middle = turned.begin() + static_cast<std::ptrdiff_t>(turned.size() / 2);
   std::nth_element(turned.begin(), middle, turned.end());
-  first.turned = *middle;
-  return first;
+  all.turned = *middle;
+  return all;
 }
 
-/// Adds both methods to the rows; `about` is added to the names of the series, and the normals are medians of `draws`.
+/// Adds both methods to the rows; `about` is added to the names of the series.
 void compare(Rows& rows, Method naive, std::optional<Method> robust, const std::string& about, int draws,
              const StabilityRun& run) {
-  const double rays = run.count(200000);
+  const double rays = static_cast<double>(draws) * run.count(200000);
   for (const double distance : {3.0, 100.0, 1000.0, 2000.0, 4100.0, 1e5, 1e6}) {
     const Errors a = errors_of(naive, distance, draws, run);
     double wrong = std::nan(""), off = std::nan(""), turned = std::nan("");
@@ -150,7 +155,7 @@ void compare(Rows& rows, Method naive, std::optional<Method> robust, const std::
 
 std::vector<StabilityRow> measure_ray_sphere_cancellation(const StabilityRun& run) {
   Rows rows(run);
-  compare(rows, Method::textbook, Method::remainder, "", run.count(9), run);
+  compare(rows, Method::textbook, Method::remainder, "", run.count(9, 1), run);
   compare(rows, Method::textbook_double, {}, ", textbook in double", 1, run);
   return rows;
 }
@@ -161,7 +166,7 @@ std::vector<StabilityRow> measure_stable_q_alone(const StabilityRun& run) {
   return rows;
 }
 
-/// The ball fills the picture's middle at every distance: the lens is as long as it is far.
+/// The ball is equally large in the picture at every distance: the projection plane is as far away as it is.
 StabilityPicture picture_ray_sphere(double distance) {
   StabilityPicture picture;
   picture.scene = fmt::format("viewport_size = 1 x 1\nprojection_plane_d = {}\nbackground = black\n"
@@ -184,10 +189,11 @@ const StabilityExperiment ray_sphere_cancellation{
     .key = "ray-sphere-cancellation",
     .title = "Ray and sphere: cancellation",
     .knob = "distance / radius",
-    .naive = "b^2 - 4ac",
-    .robust = "remainder vector",
-    .explanation = "The relative error of c grows with the square of distance over radius and reaches 1 at 4096 in "
-                   "float. The remainder vector compares lengths of the size of the radius and loses nothing.",
+    .naive = "discriminant b^2 - 4ac (sphere-test = quadratic)",
+    .robust = "discriminant from the remainder vector",
+    .explanation = "With D = distance / radius, the relative error of c grows with D^2 and reaches 1 at D = 4096 in "
+                   "float. The remainder vector compares lengths of the size of the radius, so only the rounding of "
+                   "its own products is left, which grows with D.",
     .safe = "Up to 100 radii.",
     .window = {nowhere, 100},
     .measure = measure_ray_sphere_cancellation,
@@ -198,11 +204,11 @@ const StabilityExperiment stable_q_alone{
     .key = "stable-q-alone",
     .title = "Stable roots alone",
     .knob = "distance / radius",
-    .naive = "b^2 - 4ac with stable roots",
-    .robust = "remainder vector with stable roots",
-    .explanation = "Roots from q = b + sign(b) sqrt(disc) lose nothing more, but whether there are roots at all was "
-                   "decided by the discriminant. That one has lost its digits before.",
-    .safe = "Up to 100 radii, as without.",
+    .naive = "discriminant b^2 - 4ac, roots without cancellation",
+    .robust = "remainder vector, roots without cancellation (sphere-test = robust)",
+    .explanation = "Roots from q = b + sign(b) sqrt(discriminant) do not cancel. Whether there are roots at all is "
+                   "decided by the discriminant, which has lost its digits before.",
+    .safe = "Up to 100 radii, as with the textbook's roots.",
     .window = {nowhere, 100},
     .measure = measure_stable_q_alone};
 
