@@ -56,18 +56,18 @@ TracedSphere<Real> ground_of(double radius) {
   return {Vec3<Real>(Vec3d(0, -1 - radius, 0)), static_cast<Real>(radius)};
 }
 
-template <class Real, class Told>
+template <class Real, class Error>
 OffSurface off_surface(double radius, SphereForm form) {
   const TracedSphere<Real> ground = ground_of<Real>(radius);
   long double squares = 0, largest = 0;
   int points = 0;
   for_each_point(ground, form, [&](const Vec3<Real>& point) {
-    Told distance_squared = 0;
+    Error distance_squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const Told difference = static_cast<Told>(point[axis]) - static_cast<Told>(ground.centre[axis]);
+      const Error difference = static_cast<Error>(point[axis]) - static_cast<Error>(ground.centre[axis]);
       distance_squared += difference * difference;
     }
-    const long double off = std::sqrt(distance_squared) - static_cast<Told>(ground.radius);
+    const long double off = std::sqrt(distance_squared) - static_cast<Error>(ground.radius);
     squares += off * off;
     largest = std::max(largest, std::abs(off));
     ++points;
@@ -78,13 +78,14 @@ OffSurface off_surface(double radius, SphereForm form) {
 
 }  // namespace
 
-OffSurface hit_off_surface(double radius, SphereForm form, Precision numbers, ToldIn told_in, const StabilityRun& run) {
+OffSurface hit_off_surface(double radius, SphereForm form, Precision numbers, ErrorIn error_in,
+                           const StabilityRun& run) {
   run.check();
   if (numbers == Precision::float32)
-    return told_in == ToldIn::same ? off_surface<float, float>(radius, form)
-                                   : off_surface<float, long double>(radius, form);
-  return told_in == ToldIn::same ? off_surface<double, double>(radius, form)
-                                 : off_surface<double, long double>(radius, form);
+    return error_in == ErrorIn::same ? off_surface<float, float>(radius, form)
+                                     : off_surface<float, long double>(radius, form);
+  return error_in == ErrorIn::same ? off_surface<double, double>(radius, form)
+                                   : off_surface<double, long double>(radius, form);
 }
 
 double false_shadow_by_remainder(float epsilon, const StabilityRun& run) {

@@ -60,9 +60,9 @@ const StabilityExperiment lookat_up_forward{
     .title = "Looking straight up",
     .knob = "angle between up and forward (radians)",
     .naive = "cross(up, forward)",
-    .robust = "another up below 0.001",
-    .explanation = "The product of nearly parallel vectors is what is left of their roundings, and at 0 there is none. "
-                   "A camera that passes the pole spins.",
+    .robust = "another up vector below 0.001 radians",
+    .explanation = "The cross product of nearly parallel vectors is what is left of their rounding errors, and at 0 it "
+                   "has no direction. A camera that passes the pole turns at random.",
     .safe = "From 0.001 radians on.",
     .window = {1e-3, everywhere},
     .measure = measure};
