@@ -153,7 +153,7 @@ const StabilityExperiment inverse_depth{
     .knob = "ratio of the depths of an edge's ends",
     .naive = "interpolate z on the screen (depth-value = z)",
     .robust = "interpolate 1/z (depth-value = inverse-z)",
-    .explanation = "Equal steps on the screen are not equal steps in depth: 1/z is linear on the screen, z is not.",
+    .explanation = "Equal steps on the screen are not equal steps in depth. 1/z is linear on the screen, z is not.",
     .safe = "Ratios up to 1.1 for an error of 2.5 % of the depth range.",
     .window = {nowhere, 1.1},
     .measure = measure,

@@ -16,7 +16,7 @@ double chord_error(double radius, double segments) { return radius * (1 - std::c
 
 /// The option `tessellation` with which the program makes an outline of that many segments: it leaves one half of the
 /// error to the outline and the other to the rings across it.
-double error_for(double radius, int segments) {
+double error_for(double radius, double segments) {
   constexpr double rounding = 1 + 1e-9;  // or one segment more is made
   return 2 * chord_error(radius, segments) * rounding;
 }
@@ -96,7 +96,7 @@ StabilityPicture picture(double segments) {
   picture.robust.renderer = Renderer::rasterizer;
   picture.robust.projection = Projection::orthographic;
   picture.naive = picture.robust;
-  picture.naive.tessellation = error_for(64, static_cast<int>(segments));
+  picture.naive.tessellation = error_for(64, segments);
   return picture;
 }
 
