@@ -116,7 +116,7 @@ void aim_at_program(Rows& rows, int length, const StabilityRun& run) {
   const int unit = static_cast<int>(raster::fixed_unit(grid.subpixel_bits));
   Random random(run.seed);
   std::array<Tally, choices.size()> tallies;
-  const int edges = run.count(50000, 10000);
+  const int edges = run.count(40000, 10000);
   for (int trial = 0; trial < edges; ++trial) {
     if (trial % 16384 == 0) run.check();
     const int column = static_cast<int>(random.below(canvas)), row = static_cast<int>(random.below(canvas));
@@ -170,7 +170,7 @@ std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
   Rows rows(run);
   for (const int length : {10, 100, 1000}) aim_at_program(rows, length, run);
   for (const Place& place :
-       {Place{10, 0, 500000, ""}, {100, 0, 100000, ""}, {1000, 0, 50000, ""}, {10, 16000, 1500000, " at 16,000 px"}})
+       {Place{10, 0, 400000, ""}, {100, 0, 100000, ""}, {1000, 0, 50000, ""}, {10, 16000, 1200000, " at 16,000 px"}})
     aim_edges(rows, place, run);
   for (const Method& method : methods)
     rows.push_back({15, method.name + ", random mesh", wrong_in_random_mesh(method.naive, run),
