@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "options/option.h"
+#include "study/reference.h"
 
 namespace ps::cli {
 namespace {
@@ -46,7 +47,8 @@ Json option_json(const Option& option) {
             {"kind", kind_key(option.kind)},
             {"default", option_text(option, Settings{})},
             {"effect", effect_key(option.effect)},
-            {"help", {{"what", option.help.what}, {"source", option.help.source}, {"fails", option.help.fails}}}};
+            {"help", {{"what", option.help.what}, {"source", option.help.source}, {"fails", option.help.fails}}},
+            {"truth", truth_text(option)}};
   for (const Choice& choice : option.choices)
     json["choices"].push_back({{"key", choice.key}, {"label", choice.label}, {"help", choice.help}});
   if (has_range(option)) {
