@@ -21,7 +21,9 @@ static std::vector<StabilityRow> measure_acos_of_unit_dot(const StabilityRun& ru
     naive += std::isnan(std::acos(cosine)) ? 1 : 0;
     robust += std::isnan(std::acos(std::clamp(cosine, -1.0f, 1.0f))) ? 1 : 0;
   }
-  return {{1, "float unit vectors", 100.0 * naive / vectors, 100.0 * robust / vectors, "% NaN"}};
+  Rows rows(run);
+  rows.push_back({1, "float unit vectors", percent(naive, vectors), percent(robust, vectors), "% NaN"});
+  return rows;
 }
 
 const StabilityExperiment acos_of_unit_dot{
