@@ -33,6 +33,7 @@ std::string measured_text(double value) { return std::isnan(value) ? "-" : fmt::
 void print_rows(const StabilityExperiment& experiment, const std::vector<StabilityRow>& rows) {
   fmt::print("{} ({})\n{}\n", experiment.title, experiment.key, experiment.explanation);
   fmt::print("naive: {}; robust: {}; safe: {}\n", experiment.naive, experiment.robust, experiment.safe);
+  fmt::print("set-up: {}\n", set_up_text(experiment.set_up));
   fmt::print("{:>12} {:>12} {:>12}  {}\n", "knob", "naive", "robust", experiment.knob);
   for (const StabilityRow& row : rows)
     fmt::print("{:>12.4g} {:>12} {:>12}  {}: {}\n", row.knob, measured_text(row.naive), measured_text(row.robust),

@@ -235,8 +235,10 @@ void explanation(const StabilityExperiment& experiment) {
   ImGui::TextWrapped("%s", std::string(experiment.explanation).c_str());
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
   ImGui::TextWrapped("Safe: %s", std::string(experiment.safe).c_str());
+  ImGui::TextWrapped("Set-up: %s", std::string(set_up_text(experiment.set_up)).c_str());
   ImGui::PopStyleColor();
   controls().record("explanation", std::string(experiment.explanation));
+  controls().record("set-up", std::string(set_up_text(experiment.set_up)));
 }
 
 void point_tooltip(const Curves& curves, const StabilityRow& row, bool has_picture) {

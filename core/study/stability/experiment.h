@@ -60,6 +60,14 @@ struct StabilityPicture {
   Settings naive{}, robust{};
 };
 
+/// Where the set-up of an experiment comes from.
+enum class SetUp {
+  illustration,  ///< it is our own
+  reproduction   ///< another measurement describes it completely, at least for some of the series
+};
+/// In words, for those who read the results.
+std::string_view set_up_text(SetUp set_up);
+
 /// A place where a method fails, with what does not fail there.
 struct StabilityExperiment {
   std::string_view key;  ///< "ground-sphere-acne"
@@ -72,6 +80,7 @@ struct StabilityExperiment {
   std::vector<StabilityRow> (*measure)(const StabilityRun&) = nullptr;
   StabilityPicture (*picture)(double knob) = nullptr;  ///< null: nothing to see
   std::span<const double> frames{};                    ///< knobs of the film strip, from left to right
+  SetUp set_up = SetUp::illustration;                  ///< `table.cpp` marks reproductions
 };
 
 /// All experiments, in the order of their subject: rays, boxes, coverage, depth, shadows, shading, sampling, numbers.

@@ -13,24 +13,29 @@ namespace {
 
 using namespace stability;
 
+StabilityExperiment reproduction(StabilityExperiment experiment) {
+  experiment.set_up = SetUp::reproduction;
+  return experiment;
+}
+
 const auto& table() {
   static const std::array experiments{
-      ground_sphere_acne,
-      reflection_self_hit,
+      reproduction(ground_sphere_acne),
+      reproduction(reflection_self_hit),
       epsilon_too_large,
-      epsilon_unit,
-      ray_sphere_cancellation,
-      stable_q_alone,
+      reproduction(epsilon_unit),
+      reproduction(ray_sphere_cancellation),
+      reproduction(stable_q_alone),
       world_offset_sphere_acne,
       constant_normal_bump,
-      triangle_edge_cracks,
+      reproduction(triangle_edge_cracks),
       cracks_in_an_image,
-      mt_tolerance,
+      reproduction(mt_tolerance),
       absolute_det_epsilon,
-      fma_contraction,
-      plucker_vertices,
-      nan_in_moller_trumbore,
-      degenerate_zero_radius,
+      reproduction(fma_contraction),
+      reproduction(plucker_vertices),
+      reproduction(nan_in_moller_trumbore),
+      reproduction(degenerate_zero_radius),
       slab_test_false_miss,
       bvh_holes,
       zero_inf_nan_slab,
@@ -44,43 +49,43 @@ const auto& table() {
       sub_pixel_bits,
       ray_vs_raster_agreement,
       inclusive_scanlines,
-      interpolate_drift,
-      inverse_depth,
-      affine_texture,
-      depth_bits_z_fighting,
-      near_plane,
-      sixteen_bit_linear_z,
+      reproduction(interpolate_drift),
+      reproduction(inverse_depth),
+      reproduction(affine_texture),
+      reproduction(depth_bits_z_fighting),
+      reproduction(near_plane),
+      reproduction(sixteen_bit_linear_z),
       painters_cycle,
       near_plane_clipping,
-      shadow_map_acne,
-      pcf_one_tap_bias,
+      reproduction(shadow_map_acne),
+      reproduction(pcf_one_tap_bias),
       peter_panning,
       z_pass_in_volume,
       near_plane_cuts_volume,
       z_fail_caps,
       stencil_bits_wrap,
       gouraud_highlight,
-      unnormalised_interpolated_normals,
-      normal_under_scale,
+      reproduction(unnormalised_interpolated_normals),
+      reproduction(normal_under_scale),
       shadow_terminator,
-      silhouette_tessellation,
+      reproduction(silhouette_tessellation),
       far_from_origin,
-      lookat_up_forward,
-      supersampling_rate,
-      grid_moire,
+      reproduction(lookat_up_forward),
+      reproduction(supersampling_rate),
+      reproduction(grid_moire),
       adaptive_sampling_misses,
-      sub_pixel_disc_missed,
-      subsampling_bars,
+      reproduction(sub_pixel_disc_missed),
+      reproduction(subsampling_bars),
       mipmap_lod,
       texture_too_large,
-      srgb_averaging,
-      sample_accumulation,
-      recursion_depth,
-      refraction_total_internal,
+      reproduction(srgb_averaging),
+      reproduction(sample_accumulation),
+      reproduction(recursion_depth),
+      reproduction(refraction_total_internal),
       acos_of_unit_dot,
-      nan_in_a_picture,
-      build_flags,
-      precision,
+      reproduction(nan_in_a_picture),
+      reproduction(build_flags),
+      reproduction(precision),
   };
   return experiments;
 }
@@ -97,6 +102,16 @@ const StabilityExperiment& find_stability_experiment(std::string_view key) {
   std::vector<std::string_view> known;
   for (const StabilityExperiment& row : table()) known.push_back(row.key);
   throw InputError(fmt::format("unknown experiment '{}'; did you mean '{}'?", key, nearest_word(key, known)));
+}
+
+std::string_view set_up_text(SetUp set_up) {
+  switch (set_up) {
+  case SetUp::illustration:
+    return "an illustration of our own";
+  case SetUp::reproduction:
+    return "reproduces another measurement";
+  }
+  return "";
 }
 
 std::string stability_csv(std::span<const StabilityRow> rows) {
