@@ -1,175 +1,184 @@
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <random>
-
+// The stability experiments with little effort, also under sanitizers: each of them runs, its robust method fails
+// nowhere, and its pictures render. What the figures are is held by stability_figures_test.cpp, with full effort.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
 #include "base/check.h"
+#include "study/stability/build_flags/kernels.h"
 #include "study/stability/experiment.h"
-#include "support/curve.h"
+#include "study/stability/pictures.h"
+#include "support/stability_table.h"
+#include "support/stability_verdict.h"
 #include "support/trials.h"
 
 namespace {
 
 using namespace ps;
+using test::FigureKind;
+using test::FigureMethod;
+using test::FigureRule;
+using test::StabilityFigure;
 
-using test::Curve;
+/// Share of the full effort.
+constexpr double little = test::trial_divisor > 1 ? 0.004 : 0.02;
 
-/// Relative error of a float sum of random numbers.
-double sum_error(int samples, std::uint32_t seed) {
-  std::mt19937 random(seed);
-  float sum = 0;
-  double truth = 0;
-  for (int i = 0; i < samples; ++i) {
-    const float sample = static_cast<float>(random() >> 8) * 0x1p-24f;
-    sum += sample;
-    truth += static_cast<double>(sample);
+std::vector<StabilityRow> measured(std::string_view key) {
+  return find_stability_experiment(key).measure({.seed = 1, .effort = little});
+}
+
+/// The value at a place of a series; a failure and NaN if there is none.
+double value_at(const std::vector<StabilityRow>& rows, std::string_view series, double knob, FigureMethod method) {
+  for (const StabilityRow& row : rows)
+    if (row.series == series && row.knob == knob) return method == FigureMethod::naive ? row.naive : row.robust;
+  ADD_FAILURE() << "no series '" << series << "' at " << knob;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+double naive_at(const std::vector<StabilityRow>& rows, std::string_view series, double knob) {
+  return value_at(rows, series, knob, FigureMethod::naive);
+}
+
+class EachExperiment : public testing::TestWithParam<const StabilityExperiment*> {};
+
+// Robust zeros of the table hold with any number of rays, points or pixels; so do values that exist at all.
+TEST_P(EachExperiment, RunsWithLittleEffort) {
+  const StabilityExperiment& experiment = *GetParam();
+  if (experiment.key == "adaptive-sampling-misses") GTEST_SKIP() << "its picture cannot be smaller";
+  std::vector<StabilityRow> arrived;
+  StabilityRun run{.seed = 1, .effort = little};
+  run.arrived = [&](const StabilityRow& row) { arrived.push_back(row); };
+  const std::vector<StabilityRow> rows = experiment.measure(run);
+  if (rows.empty()) GTEST_SKIP() << "not on this processor";
+  for (const StabilityRow& row : rows) {
+    EXPECT_FALSE(row.series.empty());
+    EXPECT_FALSE(row.unit.empty()) << row.series;
+    EXPECT_FALSE(std::isnan(row.naive) && std::isnan(row.robust)) << row.series << " at " << row.knob;
   }
-  return std::abs(static_cast<double>(sum) - truth) / truth;
-}
-
-TEST(Stability, GroundSphereAcne) {
-  const Curve curve("ground-sphere-acne");
-  const std::string book = "radius 5000, float";
-  for (const double epsilon : {0.0, 1e-6, 1e-5}) curve.expect_naive(book, epsilon, 10.9);
-  curve.expect_naive(book, 1e-4, 6.09);
-  curve.expect_naive(book, 1e-3, 0);
-  curve.expect_naive(book, 1e-2, 0);
-  curve.expect_naive("radius 5000, float, light 0.1 above", 1e-3, 10.8);
-  curve.expect_naive("radius 1000, float", 1e-5, 24.2);
-  curve.expect_naive("radius 1000, float", 1e-4, 0);
-  curve.expect_naive("radius 100000, float", 1e-3, 1.38);
-  curve.expect_naive("radius 100000, float", 1e-2, 0);
-  curve.expect_naive("radius 5000, double", 0, 29.6);
-  curve.expect_naive("radius 5000, double", 1e-6, 0);
-  curve.expect_all_robust_zero();
-}
-
-TEST(Stability, ReflectionSelfHit) {
-  const Curve curve("reflection-self-hit");
-  curve.expect_naive("float", 1e-3, 5.69);
-  curve.expect_naive("float", 1e-2, 0.18);
-  curve.expect_naive("double", 1e-3, 0);
-  curve.expect_naive("double", 1e-4, 0);
-  curve.expect_all_robust_zero();
-}
-
-TEST(Stability, RaySphereCancellation) {
-  const Curve curve("ray-sphere-cancellation", test::trial_divisor > 1 ? 0.5 : 1);
-  const std::string wrong = "hit or miss", place = "place";
-  for (const auto& [distance, share] :
-       std::map<double, double>{{3, 0}, {100, .037}, {1000, 2.5}, {2000, 9.9}, {4100, 42.5}, {1e5, 47.7}, {1e6, 48.1}})
-    curve.expect_naive(wrong, distance, share);
-  for (const double distance : {3.0, 100.0, 1000.0}) curve.expect_robust(wrong, distance, 0);
-  // Single rays of 200,000: three standard deviations of their number.
-  curve.expect_robust(wrong, 2000, .001, 100 * 3 * std::sqrt(2.0) / 200000);
-  curve.expect_robust(wrong, 4100, .0025, 100 * 3 * std::sqrt(5.0) / 200000);
-  curve.expect_robust(wrong, 1e5, .02);
-  curve.expect_robust(wrong, 1e6, 1.0);
-  for (const auto& [distance, off] : std::map<double, double>{
-           {3, 2.5e-7}, {100, 3.2e-4}, {1000, .023}, {2000, .094}, {4100, .41}, {1e5, 16.5}, {1e6, 152}})
-    curve.expect_naive(place, distance, off);
-  for (const auto& [distance, off] : std::map<double, double>{
-           {3, 8.6e-8}, {100, 2.9e-6}, {1000, 2.3e-5}, {2000, 4.7e-5}, {4100, 1.3e-4}, {1e5, .003}, {1e6, .024}})
-    curve.expect_robust(place, distance, off);
-  curve.expect_naive("hit or miss, textbook in double", 4100, 0);
-  curve.expect_naive("hit or miss, textbook in double", 1e6, .007, 100 * 3 * std::sqrt(14.0) / 200000);
-  curve.expect_naive("place, textbook in double", 4100, 1.6e-9);
-  curve.expect_naive("place, textbook in double", 1e6, 6e-5);
-}
-
-TEST(Stability, StableRootsAlone) {
-  const Curve curve("stable-q-alone", 1);
-  for (const auto& [distance, share] : std::map<double, double>{{1000, 2.5}, {2000, 9.9}, {4100, 42.5}})
-    curve.expect_naive("hit or miss", distance, share);
-}
-
-TEST(Stability, InterpolateDrift) {
-  const Curve curve("interpolate-drift");
-  for (const auto& [steps, error] :
-       std::map<double, double>{{100, .003}, {600, .018}, {1e3, .03}, {1e4, .30}, {1e5, 3.0}, {1e6, 29}})
-    curve.expect_naive("float", steps, error);
-  for (const double steps : {100.0, 1e4, 1e6}) curve.expect_robust("float", steps, 6e-5);
-}
-
-TEST(Stability, DepthMixedAsItIs) {
-  const Curve curve("z-vs-1-z");
-  for (const double ratio : {1.1, 2.0, 5.0, 10.0, 100.0, 1000.0}) {
-    const double root = std::sqrt(ratio);
-    EXPECT_NEAR(curve.at("largest on the edge", ratio).naive, (root - 1) / (root + 1), 1e-4) << ratio;
-    EXPECT_LT(curve.at("largest on the edge", ratio).robust, 1e-12);
+  EXPECT_EQ(stability_csv(arrived), stability_csv(rows)) << "each row is reported as it is measured";
+  for (const StabilityFigure& figure : test::read_stability_figures()) {
+    if (figure.experiment != experiment.key || figure.rule != FigureRule::zero) continue;
+    if (figure.method != FigureMethod::robust || figure.kind == FigureKind::not_reached) continue;
+    for (const StabilityRow& row : rows_about(figure, rows))
+      EXPECT_EQ(row.robust, 0) << figure.place << ": " << figure.series << " at " << figure.knob << "; seed 1";
   }
 }
 
-TEST(Stability, NormalUnderScale) {
-  const Curve curve("normal-under-scale");
-  for (const double scale : {1.0, 1.5, 2.0, 5.0, 10.0, 100.0}) {
-    const double degrees = 2 * std::atan(scale) * 180 / 3.14159265358979 - 90;
-    EXPECT_NEAR(curve.at("all slopes", scale).naive, degrees, 1e-2) << scale;
-    EXPECT_LT(curve.at("all slopes", scale).robust, 1e-6);
-  }
+TEST_P(EachExperiment, CanBeStopped) {
+  Progress progress;
+  progress.request_stop();
+  StabilityRun run{.seed = 1, .progress = &progress, .effort = little};
+  EXPECT_THROW(GetParam()->measure(run), Cancelled);
 }
 
-TEST(Stability, RecursionDepth) {
-  const Curve curve("recursion-depth");
-  for (const auto& [depth, rmse] :
-       std::map<double, double>{{0, 22.7}, {1, 6.37}, {2, 1.69}, {3, .398}, {4, .128}, {5, .032}, {8, .0014}})
-    curve.expect_naive("book scene", depth, rmse);
+/// Whether one frame of a row of frames, `width` x `rows` pixels, has a white pixel.
+bool has_white(const Image<Rgb8>& strip, int first_row, int rows, int frame, int width, int gap) {
+  for (int y = first_row; y < first_row + rows; ++y)
+    for (int x = frame * (width + gap); x < frame * (width + gap) + width; ++x)
+      if (strip.at(x, y) == Rgb8{255, 255, 255}) return true;
+  return false;
 }
 
-TEST(Stability, SrgbAveraging) {
-  const Curve curve("srgb-averaging");
-  EXPECT_NEAR(curve.at("white over black", 50).naive, 188 - 128, 1);
-  EXPECT_NEAR(curve.at("white over black", 24).naive, 73, 1);
-  for (const double share : {1.0, 24.0, 25.0, 50.0, 75.0, 99.0}) EXPECT_EQ(curve.robust("white over black", share), 0);
-  EXPECT_EQ(curve.naive("white over black, level shown", 50), 128);
-  EXPECT_EQ(curve.robust("white over black, level shown", 50), 188);
+// Its third row marks white what differs between the naive and the robust picture: something must, in one frame at
+// least.
+TEST_P(EachExperiment, FailsVisiblyInItsFilmStrip) {
+  const StabilityExperiment& experiment = *GetParam();
+  EXPECT_EQ(experiment.frames.empty(), experiment.picture == nullptr);
+  constexpr int height = test::trial_divisor > 1 ? 40 : 100, gap = 2;
+  Progress progress;
+  const auto strip = film_strip(experiment, {.frame_height = height, .gap = gap}, progress);
+  ASSERT_EQ(strip.has_value(), experiment.picture != nullptr);
+  if (!strip) return;
+  const int frames = static_cast<int>(experiment.frames.size()), width = (strip->width() + gap) / frames - gap;
+  ASSERT_EQ(strip->width(), frames * (width + gap) - gap);
+  ASSERT_EQ(strip->height(), 3 * (height + gap) - gap);
+  bool differ = false;
+  for (int frame = 0; frame < frames; ++frame)
+    differ = differ || has_white(*strip, 2 * (height + gap), height, frame, width, gap);
+  if (test::trial_divisor > 1) return;  // too small to show every fault
+  EXPECT_TRUE(differ || experiment.key == "painter-s-cycle");
 }
 
-// The error of one sum is a random walk, so the given figures tell its size, not its value: the root mean square over
-// eight seeds is within a factor of 2.5 of them.
-TEST(Stability, SampleAccumulation) {
-  for (const auto& [samples, error] : std::map<int, double>{{1000, 4e-7}, {100000, 3e-6}, {1000000, 8e-6}}) {
-    double squares = 0;
-    for (std::uint32_t seed = 1; seed <= 8; ++seed) squares += std::pow(sum_error(samples, seed), 2);
-    const double rms = std::sqrt(squares / 8);
-    EXPECT_LT(rms, 2.5 * error) << samples;
-    EXPECT_GT(rms, error / 2.5) << samples;
-  }
-  const Curve curve("sample-accumulation");
-  EXPECT_NEAR(curve.at("uniform samples", 1e8).naive, 0.664, 0.002) << "the sum stops at 2^24";
-  EXPECT_LT(curve.at("uniform samples", 1e8).robust, 1.2e-7);
+TEST_P(EachExperiment, ExplainsItself) {
+  const StabilityExperiment& experiment = *GetParam();
+  EXPECT_EQ(&find_stability_experiment(experiment.key), &experiment);
+  for (const std::string_view text : {experiment.title, experiment.knob, experiment.naive, experiment.robust,
+                                      experiment.explanation, experiment.safe})
+    EXPECT_FALSE(text.empty());
+  EXPECT_GE(std::count(experiment.explanation.begin(), experiment.explanation.end(), '.'), 2);
 }
 
-TEST(Stability, RefractionTotalInternal) {
-  const Curve curve("refraction-total-internal", 1);
-  curve.expect_naive("leaving the glass", 1, 0);
-  const double sigma = 100 * std::sqrt(.556 * .444 / 1e6);
-  EXPECT_NEAR(curve.at("leaving the glass", 1.5).naive, 100 * (1 - 1 / 2.25), 3.5 * sigma) << "seed " << curve.seed();
-  curve.expect_all_robust_zero();
+std::vector<const StabilityExperiment*> all_experiments() {
+  std::vector<const StabilityExperiment*> all;
+  for (const StabilityExperiment& experiment : stability_experiments()) all.push_back(&experiment);
+  return all;
 }
 
-TEST(Stability, AcosOfUnitDot) {
-  const Curve curve("acos-of-unit-dot");
-  curve.expect_naive("float unit vectors", 1, 23.7);
-  curve.expect_all_robust_zero();
-}
+INSTANTIATE_TEST_SUITE_P(Stability, EachExperiment, testing::ValuesIn(all_experiments()), [](const auto& tested) {
+  std::string name(tested.param->key);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 
-TEST(Stability, EveryExperimentExplainsItselfAndGivesATable) {
-  EXPECT_EQ(stability_experiments().size(), 66u);
-  for (const StabilityExperiment& experiment : stability_experiments()) {
-    EXPECT_EQ(&find_stability_experiment(experiment.key), &experiment);
-    for (const std::string_view text : {experiment.title, experiment.knob, experiment.naive, experiment.robust,
-                                        experiment.explanation, experiment.safe})
-      EXPECT_FALSE(text.empty()) << experiment.key;
-    EXPECT_TRUE(experiment.measure) << experiment.key;
-    const auto sentences = std::count(experiment.explanation.begin(), experiment.explanation.end(), '.');
-    EXPECT_GE(sentences, 2) << experiment.key;
-  }
-  EXPECT_THROW(find_stability_experiment("nothing"), InputError);
+TEST(Stability, AnUnknownExperimentIsRefused) { EXPECT_THROW(find_stability_experiment("nothing"), InputError); }
+
+TEST(Stability, TablesLeaveAMissingMethodEmpty) {
   EXPECT_EQ(stability_csv(std::vector<StabilityRow>{{0.5, "a", 1, std::nan(""), "px"}}),
             "knob,series,naive,robust,unit\n0.5,\"a\",1,,\"px\"\n");
+}
+
+// The table's figures do not depend on a processor's estimates of square roots; optimisation alone changes no pixel,
+// and -ffast-math changes some on each of them.
+TEST(Stability, BuildFlagsAloneChangePixels) {
+  const auto rows = measured("build-flags");
+  EXPECT_EQ(naive_at(rows, "-O0", 1), 0);
+  EXPECT_GT(naive_at(rows, "-ffast-math", 3), 0);
+  if (stability::uncontracted_build().available()) {
+    EXPECT_EQ(naive_at(rows, "-mavx2 -mfma -ffp-contract=off", 6), 0);
+    EXPECT_GT(naive_at(rows, "-mfma -ffp-contract=fast", 2), 0);
+  }
+}
+
+// A sample on an edge that two triangles share belongs to both under >= 0 and to neither under > 0.
+TEST(Stability, WhatOneFillRulePaintsTwiceTheOtherLeavesOut) {
+  const auto rows = measured("fill-rule-easy");
+  const double twice = naive_at(rows, "corners on half pixels, >= 0, doubles", 0);
+  EXPECT_GT(twice, 0);
+  EXPECT_EQ(naive_at(rows, "corners on half pixels, > 0, holes", 1), twice);
+}
+
+// With a near plane of 0.001 a code of 24 bits reaches from z = 1000 to where the next one begins.
+TEST(Stability, TheDepthBeyondACodeIsWhereTheNextOneBegins) {
+  const double codes = 0x1p24 - 1, here = codes * (1 - 0.001 / 1000) / (1 - 0.001 / 10000);
+  const double next = 0.001 / (1 - (std::floor(here + 0.5) + 0.5) / codes * (1 - 0.001 / 10000));
+  EXPECT_NEAR(naive_at(measured("near-plane"), "z = 1000", .001), next - 1000, 1);
+}
+
+// From z = 9000 on there is one code of 16 bits only, so no gap at all is resolved.
+TEST(Stability, NoGapIsResolvedWhereThereIsOneCode) {
+  EXPECT_TRUE(std::isnan(naive_at(measured("depth-bits-z-fighting"), "unorm 16, resolved", 9000)));
+}
+
+// One wild vertex costs nodes, and neighbours in a mesh stay together; coordinates whose squares are finite cost
+// nothing.
+TEST(Stability, AnInfiniteVertexCostsNodesWhereTrianglesLieInNoOrder) {
+  const auto rows = measured("infinite-vertex");
+  const auto bad = static_cast<double>(1e38f), large = static_cast<double>(1e18f);
+  const auto slower = [&](const char* series, double knob) {
+    return naive_at(rows, series, knob) / value_at(rows, series, knob, FigureMethod::robust);
+  };
+  EXPECT_GT(slower("5,000 triangles anywhere", bad), 2);
+  EXPECT_LT(slower("a sphere in rings", bad), 2);
+  for (const char* series : {"5,000 triangles anywhere", "a sphere in rings"}) EXPECT_LT(slower(series, large), 1.1);
+}
+
+// A tree with the robust slab test visits hardly more nodes.
+TEST(Stability, ARobustSlabTestCostsFewNodes) {
+  const auto rows = measured("bvh-holes");
+  for (const double distance : {0.0, 1e3, 1e5})
+    EXPECT_LT(value_at(rows, "cost", distance, FigureMethod::robust), 1.05 * naive_at(rows, "cost", distance));
 }
 
 }  // namespace
