@@ -69,7 +69,9 @@ std::string stats_json(const Document& document, const View& view, const Frame& 
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-void save_picture(const RenderArguments& arguments, const Document& document, const Frame& frame) {
+/// `levels`: of the whole picture's colours, or empty.
+void save_picture(const RenderArguments& arguments, const Document& document, const Frame& frame,
+                  const Image<Rgb8>& levels) {
   if (lower_extension(arguments.output) == ".pfm") {
     save_pfm(arguments.output, frame.colour);
     return;
@@ -79,7 +81,7 @@ void save_picture(const RenderArguments& arguments, const Document& document, co
   SaveOptions options;
   options.texts = {{"Software", fmt::format("pixelscope {}", version())}, {"permalink", permalink(document)}};
   if (show == ShownChannel::colour)
-    save_image(arguments.output, display_frame(frame, settings), options);
+    save_image(arguments.output, levels.empty() ? display_frame(frame, settings) : levels, options);
   else
     save_image(arguments.output, channel_picture(frame, show, settings).levels, options);
 }
@@ -100,10 +102,16 @@ int run_render(const RenderArguments& arguments) {
   RenderRequest request;
   request.channels = shown_channel(show).needs;
   request.region = document.view.region;
+  Image<Rgb8> levels;  // outside a region they would hold anything
+  if (show == ShownChannel::colour && !request.region && lower_extension(arguments.output) != ".pfm") {
+    require_image_size(view.width, view.height, "picture");
+    levels = Image<Rgb8>(view.width, view.height, Unfilled{});
+    request.levels = &levels;
+  }
   const Timer timer;
   const Frame frame = render(document.scene, view, document.a.settings, request, prepared, interruptible_progress());
   const double milliseconds = timer.milliseconds();
-  save_picture(arguments, document, frame);
+  save_picture(arguments, document, frame, levels);
   if (!arguments.stats.empty()) write_file_atomically(arguments.stats, stats_json(document, view, frame, milliseconds));
   return 0;
 }

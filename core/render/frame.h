@@ -95,7 +95,8 @@ struct RenderRequest {
   /// Only these pixels are wanted (CGPP 15.4.4); they come out as in the whole picture, the others stay black.
   std::optional<TileRect> region{};
   /// Gets the display levels of display_frame() while the colours are still at hand, or nullptr. Of the view's size; a
-  /// rectangle is filled before on_tile is called for it. Pixels outside `region` may hold anything.
+  /// rectangle is filled before on_tile is called for it, which then had better read them than the colours. Pixels
+  /// outside `region` may hold anything.
   Image<Rgb8>* levels = nullptr;
   /// Called on a worker thread after each finished rectangle of the frame that is being made; only that rectangle may
   /// be read. May be empty.

@@ -8,6 +8,7 @@
 
 #include "gui/app/inspect_worker.h"
 #include "gui/app/render_worker.h"
+#include "options/option.h"
 #include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -48,13 +49,13 @@ class GatedRenderer {
     Frame frame;
     frame.colour = Image<Vec3f>(view.width, view.height, Vec3f(static_cast<float>(settings.near / 255), 0, 0));
     frame.ids = Image<PixelId>(view.width, view.height);
-    if (request.on_tile) request.on_tile(frame, {0, 0, view.width, view.height / 2});
+    finish_tile(request, settings, frame, {0, 0, view.width, view.height / 2});
     ++waiting;
     while (!open_) {
       progress.check();
       std::this_thread::sleep_for(100us);
     }
-    if (request.on_tile) request.on_tile(frame, {0, view.height / 2, view.width, view.height});
+    finish_tile(request, settings, frame, {0, view.height / 2, view.width, view.height});
     return frame;
   }
   RenderWorker::RenderCall call() {
@@ -233,6 +234,39 @@ TEST(RenderWorker, BitsAreThoseOfADirectRender) {
     worker.collect(picture);
     EXPECT_EQ(picture, display_frame(direct, request.settings));
   }
+}
+
+// The levels come from the renderer, tile by tile: of small pictures and of those that are written past the cache, with
+// any display, in float and double, whole and in part.
+TEST(RenderWorker, LevelsAreThoseOfTheFinishedFrame) {
+  const std::vector<std::vector<std::string>> all{{},
+                                                  {"exposure=2", "gamma=2.2"},
+                                                  {"colour-depth=16"},
+                                                  {"precision=double"},
+                                                  {"samples-per-pixel=4", "adaptive-sampling=on"},
+                                                  {"simd=off", "exposure=0.5"}};
+  for (const char* renderer : {"renderer=ray-tracer", "renderer=rasterizer", "renderer=textbook"})
+    for (const std::vector<std::string>& assignments : all)
+      for (const bool large : {false, true}) {
+        if (large && assignments.size() > 0) continue;
+        SCOPED_TRACE(renderer + std::string(assignments.empty() ? "" : ", " + assignments.front()));
+        PictureRequest request;
+        request.scene = load_scene("cgfs/reflections");
+        request.view = {request.scene.camera, large ? 900 : 90, large ? 700 : 70};
+        parse_assignment(renderer, request.settings);
+        for (const std::string& assignment : assignments) parse_assignment(assignment, request.settings);
+        RenderWorker worker(std::make_shared<Prepared>(), [] {});
+        worker.request(request);
+        ASSERT_TRUE(comes_true([&] { return worker.status().state == RenderState::done; }));
+        Image<Rgb8> picture;
+        worker.collect(picture);
+        EXPECT_EQ(picture, display_frame(worker.result()->frame, request.settings));
+        request.region = TileRect{10, 20, 60, 50};
+        worker.request(request);
+        ASSERT_TRUE(comes_true([&] { return worker.status().renders_done == 2; }));
+        worker.collect(picture);
+        EXPECT_EQ(picture, display_frame(worker.result()->frame, request.settings));
+      }
 }
 
 TEST(InspectWorker, TellsTheNewestPixelOnly) {

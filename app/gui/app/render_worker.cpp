@@ -85,9 +85,8 @@ void RenderWorker::request(const PictureRequest& request) {
   arrived_ = timed_ = false;
   state_ = RenderState::coarse;
   message_.clear();
-  job_.start([this, run = Run{request, rendered_channels_, generation_, next_coarse_divisor()}](Progress& progress) {
-    render_both(run, progress);
-  });
+  const Run run{request, rendered_channels_, generation_, display_generation_, next_coarse_divisor()};
+  job_.start([this, run](Progress& progress) { render_both(run, progress); });
 }
 
 void RenderWorker::cancel() {
@@ -200,14 +199,53 @@ void RenderWorker::render_full(const Run& run, Progress& progress) {
   options.channels = run.channels;
   options.priority = WorkerPriority::background;
   options.region = run.request.region;
-  options.on_tile = tile_publisher(run, 1);
+  // The renderer writes the levels of the colours that it has at hand. Those outside a region are left to the end.
+  Image<Rgb8> levels;
+  if (run.request.shown == ShownChannel::colour && !options.region) {
+    require_image_size(run.request.view.width, run.request.view.height, "picture");
+    levels = Image<Rgb8>(run.request.view.width, run.request.view.height, Unfilled{});
+    options.levels = &levels;
+    options.on_tile = levels_publisher(run, levels);
+  } else {
+    options.on_tile = tile_publisher(run, 1);
+  }
   const Timer timer;
   const auto result = std::make_shared<RenderResult>();
   result->request = run.request;
   result->channels = options.channels;
   result->frame = render_(run.request.scene, run.request.view, run.request.settings, options, *prepared_, progress);
   result->milliseconds = timer.milliseconds();
+  if (options.levels && finish_shown(result, run)) return wake();
   show_whole(result, run.generation);
+}
+
+/// Hands on the levels that the renderer has made, unless another display has been asked for since.
+std::function<void(const Frame&, const TileRect&)> RenderWorker::levels_publisher(const Run& run, Image<Rgb8>& levels) {
+  return [this, &run, &levels](const Frame& frame, const TileRect& rect) {
+    const auto request = wanted(run.generation);
+    if (!request || request->shown != ShownChannel::colour) return;
+    if (request->settings != run.request.settings) display_tile(frame, request->settings, rect, levels);
+    publish(levels, rect, run, 1);
+  };
+}
+
+/// Makes `result` the result if the tiles that have come show all of it as it is still wanted.
+bool RenderWorker::finish_shown(const std::shared_ptr<const RenderResult>& result, const Run& run) {
+  const std::lock_guard lock(mutex_);
+  if (run.generation != generation_) return true;
+  if (run.display_generation != display_generation_) return false;
+  legend_ = {};
+  finish(result);
+  return true;
+}
+
+/// Under the lock.
+void RenderWorker::finish(const std::shared_ptr<const RenderResult>& result) {
+  if (result_ != result) ++done_;
+  result_ = result;
+  news_ = true;
+  state_ = RenderState::done;
+  unseen_ = 0;
 }
 
 /// Shows colours as their tiles arrive. Other channels wait for the whole picture, since their scale depends on it.
@@ -251,11 +289,7 @@ void RenderWorker::show_whole(const std::shared_ptr<const RenderResult>& result,
         picture_ = std::move(picture.levels);
         legend_ = std::move(picture.legend);
         changed_ = {whole(picture_.width(), picture_.height())};
-        if (result_ != result) ++done_;
-        result_ = result;
-        news_ = true;
-        state_ = RenderState::done;
-        unseen_ = 0;
+        finish(result);
         break;
       }
       request = *wanted_;

@@ -84,15 +84,18 @@ class RenderWorker {
   struct Run {
     PictureRequest request;
     Channel channels = Channel::none;
-    std::uint64_t generation = 0;
+    std::uint64_t generation = 0, display_generation = 0;
     int coarse_divisor = 1;
   };
   void render_both(const Run& run, Progress& progress);
   void render_coarse(const Run& run, Progress& progress);
   void render_full(const Run& run, Progress& progress);
   std::function<void(const Frame&, const TileRect&)> tile_publisher(const Run& run, int divisor);
+  std::function<void(const Frame&, const TileRect&)> levels_publisher(const Run& run, Image<Rgb8>& levels);
   void publish(const Image<Rgb8>& pixels, const TileRect& rect, const Run& run, int divisor);
   void show_whole(const std::shared_ptr<const RenderResult>& result, std::uint64_t generation);
+  bool finish_shown(const std::shared_ptr<const RenderResult>& result, const Run& run);
+  void finish(const std::shared_ptr<const RenderResult>& result);
   std::optional<PictureRequest> wanted(std::uint64_t generation) const;
   int next_coarse_divisor() const;
   void wake();

@@ -99,7 +99,10 @@ TileOutput tile_output(const Settings& settings, const RenderRequest& request, F
     output.levels = request.levels->pixels().data();
     output.transform = display_transform(settings);
   }
-  if (frame.colour.pixels().size_bytes() >= past_cache_bytes && !request.on_tile) output.stores = Stores::past_cache;
+  if (frame.colour.pixels().size_bytes() >= past_cache_bytes) {
+    if (!request.on_tile) output.level_stores = Stores::past_cache;
+    if (!request.on_tile || request.levels) output.colour_stores = Stores::past_cache;
+  }
   return output;
 }
 

@@ -5,7 +5,8 @@
 namespace ps::raster {
 
 /// Whether what is written stays in the cache, or goes past it: right for a picture that is larger than the cache and
-/// that nobody reads tile by tile, for then no line is fetched first only to be overwritten.
+/// that nobody reads tile by tile, for then no line is fetched first only to be overwritten. Who asks for levels and is
+/// called for each tile reads the levels.
 enum class Stores { in_cache, past_cache };
 
 /// Where a tile's colours go.
@@ -14,7 +15,7 @@ struct TileOutput {
   std::size_t width = 0;    ///< of the picture
   Rgb8* levels = nullptr;   ///< their display levels, or nullptr
   DisplayTransform transform;
-  Stores stores = Stores::in_cache;
+  Stores colour_stores = Stores::in_cache, level_stores = Stores::in_cache;
 };
 
 /// What shading a tile needs to know, and what it finds out.

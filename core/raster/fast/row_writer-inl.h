@@ -32,22 +32,22 @@ class RowWriter {
   }
   HWY_INLINE void write(int row) {
     const auto at = static_cast<std::size_t>(row) * output_.width + static_cast<std::size_t>(rect_.x0);
-    put(colours_, output_.pixels + at, wide_ * sizeof(Vec3f));
-    if (output_.levels) put(levels_.data(), output_.levels + at, wide_ * sizeof(Rgb8));
+    put(colours_, output_.pixels + at, wide_ * sizeof(Vec3f), output_.colour_stores);
+    if (output_.levels) put(levels_.data(), output_.levels + at, wide_ * sizeof(Rgb8), output_.level_stores);
   }
   /// What has been written can be read by whoever is told of it from now on.
   HWY_INLINE void end() {
-    if (output_.stores == Stores::past_cache) hwy::FlushStream();
+    if (output_.colour_stores == Stores::past_cache) hwy::FlushStream();
   }
 
  private:
-  HWY_INLINE void put(const void* from, void* to, std::size_t bytes) const {
+  HWY_INLINE static void put(const void* from, void* to, std::size_t bytes, Stores stores) {
     const hn::ScalableTag<std::uint8_t> d;
     const std::size_t step = hn::Lanes(d);
     const auto* source = static_cast<const std::uint8_t*>(from);
     auto* target = static_cast<std::uint8_t*>(to);
     std::size_t i = 0;
-    if (output_.stores == Stores::past_cache && reinterpret_cast<std::uintptr_t>(to) % step == 0)
+    if (stores == Stores::past_cache && reinterpret_cast<std::uintptr_t>(to) % step == 0)
       for (; i + step <= bytes; i += step) hn::Stream(hn::Load(d, source + i), d, target + i);
     std::memcpy(target + i, source + i, bytes - i);
   }
