@@ -149,13 +149,6 @@ TEST(Stability, WhatOneFillRulePaintsTwiceTheOtherLeavesOut) {
   EXPECT_EQ(naive_at(rows, "corners on half pixels, > 0, holes", 1), twice);
 }
 
-// With a near plane of 0.001 a code of 24 bits reaches from z = 1000 to where the next one begins.
-TEST(Stability, TheDepthBeyondACodeIsWhereTheNextOneBegins) {
-  const double codes = 0x1p24 - 1, here = codes * (1 - 0.001 / 1000) / (1 - 0.001 / 10000);
-  const double next = 0.001 / (1 - (std::floor(here + 0.5) + 0.5) / codes * (1 - 0.001 / 10000));
-  EXPECT_NEAR(naive_at(measured("near-plane"), "z = 1000", .001), next - 1000, 1);
-}
-
 // From z = 9000 on there is one code of 16 bits only, so no gap at all is resolved.
 TEST(Stability, NoGapIsResolvedWhereThereIsOneCode) {
   EXPECT_TRUE(std::isnan(naive_at(measured("depth-bits-z-fighting"), "unorm 16, resolved", 9000)));
