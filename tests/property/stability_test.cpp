@@ -81,8 +81,8 @@ bool has_white(const Image<Rgb8>& strip, int first_row, int rows, int frame, int
   return false;
 }
 
-// Its third row marks white what differs between the naive and the robust picture: something must, in one frame at
-// least.
+// The third row of the strip marks white what differs between the naive and the robust picture: something must, in one
+// frame at least. The scene of painter-s-cycle, cgfs/depth, shows nothing there.
 TEST_P(EachExperiment, FailsVisiblyInItsFilmStrip) {
   const StabilityExperiment& experiment = *GetParam();
   EXPECT_EQ(experiment.frames.empty(), experiment.picture == nullptr);
