@@ -116,6 +116,7 @@ static std::vector<StabilityRow> measure_ground_sphere_acne(const StabilityRun& 
       {"radius 5000, float, light 0.5 above", 5000, below(5000), -0.5, single, coarse},
       {"radius 5000, float, light 0.1 above", 5000, below(5000), -0.9, single, book},
       {"radius 5000, float, light 0.02 above", 5000, below(5000), -0.98, single, coarse, 600, 1e-5},
+      {"radius 5000, float, light 0.02 above, grazing pixels as well", 5000, below(5000), -0.98, single, {1e-3}},
       {"radius 100000, float", 1e5, below(1e5), 1, single, book},
       {"radius 5000, double", 5000, below(5000), 1, Precision::float64, fine}};
   Rows rows(run);
