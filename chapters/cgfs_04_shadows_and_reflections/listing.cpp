@@ -87,7 +87,7 @@ double compute_lighting(const BookScene& scene, const Vec3d& point, const Vec3d&
       const double r_dot_v = dot(reflected, view);
       PS_WATCH("R . V", r_dot_v);
       if (r_dot_v > 0) {
-        intensity += light.intensity * std::pow(r_dot_v / (length(reflected) * length(view)), specular);
+        intensity += light.intensity * power(r_dot_v / (length(reflected) * length(view)), specular);
         PS_WATCH("with specular", intensity);
       }
     }

@@ -62,7 +62,7 @@ double compute_illumination(const BookScene& scene, const Vec3d& point, const Ve
       PS_WATCH("view as it should be", right_view);
       const double shine = dot(reflected, view) / (length(reflected) * length(view));
       PS_WATCH("cosine to the viewer", shine);
-      if (shine > 0) intensity += std::pow(shine, specular) * light.intensity;
+      if (shine > 0) intensity += power(shine, specular) * light.intensity;
     }
     PS_WATCH("intensity so far", intensity);
   }

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "math/portable.h"
+
 namespace ps::raster {
 namespace {
 
@@ -31,11 +33,12 @@ struct Outlook {
   double allowance(double angle) const {
     const double error = view->max_error / 2 / view->pixels_per_unit;
     if (view->projection == Projection::orthographic) return error;
-    const double squared = eye_distance * eye_distance + radius * radius - 2 * eye_distance * radius * std::cos(angle);
+    const double squared =
+        eye_distance * eye_distance + radius * radius - 2 * eye_distance * radius * portable::cos(angle);
     return error * std::max(std::sqrt(std::max(squared, 0.0)), view->nearest);
   }
   /// Half the central angle whose chord strays by the allowance.
-  double half_step(double angle) const { return std::acos(std::max(1 - allowance(angle) / radius, -1.0)); }
+  double half_step(double angle) const { return portable::acos(std::max(1 - allowance(angle) / radius, -1.0)); }
 };
 
 Outlook look_at(const Sphere& sphere, const TessellationView& view) {
@@ -47,7 +50,7 @@ Outlook look_at(const Sphere& sphere, const TessellationView& view) {
   const bool orthographic = view.projection == Projection::orthographic;
   const Vec3d axis = orthographic || outlook.eye_distance == 0 ? -view.forward : to_eye;
   outlook.axis = axis / std::sqrt(dot(axis, axis));
-  if (!orthographic && !outlook.eye_inside()) outlook.horizon = std::acos(sphere.radius / outlook.eye_distance);
+  if (!orthographic && !outlook.eye_inside()) outlook.horizon = portable::acos(sphere.radius / outlook.eye_distance);
   if (orthographic) outlook.eye_distance = INFINITY;
   return outlook;
 }
@@ -68,8 +71,9 @@ std::vector<double> front_rings(const Outlook& outlook) {
 int ring_segments(const Outlook& outlook, const std::vector<double>& rings) {
   double segments = min_sphere_segments;
   for (const double angle : rings) {
-    const double sine = std::sin(std::min(outlook.half_step(angle), pi / 2)) / std::max(std::sin(angle), 1e-12);
-    segments = std::max(segments, pi / std::asin(std::min(sine, 1.0)));
+    const double sine =
+        portable::sin(std::min(outlook.half_step(angle), pi / 2)) / std::max(portable::sin(angle), 1e-12);
+    segments = std::max(segments, pi / portable::asin(std::min(sine, 1.0)));
   }
   return static_cast<int>(std::ceil(std::min<double>(segments, max_sphere_segments)));
 }
@@ -96,7 +100,8 @@ class MeshBuilder {
     last_ring_ = size();
     for (int i = 0; i < segments_; ++i) {
       const double turn = 2 * pi * i / segments_;
-      vertex(axis_ * std::cos(angle) + (side_ * std::cos(turn) + other_ * std::sin(turn)) * std::sin(angle));
+      vertex(axis_ * portable::cos(angle) +
+             (side_ * portable::cos(turn) + other_ * portable::sin(turn)) * portable::sin(angle));
     }
     for (int i = 0; i < segments_; ++i) {
       const auto a = last_ring_ + static_cast<std::uint32_t>(i);

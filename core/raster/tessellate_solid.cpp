@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/portable.h"
 #include "scene/form_frame.h"
 #include "scene/uv_maps.h"
 
@@ -73,7 +74,7 @@ void build_plane(const FormFrame& f, const TessellationView& view, Builder& buil
   const double widest = 2 * first * std::max(view.pixels_per_unit, 16.0);
   const auto corner = [&](double radius, int segment) {
     const double turn = 2 * pi * segment / plane_segments;
-    const Vec3d position = below + (f.axes[0] * std::cos(turn) + f.axes[1] * std::sin(turn)) * radius;
+    const Vec3d position = below + (f.axes[0] * portable::cos(turn) + f.axes[1] * portable::sin(turn)) * radius;
     const Vec3d offset = position - f.centre;
     return builder.corner({position, n, {dot(offset, f.axes[0]), -dot(offset, f.axes[1])}});
   };
@@ -124,10 +125,11 @@ int cylinder_segments(const FormFrame& f, const TessellationView& view) {
   if (view.projection == Projection::perspective) {
     const Vec3d middle = f.centre + f.axes[2] * (f.half.z / 2);
     const Vec3d offset = view.eye - middle;
-    distance = std::max(std::sqrt(dot(offset, offset)) - std::hypot(f.half.x, f.half.z / 2), view.nearest);
+    distance = std::max(std::sqrt(dot(offset, offset)) - std::sqrt(f.half.x * f.half.x + f.half.z * f.half.z / 4),
+                        view.nearest);
   }
   const double sag = view.max_error / view.pixels_per_unit * distance / f.half.x;
-  const double half_angle = std::acos(std::max(1 - sag, 0.0));
+  const double half_angle = portable::acos(std::max(1 - sag, 0.0));
   return static_cast<int>(
       std::clamp(std::ceil(pi / std::max(half_angle, 1e-6)), double(min_segments), double(max_segments)));
 }
@@ -137,7 +139,7 @@ void build_cylinder(const FormFrame& f, const TessellationView& view, Builder& b
   const Vec3d up = f.axes[2] * f.half.z;
   const auto out = [&](int i) {
     const double turn = 2 * pi * i / segments - pi;
-    return f.axes[0] * std::cos(turn) + f.axes[1] * std::sin(turn);
+    return f.axes[0] * portable::cos(turn) + f.axes[1] * portable::sin(turn);
   };
   const auto cap_uv = [&](int face, const Vec3d& o) {
     return cylinder_uv(face, Vec3d{dot(o, f.axes[0]), dot(o, f.axes[1]), 0});

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "image/heat_colour.h"
+#include "math/portable.h"
 #include "options/robust_rays.h"
 #include "raster/depth_format.h"
 #include "raytrace/tracer.h"
@@ -104,7 +105,7 @@ Rgb8 depth_gap_colour(float gap) {
   constexpr Rgb8 white{255, 255, 255}, red{220, 30, 30};
   if (gap == no_second_surface) return white;
   if (gap < 1) return red;
-  return heat_colour(std::log(static_cast<double>(gap)) / std::log(most_depth_gap));
+  return heat_colour(portable::log2(static_cast<double>(gap)) / portable::log2(most_depth_gap));
 }
 
 }  // namespace ps

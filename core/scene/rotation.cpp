@@ -1,10 +1,11 @@
 #include "scene/rotation.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <string>
 
 #include <fmt/format.h>
+
+#include "math/portable.h"
 
 namespace ps {
 namespace {
@@ -14,8 +15,8 @@ constexpr double pi = 3.14159265358979323846;
 }  // namespace
 
 Mat3d rotation_about(Axis axis, double degrees) {
-  const double c = std::cos(degrees * pi / 180);
-  const double s = std::sin(degrees * pi / 180);
+  const double c = portable::cos(degrees * pi / 180);
+  const double s = portable::sin(degrees * pi / 180);
   switch (axis) {
   case Axis::x:
     return from_rows({1, 0, 0}, {0, c, s}, {0, -s, c});
@@ -33,7 +34,7 @@ std::optional<AxisAngle> axis_angle_of(const Mat3d& rotation) {
     const Vec3d row = row_of(rotation, axis == Axis::x ? 1 : 0);
     const double cosine = axis == Axis::x ? row.y : row.x;
     const double sine = axis == Axis::y ? -row.z : (axis == Axis::x ? row.z : row.y);
-    const double exact = std::atan2(sine, cosine) * 180 / pi;
+    const double exact = portable::atan2(sine, cosine) * 180 / pi;
     // People write angles with few digits, and those do not survive the arc tangent: the shortest that fits is theirs.
     for (const int digits : {4, 7, 10, 13, 15, 17}) {
       const double degrees = std::strtod(fmt::format("{:.{}g}", exact, digits).c_str(), nullptr);

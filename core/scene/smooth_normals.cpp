@@ -1,8 +1,9 @@
 #include "scene/smooth_normals.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <unordered_map>
+
+#include "math/portable.h"
 
 namespace ps {
 namespace {
@@ -19,7 +20,7 @@ Vec3d weighted_normal(const Mesh& mesh, const MeshTriangle& triangle, std::size_
   const Vec3d normal = cross(a, b);
   const double sine = glm::length(normal);
   if (!(sine > 0)) return Vec3d(0);
-  return normal * (std::atan2(sine, dot(a, b)) / sine);
+  return normal * (portable::atan2(sine, dot(a, b)) / sine);
 }
 
 }  // namespace

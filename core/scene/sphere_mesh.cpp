@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/portable.h"
+
 namespace ps {
 
 Mesh make_sphere_mesh(int divisions) {
@@ -13,7 +15,7 @@ Mesh make_sphere_mesh(int divisions) {
     const double y = 2.0 / divisions * (ring - divisions / 2.0);
     const double radius = std::sqrt(std::max(0.0, 1.0 - y * y));
     for (int i = 0; i < divisions; ++i)
-      mesh.positions.emplace_back(radius * std::cos(i * step), y, radius * std::sin(i * step));
+      mesh.positions.emplace_back(radius * portable::cos(i * step), y, radius * portable::sin(i * step));
   }
   mesh.normals = mesh.positions;
   const auto add = [&](int a, int b, int c) {

@@ -1,8 +1,8 @@
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
+#include "math/portable.h"
 #include "math/vec.h"
 
 namespace ps {
@@ -14,8 +14,8 @@ namespace ps {
 template <class Real>
 inline Vec2<Real> world_map_uv(const Vec3<Real>& direction) {
   constexpr Real pi = std::numbers::pi_v<Real>;
-  const Real polar = std::acos(std::clamp(direction.y, Real(-1), Real(1)));
-  return {Real(0.5) + std::atan2(direction.x, -direction.z) / (2 * pi), polar / pi};
+  const Real polar = portable::acos(std::clamp(direction.y, Real(-1), Real(1)));
+  return {Real(0.5) + portable::atan2(direction.x, -direction.z) / (2 * pi), polar / pi};
 }
 
 /// Faces of a box: 0 = -x, 1 = +x, 2 = -y, 3 = +y, 4 = -z, 5 = +z, in its own axes.
@@ -37,7 +37,7 @@ inline Vec2<Real> cube_cross_uv(int face, const Vec3<Real>& p) {
 /// z from 0 to 1 along the axis. The side is the whole picture, rolled up with `to` at the top; so is each cap.
 template <class Real>
 inline Vec2<Real> cylinder_uv(int face, const Vec3<Real>& p) {
-  if (face == 2) return {Real(0.5) + std::atan2(p.y, p.x) / (2 * std::numbers::pi_v<Real>), 1 - p.z};
+  if (face == 2) return {Real(0.5) + portable::atan2(p.y, p.x) / (2 * std::numbers::pi_v<Real>), 1 - p.z};
   return {(1 + p.x) / 2, (1 - p.y) / 2};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "math/power.h"  // IWYU pragma: export
 #include "scene/camera.h"
 #include "scene/mesh.h"
 #include "scene/object.h"

@@ -182,7 +182,8 @@ class TriangleTeller {
     double least = INFINITY;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2d &from = p[k], &to = p[(k + 1) % 3];
-      const double size = std::hypot(to.x - from.x, to.y - from.y);
+      const Vec2d along = to - from;
+      const double size = std::sqrt(along.x * along.x + along.y * along.y);
       const double away = size > 0 ? std::abs(doubled_area(from, to, *place)) / size : INFINITY;
       if (away < least) {
         least = away;

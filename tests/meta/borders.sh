@@ -30,6 +30,10 @@ forbid 'OpenGL outside core/hardware, app/gui and its yardstick' \
 forbid 'X11 or Wayland' "$(includes '(X11|xcb|wayland)[/-]')" "$all"
 forbid 'stb outside core/image' "$(includes '(.*/)?stb_')" "$all" '^core/image/'
 forbid 'A thread started outside core/base' 'std::(jthread|async|thread(?!::))\b|pthread_create' "$library" '^core/base/'
+# The C library's results depend on the processor and on its version; math/portable.h and math/power.h replace them.
+forbid 'Functions of the C library whose last bits differ, in what makes pictures' \
+  'std::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot|fma)f?\(' \
+  '^core/(accel|raster|raytrace|render|scene|shade|textbook)/|^chapters/'
 forbid 'What libc++ 14 lacks, in core/ or chapters/' \
   "$(includes '(format|source_location|stop_token|syncstream|stacktrace|expected|generator)>')|std::(jthread|stop_token|source_location|format|views|ranges::views)\\b" \
   "$library"

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <unordered_map>
 
 #include "base/check.h"
+#include "math/portable.h"
 
 namespace ps {
 namespace {
@@ -34,8 +36,8 @@ Radius radius_in(const Vec3d& direction, double amplitude) {
   Radius radius{1, {0, 0, 0}};
   for (const Wave& wave : relief) {
     const double angle = dot(wave.wave, direction) + wave.phase;
-    radius.value += amplitude * wave.weight * std::sin(angle);
-    radius.gradient += amplitude * wave.weight * std::cos(angle) * wave.wave;
+    radius.value += amplitude * wave.weight * portable::sin(angle);
+    radius.gradient += amplitude * wave.weight * portable::cos(angle) * wave.wave;
   }
   return radius;
 }
@@ -55,7 +57,7 @@ class Lattice {
   }
 
  private:
-  double warp(int step) const { return std::tan((2.0 * step / options_.divisions - 1) * std::atan(1.0)); }
+  double warp(int step) const { return portable::tan((2.0 * step / options_.divisions - 1) * (std::numbers::pi / 4)); }
 
   void add(const glm::ivec3& point) {
     const Vec3d on_cube{warp(point.x), warp(point.y), warp(point.z)};

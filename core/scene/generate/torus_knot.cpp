@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/check.h"
+#include "math/portable.h"
 
 namespace ps {
 namespace {
@@ -14,15 +15,15 @@ Vec3d unit_length(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
 /// First and second derivative of the middle line.
 std::array<Vec3d, 2> derivatives(const TorusKnotOptions& options, double t) {
   const double p = options.turns_around_axis, q = options.turns_around_tube;
-  const double c = std::cos(p * t), s = std::sin(p * t);
-  const double radius = options.major_radius + options.minor_radius * std::cos(q * t);
-  const double radius1 = -q * options.minor_radius * std::sin(q * t);
-  const double radius2 = -q * q * options.minor_radius * std::cos(q * t);
+  const double c = portable::cos(p * t), s = portable::sin(p * t);
+  const double radius = options.major_radius + options.minor_radius * portable::cos(q * t);
+  const double radius1 = -q * options.minor_radius * portable::sin(q * t);
+  const double radius2 = -q * q * options.minor_radius * portable::cos(q * t);
   const Vec3d first{radius1 * c - p * radius * s, radius1 * s + p * radius * c,
-                    q * options.minor_radius * std::cos(q * t)};
+                    q * options.minor_radius * portable::cos(q * t)};
   const Vec3d second{radius2 * c - 2 * p * radius1 * s - p * p * radius * c,
                      radius2 * s + 2 * p * radius1 * c - p * p * radius * s,
-                     -q * q * options.minor_radius * std::sin(q * t)};
+                     -q * q * options.minor_radius * portable::sin(q * t)};
   return {first, second};
 }
 
@@ -30,8 +31,8 @@ std::array<Vec3d, 2> derivatives(const TorusKnotOptions& options, double t) {
 
 Vec3d torus_knot_line(const TorusKnotOptions& options, double t) {
   const double p = options.turns_around_axis, q = options.turns_around_tube;
-  const double radius = options.major_radius + options.minor_radius * std::cos(q * t);
-  return {radius * std::cos(p * t), radius * std::sin(p * t), options.minor_radius * std::sin(q * t)};
+  const double radius = options.major_radius + options.minor_radius * portable::cos(q * t);
+  return {radius * portable::cos(p * t), radius * portable::sin(p * t), options.minor_radius * portable::sin(q * t)};
 }
 
 Mesh make_torus_knot(const TorusKnotOptions& options) {
@@ -50,7 +51,7 @@ Mesh make_torus_knot(const TorusKnotOptions& options) {
     const Vec3d middle = torus_knot_line(options, t);
     for (int j = 0; j < sides; ++j) {
       const double angle = 2 * std::numbers::pi * j / sides;
-      const Vec3d normal = unit_length(std::cos(angle) * inward + std::sin(angle) * binormal);
+      const Vec3d normal = unit_length(portable::cos(angle) * inward + portable::sin(angle) * binormal);
       mesh.normals.push_back(normal);
       mesh.positions.push_back(middle + options.tube_radius * normal);
     }

@@ -1,9 +1,9 @@
 #include "scene/generate/uv_sphere.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "base/check.h"
+#include "math/portable.h"
 
 namespace ps {
 namespace {
@@ -35,8 +35,8 @@ Mesh make_uv_sphere(const UvSphereOptions& options) {
     const double polar = std::numbers::pi * stack / stacks;
     for (int slice = 0; slice < slices; ++slice) {
       const double angle = 2 * std::numbers::pi * slice / slices;
-      mesh.positions.push_back(
-          {std::sin(polar) * std::cos(angle), std::cos(polar), -std::sin(polar) * std::sin(angle)});
+      mesh.positions.push_back({portable::sin(polar) * portable::cos(angle), portable::cos(polar),
+                                -portable::sin(polar) * portable::sin(angle)});
     }
   }
   mesh.positions.push_back({0, -1, 0});
