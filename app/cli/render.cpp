@@ -15,6 +15,7 @@
 #include "document/permalink.h"
 #include "image/file.h"
 #include "options/option.h"
+#include "options/simd_choice.h"
 #include "raster/coverage/efficiency.h"
 #include "render/display_frame.h"
 #include "render/left_out.h"
@@ -49,11 +50,13 @@ std::optional<TileRect> region_of(const std::vector<int>& numbers, const View& v
 /// Everything about a finished picture except its pixels.
 std::string stats_json(const Document& document, const View& view, const Frame& frame, double milliseconds) {
   const Settings& settings = document.a.settings;
+  const bool scalar = frame.path.machinery == Machinery::clear;
   nlohmann::ordered_json json{{"program", fmt::format("pixelscope {}", version())},
                               {"scene", document.scene_name},
                               {"size", {view.width, view.height}},
                               {"permalink", permalink(document)},
-                              {"threads", resolve_threads({settings.threads, WorkerPriority::normal})}};
+                              {"threads", resolve_threads({settings.threads, WorkerPriority::normal})},
+                              {"simd", scalar ? "none" : chosen_simd(settings.simd)}};
   for (const Option& option : option_table()) json["settings"][std::string(option.key)] = option_text(option, settings);
   for (std::size_t i = 0; i < counter_count; ++i)
     json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = frame.counters.values[i];

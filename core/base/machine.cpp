@@ -21,21 +21,20 @@ std::string processor_name() {
   return "unknown";
 }
 
-std::string simd_name() {
-#if HWY_ARCH_X86
-  const std::int64_t supported = hwy::SupportedTargets();
-  // In the makers' words: Highway calls the first "AVX3".
-  if ((supported & HWY_AVX3) != 0) return "AVX-512";
-  if ((supported & HWY_AVX2) != 0) return "AVX2";
-  if ((supported & HWY_SSE4) != 0) return "SSE4";
-#endif
-  return "none";
-}
-
 }  // namespace
 
 Machine this_machine() {
-  return {std::string(version()), processor_name(), simd_name(), resolve_threads(ParallelOptions{})};
+  return {std::string(version()), processor_name(), std::string(simd_name(hwy::SupportedTargets())),
+          resolve_threads(ParallelOptions{})};
+}
+
+std::string_view simd_name(std::int64_t targets) {
+#if HWY_ARCH_X86
+  if ((targets & HWY_AVX3) != 0) return "AVX-512";  // Highway's word is AVX3
+  if ((targets & HWY_AVX2) != 0) return "AVX2";
+  if ((targets & HWY_SSE4) != 0) return "SSE4";
+#endif
+  return "none";
 }
 
 }  // namespace ps

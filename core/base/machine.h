@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace ps {
 
@@ -12,5 +14,9 @@ struct Machine {
 };
 
 Machine this_machine();
+
+/// The best instruction set that Pixelscope has code for among `targets` (bits of hwy::SupportedTargets()), as its
+/// maker calls it: "AVX-512", "AVX2" or "SSE4"; "none" without any.
+std::string_view simd_name(std::int64_t targets);
 
 }  // namespace ps

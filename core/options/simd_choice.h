@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "options/settings.h"
 
@@ -19,5 +20,8 @@ inline bool may_use(Simd setting, Simd target, std::int64_t supported, std::int6
 
 /// The target that runs with this setting on this processor; none with `off` and on processors without SSE4.
 std::optional<Simd> widest_simd(Simd setting);
+
+/// simd_name() of the target that kernels choose under this setting.
+std::string_view chosen_simd(Simd setting);
 
 }  // namespace ps

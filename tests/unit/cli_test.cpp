@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/machine.h"
 #include "base/version.h"
 #include "document/permalink.h"
 #include "image/file.h"
@@ -140,6 +141,31 @@ TEST(Cli, StatsTellOfTheWork) {
   EXPECT_EQ(read["settings"]["renderer"], "ray-tracer");
   EXPECT_EQ(read["program"], fmt::format("pixelscope {}", version()));
   EXPECT_GE(read["time_ms"].get<double>(), 0);
+}
+
+TEST(Cli, StatsNameTheSimdTarget) {
+  const ScratchFolder folder;
+  const auto simd = [&](const std::string& scene, const std::vector<std::string>& settings) {
+    const std::string stats = folder.file("stats.json");
+    std::vector<std::string> arguments{"render",  scene, "--size", "20x10", "--out", folder.file("a.ppm"),
+                                       "--stats", stats};
+    for (const std::string& setting : settings) {
+      arguments.push_back("--set");
+      arguments.push_back(setting);
+    }
+    EXPECT_EQ(run_cli(arguments).status, 0);
+    std::ifstream file(stats);
+    return json::parse(file)["simd"].get<std::string>();
+  };
+  const std::string best = this_machine().simd;
+  for (const std::string scene : {"cgfs/spheres", "cgfs/shading"})
+    for (const std::string renderer : {"renderer=ray-tracer", "renderer=rasterizer"}) {
+      EXPECT_EQ(simd(scene, {renderer}), best) << scene << " " << renderer;
+      EXPECT_EQ(simd(scene, {renderer, "simd=off"}), "none") << scene << " " << renderer;
+      EXPECT_EQ(simd(scene, {renderer, "precision=double"}), "none") << scene << " " << renderer;
+      EXPECT_EQ(simd(scene, {renderer, "simd=sse4"}), best == "none" ? "none" : "SSE4") << scene << " " << renderer;
+    }
+  EXPECT_EQ(simd("cgfs/spheres", {"renderer=textbook"}), "none");
 }
 
 TEST(Cli, CompareCountsDifferences) {
