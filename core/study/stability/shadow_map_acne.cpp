@@ -126,7 +126,7 @@ const StabilityExperiment shadow_map_acne{
         "A texel stores the depth at its centre. Half a texel farther down the slope the surface lies deeper than that "
         "and shadows itself; the lower the light, the more bias it needs. Half a texel times the slope is enough where "
         "the slope runs along the map's axes, as on a floor; 0.71 texels are enough for any surface.",
-    .safe = "Half a texel times the slope, for the lowest light of the scene.",
+    .safe = "A slope bias of half a texel and 1/256 on floors, of 0.71 texels and 1/256 on any surface.",
     .window = {0.05, everywhere},
     .measure = measure_acne,
     .picture = picture_acne,
