@@ -116,8 +116,7 @@ std::vector<Option> shadow_rows() {
                 "cover there. Added to the constant one.",
                 "Direct3D 11 15.10",
                 "A filter of k x k taps needs k / 2 texels where the slope runs along the map's axes, as on a floor, "
-                "and "
-                "0.71 k on any surface; and 1/256 more, since the map's vertices are rounded."},
+                "and 0.71 k on any surface; and 1/256 more, since the map's vertices are rounded."},
            .truth = exactly("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           0, 16, OptionScale::linear, "texels"),
