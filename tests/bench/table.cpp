@@ -6,6 +6,7 @@ namespace ps::bench {
 Benches clear_resolve_benches();
 Benches coverage_benches();
 Benches gains_benches();
+Benches window_path_benches();
 Benches headline_benches();
 Benches inspect_benches();
 Benches memory_benches();
@@ -30,6 +31,7 @@ Benches all_benches() {
   append(all, packets_benches());
   append(all, pictures_benches());
   append(all, gains_benches());
+  append(all, window_path_benches());
   append(all, coverage_benches());
   append(all, headline_benches());
   append(all, needs_benches());
