@@ -50,12 +50,6 @@ void trace_what_fragments_show(const Settings& fragments, Settings& rays) {
   rays.shadows = none ? Shadows::none : Shadows::traced;
 }
 
-bool shown_by_rays(const Settings& settings, const SceneTraits& traits) {
-  const bool surfaces = traits.spheres || traits.triangles || traits.solids || traits.csg;
-  const bool outlines = settings.renderer == Renderer::rasterizer && settings.draw != Draw::filled;
-  return (surfaces || !traits.canvas_items) && !outlines;
-}
-
 /// Collects what the truth of the swept options asks for.
 class Planner {
  public:

@@ -17,12 +17,6 @@ namespace {
 
 constexpr int least_bounces = 12;
 
-bool shown_by_rays(const Settings& base, const SceneTraits& traits) {
-  const bool only_canvas = traits.canvas_items && !traits.spheres && !traits.triangles && !traits.solids && !traits.csg;
-  const bool outlines = base.renderer == Renderer::rasterizer && base.draw != Draw::filled;
-  return !only_canvas && !outlines;
-}
-
 /// Two means over each pixel, of samples that have none in common.
 struct Halves {
   Image<Vec3d> first, second;
@@ -125,6 +119,12 @@ Reference read_reference(const std::filesystem::path& file, const View& view) {
 }
 
 }  // namespace
+
+bool shown_by_rays(const Settings& base, const SceneTraits& traits) {
+  const bool only_canvas = traits.canvas_items && !traits.spheres && !traits.triangles && !traits.solids && !traits.csg;
+  const bool outlines = base.renderer == Renderer::rasterizer && base.draw != Draw::filled;
+  return !only_canvas && !outlines;
+}
 
 Settings reference_settings(const Settings& base, const SceneTraits& traits) {
   Settings best = robust_rays(base);

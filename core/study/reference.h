@@ -31,6 +31,9 @@ struct Reference {
   std::optional<Comparison> halves;
 };
 
+/// Can rays show what the settings ask for? Neither canvas items alone nor the rasterizer's outlines.
+bool shown_by_rays(const Settings& settings, const SceneTraits& traits);
+
 /// The settings of the best picture that can be had of what `base` asks for: the ray tracer in double with its robust
 /// tests and at least 12 bounces. What `base` says about the scene's look (lights on, textures, exposure) stays. Scenes
 /// that rays cannot show (canvas items alone, wireframes) keep the rasterizer.

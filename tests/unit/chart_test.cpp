@@ -251,8 +251,8 @@ TEST(Chart, FilesHoldTheTableOfTheDesign) {
   EXPECT_NE(chart_json(chart).find("\"processor\""), std::string::npos);
 }
 
-Chart chart_of(const std::string& scene, const std::vector<std::string>& sweeps,
-               const std::vector<std::string>& assignments = {}, MachineryRule rule = MachineryRule::same) {
+Chart swept_chart(const std::string& scene, const std::vector<std::string>& sweeps,
+                  const std::vector<std::string>& assignments = {}, MachineryRule rule = MachineryRule::same) {
   ChartRequest request;
   request.scene = load_scene(scene);
   request.view = {request.scene.camera, 80, 60};
@@ -278,41 +278,41 @@ const ChartPoint& point_of(const Chart& chart, const std::string& label) {
 
 // What is not swept is the same in the reference: neither missing reflections nor anti-aliasing count as an error.
 TEST(Chart, ErrorsAreThoseOfTheSweptOptionAlone) {
-  const Chart guards = chart_of("cgfs/reflections", {"self-hit"});
+  const Chart guards = swept_chart("cgfs/reflections", {"self-hit"});
   EXPECT_LT(point_of(guards, "offset").error, 0.05);
   EXPECT_GT(point_of(guards, "epsilon").error, 10 * point_of(guards, "offset").error);
   for (const char* renderer : {"renderer=ray-tracer", "renderer=rasterizer"}) {
-    const Chart accelerators = chart_of("cgfs/shading", {"threads=1,2"}, {renderer, "simd=off"});
+    const Chart accelerators = swept_chart("cgfs/shading", {"threads=1,2"}, {renderer, "simd=off"});
     for (const ChartPoint& point : accelerators.points) EXPECT_LT(point.error, 0.5) << renderer;
   }
-  const Chart filters = chart_of("cgfs/crates", {"texture-filter"}, {"renderer=rasterizer"});
+  const Chart filters = swept_chart("cgfs/crates", {"texture-filter"}, {"renderer=rasterizer"});
   EXPECT_LT(point_of(filters, "trilinear").error, point_of(filters, "nearest").error);
-  const Chart depths = chart_of("cgfs/reflections", {"reflection-depth=0,1,2,4,8"});
+  const Chart depths = swept_chart("cgfs/reflections", {"reflection-depth=0,1,2,4,8"});
   for (std::size_t i = 1; i < depths.points.size(); ++i) EXPECT_LT(depths.points[i].error, depths.points[i - 1].error);
-  const Chart samples = chart_of("cgfs/reflections", {"samples-per-pixel=1,4,16"});
+  const Chart samples = swept_chart("cgfs/reflections", {"samples-per-pixel=1,4,16"});
   EXPECT_GT(samples.points[0].error, 2 * samples.points[1].error);
   EXPECT_GT(samples.points[1].error, 2 * samples.points[2].error);
 }
 
 // The scalar path visits another tree than the SIMD one, so counted nodes show which of them was timed.
 TEST(Chart, AllPointsRunOnTheSameMachinery) {
-  const Chart same = chart_of("cgfs/shading", {"accelerator=bvh,box"});
+  const Chart same = swept_chart("cgfs/shading", {"accelerator=bvh,box"});
   EXPECT_NE(same.identity.machinery.find("all on scalar code, because of 'box'"), std::string::npos)
       << same.identity.machinery;
-  const Chart fast = chart_of("cgfs/reflections", {"reflection-depth=0,3"});
+  const Chart fast = swept_chart("cgfs/reflections", {"reflection-depth=0,3"});
   const bool simd = widest_simd(Simd::automatic).has_value();
   EXPECT_EQ(fast.identity.machinery, simd ? "all on SIMD code" : "all on scalar code");
   if (!simd) return;
-  const Chart used = chart_of("cgfs/shading", {"accelerator=bvh,box"}, {}, MachineryRule::as_used);
+  const Chart used = swept_chart("cgfs/shading", {"accelerator=bvh,box"}, {}, MachineryRule::as_used);
   EXPECT_NE(used.identity.machinery.find("as used"), std::string::npos) << used.identity.machinery;
   EXPECT_FALSE(same.identity == used.identity) << "their times do not mix";
   EXPECT_EQ(point_of(same, "bvh").work, point_of(used, "bvh").work) << "work is counted by the scalar path";
-  const Chart against = chart_of("cgfs/shading", {"simd=auto,off"});
+  const Chart against = swept_chart("cgfs/shading", {"simd=auto,off"});
   EXPECT_NE(against.identity.machinery.find("SIMD itself"), std::string::npos);
 }
 
 TEST(Chart, WorkTakesThePlaceOfTime) {
-  Chart chart = chart_of("cgfs/reflections", {"reflection-depth=0,1,3"});
+  Chart chart = swept_chart("cgfs/reflections", {"reflection-depth=0,1,3"});
   chart.across = ChartAcross::work;
   summarise(chart, ErrorMetric::rmse);
   for (const ChartPoint& point : chart.points) {
