@@ -10,6 +10,7 @@
 #include "raytrace/tracer.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/emulated.h"
 
 namespace {
 
@@ -102,8 +103,8 @@ FalseSelfHits false_self_hits(const Scene& scene) {
   Prepared prepared;
   const Pair robust = inputs_for(scene, settings, prepared), naive = inputs_for(scene, book, prepared);
   FalseSelfHits result;
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < height; y += test::pixel_step()) {
+    for (int x = 0; x < width; x += test::pixel_step()) {
       const SelfHits truth = self_hits(robust.wide, x, y);
       result.robust += false_ones(self_hits(robust.narrow, x, y), truth);
       result.naive += false_ones(self_hits(naive.narrow, x, y), truth);
@@ -192,8 +193,8 @@ TEST(FloatAndDouble, SameSurfacesAndShadowsOnEveryScene) {
     Prepared prepared;
     const Pair inputs = inputs_for(scene, settings, prepared);
     int differing = 0;
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < height; y += test::pixel_step()) {
+      for (int x = 0; x < width; x += test::pixel_step()) {
         const Seen narrow = seen_at(inputs.narrow, x, y);
         if (narrow == seen_at(inputs.wide, x, y)) continue;
         ++differing;

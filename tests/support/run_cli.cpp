@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "document/command_line.h"
+#include "support/emulated.h"
 
 namespace ps::test {
 namespace {
@@ -24,7 +25,7 @@ std::string content(const std::string& path) {
 
 ProgramResult run_cli(const std::vector<std::string>& arguments) {
   const ScratchFolder folder;
-  std::string command = PIXELSCOPE_BIN_DIR "/pixelscope-cli";
+  std::string command = emulator() + " " PIXELSCOPE_BIN_DIR "/pixelscope-cli";
   for (const std::string& argument : arguments) command += " " + shell_quote(argument);
   command += " >" + shell_quote(folder.file("out")) + " 2>" + shell_quote(folder.file("err")) + " </dev/null";
   const int status = std::system(command.c_str());
