@@ -142,7 +142,7 @@ RenderRequest meeting_point(int threads, std::set<std::thread::id>& ids, std::mu
       ids.insert(std::this_thread::get_id());
       return static_cast<int>(ids.size());
     };
-    for (int tries = 0; arrived() < threads && tries < 10000; ++tries)
+    for (int tries = 0; arrived() < threads && tries < 200000; ++tries)
       std::this_thread::sleep_for(std::chrono::microseconds(100));
   };
   return request;
