@@ -60,59 +60,6 @@ std::vector<StabilityRow> measure_unnormalised(const StabilityRun& run) {
   return rows;
 }
 
-/// Points that are lit by their interpolated normal, but lie on a triangle that faces away from the light, so that
-/// their shadow ray starts into the mesh. The offset of Hanika (Ray Tracing Gems II ch. 4), which the program does not
-/// have, moves the point onto the smooth surface first; on a convex mesh that puts it outside all triangles.
-std::vector<StabilityRow> measure_terminator(const StabilityRun& run) {
-  Rows rows(run);
-  for (const Cut& cut : {Cut{12, 6}, Cut{20, 10}, Cut{64, 32}, Cut{256, 128}}) {
-    run.check();
-    const Mesh mesh = make_uv_sphere({cut.slices, cut.stacks});
-    std::vector<double> areas;
-    double total = 0;
-    for (const MeshTriangle& t : mesh.triangles) {
-      const Vec3d n = cross(mesh.positions[t.position[1]] - mesh.positions[t.position[0]],
-                            mesh.positions[t.position[2]] - mesh.positions[t.position[0]]);
-      areas.push_back(total += std::sqrt(dot(n, n)));
-    }
-    Random random(run.seed);
-    double lit = 0, dark = 0, still_dark = 0;
-    const int points = run.count(200000, 20000);
-    for (int i = 0; i < points; ++i) {
-      const auto which =
-          static_cast<std::size_t>(std::lower_bound(areas.begin(), areas.end(), random.unit() * total) - areas.begin());
-      const MeshTriangle& t = mesh.triangles[std::min(which, areas.size() - 1)];
-      std::array<Vec3d, 3> p, n;
-      for (std::size_t k = 0; k < 3; ++k) {
-        p[k] = mesh.positions[t.position[k]];
-        n[k] = mesh.normals[static_cast<std::size_t>(t.normal[k])];
-      }
-      double u = random.unit(), v = random.unit();
-      if (u + v > 1) u = 1 - u, v = 1 - v;
-      const std::array w{1 - u - v, u, v};
-      const Vec3d point = p[0] * w[0] + p[1] * w[1] + p[2] * w[2];
-      const Vec3d to_light = random.direction();
-      if (!(dot(n[0] * w[0] + n[1] * w[1] + n[2] * w[2], to_light) > 0)) continue;
-      ++lit;
-      Vec3d facet = cross(p[1] - p[0], p[2] - p[0]);
-      if (dot(facet, point) < 0) facet = -facet;
-      const bool away = dot(facet, to_light) <= 0;
-      dark += away ? 1 : 0;
-      if (!away) continue;
-      Vec3d moved(0);  // onto the tangent planes at the vertices, interpolated
-      for (std::size_t k = 0; k < 3; ++k) moved += (point - n[k] * std::min(0.0, dot(point - p[k], n[k]))) * w[k];
-      // All triangles lie at least this far from the centre: a ray that stays outside misses the mesh.
-      const double inside = std::cos(pi / cut.slices) * std::cos(pi / (2 * cut.stacks));
-      const double along = -dot(moved, to_light);
-      const Vec3d closest = moved + to_light * std::max(0.0, along);
-      still_dark += dot(closest, closest) < inside * inside ? 1 : 0;
-    }
-    rows.push_back({cut.triangles(), "ball with smooth normals", percent(dark, lit), percent(still_dark, lit),
-                    "% of smooth-lit points dark"});
-  }
-  return rows;
-}
-
 /// The book's model of a sphere, of rings of as many quadrilaterals each.
 StabilityPicture ball_of_rings(int rings) {
   StabilityPicture picture{.scene = fmt::format(R"(
@@ -175,18 +122,5 @@ const StabilityExperiment unnormalised_interpolated_normals{
     .measure = measure_unnormalised,
     .picture = picture_unnormalised,
     .frames = angles};
-
-const StabilityExperiment shadow_terminator{
-    .key = "shadow-terminator",
-    .title = "The shadow terminator",
-    .knob = "triangles of the ball",
-    .naive = "shadow ray from the triangle",
-    .robust = "shadow ray from the smooth surface (Hanika)",
-    .explanation =
-        "Vertex normals say that a point is lit although its triangle faces away from the light, and its shadow ray "
-        "starts into the mesh. The share of such points falls with the angle between neighbouring triangles.",
-    .safe = "Fine meshes: a quarter of a percent at 65,000 triangles.",
-    .window = {65000, everywhere},
-    .measure = measure_terminator};
 
 }  // namespace ps::stability
