@@ -34,31 +34,28 @@ Reduced reduce(double angle) {
   return {static_cast<int>(n) & 3, exact_sum(rest.high, rest.low - n * half_pi_parts[2])};
 }
 
+/// A polynomial in `x` by Horner's rule; the coefficient of the highest power comes first.
+template <std::size_t count>
+double horner(const std::array<double, count>& coefficients, double x) {
+  double sum = coefficients[0];
+  for (std::size_t i = 1; i < count; ++i) sum = sum * x + coefficients[i];
+  return sum;
+}
+
 /// Taylor series for angles from -pi/4 to pi/4. What they leave out is below 2^-60 of the result.
 double sin_near_zero(const DoubleDouble& angle) {
+  constexpr std::array series{1.0 / 355687428096000.0, -1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0,
+                              1.0 / 362880.0,          -1.0 / 5040.0,          1.0 / 120.0,        -1.0 / 6.0};
   const double x = angle.high, z = x * x;
-  double series = 1.0 / 355687428096000.0;
-  series = series * z - 1.0 / 1307674368000.0;
-  series = series * z + 1.0 / 6227020800.0;
-  series = series * z - 1.0 / 39916800.0;
-  series = series * z + 1.0 / 362880.0;
-  series = series * z - 1.0 / 5040.0;
-  series = series * z + 1.0 / 120.0;
-  series = series * z - 1.0 / 6.0;
-  return x + (x * z * series + angle.low * (1.0 - 0.5 * z));
+  return x + (x * z * horner(series, z) + angle.low * (1.0 - 0.5 * z));
 }
 
 double cos_near_zero(const DoubleDouble& angle) {
+  constexpr std::array series{1.0 / 20922789888000.0, -1.0 / 87178291200.0, 1.0 / 479001600.0, -1.0 / 3628800.0,
+                              1.0 / 40320.0,          -1.0 / 720.0,         1.0 / 24.0};
   const double x = angle.high, z = x * x;
-  double series = 1.0 / 20922789888000.0;
-  series = series * z - 1.0 / 87178291200.0;
-  series = series * z + 1.0 / 479001600.0;
-  series = series * z - 1.0 / 3628800.0;
-  series = series * z + 1.0 / 40320.0;
-  series = series * z - 1.0 / 720.0;
-  series = series * z + 1.0 / 24.0;
   const double half = 0.5 * z, rough = 1.0 - half;
-  return rough + (((1.0 - rough) - half) + (z * z * series - x * angle.low));
+  return rough + (((1.0 - rough) - half) + (z * z * horner(series, z) - x * angle.low));
 }
 
 double sin_of(const Reduced& angle) {
@@ -81,16 +78,11 @@ constexpr std::array<DoubleDouble, 9> arc_tangents{{{0.0, 0.0},
 
 /// The arc tangent of a ratio from 0 to 1: atan(c) + atan((ratio - c) / (1 + c ratio)), with c the nearest eighth.
 DoubleDouble atan_of_ratio(double ratio) {
+  constexpr std::array series{1.0 / 13.0, -1.0 / 11.0, 1.0 / 9.0, -1.0 / 7.0, 1.0 / 5.0, -1.0 / 3.0};
   const int nearest = static_cast<int>(8.0 * ratio + 0.5);
   const double c = nearest / 8.0;
   const double t = (ratio - c) / (1.0 + c * ratio), z = t * t;
-  double series = 1.0 / 13.0;
-  series = series * z - 1.0 / 11.0;
-  series = series * z + 1.0 / 9.0;
-  series = series * z - 1.0 / 7.0;
-  series = series * z + 1.0 / 5.0;
-  series = series * z - 1.0 / 3.0;
-  return arc_tangents[static_cast<std::size_t>(nearest)] + DoubleDouble{t, t * z * series};
+  return arc_tangents[static_cast<std::size_t>(nearest)] + DoubleDouble{t, t * z * horner(series, z)};
 }
 
 /// end - angle.

@@ -23,14 +23,22 @@ std::optional<Simd> widest_simd(Simd setting) {
 }
 
 std::string_view chosen_simd(Simd setting) {
-  std::int64_t chosen = 0;
+  const std::optional<Simd> target = widest_simd(setting);
+  if (!target) return simd_name(0);
 #if HWY_ARCH_X86
-  const std::int64_t have = processor_targets();
-  if (may_use(setting, Simd::avx512, have, HWY_AVX3)) chosen |= HWY_AVX3;
-  if (may_use(setting, Simd::avx2, have, HWY_AVX2)) chosen |= HWY_AVX2;
-  if (may_use(setting, Simd::sse4, have, HWY_SSE4)) chosen |= HWY_SSE4;
+  switch (*target) {
+  case Simd::avx512:
+    return simd_name(HWY_AVX3);
+  case Simd::avx2:
+    return simd_name(HWY_AVX2);
+  case Simd::sse4:
+    return simd_name(HWY_SSE4);
+  case Simd::off:
+  case Simd::automatic:
+    break;
+  }
 #endif
-  return simd_name(chosen);
+  return simd_name(0);
 }
 
 }  // namespace ps
