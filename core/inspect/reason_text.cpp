@@ -146,6 +146,8 @@ std::string_view coverage_key(Coverage strategy) {
     return "bounding-box";
   case Coverage::barycentric:
     return "barycentric";
+  case Coverage::hoisted:
+    return "hoisted";
   case Coverage::scanline:
     return "scanline";
   case Coverage::hierarchical:

@@ -80,6 +80,8 @@ std::vector<Option> drawing_rows() {
            {"ray-test", "ray test", "A ray through every pixel of the picture against every triangle."},
            {"bounding-box", "bounding box", "The same ray test, for the samples of the triangle's box alone."},
            {"barycentric", "barycentric weights", "Three quotients for each sample of the box, in float or double."},
+           {"hoisted", "barycentric, hoisted",
+            "The same weights by two operations each: divisions are made once for a triangle, sums once for a row."},
            {"scanline", "scanline", "Row by row from the left edge to the right one; nothing to test in between."},
            {"hierarchical", "hierarchical", "Cells of 64, 16 and 4 pixels are dropped or taken whole."},
            {"tiled", "tiled", "Tiles of 8 x 8 samples, decided by 64-bit masks."},

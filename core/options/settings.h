@@ -12,7 +12,17 @@ enum class Clipping { full, near_only, none };
 enum class Visibility { depth_buffer, painter, draw_order };
 enum class DepthValue { inverse_z, z, distance };
 enum class DepthFormat { plain, unit_float, unorm };
-enum class Coverage { edge_function, ray_test, bounding_box, barycentric, scanline, hierarchical, tiled, micropolygon };
+enum class Coverage {
+  edge_function,
+  ray_test,
+  bounding_box,
+  barycentric,
+  hoisted,
+  scanline,
+  hierarchical,
+  tiled,
+  micropolygon
+};
 enum class EdgeArithmetic { fixed, float32, float_stepped, int32 };
 enum class FillRule { top_left, inclusive, exclusive };
 enum class Draw { filled, wireframe, points };

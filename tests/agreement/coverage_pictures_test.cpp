@@ -9,9 +9,9 @@
 namespace ps {
 namespace {
 
-constexpr std::array<Coverage, 8> all{Coverage::edge_function, Coverage::ray_test,    Coverage::bounding_box,
-                                      Coverage::barycentric,   Coverage::scanline,    Coverage::hierarchical,
-                                      Coverage::tiled,         Coverage::micropolygon};
+constexpr std::array<Coverage, 9> all{Coverage::edge_function, Coverage::ray_test, Coverage::bounding_box,
+                                      Coverage::barycentric,   Coverage::hoisted,  Coverage::scanline,
+                                      Coverage::hierarchical,  Coverage::tiled,    Coverage::micropolygon};
 
 struct Pictures {
   Scene scene;
@@ -44,8 +44,9 @@ TEST(CoveragePictures, AreOne) {
         pictures.settings.coverage = strategy;
         const Frame frame = pictures.draw();
         // Float weights may round to the wrong side of an edge: a pixel or two on borders.
-        EXPECT_LE(differing(frame, reference), strategy == Coverage::barycentric ? 3 : 0);
-        if (strategy != Coverage::barycentric) {
+        const bool weights = strategy == Coverage::barycentric || strategy == Coverage::hoisted;
+        EXPECT_LE(differing(frame, reference), weights ? 3 : 0);
+        if (!weights) {
           EXPECT_EQ(frame.counters[Counter::fragments], reference.counters[Counter::fragments]);
         }
       }
@@ -56,13 +57,16 @@ TEST(CoveragePictures, BarycentricInDoubleIsExact) {
   Pictures pictures("cgfs/shading", 150, 110);
   pictures.settings.precision = Precision::float64;
   const Frame reference = pictures.draw();
-  pictures.settings.coverage = Coverage::barycentric;
-  EXPECT_EQ(differing(pictures.draw(), reference), 0);
+  for (const Coverage strategy : {Coverage::barycentric, Coverage::hoisted}) {
+    pictures.settings.coverage = strategy;
+    EXPECT_EQ(differing(pictures.draw(), reference), 0);
+  }
 }
 
 TEST(CoveragePictures, ChannelOfTestsAddsUpToTheCounter) {
   Pictures pictures("cgfs/cubes", 100, 80);
-  for (const Coverage strategy : {Coverage::edge_function, Coverage::ray_test, Coverage::barycentric}) {
+  for (const Coverage strategy :
+       {Coverage::edge_function, Coverage::ray_test, Coverage::barycentric, Coverage::hoisted}) {
     pictures.settings.coverage = strategy;
     RenderRequest request;
     request.channels = Channel::tests;

@@ -34,8 +34,7 @@ Explanation explain_rays(const CoverageInput& input, int column, int row) {
 }
 
 template <class Real>
-Explanation explain_barycentric(const CoverageInput& input, int column, int row) {
-  const auto weights = barycentric_weights<Real>(input, column, row);
+Explanation explain_weights(const CoverageInput& input, const std::array<Real, 3>& weights) {
   const int corner = failing(weights, input.edges.threshold);
   const std::vector<double> values(weights.begin(), weights.end());
   if (corner < 0) return {"no weight is negative", values};
@@ -145,7 +144,9 @@ Explanation explain(const CoverageChoice& choice, const CoverageInput& input, in
   case Coverage::bounding_box:
     return explain_rays(input, column, row);
   case Coverage::barycentric:
-    return explain_barycentric<Real>(input, column, row);
+    return explain_weights<Real>(input, barycentric_weights<Real>(input, column, row));
+  case Coverage::hoisted:
+    return explain_weights<Real>(input, hoisted_weights<Real>(input, column, row));
   case Coverage::scanline:
     return explain_span(input, column, row);
   case Coverage::hierarchical:

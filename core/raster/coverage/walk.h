@@ -2,6 +2,7 @@
 #include "raster/coverage/barycentric.h"
 #include "raster/coverage/choice.h"
 #include "raster/coverage/hierarchical.h"
+#include "raster/coverage/hoisted.h"
 #include "raster/coverage/incremental.h"
 #include "raster/coverage/micropolygon.h"
 #include "raster/coverage/ray_test.h"
@@ -11,7 +12,7 @@
 namespace ps::raster {
 
 /// Finds the covered samples of a box that is not empty and lies in the picture. All strategies find the same ones,
-/// except barycentric in float and edge functions in arithmetic that is not fixed.
+/// except barycentric and hoisted in float and edge functions in arithmetic that is not fixed.
 template <class Real, class Sink>
 void walk_coverage(const CoverageChoice& choice, const CoverageInput& input, const PixelBox& box, Sink& sink) {
   switch (choice.strategy) {
@@ -32,6 +33,8 @@ void walk_coverage(const CoverageChoice& choice, const CoverageInput& input, con
     return walk_rays(input, box, sink);
   case Coverage::barycentric:
     return walk_barycentric<Real>(input, box, sink);
+  case Coverage::hoisted:
+    return walk_hoisted<Real>(input, box, sink);
   case Coverage::scanline:
     return walk_scanlines(input, box, sink);
   case Coverage::hierarchical:

@@ -66,6 +66,7 @@ extern const StabilityExperiment sample_accumulation;
 extern const StabilityExperiment recursion_depth;
 extern const StabilityExperiment refraction_total_internal;
 extern const StabilityExperiment acos_of_unit_dot;
+extern const StabilityExperiment coverage_growth;
 extern const StabilityExperiment nan_in_a_picture;
 extern const StabilityExperiment build_flags;
 extern const StabilityExperiment precision;

@@ -48,6 +48,7 @@ const auto& table() {
       stepped_edge_drift,
       sub_pixel_bits,
       ray_vs_raster_agreement,
+      coverage_growth,
       inclusive_scanlines,
       reproduction(interpolate_drift),
       reproduction(inverse_depth),
