@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "fuzz/read_or_refuse.h"
 #include "image/file.h"
 #include "scene/obj.h"
 #include "scene/obj_material.h"
@@ -15,17 +16,6 @@ namespace {
 
 /// Other files that the bytes name are looked for here.
 constexpr const char* folder = "tests/corpus/files";
-
-template <class Read>
-Outcome read_or_refuse(Read read) {
-  try {
-    read();
-    return Outcome::read;
-  } catch (const InputError& error) {
-    PS_ASSERT(std::string_view(error.what()) != "", "an error says what is wrong");
-    return Outcome::refused;
-  }
-}
 
 void check_mesh(const Mesh& mesh, std::size_t materials) {
   for (const Vec3d& p : mesh.positions) PS_ASSERT(std::isfinite(p.x + p.y + p.z), "vertices are finite");
@@ -95,9 +85,20 @@ Outcome picture(std::string_view bytes, const char* name) {
 Outcome png(std::string_view bytes) { return picture(bytes, "fuzz.png"); }
 Outcome pnm(std::string_view bytes) { return picture(bytes, "fuzz.ppm"); }
 Outcome pfm(std::string_view bytes) { return picture(bytes, "fuzz.pfm"); }
+Outcome jpeg(std::string_view bytes) { return picture(bytes, "fuzz.jpg"); }
+Outcome tga(std::string_view bytes) { return picture(bytes, "fuzz.tga"); }
 
-constexpr std::array<Target, 6> table{
-    {{"scene", scene}, {"obj", obj}, {"mtl", mtl}, {"png", png}, {"pnm", pnm}, {"pfm", pfm}}};
+constexpr std::array<Target, 11> table{{{"scene", scene},
+                                        {"obj", obj},
+                                        {"mtl", mtl},
+                                        {"png", png},
+                                        {"pnm", pnm},
+                                        {"pfm", pfm},
+                                        {"jpeg", jpeg},
+                                        {"tga", tga},
+                                        {"permalink", read_permalink},
+                                        {"chart-log", read_log_of_chart},
+                                        {"lesson", read_lesson}}};
 
 }  // namespace
 

@@ -14,37 +14,18 @@
 #include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/random_settings.h"
 #include "support/trials.h"
 
 namespace ps {
 namespace {
 
 using Random = std::mt19937;
+using test::below;
+using test::random_value;
+using test::share;
 
 constexpr int width = 40, height = 30, option_sets = test::trial_divisor > 1 ? 2 : 6, pixels_each = 10;
-
-double share(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
-int below(Random& random, int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); }
-
-/// Values that keep a small picture cheap.
-double random_value(const Option& option, Random& random) {
-  if (option.key == "threads") return 1;
-  if (option.key == "reflection-depth") return below(random, 5);
-  if (option.key == "samples-per-pixel") return 1 + below(random, 5);
-  if (option.key == "tessellation") return 0.3 + 3 * share(random);
-  if (option.key == "shadow-map-size" || option.key == "environment-size") return 8 + below(random, 24);
-  switch (option.kind) {
-  case OptionKind::boolean:
-    return below(random, 2);
-  case OptionKind::choice:
-    return below(random, static_cast<int>(option.choices.size()));
-  case OptionKind::integer:
-    return option.minimum + below(random, static_cast<int>(option.maximum - option.minimum) + 1);
-  case OptionKind::real:
-    return option.minimum + (option.maximum - option.minimum) * share(random) * share(random) * share(random);
-  }
-  return 0;
-}
 
 Settings random_settings(Settings settings, Random& random) {
   const Renderer renderer = settings.renderer;
@@ -53,12 +34,6 @@ Settings random_settings(Settings settings, Random& random) {
   settings.renderer = renderer;
   settings.threads = 1;
   return settings;
-}
-
-std::string described(const Settings& settings) {
-  std::string text;
-  for (const std::string& one : changed_options(settings)) text += " " + one;
-  return text;
 }
 
 Vec3d total(const PixelStory& story) {
@@ -131,8 +106,8 @@ TEST(Ledger, AddsUpToThePictureEverywhere) {
         lit += story.ledger.size() > 3 ? 1 : 0;
         const std::string fault = fault_of_story(story, frame, settings, parents);
         if (fault.empty()) continue;
-        faults.push_back(
-            fmt::format("{}: {} at {},{}, settings{}", fault, builtin.name, pixel.x, pixel.y, described(settings)));
+        faults.push_back(fmt::format("{}: {} at {},{}, settings{}", fault, builtin.name, pixel.x, pixel.y,
+                                     test::changed_settings(settings)));
         break;  // one of each option set tells enough
       }
     }

@@ -9,6 +9,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/random_scene.h"
+#include "support/random_settings.h"
 #include "support/same_bits.h"
 #include "support/trials.h"
 
@@ -21,31 +22,9 @@ constexpr int walks = test::trials(500);
 constexpr int steps = 4;
 
 using Random = std::mt19937;
-
-double share(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
-
-int below(Random& random, int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); }
-
-/// Values that keep a small picture cheap: no more threads, tessellations or bounces than a test can afford.
-double random_value(const Option& option, Random& random) {
-  if (option.key == "threads") return below(random, 4);
-  if (option.key == "reflection-depth") return below(random, 5);
-  if (option.key == "samples-per-pixel") return 1 + below(random, 4);
-  if (option.key == "tessellation") return 0.3 + 3 * share(random);
-  if (option.key == "shadow-map-size" || option.key == "environment-size") return 8 + below(random, 24);
-  if (option.key == "near") return 0.5 + share(random);
-  switch (option.kind) {
-  case OptionKind::boolean:
-    return below(random, 2);
-  case OptionKind::choice:
-    return below(random, static_cast<int>(option.choices.size()));
-  case OptionKind::integer:
-    return option.minimum + below(random, static_cast<int>(option.maximum - option.minimum) + 1);
-  case OptionKind::real:
-    return option.minimum + (option.maximum - option.minimum) * share(random) * share(random);
-  }
-  return 0;
-}
+using test::below;
+using test::random_value;
+using test::share;
 
 void move_object(Scene& scene, Random& random) {
   const Vec3d offset{share(random) - 0.5, share(random) - 0.5, share(random) - 0.5};

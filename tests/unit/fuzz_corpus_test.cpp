@@ -2,6 +2,7 @@
 // PIXELSCOPE_TEST_SEED repeats a run, PIXELSCOPE_FUZZ_SECONDS lengthens it. `tests/run --fuzz` goes on with libFuzzer.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -66,6 +67,10 @@ TEST_P(Fuzz, KeptFilesAndChangesOfThemAreReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, Fuzz, testing::ValuesIn(ps::fuzz::targets().begin(), ps::fuzz::targets().end()),
-                         [](const auto& target) { return std::string(target.param.name); });
+                         [](const auto& target) {
+                           std::string name(target.param.name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace

@@ -1,0 +1,73 @@
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "document/permalink.h"
+#include "fuzz/read_or_refuse.h"
+#include "image/file.h"
+#include "lesson.h"
+#include "study/chart_log.h"
+
+namespace ps::fuzz {
+namespace {
+
+/// A chart's folder with four small pictures, for logs that name them. Gone with the program.
+class ChartFolder {
+ public:
+  ChartFolder() : path_(std::filesystem::temp_directory_path() / fmt::format("pixelscope-chart-log-{}", getpid())) {
+    std::filesystem::create_directories(path_);
+    for (int i = 0; i < 4; ++i) save_image(path_ / fmt::format("picture-{}.png", i), Image<Rgb8>(3, 2));
+  }
+  ~ChartFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ChartFolder(const ChartFolder&) = delete;
+  ChartFolder& operator=(const ChartFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+/// What is read is written as a permalink of the same text.
+Outcome read_permalink(std::string_view bytes) {
+  return read_or_refuse([&] {
+    const std::string text = permalink(parse_permalink(bytes));
+    std::string again;
+    try {
+      again = permalink(parse_permalink(text));
+    } catch (const InputError& error) {
+      throw std::logic_error(std::string("what was written cannot be read: ") + error.what() + "\n" + text);
+    }
+    PS_ASSERT(again == text, "a permalink that was written reads back as itself");
+  });
+}
+
+/// Times are sensible, and a point's picture and times belong to it.
+Outcome read_log_of_chart(std::string_view bytes) {
+  static const ChartFolder folder;
+  write_file_atomically(folder.path() / "runs.jsonl", std::string(bytes));
+  return read_or_refuse([&] {
+    const Chart chart = read_chart_log(folder.path());
+    for (const ChartPoint& point : chart.points)
+      for (const double time : point.samples_ms) PS_ASSERT(std::isfinite(time) && time >= 0, "a time is a duration");
+  });
+}
+
+Outcome read_lesson(std::string_view bytes) {
+  return read_or_refuse([&] {
+    const Lesson lesson = parse_lesson(bytes, "fuzz", "fuzz/lesson.md");
+    PS_ASSERT(!lesson.title.empty() && !lesson.steps.empty(), "a lesson has a title and steps");
+    for (const LessonStep& step : lesson.steps)
+      for (const Claim& claim : step.claims) PS_ASSERT(std::isfinite(claim.number), "a bound is a number");
+  });
+}
+
+}  // namespace ps::fuzz
