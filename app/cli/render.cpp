@@ -65,6 +65,8 @@ std::string stats_json(const Document& document, const View& view, const Frame& 
   json["machinery"] = {{"path", machinery_key(frame.path.machinery)},
                        {"shading", shading_key(frame.path.shading)},
                        {"reason", frame.path.reason}};
+  json["left_out"] = nlohmann::ordered_json::array();
+  for (const LeftOut& one : left_out(scene_traits(document.scene), settings)) json["left_out"].push_back(one.sentence);
   json["time_ms"] = milliseconds;
   json["stages"] = nlohmann::ordered_json::array();
   for (const StageTime& time : frame.times)

@@ -79,6 +79,7 @@ const Listing cgfs_02_basic_ray_tracing{
     .shows = "Spheres in their plain colours, by one ray for each pixel.",
     .order = ListingOrder::pixel_by_pixel,
     .reads = {},
+    .draws = {.spheres = true},
     .suits = [](const SceneTraits& traits,
                 const Settings& settings) { return !traits.spheres     ? 0
                                                    : settings.lighting ? 1

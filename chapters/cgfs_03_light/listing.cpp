@@ -118,6 +118,7 @@ const Listing cgfs_03_light{
     .shows = "Spheres with diffuse and specular light, without shadows.",
     .order = ListingOrder::pixel_by_pixel,
     .reads = {},
+    .draws = {.spheres = true, .light = true},
     .suits =
         [](const SceneTraits& traits, const Settings& settings) {
           if (!traits.spheres) return 0;

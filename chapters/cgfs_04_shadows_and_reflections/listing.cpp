@@ -151,6 +151,7 @@ const Listing cgfs_04_shadows_and_reflections{
     .shows = "Lit spheres that throw shadows and mirror each other.",
     .order = ListingOrder::pixel_by_pixel,
     .reads = {"reflection-depth", "shadow-epsilon", "reflection-epsilon"},
+    .draws = {.spheres = true, .light = true, .shadows = true, .reflections = true},
     .suits = [](const SceneTraits& traits, const Settings&) { return traits.spheres ? 3 : 0; },
     .draw = draw,
 };

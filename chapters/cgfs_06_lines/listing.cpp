@@ -60,6 +60,7 @@ const Listing cgfs_06_lines{
     .shows = "Lines on the canvas.",
     .order = ListingOrder::object_by_object,
     .reads = {},
+    .draws = {.canvas_lines = true},
     .suits = [](const SceneTraits& traits,
                 const Settings&) { return !traits.canvas_items      ? 0
                                           : traits.canvas_triangles ? 1

@@ -106,6 +106,7 @@ const Listing cgfs_07_filled_triangles{
     .shows = "Triangles and lines on the canvas, filled row by row in one colour.",
     .order = ListingOrder::object_by_object,
     .reads = {},
+    .draws = {.canvas_lines = true, .canvas_triangles = true},
     .suits = [](const SceneTraits& traits, const Settings&) { return traits.canvas_items ? 3 : 0; },
     .draw = draw,
 };

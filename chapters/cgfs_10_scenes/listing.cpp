@@ -79,6 +79,7 @@ const Listing cgfs_10_scenes{
     .shows = "Models in their places, projected and drawn as the edges of their triangles.",
     .order = ListingOrder::object_by_object,
     .reads = {},
+    .draws = {.models = true},
     .suits = [](const SceneTraits& traits,
                 const Settings& settings) { return !traits.triangles                  ? 0
                                                    : settings.draw == Draw::wireframe ? 6

@@ -99,6 +99,7 @@ const Listing cgfs_12_hidden_surfaces{
     .shows = "Models in plain colours, with a depth buffer and without back faces.",
     .order = ListingOrder::object_by_object,
     .reads = {"visibility", "backface-culling"},
+    .draws = {.models = true},
     .suits = [](const SceneTraits& traits,
                 const Settings& settings) { return !traits.triangles   ? 0
                                                    : settings.lighting ? 2

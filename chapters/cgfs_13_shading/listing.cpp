@@ -183,6 +183,7 @@ const Listing cgfs_13_shading{
     .shows = "Lit models: one intensity for a triangle, for each corner, or for each pixel.",
     .order = ListingOrder::object_by_object,
     .reads = {"shading", "normals", "specular", "demo-slips"},
+    .draws = {.models = true, .light = true},
     .suits = [](const SceneTraits& traits, const Settings&) { return traits.triangles ? 3 : 0; },
     .draw = draw,
 };

@@ -186,6 +186,7 @@ const Listing cgfs_14_textures{
     .shows = "Lit and textured models, perspective-correct or not.",
     .order = ListingOrder::object_by_object,
     .reads = {"interpolation", "specular", "demo-slips"},
+    .draws = {.models = true, .light = true, .textures = true},
     .suits = [](const SceneTraits& traits, const Settings&) { return !traits.triangles ? 0
                                                                      : traits.textures ? 4
                                                                                        : 1; },

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "image/read_limit.h"
+
 namespace {
 
 /// Largest block that a decode in this thread may ask for: a small file may unpack to any size, but never to more than
@@ -66,7 +68,7 @@ Image<Vec3f> unit_image(const Sample* samples, int width, int height) {
 
 }  // namespace
 
-Image<Vec3f> stb_decode(std::string_view bytes, const std::string& file) {
+Image<Vec3f> stb_decode(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw InputError(fmt::format("{}: has {} bytes, expected under 2 GiB", file, bytes.size()));
@@ -75,7 +77,7 @@ Image<Vec3f> stb_decode(std::string_view bytes, const std::string& file) {
   largest_block = tables;
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) fail(file);
-  require_image_size(width, height, file);
+  require_read_size(width, height, most_pixels, file);
   // Four samples of two bytes, doubled for filter bytes, rows padded to whole blocks and growing buffers; compressed
   // bytes are gathered in a block of their own.
   constexpr std::size_t bytes_per_pixel = 16;

@@ -43,44 +43,45 @@ std::optional<Format> format_of(const std::filesystem::path& path) {
 }
 
 /// A palette index beyond the palette shows as whatever lies there: two paddings then give two pictures.
-Image<Vec3f> decode_palette_png(std::string_view bytes, const std::string& file) {
-  Image<Vec3f> image = stb_decode(png_with_padded_palette(bytes, 0), file);
-  if (image != stb_decode(png_with_padded_palette(bytes, 255), file))
+Image<Vec3f> decode_palette_png(std::string_view bytes, const std::string& file, std::int64_t most) {
+  Image<Vec3f> image = stb_decode(png_with_padded_palette(bytes, 0), file, most);
+  if (image != stb_decode(png_with_padded_palette(bytes, 255), file, most))
     throw InputError(fmt::format("{}: a pixel's palette index lies beyond the palette", file));
   return image;
 }
 
-Image<Vec3f> decode_png(std::string_view bytes, const std::string& file) {
+Image<Vec3f> decode_png(std::string_view bytes, const std::string& file, std::int64_t most) {
   const PngInfo info = check_png(bytes, file);
   if (info.palette_entries > 0 && info.palette_entries < 1 << info.bit_depth && info.colour_type == 3)
-    return decode_palette_png(bytes, file);
-  return stb_decode(bytes, file);
+    return decode_palette_png(bytes, file, most);
+  return stb_decode(bytes, file, most);
 }
 
 }  // namespace
 
-Image<Vec3f> load_image(const std::filesystem::path& path) {
+Image<Vec3f> load_image(const std::filesystem::path& path, const LoadOptions& options) {
   if (!format_of(path)) fail_extension(path, known_extensions);
-  return decode_image(read_whole_file(path), path);
+  return decode_image(read_whole_file(path), path, options);
 }
 
-Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name) {
+Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name, const LoadOptions& options) {
+  const std::int64_t most = options.most_pixels;
   const auto format = format_of(name);
   if (!format) fail_extension(name, known_extensions);
   const std::string file = name.string();
   if (bytes.empty()) throw InputError(fmt::format("{}: the file is empty, expected a picture", file));
   switch (*format) {
   case Format::png:
-    return decode_png(bytes, file);
+    return decode_png(bytes, file, most);
   case Format::jpeg:
-    return stb_decode(checked_jpeg(bytes, file), file);
+    return stb_decode(checked_jpeg(bytes, file), file, most);
   case Format::tga:
     check_tga(bytes, file);
-    return stb_decode(bytes, file);
+    return stb_decode(bytes, file, most);
   case Format::pnm:
-    return read_pnm(bytes, file);
+    return read_pnm(bytes, file, most);
   case Format::pfm:
-    return read_pfm(bytes, file);
+    return read_pfm(bytes, file, most);
   }
   return {};
 }

@@ -5,18 +5,23 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/read_limit.h"
 #include "math/vec.h"
 
 namespace ps {
 
+struct LoadOptions {
+  std::int64_t most_pixels = max_read_pixels;  ///< larger pictures are refused before they are decoded
+};
+
 /// Reads a picture; the extension names the format: png jpg jpeg tga ppm pgm pnm pfm. Integer samples become
 /// value / largest value as stored (nothing is linearised), PFM floats stay as they are, grey is copied to all three
 /// channels, alpha is dropped. Throws InputError, naming the file and what is wrong with it, for a missing, truncated
-/// or corrupt file, an unknown extension and a size outside 1..max_image_pixels.
-Image<Vec3f> load_image(const std::filesystem::path& path);
+/// or corrupt file, an unknown extension and a size outside 1..most_pixels.
+Image<Vec3f> load_image(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The same for the bytes of a file at hand; the name gives the format and stands in messages.
-Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name);
+Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name, const LoadOptions& options = {});
 
 /// The same for a file of which only the 8-bit levels are wanted; out-of-range floats are clamped.
 Image<Rgb8> load_levels(const std::filesystem::path& path);

@@ -16,11 +16,11 @@ struct Size {
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
-Size read_size(PnmText& text, const std::string& file) {
+Size read_size(PnmText& text, const std::string& file, std::int64_t most_pixels) {
   constexpr std::int64_t longest = std::numeric_limits<int>::max();
   const std::int64_t width = text.integer(1, longest, "width");
   const std::int64_t height = text.integer(1, longest, "height");
-  require_image_size(width, height, file);
+  require_read_size(width, height, most_pixels, file);
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
@@ -86,25 +86,25 @@ std::string comment(const ImageText& text) {
 
 }  // namespace
 
-Image<Vec3f> read_pnm(std::string_view bytes, const std::string& file) {
+Image<Vec3f> read_pnm(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
   PnmText text(bytes, file);
   const std::string_view magic = text.word("P2, P3, P5 or P6");
   const bool ascii = magic == "P2" || magic == "P3";
   const bool binary = magic == "P5" || magic == "P6";
   if (!ascii && !binary) text.fail("another kind of file", "a PGM or PPM file that begins with P2, P3, P5 or P6");
   const int channels = magic == "P2" || magic == "P5" ? 1 : 3;
-  const Size size = read_size(text, file);
+  const Size size = read_size(text, file, most_pixels);
   constexpr std::int64_t largest_allowed = 65535;
   const int largest = static_cast<int>(text.integer(1, largest_allowed, "largest value"));
   return ascii ? read_ascii(text, size, channels, largest) : read_binary(text, size, channels, largest);
 }
 
-Image<Vec3f> read_pfm(std::string_view bytes, const std::string& file) {
+Image<Vec3f> read_pfm(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
   PnmText text(bytes, file);
   const std::string_view magic = text.word("PF or Pf");
   if (magic != "PF" && magic != "Pf") text.fail("another kind of file", "a PFM file that begins with PF or Pf");
   const std::size_t channels = magic == "PF" ? 3 : 1;
-  const Size size = read_size(text, file);
+  const Size size = read_size(text, file, most_pixels);
   const double scale = text.real("scale");
   if (scale == 0) text.fail("a scale of 0", "a negative (little-endian) or positive (big-endian) scale");
   const std::string_view data = text.rest();

@@ -5,8 +5,7 @@
 namespace ps {
 
 void finish_story(PixelStory& story, const Scene& scene, const Settings& settings) {
-  story.verdict = story_verdict(story, scene);
-  for (const LeftOut& one : left_out(scene_traits(scene), settings)) story.verdict += "; the rasterizer " + one.brief;
+  story.verdict = story_verdict(story, scene) + left_out_words(scene_traits(scene), settings);
   story.ledger = story_ledger(story, scene, settings);
 }
 

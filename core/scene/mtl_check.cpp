@@ -51,9 +51,6 @@ constexpr std::array<std::string_view, 3> harmless{"sharpness", "map_aat", "map_
 /// One statement or another, as exporters like; all name a picture of the surface's relief.
 constexpr std::array<std::string_view, 4> reliefs{"norm", "map_Bump", "map_bump", "bump"};
 
-constexpr std::array<std::string_view, 7> reflection_types{"sphere",    "cube_top",  "cube_bottom", "cube_front",
-                                                           "cube_back", "cube_left", "cube_right"};
-
 bool is_one_of(std::string_view word, const auto& list) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
@@ -71,12 +68,22 @@ bool is_map(std::string_view word) {
          word == "refl";
 }
 
+/// Exporters write white where they mean that light passes unchanged; for all others black means that there is none.
+double neutral_value(std::string_view word) { return word == "Tf" || word == "Kt" ? 1 : 0; }
+
+/// What a material says about its opacity, until all of the file is known.
+struct Opacity {
+  std::optional<double> d, tr;
+  int line = 0;
+};
+
 class MtlChecker {
  public:
   MtlChecker(std::string& text, const std::string& file) : text_(text), file_(file) {}
 
   MtlSummary run() {
     for_each_obj_line(text_, file_, [&](ObjLine& line) { statement(line); });
+    finish();
     return std::move(summary_);
   }
 
@@ -101,32 +108,32 @@ class MtlChecker {
     } else if (word == "d" || word == "Tr") {
       opacity(line, word);
     } else if (word == "illum") {
-      facts_->illum = static_cast<int>(number(line, 0, 10, "a whole number from 0 to 10"));
-      end(line, "one number");
+      facts_->illum = static_cast<int>(clamped(line, word, 0, 10));
     } else if (word == "Ns" || word == "Ni") {
-      line.require_number();
-      if (word == "Ni") facts_->refraction_index = parse_number(line.word()).value_or(1);
+      (word == "Ns" ? facts_->shininess : facts_->refraction_index) = number(line);
       end(line, "one number");
     } else {
-      for (int i = 0; i < 3; ++i) line.require_number();
-      end(line, "three numbers");
-      if (word == "Kd") facts_->diffuse = true;
+      (word == "Kd" ? facts_->diffuse : word == "Ks" ? facts_->specular : facts_->ambient) = colour(line);
     }
   }
 
   void unknown(const ObjLine& line, const std::string& word) {
     constexpr std::size_t most_notes = 50;  // a file of another kind has nothing but unknown words
     if (noted_.size() >= most_notes || noted_.count(word) > 0) return;
-    note(word, fmt::format("{}:{}: '{}' is not a statement of a material file; perhaps '{}'.", file_, line.number(),
-                           word.substr(0, 60), nearest_word(word, mtl_words())));
+    note(word, line.number(),
+         fmt::format("'{}' is not a statement of a material file; perhaps '{}'", word.substr(0, 60),
+                     nearest_word(word, mtl_words())));
   }
 
   void start(ObjLine& line) {
     const std::string name(line.rest());
     if (name.empty()) line.fail(line.shown(), "the name of a material");
     const auto [material, is_new] = summary_.materials.try_emplace(name);
+    if (is_new) summary_.order.push_back(name);
     second_ = {};
+    second_opacity_ = {};
     facts_ = is_new ? &material->second : &second_;
+    opacity_ = is_new ? &opacities_[name] : &second_opacity_;
   }
 
   /// d 0.5, d -halo 0.5, Tr 0.5
@@ -134,62 +141,31 @@ class MtlChecker {
     ObjLine ahead = line;
     if (word == "d" && ahead.next() == "-halo") {
       line.next();
-      note("-halo",
-           fmt::format("{}:{}: '-halo' is not drawn: the surface is as opaque from every side.", file_, line.number()));
+      note("-halo", line.number(), "'-halo' is not drawn: the surface is as opaque from every side");
     }
-    const double value = number(line, 0, 1, "a number from 0 to 1");
-    end(line, "one number");
-    if (word == "d") {
-      facts_->dissolve = value;
-      has_d_ = &*facts_;
-    } else if (has_d_ != &*facts_) {
-      facts_->dissolve = 1 - value;
-    }
-    if (facts_->dissolve == 0.0)
-      note("invisible", fmt::format("{}:{}: '{} {}' makes the material invisible.", file_, line.number(), word, value));
+    (word == "d" ? opacity_->d : opacity_->tr) = clamped(line, word, 0, 1);
+    if (word == "d" || !opacity_->d) opacity_->line = line.number();
   }
 
-  /// Options, then a name that may hold blanks.
-  MtlTexture texture(ObjLine& line, const std::string& word) {
-    bool typed = false;
-    for (;;) {
-      ObjLine ahead = line;
-      const std::string option(ahead.next());
-      if (option.empty() || option.front() != '-') break;
-      line.next();
-      if (option == "-type") {
-        if (!is_one_of(line.next(), reflection_types))
-          line.fail(line.shown(), "sphere, cube_top, cube_bottom, cube_front, cube_back, cube_left or cube_right");
-        typed = true;
-      } else if (option == "-s" || option == "-o" || option == "-t") {
-        const double neutral = option == "-s" ? 1 : 0;
-        if (numbers(line, 1, 3, neutral) != Neutral::yes) warn_option(line, word, option);
-      } else if (option == "-mm") {
-        const bool keeps_black = numbers(line, 1, 1, 0) == Neutral::yes;
-        const bool keeps_white = numbers(line, 1, 1, 1) == Neutral::yes;
-        if (!keeps_black || !keeps_white) warn_option(line, word, option);
-      } else if (option == "-bm") {
-        const double bump = number(line, -1e6, 1e6, "a number");
-        if (is_one_of(word, reliefs)) facts_->bump = bump;
-      } else if (option == "-boost" || option == "-texres") {
-        numbers(line, 1, 1, 1);
-      } else if (option == "-blendu" || option == "-blendv" || option == "-cc" || option == "-clamp") {
-        const std::string value(line.next());
-        if (value != "on" && value != "off") line.fail(line.shown(), "on or off");
-        if (option == "-clamp" && value == "on") warn_option(line, word, option);
-      } else if (option == "-imfchan" || option == "-colorspace") {
-        if (line.next().empty()) line.fail(line.shown(), fmt::format("a value for {}", option));
-      } else {
-        line.fail(line.shown(), "an option of a texture, such as -s 1 1 1, or a file name");
-      }
-    }
-    if (word == "refl" && !typed) {
-      ObjLine ahead = line;
-      if (ahead.next().empty()) line.fail("the end of the line", "-type sphere or -type cube_top and so on");
-    }
-    MtlTexture result{std::string(line.rest()), line.number()};
-    if (result.name.empty()) line.fail(line.shown(), "the name of a picture file");
+  /// r g b, or one value for all three.
+  static Vec3d colour(ObjLine& line) {
+    Vec3d result(number(line));
+    ObjLine ahead = line;
+    if (ahead.next().empty()) return result;
+    result.y = number(line);
+    result.z = number(line);
+    end(line, "three numbers");
     return result;
+  }
+
+  MtlTexture texture(ObjLine& line, const std::string& word) {
+    const MtlTexture map = read_mtl_texture(line);
+    if (map.scale != Vec3d{1, 1, 1}) warn_option(line, word, "-s");
+    if (map.offset != Vec3d{0, 0, 0}) warn_option(line, word, "-o");
+    if (map.turbulence) warn_option(line, word, "-t");
+    if (map.base != 0 || map.gain != 1) warn_option(line, word, "-mm");
+    if (map.clamped) warn_option(line, word, "-clamp");
+    return map;
   }
 
   void leave_out(ObjLine& line, const NotDrawn& statement) {
@@ -199,57 +175,75 @@ class MtlChecker {
       // Exporters name one picture twice; then nothing is lost.
       if (word == "map_Ka" && (!facts_->diffuse_map || facts_->diffuse_map->name == map.name)) return;
     } else {
-      bool black = true;
-      int count = 0;
-      for (; count < 3; ++count) {
+      bool neutral = true;
+      for (int count = 0; count < 3; ++count) {
         ObjLine ahead = line;
-        if (ahead.next().empty()) break;
-        black = number(line, -1e12, 1e12, "a number") == 0 && black;
+        if (count > 0 && ahead.next().empty()) break;
+        neutral = number(line) == neutral_value(word) && neutral;
       }
-      if (count == 0) line.fail(line.shown(), "a number");
-      if (black) return;
+      if (neutral) return;
     }
-    note(word, fmt::format("{}:{}: '{}' is not drawn: {}.", file_, line.number(), word, statement.meaning));
+    note(word, line.number(), fmt::format("'{}' is not drawn: {}", word, statement.meaning));
   }
 
   void warn_option(const ObjLine& line, const std::string& word, const std::string& option) {
-    note(option, fmt::format("{}:{}: the option {} of {} is not drawn.", file_, line.number(), option, word));
+    note(option, line.number(), fmt::format("the option {} of {} is not drawn", option, word));
   }
 
-  enum class Neutral { yes, no };
-  /// Reads `least` numbers and up to `most` if they follow; says whether all were `neutral`.
-  static Neutral numbers(ObjLine& line, int least, int most, double neutral) {
-    Neutral result = Neutral::yes;
-    for (int i = 0; i < most; ++i) {
-      ObjLine ahead = line;
-      if (i >= least && !parse_number(ahead.next())) break;
-      line.require_number();
-      if (parse_number(line.word()) != neutral) result = Neutral::no;
+  /// What only the whole file shows.
+  void finish() {
+    // Some programs write Tr 1 for opaque. One that meant it would have made everything invisible.
+    const auto turned = [](const auto& named) { return !named.second.d && named.second.tr == 1.0; };
+    const bool means_opaque = !opacities_.empty() && std::all_of(opacities_.begin(), opacities_.end(), turned);
+    for (const std::string& name : summary_.order) {
+      MtlFacts& facts = summary_.materials[name];
+      const Opacity& opacity = opacities_[name];
+      if (means_opaque) {
+        note("Tr", opacity.line, "every material has 'Tr 1' and no 'd', so 1 is taken for opaque");
+      } else if (opacity.d || opacity.tr) {
+        facts.dissolve = opacity.d ? *opacity.d : 1 - *opacity.tr;
+        if (facts.dissolve == 0.0)
+          note("invisible", opacity.line, fmt::format("'{}' makes the material invisible", opacity.d ? "d 0" : "Tr 1"));
+      }
+      if (facts.diffuse_map && facts.diffuse == Vec3d{0, 0, 0})
+        note("hidden", facts.diffuse_map->line,
+             fmt::format("'Kd 0 0 0' of '{}' hides the picture of map_Kd: texels are multiplied by Kd", name));
     }
-    return result;
   }
 
-  static double number(ObjLine& line, double low, double high, const char* expected) {
+  static double number(ObjLine& line) {
     line.require_number();
-    const auto value = parse_number(line.word());
-    if (!value || !(*value >= low && *value <= high)) line.fail(line.shown(), expected);
-    return *value;
+    return parse_number(line.word()).value_or(0);
+  }
+
+  /// The only value of a statement.
+  double clamped(ObjLine& line, const std::string& word, double low, double high) {
+    const double value = number(line);
+    const double result = std::clamp(value, low, high);
+    if (result != value)
+      note(word + " range", line.number(),
+           fmt::format("'{} {}' lies outside {} to {} and is taken as {}", word, line.word().substr(0, 60), low, high,
+                       result));
+    end(line, "one number");
+    return result;
   }
 
   static void end(ObjLine& line, const char* expected) {
     if (!line.next().empty()) line.fail(line.shown(), expected);
   }
 
-  void note(const std::string& kind, std::string text) {
-    if (noted_.insert(kind).second) summary_.notes.push_back(std::move(text));
+  void note(const std::string& kind, int line, const std::string& text) {
+    if (noted_.insert(kind).second) summary_.notes.push_back(fmt::format("{}:{}: {}.", file_, line, text));
   }
 
   std::string& text_;
   const std::string& file_;
   MtlSummary summary_;
   MtlFacts* facts_ = nullptr;
-  const MtlFacts* has_d_ = nullptr;
-  MtlFacts second_;  ///< of a second material of one name, which does not count
+  Opacity* opacity_ = nullptr;
+  std::map<std::string, Opacity> opacities_;  ///< by the material's name
+  MtlFacts second_;                           ///< of a second material of one name, which does not count
+  Opacity second_opacity_;
   std::set<std::string> noted_;
 };
 

@@ -33,7 +33,8 @@ std::string trimmed(std::string_view text) {
 class ModelBuilder {
  public:
   ModelBuilder(ObjModel& model, const ObjSummary& summary, std::map<std::string, std::uint32_t> by_name)
-      : model_(model), smoothing_(summary.smoothing), by_name_(std::move(by_name)) {
+      : model_(model), smoothing_(summary.smoothing), without_material_(summary.without_material),
+        by_name_(std::move(by_name)) {
     model.mesh.positions.reserve(summary.positions);
     model.mesh.normals.reserve(summary.normals);
     model.mesh.uvs.reserve(summary.uvs);
@@ -79,7 +80,7 @@ class ModelBuilder {
                           resolve(corners[i].normal_index, model_.mesh.normals.size()),
                           resolve(corners[i].texcoord_index, model_.mesh.uvs.size())});
     }
-    if (!slot_) use_material({});
+    if (!slot_ || material_ends()) use_material({});
     if (count == 3) {
       add(0, 1, 2);
     } else {
@@ -89,6 +90,13 @@ class ModelBuilder {
     }
     if (!smoothing_.empty()) groups_.resize(model_.mesh.triangles.size(), smoothing_group());
     ++faces_;
+  }
+
+  /// Whether a `usemtl` without a name, which tinyobjloader does not report, stands before the face that is being read.
+  bool material_ends() {
+    const std::size_t before = next_end_;
+    while (next_end_ < without_material_.size() && without_material_[next_end_] <= faces_) ++next_end_;
+    return next_end_ > before;
   }
 
   /// Of the face that is being read.
@@ -173,6 +181,8 @@ class ModelBuilder {
   ObjModel& model_;
   const std::vector<SmoothingChange>& smoothing_;
   std::size_t next_change_ = 0;
+  const std::vector<std::size_t>& without_material_;
+  std::size_t next_end_ = 0;
   std::size_t faces_ = 0;
   std::vector<std::uint32_t> groups_;  ///< smoothing group of each triangle; empty if there is none
   std::map<std::string, std::uint32_t> by_name_;

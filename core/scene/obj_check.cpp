@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -17,10 +18,10 @@ constexpr int most_corners = 1000;
 constexpr std::array<std::string_view, 13> ignored{
     "o", "g", "mg", "vp", "vw", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "usemap", "maplib"};
 constexpr std::array<std::string_view, 9> used{"v", "vt", "vn", "f", "s", "l", "p", "usemtl", "mtllib"};
-/// Free-form curves and surfaces, and statements that run other files or programs.
-constexpr std::array<std::string_view, 19> refused{"cstype", "deg",   "bmat", "step", "curv", "curv2", "surf",
-                                                   "parm",   "trim",  "hole", "scrv", "sp",   "end",   "con",
-                                                   "ctech",  "stech", "bsp",  "call", "csh"};
+/// Free-form curves and surfaces, which programs for construction write beside faces.
+constexpr std::array<std::string_view, 17> free_form{"cstype", "deg",  "bmat",  "step",  "curv", "curv2",
+                                                     "surf",   "parm", "trim",  "hole",  "scrv", "sp",
+                                                     "end",    "con",  "ctech", "stech", "bsp"};
 
 std::vector<std::string_view> obj_words() {
   std::vector<std::string_view> words(used.begin(), used.end());
@@ -50,6 +51,9 @@ class ObjChecker {
     for (const IndexList* list : {&positions_, &uvs_, &normals_})
       for (const PendingIndex& pending : list->pending)
         if (pending.index > static_cast<long long>(list->count)) fail_index(pending.place, pending.index, *list);
+    if (summary_.faces == 0 && first_skipped_)
+      first_skipped_->fail(fmt::format("'{}', which is not about polygons", first_skipped_->word()),
+                           "a model of polygons (v, vt, vn, f)");
     if (summary_.faces == 0)
       throw InputError({file_, lines, 0}, fmt::format("no face in {} lines", lines), "at least one line 'f 1 2 3'");
     summary_.positions = positions_.count;
@@ -72,11 +76,12 @@ class ObjChecker {
     if (word == "vt") return uv(line);
     if (word == "f") return face(line);
     if (word == "s") return smoothing(line);
-    if (word == "l" || word == "p") return elements(line, word == "l" ? "lines" : "points");
-    if (word == "usemtl") return reference(line, summary_.used_materials, "the name of a material");
+    if (word == "l" || word == "p") return elements(line, word == "l" ? "lines are not drawn" : "points are not drawn");
+    if (word == "usemtl") return material(line);
     if (word == "mtllib") return reference(line, summary_.material_files, "the name of a material file");
-    if (std::find(refused.begin(), refused.end(), word) != refused.end())
-      line.fail(fmt::format("'{}', which is not about polygons", word), "a model of polygons (v, vt, vn, f)");
+    if (std::find(free_form.begin(), free_form.end(), word) != free_form.end())
+      return skip(line, "free-form curves and surfaces are not drawn");
+    if (word == "call" || word == "csh") return skip(line, "other files and programs are not run");
     if (word == "fo") line.fail("'fo', the old form of 'f'", "'f'");
     if (std::find(ignored.begin(), ignored.end(), word) == ignored.end())
       line.fail(line.shown(), fmt::format("'{}'", nearest_word(word, obj_words())));
@@ -92,17 +97,19 @@ class ObjChecker {
       line.require_number();
     }
     require_end(line, "at most 7 numbers");
-    if (extra >= 3) note("vertex colours", line);
+    if (extra >= 3) note("vertex colours are not drawn", line);
     ++positions_.count;
   }
 
-  /// s off, s 0, s 3
+  /// s off, s 0, s 3; s alone is taken for off.
   void smoothing(ObjLine& line) {
     const std::string_view word = line.next();
     std::uint32_t group = 0;
-    if (word != "off") {
+    if (word.empty()) {
+      note("'s' without a smoothing group is taken for 's off'", line);
+    } else if (word != "off") {
       constexpr std::size_t most_digits = 9;
-      if (word.empty() || word.size() > most_digits) line.fail(line.shown(), smoothing_form);
+      if (word.size() > most_digits) line.fail(line.shown(), smoothing_form);
       for (const char c : word) {
         if (c < '0' || c > '9') line.fail(line.shown(), smoothing_form);
         group = group * 10 + static_cast<std::uint32_t>(c - '0');
@@ -120,11 +127,30 @@ class ObjChecker {
     note(what, line);
   }
 
+  /// usemtl NAME; without a name, what follows has none.
+  void material(ObjLine& line) {
+    ObjLine ahead = line;
+    auto& without = summary_.without_material;
+    const bool replaces = !without.empty() && without.back() == summary_.faces;
+    if (ahead.next().empty()) {
+      note("'usemtl' without a name is taken for no material", line);
+      if (!replaces) without.push_back(summary_.faces);
+      return;
+    }
+    if (replaces) without.pop_back();
+    reference(line, summary_.used_materials, "the name of a material");
+  }
+
+  void skip(const ObjLine& line, const char* what) {
+    if (!first_skipped_) first_skipped_ = line;
+    note(what, line);
+  }
+
   void note(const char* what, const ObjLine& line) {
     const bool known = std::find(noted_.begin(), noted_.end(), what) != noted_.end();
     if (known) return;
     noted_.emplace_back(what);
-    summary_.notes.push_back(fmt::format("{}:{}: {} are not drawn.", file_, line.number(), what));
+    summary_.notes.push_back(fmt::format("{}:{}: {}.", file_, line.number(), what));
   }
 
   void uv(ObjLine& line) {
@@ -213,6 +239,7 @@ class ObjChecker {
   const std::string& file_;
   ObjSummary summary_;
   std::vector<std::string_view> noted_;
+  std::optional<ObjLine> first_skipped_;  ///< statement that is not about polygons
   IndexList positions_{"vertex"};
   IndexList uvs_{"texture coordinate"};
   IndexList normals_{"normal"};

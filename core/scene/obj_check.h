@@ -28,7 +28,8 @@ struct ObjSummary {
   std::size_t corners = 0;  ///< of all faces together
   std::vector<ObjReference> material_files;
   std::vector<ObjReference> used_materials;
-  std::vector<SmoothingChange> smoothing;  ///< in the order of the file; empty without an `s` other than off
+  std::vector<std::size_t> without_material;  ///< faces (counted from 0) before which a `usemtl` names no material
+  std::vector<SmoothingChange> smoothing;     ///< in the order of the file; empty without an `s` other than off
   std::vector<std::string> notes;  ///< what the file holds and nothing draws, with file and line, each kind once
 };
 
@@ -36,7 +37,8 @@ struct ObjSummary {
 /// word and only warns of indices out of range. After this the text is known to be good: every number is finite and
 /// at most 1e12, every index lies in its list, every face has 3 to 1000 corners, and there is at least one face.
 /// Joined lines (a backslash at the end), comments behind a statement and a byte-order mark are blanked out in place,
-/// since tinyobjloader does not know them. Throws InputError with line and column.
+/// since tinyobjloader does not know them. Free-form curves and surfaces are passed over, with a note, where there are
+/// faces as well. Throws InputError with line and column.
 ObjSummary check_obj(std::string& text, const std::string& file);
 
 /// Largest length of one line in a model or material file, in bytes.

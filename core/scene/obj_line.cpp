@@ -80,7 +80,7 @@ const char* number_fault(std::string_view word) {
 
 ObjLine::ObjLine(std::string& text, std::size_t begin, std::size_t end, int number, const std::string& file)
     : text_(&text), begin_(begin), end_(end), at_(begin), word_begin_(begin), word_end_(begin), number_(number),
-      file_(file) {
+      file_(&file) {
   const auto comment = std::string_view(text).substr(begin, end - begin).find('#');
   if (comment == std::string_view::npos) return;
   // A # inside a word belongs to a name.
@@ -115,7 +115,7 @@ void ObjLine::blank_word_end(std::size_t count) {
 }
 
 void ObjLine::fail(const std::string& found, const std::string& expected) const {
-  throw InputError({file_, number_, static_cast<int>(word_begin_ - begin_) + 1}, found, expected);
+  throw InputError({*file_, number_, static_cast<int>(word_begin_ - begin_) + 1}, found, expected);
 }
 
 std::string ObjLine::shown() const {

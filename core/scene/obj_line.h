@@ -39,7 +39,7 @@ class ObjLine {
   std::size_t word_begin_;
   std::size_t word_end_;
   int number_;
-  const std::string& file_;
+  const std::string* file_;
 };
 
 /// Calls `use(line)` for each line; lines end in LF, CR LF or CR. Throws InputError for lines that are too long, for

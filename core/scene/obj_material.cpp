@@ -1,14 +1,14 @@
 #include "scene/obj_material.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include "image/file.h"
 #include "image/height_map.h"
+#include "scene/model_files.h"
 #include "scene/mtl_check.h"
+#include "scene/picture_fault.h"
 #include "scene/scene_file.h"
 #include "scene/scene_value.h"
 #include "scene/texture_generator.h"
@@ -19,31 +19,36 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::uintmax_t max_mtl_bytes = std::uintmax_t{16} << 20;
 
-/// The file as named; else, as exporters write paths of their own machine, the same name beside the model.
-std::optional<fs::path> find_file(const fs::path& folder, std::string name) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  std::error_code ignored;
-  for (const fs::path& path : {folder / name, folder / fs::path(name).filename()})
-    if (fs::is_regular_file(path, ignored)) return path;
-  return {};
-}
-
 class MaterialLoader {
  public:
   MaterialLoader(const fs::path& obj, ObjModel& model) : obj_(obj), folder_(obj.parent_path()), model_(model) {}
 
-  /// `names` is what follows mtllib: one name with or without blanks, or several names.
+  /// `names` is what follows mtllib: one name with or without blanks, or several. Of the words that are left the
+  /// longest run that is a file comes first.
   void load_all(const ObjReference& names) {
-    if (const auto path = find_file(folder_, names.name)) return load(*path);
-    std::istringstream words(names.name);
-    std::string word;
-    while (words >> word) {
-      if (const auto path = find_file(folder_, word)) {
+    std::vector<std::size_t> starts, ends;  // of the words
+    for (std::size_t i = 0; i < names.name.size(); ++i) {
+      const bool blank = names.name[i] == ' ' || names.name[i] == '\t';
+      const bool inside = starts.size() > ends.size();
+      if (!blank && !inside) starts.push_back(i);
+      if (blank && inside) ends.push_back(i);
+    }
+    if (starts.size() > ends.size()) ends.push_back(names.name.size());
+    constexpr std::size_t longest_run = 32;  // of words, so that a long line asks for few files
+    for (std::size_t first = 0; first < starts.size();) {
+      std::size_t last = std::min(first + longest_run, starts.size());
+      std::optional<fs::path> path;
+      for (; last > first && !path; --last)
+        path = files_.find({folder_}, names.name.substr(starts[first], ends[last - 1] - starts[first]));
+      if (path) {
         load(*path);
-      } else {
-        model_.warnings.push_back(
-            fmt::format("{}:{}: the material file '{}' is missing.", obj_.string(), names.line, word));
+        first = last + 1;
+        continue;
       }
+      warn(obj_, names.line,
+           fmt::format("the material file '{}' is missing",
+                       names.name.substr(starts[first], ends[first] - starts[first])));
+      ++first;
     }
   }
 
@@ -55,39 +60,32 @@ class MaterialLoader {
     const MtlSummary summary = check_mtl(text, path.string());
     model_.warnings.insert(model_.warnings.end(), summary.notes.begin(), summary.notes.end());
     model_.files.push_back(path.string());
-    std::istringstream stream(text);
-    std::map<std::string, int> ignored_map;
-    std::vector<tinyobj::material_t> materials;
-    std::string warnings, errors;
-    tinyobj::LoadMtl(&ignored_map, &materials, &stream, &warnings, &errors);
-    for (tinyobj::material_t& material : materials) {
-      // tinyobjloader keeps blanks around names, and makes a material without a name for a file without any.
-      material.name.erase(material.name.find_last_not_of(" \t") + 1);
-      material.name.erase(0, material.name.find_first_not_of(" \t"));
-      const auto facts = summary.materials.find(material.name);
-      if (facts == summary.materials.end()) continue;
-      if (!by_name.emplace(material.name, static_cast<std::uint32_t>(model_.materials.size())).second) continue;
-      model_.materials.push_back(convert(material, facts->second, path));
+    for (const std::string& name : summary.order) {
+      if (!by_name.emplace(name, static_cast<std::uint32_t>(model_.materials.size())).second) continue;
+      model_.materials.push_back(convert(name, summary.materials.at(name), path));
     }
   }
 
  private:
-  Material convert(const tinyobj::material_t& from, const MtlFacts& facts, const fs::path& mtl) {
-    const auto colour = [](const tinyobj::real_t* c) { return glm::max(Vec3d{c[0], c[1], c[2]}, Vec3d{0, 0, 0}); };
+  Material convert(const std::string& name, const MtlFacts& facts, const fs::path& mtl) {
+    const auto colour = [](const std::optional<Vec3d>& c) {
+      return glm::max(c.value_or(Vec3d{0, 0, 0}), Vec3d{0, 0, 0});
+    };
     Material material;
-    material.name = from.name;
-    if (facts.diffuse) material.colour = colour(from.diffuse);
-    const Vec3d specular = colour(from.specular);
+    material.name = name;
+    if (facts.diffuse) material.colour = colour(facts.diffuse);
+    const Vec3d specular = colour(facts.specular);
     const bool matte = facts.illum == 0 || facts.illum == 1;
-    if (specular != Vec3d{0, 0, 0} && from.shininess > 0 && !matte) {
-      material.specular = from.shininess;
+    const double shininess = facts.shininess.value_or(1);
+    if (specular != Vec3d{0, 0, 0} && shininess > 0 && !matte) {
+      material.specular = shininess;
       material.specular_colour = specular;
     }
     // Black and white are what exporters write for every material, whatever its colour; they carry no intention.
-    const Vec3d ambient = colour(from.ambient);
+    const Vec3d ambient = colour(facts.ambient);
     if (ambient != Vec3d{0, 0, 0} && ambient != Vec3d{1, 1, 1}) material.ambient_colour = ambient;
     if (facts.diffuse_map) material.texture = texture(*facts.diffuse_map, mtl);
-    if (facts.relief_map) add_relief(*facts.relief_map, facts.bump, mtl, material);
+    if (facts.relief_map) add_relief(*facts.relief_map, mtl, material);
     material.transparency = 1 - facts.dissolve.value_or(1);
     // Exporters write Ni for every material; light bends only where illum says so.
     const bool refracts = facts.illum == 6 || facts.illum == 7;
@@ -101,45 +99,66 @@ class MaterialLoader {
     return material;
   }
 
+  /// The index of the picture; -1, with a warning for the first material that names it, where it cannot be had.
   int texture(const MtlTexture& map, const fs::path& mtl) {
-    const auto path = find_file(mtl.parent_path(), map.name);
+    const auto path = files_.find({mtl.parent_path(), folder_}, map.name);
+    const auto [known, is_new] = textures_.try_emplace(path ? path->string() : "missing " + map.name, -1);
+    if (!is_new) return known->second;
     if (!path) {
-      model_.warnings.push_back(fmt::format("{}:{}: the texture '{}' is missing.", mtl.string(), map.line, map.name));
+      warn(mtl, map.line, fmt::format("the texture '{}' is missing", map.name));
       return -1;
     }
-    const auto known = textures_.find(path->string());
-    if (known != textures_.end()) return known->second;
-    auto texels = std::make_shared<const Image<Vec3f>>(load_image(*path));
-    model_.textures.push_back({path->stem().string(), path->string(), std::move(texels)});
-    model_.files.push_back(path->string());
-    const int index = static_cast<int>(model_.textures.size()) - 1;
-    textures_[path->string()] = index;
-    return index;
+    model_.files.push_back(path->string());  // also one that cannot be read: it may be repaired while the model is open
+    try {
+      add_texture(path->stem().string(), *path, load_image(*path, {.most_pixels = texels_left_}), {});
+    } catch (const InputError& error) {
+      warn(mtl, map.line,
+           fmt::format("the texture '{}' cannot be read, so the surface goes without it: {}", map.name,
+                       picture_fault(*path, error)));
+      return -1;
+    }
+    return known->second = static_cast<int>(model_.textures.size()) - 1;
+  }
+
+  void add_texture(const std::string& name, const fs::path& path, Image<Vec3f> texels, const std::string& generator) {
+    texels_left_ -= static_cast<std::int64_t>(texels.pixels().size());
+    model_.textures.push_back(
+        {name, path.string(), std::make_shared<const Image<Vec3f>>(std::move(texels)), generator});
+  }
+
+  void warn(const fs::path& file, int line, const std::string& text) {
+    model_.warnings.push_back(fmt::format("{}:{}: {}.", file.string(), line, text));
   }
 
   /// A normal map as it is; heights, which are grey, turned into one. How steep a bump map is meant, the format leaves
   /// open: here white lies as many texels above black as -bm says times `texels_of_bump`.
-  void add_relief(const MtlTexture& map, double bump, const fs::path& mtl, Material& material) {
+  void add_relief(const MtlTexture& map, const fs::path& mtl, Material& material) {
     const int index = texture(map, mtl);
     material.normal_map = index;
     if (index < 0) return;
-    const Texture& source = model_.textures[static_cast<std::size_t>(index)];
-    if (!is_height_map(*source.texels) || !(bump > 0)) return;
+    const Texture source = model_.textures[static_cast<std::size_t>(index)];
+    if (!is_height_map(*source.texels) || !(map.bump > 0)) return;
+    const auto texels = static_cast<std::int64_t>(source.texels->pixels().size());
+    if (texels > texels_left_) {
+      material.normal_map = -1;
+      warn(mtl, map.line, fmt::format("no room is left for the normals of the relief '{}'", map.name));
+      return;
+    }
     constexpr double texels_of_bump = 8;
-    const double steepness = bump * texels_of_bump;
-    const int source_width = source.texels->width();
-    Texture normals{source.name + " relief", source.path, nullptr, heights_generator(steepness)};
-    normals.texels = std::make_shared<const Image<Vec3f>>(normals_from_heights(*source.texels, steepness));
-    model_.textures.push_back(std::move(normals));
+    const double steepness = map.bump * texels_of_bump;
+    add_texture(source.name + " relief", source.path, normals_from_heights(*source.texels, steepness),
+                heights_generator(steepness));
     material.normal_map = static_cast<int>(model_.textures.size()) - 1;
     material.height_map = index;
-    material.relief_depth = std::min(steepness / source_width, 1.0);
+    material.relief_depth = std::min(steepness / source.texels->width(), 1.0);
   }
 
   const fs::path& obj_;
   fs::path folder_;
   ObjModel& model_;
-  std::map<std::string, int> textures_;
+  ModelFiles files_;
+  std::map<std::string, int> textures_;  ///< by path, and by what is missing
+  std::int64_t texels_left_ = max_read_pixels;
 };
 
 }  // namespace

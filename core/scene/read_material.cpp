@@ -4,6 +4,7 @@
 
 #include "image/file.h"
 #include "image/height_map.h"
+#include "scene/picture_fault.h"
 #include "scene/scene_draft.h"
 #include "scene/texture_generator.h"
 
@@ -38,6 +39,18 @@ template <class Map>
 void require_new_name(const SceneSource& source, const SceneTerm& term, const Map& map, std::string_view what) {
   if (map.count(source.values.name(term)) > 0)
     source.values.fail(term, fmt::format("a name that no other {} has", what));
+}
+
+/// A picture that cannot be read is a fault of the line that names it.
+Image<Vec3f> read_picture(const SceneSource& source, const SceneTerm& term, const std::filesystem::path& path,
+                          std::size_t most_pixels) {
+  try {
+    return load_image(path, {.most_pixels = static_cast<std::int64_t>(most_pixels)});
+  } catch (const InputError& error) {
+    source.values.fail_at(term.line, term.column,
+                          fmt::format("the picture '{}' ({})", path.string(), picture_fault(path, error)),
+                          "one that can be read");
+  }
 }
 
 }  // namespace
@@ -98,7 +111,7 @@ void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft
     const auto path = (source.folder / values.name(*file, "a file name")).lexically_normal();
     texture.path = path.string();
     draft.scene.files.push_back(texture.path);
-    Image<Vec3f> texels = load_image(path);
+    Image<Vec3f> texels = read_picture(source, *file, path, max_scene_texels - draft.texels);
     if (const SceneTerm* heights = fields.find("heights")) {
       texture.generator = heights_generator(values.positive(*heights));
       texels = normals_from_heights(texels, values.positive(*heights));

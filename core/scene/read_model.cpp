@@ -89,6 +89,7 @@ class ModelReader {
       texture.name = fmt::format("{}/{}", mesh_.name, texture.name);
       while (!draft_.texture_index.emplace(texture.name, static_cast<int>(draft_.textures.size())).second)
         texture.name += "'";
+      draft_.texels += texture.texels->pixels().size();
       draft_.textures.push_back(std::move(texture));
     }
     for (Material& material : model.materials) {
@@ -274,6 +275,7 @@ void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
     mesh = ModelReader(source, fields, draft).spelled_out();
   }
   charge_triangles(source, entry, mesh.triangles.size(), draft);
+  charge_texels(source, entry, 0, draft);  // those of a model's own textures are counted already
   draft.mesh_index[mesh.name] = static_cast<std::uint32_t>(draft.geometry.meshes.size());
   draft.geometry.meshes.push_back(std::make_shared<const Mesh>(std::move(mesh)));
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "image/read_limit.h"
 #include "scene/scene.h"
 #include "scene/scene_fields.h"
 
@@ -89,9 +90,9 @@ std::uint32_t material_for(const SceneSource& source, const SceneFields& fields,
 inline constexpr std::size_t max_scene_objects = 100'000;
 inline constexpr std::size_t max_scene_lights = 1'000;
 /// A short scene file can ask for any number of large things: this many triangles (each model and each instance of it)
-/// and texels are the most, about 4 GiB of either.
+/// are the most, about 4 GiB, and as many texels as one picture may have.
 inline constexpr std::size_t max_scene_triangles = 16'000'000;
-inline constexpr std::size_t max_scene_texels = std::size_t{1} << 28;
+inline constexpr std::size_t max_scene_texels = max_read_pixels;
 /// Adds to the draft's sum, which must not pass the limit. Throws InputError at the entry.
 void charge_triangles(const SceneSource& source, const SceneEntry& entry, std::size_t count, SceneDraft& draft);
 void charge_texels(const SceneSource& source, const SceneEntry& entry, std::size_t count, SceneDraft& draft);

@@ -22,6 +22,18 @@ enum class ListingOrder {
   object_by_object  ///< it goes through everything that is drawn, whichever pixels are wanted
 };
 
+/// What of a scene a listing shows. All of them leave out planes, boxes, cylinders and CSG.
+struct ListingDraws {
+  bool spheres = false;
+  bool models = false;  ///< made of triangles
+  bool canvas_lines = false;
+  bool canvas_triangles = false;
+  bool light = false;
+  bool shadows = false;
+  bool reflections = false;
+  bool textures = false;
+};
+
 struct Listing {
   std::string_view label;   ///< "shadows and reflections"
   std::string_view source;  ///< "CGFS ch. 4"
@@ -29,6 +41,7 @@ struct Listing {
   ListingOrder order = ListingOrder::pixel_by_pixel;
   /// Keys of the options that it reads.
   std::vector<std::string_view> reads;
+  ListingDraws draws;
   /// How well it suits a scene with these traits and settings; 0 = it shows nothing of it.
   int (*suits)(const SceneTraits&, const Settings&) = nullptr;
   /// Draws the scene. Colours are those of the book, 0 to 255.

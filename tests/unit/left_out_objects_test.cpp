@@ -4,8 +4,12 @@
 #include <algorithm>
 
 #include "options/option.h"
+#include "options/scene_settings.h"
+#include "render/left_out.h"
 #include "render/render.h"
+#include "scene/load.h"
 #include "scene/scene_file.h"
+#include "support/run_cli.h"
 #include "support/trials.h"
 
 namespace ps {
@@ -59,6 +63,95 @@ TEST(LeftOutObjects, ChangeNothingForTheOthersAndAreTold) {
         EXPECT_NE(story.verdict.find("leaves out CSG"), std::string::npos);
       }
   }
+}
+
+bool says_objects(const std::vector<LeftOut>& all) {
+  return std::any_of(all.begin(), all.end(), [](const LeftOut& one) { return one.kind == LeftOutKind::objects; });
+}
+
+Settings with_renderer(Renderer renderer) {
+  Settings settings;
+  settings.renderer = renderer;
+  return settings;
+}
+
+// An empty picture of a scene that is not empty is never left without a word.
+TEST(LeftOutObjects, EveryEmptyPictureOfABuiltInSceneIsExplained) {
+  int empty = 0;
+  for (const BuiltinScene& built_in : builtin_scenes()) {
+    const Scene scene = load_scene(built_in.name);
+    const SceneTraits traits = scene_traits(scene);
+    for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer, Renderer::textbook}) {
+      // The listings cull by the winding of the book's own camera, which a camera of the other handedness turns round.
+      const Camera& camera = scene.camera;
+      if (renderer == Renderer::textbook && dot(cross(camera.right, camera.up), camera.forward) < 0) continue;
+      Settings settings = settings_for(scene);
+      settings.renderer = renderer;
+      // What lies on the canvas is measured in its pixels.
+      const View view = traits.canvas_items ? View{scene.camera, scene.canvas_width, scene.canvas_height}
+                                            : View{scene.camera, 40, 30};
+      const Frame frame = render(scene, view, settings);
+      const auto pixels = frame.colour.pixels();
+      const bool blank =
+          std::all_of(pixels.begin(), pixels.end(), [&](const Vec3f& c) { return c == Vec3f(scene.background); });
+      SCOPED_TRACE(built_in.name + " " + std::to_string(static_cast<int>(renderer)));
+      if (blank) {
+        ++empty;
+        EXPECT_TRUE(says_objects(left_out(traits, settings)));
+      } else {
+        EXPECT_FALSE(leaves_out_all(traits, settings));
+      }
+    }
+  }
+  EXPECT_GE(empty, 8) << "four scenes on the canvas by rays, CSG and solids by listings";
+}
+
+// One triangle is drawn; everything beside it is named.
+TEST(LeftOutObjects, AListingNamesWhatStandsBesideItsTriangle) {
+  const Scene scene = parse_scene("triangle { vertices = [(-2, -2, 5), (-2, 2, 5), (2, 2, 5)]  color = white }\n"
+                                  "sphere { center = (0, 0, 4) radius = 0.5 color = red reflective = 0.5 }\n"
+                                  "box { center = (1, 0, 4) size = (1, 1, 1) color = red }\n"
+                                  "intersection { sphere { center = (0, 0, 9) radius = 1 } "
+                                  "sphere { center = (0, 0, 9) radius = 2 } }\n"
+                                  "light { type = point  intensity = 0.5  position = (3, 2, 0) }\n",
+                                  "mixed.scene", ".");
+  Settings settings = with_renderer(Renderer::textbook);
+  parse_assignment("listing=cgfs-13-shading", settings);
+  const std::string verdict = story_of(scene, settings, {1, 1}, 8).verdict;
+  for (const char* words :
+       {"leaves out spheres", "leaves out planes, rectangles, boxes and cylinders", "leaves out CSG",
+        "leaves out shadows", "leaves out reflections", "the listing of CGFS ch. 13"})
+    EXPECT_NE(verdict.find(words), std::string::npos) << words << ": " << verdict;
+  EXPECT_EQ(verdict.find("models"), std::string::npos) << verdict;
+  EXPECT_EQ(verdict.find("canvas"), std::string::npos) << verdict;
+}
+
+// What is said about shadows and reflections is what the pictures show: they differ from those of rays, and the named
+// remedy makes the words go.
+TEST(LeftOutObjects, TheRasterizersMissingEffectsAreNamedUntilTheyAreThere) {
+  const Scene scene = load_scene("cgfs/reflections");
+  Settings settings = with_renderer(Renderer::rasterizer);
+  const auto words = [&] { return left_out_words(scene_traits(scene), settings); };
+  EXPECT_EQ(words(), "; the rasterizer leaves out shadows; the rasterizer leaves out reflections");
+  parse_assignment("shadows=map", settings);
+  EXPECT_EQ(words(), "; the rasterizer leaves out reflections");
+  parse_assignment("environment=cube-map", settings);
+  EXPECT_EQ(words(), "");
+  parse_assignment("shadows=none", settings);
+  EXPECT_EQ(words(), "");
+  EXPECT_EQ(left_out_words(scene_traits(scene), with_renderer(Renderer::ray_tracer)), "");
+}
+
+TEST(LeftOutObjects, TheCommandLineNamesThemWithTheRemedy) {
+  const test::ScratchFolder folder;
+  const std::string out = folder.file("a.png"), stats = folder.file("a.json");
+  const auto result = test::run_cli({"render", "cgfs/lines", "--size", "8x8", "--out", out, "--stats", stats});
+  EXPECT_EQ(result.status, 0);
+  const auto rays = test::run_cli(
+      {"render", "cgfs/lines", "--size", "8x8", "--out", out, "--set", "renderer=ray-tracer", "--stats", stats});
+  EXPECT_EQ(rays.status, 0);
+  EXPECT_NE(rays.err.find("Set renderer = rasterizer to see them."), std::string::npos) << rays.err;
+  EXPECT_NE(read_text_file(stats, 1 << 20).find("The ray tracer leaves out lines"), std::string::npos);
 }
 
 }  // namespace

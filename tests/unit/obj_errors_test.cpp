@@ -99,11 +99,4 @@ TEST(ObjErrors, BadMaterialFile) {
   }
 }
 
-TEST(ObjErrors, BadTexture) {
-  const ps::test::ModelFolder folder;
-  folder.write("a.mtl", "newmtl red\nmap_Kd broken.png\n");
-  folder.write("broken.png", "\x89PNG\r\n\x1a\nno more");
-  EXPECT_THROW(folder.load("mtllib a.mtl\n" + three_vertices + "f 1 2 3\n"), ps::InputError);
-}
-
 }  // namespace

@@ -107,8 +107,8 @@ TEST(Png, TellsWhatIsWrong) {
   expect(data + end, "no PNG signature");
   expect(header(1, 1, rgb) + chunk("IDAT", "\x78\x01") + end, "cannot be decoded");
   expect(header(1, 1, rgb) + chunk("IDAT", stored(std::string(1, '\0'))) + end, "cannot be decoded");
-  // A picture of 2^28 pixels whose data are missing is refused without that much memory being filled.
-  expect(header(1u << 14, 1u << 14, rgb) + data + end, "cannot be decoded");
+  // A picture of 2^26 pixels, the most, whose data are missing is refused without that much memory being filled.
+  expect(header(1u << 13, 1u << 13, rgb) + data + end, "cannot be decoded");
 }
 
 TEST(Png, PaletteIndicesBeyondThePaletteAreAnError) {

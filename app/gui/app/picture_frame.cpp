@@ -70,8 +70,12 @@ std::vector<FooterItem> footer_items(Session& session, Side side, const std::str
   const std::string text = footer_text(status, result.get());
   const std::string counters = result ? counters_text(*result) : std::string();
   std::vector<FooterItem> items;
-  for (const LeftOut& one : left_out(session.traits(), session.settings(side)))
-    items.push_back({"left-out", one.brief, one.sentence, true});
+  FooterItem left{"left-out", {}, {}, true};
+  for (const LeftOut& one : left_out(session.traits(), session.settings(side))) {
+    left.text += (left.text.empty() ? "" : ", ") + one.brief;
+    left.tooltip += (left.tooltip.empty() ? "" : "\n") + one.sentence;
+  }
+  if (!left.text.empty()) items.push_back(std::move(left));
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t to = std::min(text.find("   ", from), text.size());
     const bool alarm = text.find("NaN", from) < to;  // comes first, where no ellipsis reaches it

@@ -57,12 +57,8 @@ void nothing_drawn(Session& session, Side side, const Area& area) {
                 "one from the Scene menu.");
     return;
   }
-  const auto result = session.renderer(side).result();
-  const auto reasons = left_out(session.traits(), session.settings(side));
-  if (!result || reasons.empty() || result->frame.counters[Counter::triangles_drawn] > 0 ||
-      result->frame.counters[Counter::eye_rays] > 0)
-    return;
-  draw_notice(*ImGui::GetWindowDrawList(), area, reasons.front().sentence);
+  if (!session.renderer(side).result() || !leaves_out_all(session.traits(), session.settings(side))) return;
+  draw_notice(*ImGui::GetWindowDrawList(), area, left_out(session.traits(), session.settings(side)).front().sentence);
 }
 
 /// The picture of one side in its area, with what lies over it.
