@@ -4,6 +4,8 @@
 #include <array>
 #include <span>
 
+#include "base/stop.h"
+
 namespace ps {
 namespace {
 
@@ -32,6 +34,7 @@ class OctreeWidener {
   };
 
   std::optional<Filled> add(std::uint32_t index) {
+    check_stop();
     const OctreeNode<float>& cell = octree_.nodes[index];
     if (cell.leaf) {
       std::vector<WideTriangle> triangles;

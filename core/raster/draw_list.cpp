@@ -5,6 +5,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "base/stop.h"
 #include "raster/tessellate.h"
 #include "raster/tessellate_patches.h"
 #include "raster/tessellate_solid.h"
@@ -77,6 +78,7 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
         make_tessellation_view(view.camera, viewport, settings.near, settings.tessellation);
     Meshes meshes;
     for (const Object& object : scene.geometry->objects) {
+      check_stop();
       const auto* sphere = std::get_if<Sphere>(&object.shape);
       const auto* solid = std::get_if<Solid>(&object.shape);
       if (sphere) {
@@ -99,6 +101,7 @@ std::shared_ptr<const Models> known_models(const Scene& scene, Prepared& prepare
   return prepared.get<Models>(Key("models").add(scene.geometry.revision()), [&] {
     Models models;
     for (const auto& mesh : scene.geometry->meshes) {
+      check_stop();
       models.bounds.push_back(bounding_sphere(*mesh));
       models.corners.push_back(std::make_shared<const MeshCorners>(make_mesh_corners(*mesh)));
     }

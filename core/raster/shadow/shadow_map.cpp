@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "math/unit.h"
 #include "raster/draw_list.h"
 #include "render/render.h"
 
@@ -64,7 +65,7 @@ ShadowMap point_map(const Scene& scene, const Light& light, const Settings& sett
 ShadowMap frame_around(const ShadowCasters& casters, const Light& light, int size) {
   ShadowMap map;
   map.size = size;
-  map.frame.forward = -light.direction / std::sqrt(dot(light.direction, light.direction));
+  map.frame.forward = -unit_of(light.direction);
   const Vec3d& forward = map.frame.forward;
   const Vec3d other = std::abs(forward.y) < 0.9 ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
   const Vec3d right = cross(other, forward);
