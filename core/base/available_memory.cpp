@@ -56,11 +56,10 @@ std::string in_gigabytes(std::uint64_t bytes) { return fmt::format("{:.3g} GB", 
 std::optional<std::uint64_t> available_memory() {
   std::optional<std::uint64_t> least;
 #ifdef __linux__
-  for (const auto& spare :
-       {spare_of_system(), spare_of_process(),
-        spare_of_container("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"),
-        spare_of_container("/sys/fs/cgroup/memory/memory.limit_in_bytes",
-                           "/sys/fs/cgroup/memory/memory.usage_in_bytes")})
+  for (const auto& spare : {spare_of_system(), spare_of_process(),
+                            spare_of_container("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"),
+                            spare_of_container("/sys/fs/cgroup/memory/memory.limit_in_bytes",
+                                               "/sys/fs/cgroup/memory/memory.usage_in_bytes")})
     if (spare) least = std::min(*spare, least.value_or(*spare));
 #endif
   return least;

@@ -10,8 +10,9 @@ inline thread_local const Progress* stop_of_thread = nullptr;
 /// The progress that may stop what this thread does now; null = nothing may.
 inline const Progress* current_stop() { return detail::stop_of_thread; }
 
-/// While it lives, check_stop() on this thread, and inside every parallel_for() that it calls, listens to `progress`. For
-/// what is built deep inside a picture (accelerators, tessellations), which may take longer than the picture itself.
+/// While it lives, check_stop() on this thread, and inside every parallel_for() that it calls, listens to `progress`.
+/// For what is built deep inside a picture (accelerators, tessellations), which may take longer than the picture
+/// itself.
 class StopScope {
  public:
   explicit StopScope(const Progress* progress) : before_(detail::stop_of_thread) { detail::stop_of_thread = progress; }

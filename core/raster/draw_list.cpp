@@ -61,6 +61,19 @@ std::shared_ptr<const Mesh> curved_model(const Scene& scene, const Object& objec
   return std::make_shared<const Mesh>(std::move(mesh));
 }
 
+FarSide far_side(const Settings& settings) {
+  switch (settings.shadows) {
+  case Shadows::stencil_depth_fail:
+  case Shadows::stencil_depth_pass:
+    return FarSide::seen;
+  case Shadows::traced:
+  case Shadows::map:
+  case Shadows::none:
+    break;
+  }
+  return settings.backface_culling ? FarSide::hidden : FarSide::seen;
+}
+
 std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view, const Settings& settings,
                                             const Viewport<double>& viewport, Prepared& prepared) {
   Key key("sphere-tessellation");
@@ -69,13 +82,14 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
       .add(settings.tessellation)
       .add(settings.patches)
       .add(settings.near)
-      .add(settings.projection);
+      .add(settings.projection)
+      .add(far_side(settings));
   add(add(key, view.camera.position), view.camera.forward);
   key.add(viewport.width).add(viewport.height).add(viewport.span_x).add(viewport.span_y).add(viewport.distance);
   key.add(static_cast<std::uint64_t>(view.width)).add(static_cast<std::uint64_t>(view.height));
   return prepared.get<Meshes>(key, [&] {
-    const TessellationView seen_from =
-        make_tessellation_view(view.camera, viewport, settings.near, settings.tessellation);
+    TessellationView seen_from = make_tessellation_view(view.camera, viewport, settings.near, settings.tessellation);
+    seen_from.far_side = far_side(settings);
     Meshes meshes;
     for (const Object& object : scene.geometry->objects) {
       check_stop();

@@ -58,7 +58,8 @@ Octree<Real> make_octree(const TracedGeometry<Real>& geometry, const Settings& s
     return triangle_overlaps_box({Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c)}, wide, slack);
   };
   const OctreeOptions options{static_cast<std::uint32_t>(settings.octree_leaf), settings.octree_depth};
-  Octree<Real> octree = build_octree<Real>(all, bounded_count(geometry), options, overlaps, coincident_primitives(geometry));
+  Octree<Real> octree =
+      build_octree<Real>(all, bounded_count(geometry), options, overlaps, coincident_primitives(geometry));
   for (std::uint32_t& entry : octree.entries) entry = bounded_primitive(geometry, entry);
   return octree;
 }

@@ -29,7 +29,8 @@ PlaceOfPrimitive<Real> place_of_primitive(const TracedGeometry<Real>& geometry, 
   const TracedTriangle<Real>& triangle = geometry.triangles[primitive.shape];
   std::array<std::array<Real, 3>, 3> corners;
   const std::array<const Vec3<Real>*, 3> given{&triangle.a, &triangle.b, &triangle.c};
-  for (std::size_t k = 0; k < 3; ++k) corners[k] = {given[k]->x + Real(0), given[k]->y + Real(0), given[k]->z + Real(0)};
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = {given[k]->x + Real(0), given[k]->y + Real(0), given[k]->z + Real(0)};
   std::sort(corners.begin(), corners.end());
   for (std::size_t k = 0; k < 9; ++k) place[k] = corners[k / 3][k % 3];
   return place;
@@ -64,9 +65,8 @@ std::vector<std::uint32_t> coincident_primitives(const TracedGeometry<Real>& geo
     if (i % 4096 == 0) check_stop();
     hashed[i] = {hash_of_place(place_of_primitive(geometry, primitive(i)), primitive(i).kind), i};
   }
-  std::sort(hashed.begin(), hashed.end(), [](const Hashed& a, const Hashed& b) {
-    return a.hash != b.hash ? a.hash < b.hash : a.index < b.index;
-  });
+  std::sort(hashed.begin(), hashed.end(),
+            [](const Hashed& a, const Hashed& b) { return a.hash != b.hash ? a.hash < b.hash : a.index < b.index; });
   std::vector<std::uint32_t> first(count);
   for (std::size_t begin = 0, k = 0; k < hashed.size(); ++k) {
     if (k % 4096 == 0) check_stop();

@@ -40,7 +40,8 @@ std::size_t entries_of_octree(const Scene& scene) {
 
 TEST(CoincidentOctree, ListsEachCopyAsOftenAsOneAlone) {
   constexpr int copies = 60;  // far more than the 8 primitives that a cell may hold
-  EXPECT_EQ(entries_of_octree<float>(coincident_teapots(copies)), copies * entries_of_octree<float>(coincident_teapots(1)));
+  EXPECT_EQ(entries_of_octree<float>(coincident_teapots(copies)),
+            copies * entries_of_octree<float>(coincident_teapots(1)));
   EXPECT_EQ(entries_of_octree<double>(coincident_teapots(9)), 9 * entries_of_octree<double>(coincident_teapots(1)));
 }
 
@@ -104,21 +105,20 @@ TEST(CoincidentOctree, StopsWithinAFewThousandTests) {
     if (i == 4000) progress.request_stop();
     return triangle_overlaps_box(triangles[i], cell, 1e-12);
   };
-  EXPECT_THROW(build_octree<double>({{-0.1, -0.1, -0.1}, {4.1, 4.1, 4.1}},
-                                    static_cast<std::uint32_t>(triangles.size()), {8, 10}, overlaps),
+  EXPECT_THROW(build_octree<double>({{-0.1, -0.1, -0.1}, {4.1, 4.1, 4.1}}, static_cast<std::uint32_t>(triangles.size()),
+                                    {8, 10}, overlaps),
                Cancelled);
   EXPECT_LT(after, 3 * 4096);
 }
 
 /// Everything that is built before a picture begins, asked to stop before it begins.
 TEST(CoincidentOctree, EveryAcceleratorListensToCancellation) {
-  const Scene scene = parse_scene(
-      "model { name = t generator = teapot divisions = 2 } instance { model = t position = (0,0,9) }"
-      "instance { model = t position = (3,0,9) } light { type = ambient intensity = 0.5 }",
-      "teapots.scene", ".");
-  for (const Accelerator accelerator :
-       {Accelerator::bvh, Accelerator::bounding_spheres, Accelerator::box, Accelerator::octree, Accelerator::two_level,
-        Accelerator::embree}) {
+  const Scene scene =
+      parse_scene("model { name = t generator = teapot divisions = 2 } instance { model = t position = (0,0,9) }"
+                  "instance { model = t position = (3,0,9) } light { type = ambient intensity = 0.5 }",
+                  "teapots.scene", ".");
+  for (const Accelerator accelerator : {Accelerator::bvh, Accelerator::bounding_spheres, Accelerator::box,
+                                        Accelerator::octree, Accelerator::two_level, Accelerator::embree}) {
     Settings settings;
     settings.accelerator = accelerator;
     Prepared prepared;
@@ -132,8 +132,8 @@ TEST(CoincidentOctree, EveryAcceleratorListensToCancellation) {
 }
 
 TEST(CoincidentOctree, GeometryAndTessellationListenToCancellation) {
-  const Scene scene = parse_scene("sphere { center=(0,0,3) radius=1 } light { type = ambient intensity = 0.5 }",
-                                  "sphere.scene", ".");
+  const Scene scene =
+      parse_scene("sphere { center=(0,0,3) radius=1 } light { type = ambient intensity = 0.5 }", "sphere.scene", ".");
   Progress stopped;
   stopped.request_stop();
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {

@@ -14,8 +14,7 @@ namespace {
 using namespace ps;
 
 Scene scene_with_lights(int points) {
-  std::string text =
-      "sphere { center=(0,0,3) radius=1 } light { type = ambient intensity = 0.1 }"
+  std::string text = "sphere { center=(0,0,3) radius=1 } light { type = ambient intensity = 0.1 }"
                      "light { type = directional intensity = 0.1 direction = (1,4,-4) }";
   for (int i = 0; i < points; ++i) text += " light { type = point intensity = 0.1 position = (1,2,0) }";
   return parse_scene(text, "lights.scene", ".");

@@ -34,7 +34,8 @@ TEST(ShortDirections, HaveLengthOne) {
 
 /// One scene for each place in which a scene file holds a direction; %d stands for a number however small.
 const std::array<std::string, 6> places_of_directions{
-    "plane { point=(0,-1,0) normal=(0,%d,0) }", "cylinder { from=(0,0,3) to=(0,%d,3) radius=1 }",
+    "plane { point=(0,-1,0) normal=(0,%d,0) }",
+    "cylinder { from=(0,0,3) to=(0,%d,3) radius=1 }",
     "rectangle { corner=(0,0,3) side_a=(%d,0,0) side_b=(0,%d,0) }",
     "sphere { center=(0,0,3) radius=1 specular=10 } light { type=directional intensity=0.5 direction=(%d,%d,-%d) }",
     "camera { position=(0,0,0) look_at=(0,0,%d) up=(0,%d,0) } sphere { center=(0,0,3) radius=1 }",
@@ -62,7 +63,8 @@ TEST(ShortDirections, DrawAsTheirLongerOnes) {
     for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
       for (const double length : lengths_of_directions) {
         const Scene scene = scene_of(text, length);
-        const Frame frame = picture_of(scene, renderer, renderer == Renderer::rasterizer ? Shadows::map : Shadows::none);
+        const Frame frame =
+            picture_of(scene, renderer, renderer == Renderer::rasterizer ? Shadows::map : Shadows::none);
         const bool keeps_length = text.starts_with("cylinder") || text.starts_with("rectangle");
         const Frame wanted = keeps_length ? frame
                                           : picture_of(scene_of(text, 1), renderer,
@@ -107,13 +109,13 @@ TEST(ShortDirections, TheTessellatorRefusesWhatIsNotFinite) {
 }
 
 TEST(ShortDirections, AttenuationThatFloatsRoundToNothingStaysFinite) {
-  const Scene scene = parse_scene(
-      "light { type=point position=(0,0,4) intensity=1e12 attenuation=(0,0,5e-324) }"
-      "light { type=point position=(0,0,4) intensity=0 attenuation=(0,0,5e-324) }"
-      "sphere { center=(0,0,5) radius=1 specular=1e-300 color=red }"
-      "light { type=point intensity=0.6 position=(1,2,0) } light { type=ambient intensity=0.2 }"
-      "light { type=directional intensity=0.3 direction=(1,4,4) }",
-      "bright.scene", ".");
+  const Scene scene =
+      parse_scene("light { type=point position=(0,0,4) intensity=1e12 attenuation=(0,0,5e-324) }"
+                  "light { type=point position=(0,0,4) intensity=0 attenuation=(0,0,5e-324) }"
+                  "sphere { center=(0,0,5) radius=1 specular=1e-300 color=red }"
+                  "light { type=point intensity=0.6 position=(1,2,0) } light { type=ambient intensity=0.2 }"
+                  "light { type=directional intensity=0.3 direction=(1,4,4) }",
+                  "bright.scene", ".");
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
     for (const Vec3f& pixel : picture_of(scene, renderer, Shadows::none).colour.pixels())
       for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(pixel[c]));

@@ -164,7 +164,8 @@ void RenderWorker::render_both(const Run& run, Progress& progress) {
     if (run.generation != generation_) return;
     news_ = true;
     state_ = RenderState::failed;
-    message_ = dynamic_cast<const std::bad_alloc*>(&error) ? "there is not enough memory for this picture" : error.what();
+    message_ =
+        dynamic_cast<const std::bad_alloc*>(&error) ? "there is not enough memory for this picture" : error.what();
   }
   wake();
 }

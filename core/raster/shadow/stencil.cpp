@@ -22,8 +22,7 @@ using Geometry64 = ScreenGeometry<double>;
 Settings depth_settings(const Settings& settings) {
   Settings plain = settings;
   plain.lighting = false;
-  plain.textures = false;
-  plain.shadows = Shadows::none;
+  plain.textures = false;  // but `shadows` stays: volumes end in the very triangles of the picture
   plain.environment = Environment::none;
   plain.draw = Draw::filled;
   plain.multisampling = 1;
