@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/stop.h"
+
 namespace ps {
 namespace {
 
@@ -75,6 +77,7 @@ class SphereTreeBuilder {
 
   /// The hierarchy above the objects. Its nodes are bounded when their children are.
   void add_objects(std::uint32_t index, std::span<Item> objects) {
+    check_stop();
     if (objects.size() == 1) return add_primitives(index, objects[0].begin, objects[0].end);
     const auto middle = halve(objects.begin(), objects.end(), [](const Item& item) { return item.centre; });
     const auto half = static_cast<std::size_t>(middle - objects.begin());
@@ -100,6 +103,7 @@ class SphereTreeBuilder {
   }
 
   void add_primitives(std::uint32_t index, std::uint32_t begin, std::uint32_t end) {
+    check_stop();
     SphereNode node = bound(begin, end);
     if (end - begin <= leaf_size) {
       node.first = begin;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accel/binned_split.h"
+#include "base/stop.h"
 
 namespace ps {
 namespace {
@@ -200,6 +201,7 @@ class BvhBuilder {
   }
 
   void fill(Subtree& subtree, const Range<Real>& range) {
+    if (range.count() > 512) check_stop();
     const auto& references = references_[static_cast<std::size_t>(subtree.side)];
     const bool whole = range.count() == boxes_.size();
     const std::uint32_t leaf = whole ? bvh_no_tree : bvh_leaf;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 
 namespace ps {
 WideNode empty_wide_node() {
@@ -171,6 +172,7 @@ class Widener {
   }
 
   void fill(std::uint32_t index, const Children& list, int level) {
+    if (index % 1024 == 0) check_stop();
     const auto& children = list.list;
     const std::size_t count = list.count;
     for (std::size_t i = 0; i < count; ++i) put_box(part.nodes[index], i, children[i].box);

@@ -4,6 +4,8 @@
 #include <array>
 #include <span>
 
+#include "base/stop.h"
+
 namespace ps {
 namespace {
 
@@ -12,6 +14,7 @@ class OctreeWidener {
   OctreeWidener(const Octree<float>& octree, const TriangleOfEntry& triangle) : octree_(octree), triangle_(triangle) {}
 
   WideBvh widen() {
+    reserve_blocks();
     wide_.nodes.push_back(empty_wide_node());  // the root, once it is known
     const std::optional<Filled> root = octree_.nodes.empty() ? std::nullopt : add(0);
     if (!root) return std::move(wide_);
@@ -25,6 +28,14 @@ class OctreeWidener {
   }
 
  private:
+  /// Growing the array would need it twice.
+  void reserve_blocks() {
+    std::size_t blocks = 0;
+    for (const OctreeNode<float>& cell : octree_.nodes)
+      if (cell.leaf) blocks += (cell.count + wide_block_width - 1) / wide_block_width;
+    wide_.blocks.reserve(blocks + blocks / 16);
+  }
+
   /// A subtree in which triangles lie, and a box around them, no larger than their cell.
   struct Filled {
     WideChild child = 0;
@@ -32,6 +43,7 @@ class OctreeWidener {
   };
 
   std::optional<Filled> add(std::uint32_t index) {
+    check_stop();
     const OctreeNode<float>& cell = octree_.nodes[index];
     if (cell.leaf) {
       std::vector<WideTriangle> triangles;

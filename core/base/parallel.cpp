@@ -15,6 +15,7 @@
 #endif
 
 #include "base/check.h"
+#include "base/stop.h"
 
 namespace ps {
 namespace {
@@ -151,10 +152,13 @@ void parallel_for(int count, const ParallelOptions& options, Progress& progress,
   std::exception_ptr failure;
   std::mutex failure_mutex;
 
+  const Progress* const caller_stop = current_stop();
   const std::function<void(int)> work = [&](int worker) {
+    const StopScope scope(caller_stop);
     try {
       while (!failed.load(std::memory_order_relaxed)) {
         progress.check();
+        check_stop();
         const int index = next.fetch_add(1, std::memory_order_relaxed);
         if (index >= count) break;
         body(index, worker);

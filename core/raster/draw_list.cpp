@@ -5,6 +5,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "base/stop.h"
 #include "raster/tessellate.h"
 #include "raster/tessellate_patches.h"
 #include "raster/tessellate_solid.h"
@@ -60,6 +61,19 @@ std::shared_ptr<const Mesh> curved_model(const Scene& scene, const Object& objec
   return std::make_shared<const Mesh>(std::move(mesh));
 }
 
+FarSide far_side(const Settings& settings) {
+  switch (settings.shadows) {
+  case Shadows::stencil_depth_fail:
+  case Shadows::stencil_depth_pass:
+    return FarSide::seen;
+  case Shadows::traced:
+  case Shadows::map:
+  case Shadows::none:
+    break;
+  }
+  return settings.backface_culling ? FarSide::hidden : FarSide::seen;
+}
+
 std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view, const Settings& settings,
                                             const Viewport<double>& viewport, Prepared& prepared) {
   Key key("sphere-tessellation");
@@ -68,15 +82,17 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
       .add(settings.tessellation)
       .add(settings.patches)
       .add(settings.near)
-      .add(settings.projection);
+      .add(settings.projection)
+      .add(far_side(settings));
   add(add(key, view.camera.position), view.camera.forward);
   key.add(viewport.width).add(viewport.height).add(viewport.span_x).add(viewport.span_y).add(viewport.distance);
   key.add(static_cast<std::uint64_t>(view.width)).add(static_cast<std::uint64_t>(view.height));
   return prepared.get<Meshes>(key, [&] {
-    const TessellationView seen_from =
-        make_tessellation_view(view.camera, viewport, settings.near, settings.tessellation);
+    TessellationView seen_from = make_tessellation_view(view.camera, viewport, settings.near, settings.tessellation);
+    seen_from.far_side = far_side(settings);
     Meshes meshes;
     for (const Object& object : scene.geometry->objects) {
+      check_stop();
       const auto* sphere = std::get_if<Sphere>(&object.shape);
       const auto* solid = std::get_if<Solid>(&object.shape);
       if (sphere) {
@@ -99,6 +115,7 @@ std::shared_ptr<const Models> known_models(const Scene& scene, Prepared& prepare
   return prepared.get<Models>(Key("models").add(scene.geometry.revision()), [&] {
     Models models;
     for (const auto& mesh : scene.geometry->meshes) {
+      check_stop();
       models.bounds.push_back(bounding_sphere(*mesh));
       models.corners.push_back(std::make_shared<const MeshCorners>(make_mesh_corners(*mesh)));
     }

@@ -15,7 +15,7 @@ constexpr int min_sphere_segments = 6;
 constexpr int max_sphere_segments = 512;
 constexpr double max_ring_step = pi / 6;
 constexpr int max_front_rings = 192;
-/// A closed sphere may have this many triangles; beyond, only its visible cap is made.
+/// A closed sphere whose far side is hidden may have this many triangles; beyond, only its visible cap is made.
 constexpr int max_closed_triangles = 8000;
 
 /// The sphere as seen from the eye: `axis` points from the centre towards it.
@@ -174,7 +174,8 @@ Mesh tessellate_sphere(const Sphere& sphere, const TessellationView& view) {
   const int front = static_cast<int>(rings.size());
   const double back_angle = pi - outlook.horizon;
   const int back = std::max(2, static_cast<int>(std::ceil(front * back_angle / outlook.horizon)));
-  const bool closed = outlook.eye_inside() || 2 * segments * (front + std::min(back, 64)) <= max_closed_triangles;
+  const bool closed = view.far_side == FarSide::seen || outlook.eye_inside() ||
+                      2 * segments * (front + std::min(back, 64)) <= max_closed_triangles;
 
   MeshBuilder builder(sphere, outlook, segments);
   for (const double angle : rings) builder.ring(angle);

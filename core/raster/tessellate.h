@@ -6,6 +6,11 @@
 
 namespace ps::raster {
 
+/// Can the side of a sphere that is turned away from the eye matter? With `hidden` a sphere of many triangles is only
+/// its visible cap; with `seen` it is always a closed surface: where backs are drawn, since they are seen through the
+/// opening that the near plane cuts, and where stencil shadows are cast, by the side that faces the light.
+enum class FarSide { hidden, seen };
+
 /// From where a tessellation will be seen, and how exact it must be.
 struct TessellationView {
   Vec3d eye{0, 0, 0};      ///< world space
@@ -16,6 +21,7 @@ struct TessellationView {
   double pixels_per_unit = 600;
   double nearest = 1;      ///< world units; nothing nearer is seen
   double max_error = 0.5;  ///< pixels
+  FarSide far_side = FarSide::hidden;
 };
 
 TessellationView make_tessellation_view(const Camera& camera, const Viewport<double>& viewport, double near,
@@ -24,7 +30,7 @@ TessellationView make_tessellation_view(const Camera& camera, const Viewport<dou
 /// Triangles for a sphere (LAB 7; capability B19), in world space, outward facing, with the sphere's own normals. Rings
 /// around the axis towards the eye are spaced so that no triangle strays from the sphere by more than max_error pixels;
 /// one ring is the outline itself. A sphere that would take too many triangles (the book's ground, radius 5000) is a
-/// cap: the part that can be seen, from the point nearest the eye to the horizon.
+/// cap, unless its far side is seen: the part that can be seen, from the point nearest the eye to the horizon.
 Mesh tessellate_sphere(const Sphere& sphere, const TessellationView& view);
 
 }  // namespace ps::raster

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/check.h"
 #include "math/portable.h"
 #include "scene/form_frame.h"
 #include "scene/uv_maps.h"
@@ -160,10 +161,21 @@ void build_cylinder(const FormFrame& f, const TessellationView& view, Builder& b
   }
 }
 
+bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// The loops below end for finite numbers alone.
+void require_finite(const FormFrame& f, const TessellationView& view) {
+  const bool frame = is_finite(f.centre) && is_finite(f.half) &&
+                     std::all_of(f.axes.begin(), f.axes.end(), [](const Vec3d& axis) { return is_finite(axis); });
+  if (!frame || !is_finite(view.eye) || !std::isfinite(view.pixels_per_unit) || !std::isfinite(view.nearest))
+    throw InputError("a shape whose place or size is not finite cannot be cut into triangles");
+}
+
 }  // namespace
 
 Mesh tessellate_solid(const Solid& solid, const TessellationView& view) {
   const FormFrame frame = form_frame(solid.form);
+  require_finite(frame, view);
   Builder builder;
   switch (frame.kind) {
   case FormKind::ball:

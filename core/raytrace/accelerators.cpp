@@ -1,6 +1,8 @@
 #include "raytrace/accelerators.h"
 
 #include "accel/triangle_box.h"
+#include "base/stop.h"
+#include "raytrace/coincident.h"
 
 namespace ps {
 namespace {
@@ -8,8 +10,10 @@ namespace {
 template <class Real>
 Box<Real> box_of_all(const TracedGeometry<Real>& geometry) {
   Box<Real> box;
-  for (std::uint32_t i = 0; i < bounded_count(geometry); ++i)
+  for (std::uint32_t i = 0; i < bounded_count(geometry); ++i) {
+    if (i % 4096 == 0) check_stop();
     box.include(primitive_box(geometry, geometry.primitives[bounded_primitive(geometry, i)]));
+  }
   return box;
 }
 
@@ -18,6 +22,7 @@ BoundingSpheres make_spheres(const TracedGeometry<Real>& geometry) {
   std::vector<BoundedPrimitive> bounded;
   bounded.reserve(bounded_count(geometry));
   for (std::uint32_t i = 0; i < bounded_count(geometry); ++i) {
+    if (i % 4096 == 0) check_stop();
     const Primitive& primitive = geometry.primitives[bounded_primitive(geometry, i)];
     BoundedPrimitive entry;
     entry.object = primitive.id.object;
@@ -53,7 +58,8 @@ Octree<Real> make_octree(const TracedGeometry<Real>& geometry, const Settings& s
     return triangle_overlaps_box({Vec3d(triangle.a), Vec3d(triangle.b), Vec3d(triangle.c)}, wide, slack);
   };
   const OctreeOptions options{static_cast<std::uint32_t>(settings.octree_leaf), settings.octree_depth};
-  Octree<Real> octree = build_octree<Real>(all, bounded_count(geometry), options, overlaps);
+  Octree<Real> octree =
+      build_octree<Real>(all, bounded_count(geometry), options, overlaps, coincident_primitives(geometry));
   for (std::uint32_t& entry : octree.entries) entry = bounded_primitive(geometry, entry);
   return octree;
 }

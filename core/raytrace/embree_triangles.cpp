@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "base/check.h"
+#include "base/stop.h"
 
 #ifdef PIXELSCOPE_EMBREE
 #include <embree3/rtcore.h>
@@ -43,6 +44,9 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
+/// Embree calls it while it builds a tree; false ends that.
+bool goes_on(void* progress, double) { return !static_cast<const Progress*>(progress)->stop_requested(); }
+
 bool count_bytes(void* total, ssize_t bytes, bool) {
   *static_cast<std::atomic<std::int64_t>*>(total) += bytes;
   return true;
@@ -79,9 +83,13 @@ EmbreeTriangles::EmbreeTriangles(const TracedGeometry<float>& geometry) : conten
     my.scene = rtcNewScene(my.device);
     rtcSetSceneFlags(my.scene, RTC_SCENE_FLAG_ROBUST);
     rtcAttachGeometry(my.scene, triangles);
+    const Progress* stop = current_stop();
+    if (stop) rtcSetSceneProgressMonitorFunction(my.scene, goes_on, const_cast<Progress*>(stop));
     rtcCommitScene(my.scene);
+    if (stop) rtcSetSceneProgressMonitorFunction(my.scene, nullptr, nullptr);
   }
   rtcReleaseGeometry(triangles);
+  check_stop();
   if (rtcGetDeviceError(my.device) != RTC_ERROR_NONE) throw InputError("Embree refuses the scene's triangles");
 }
 

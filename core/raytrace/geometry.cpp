@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/stop.h"
+
 namespace ps {
 /// Whether each instance has triangles of its own, in the world, or shares those of its model.
 enum class MeshTriangles { unfolded, shared };
@@ -51,6 +53,7 @@ void add_instance(const Scene& scene, std::int32_t object, const Instance& insta
   for (const Vec3d& normal : mesh.normals) world_normals.push_back(normal_to_world(matrix, normal));
 
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (i % 4096 == 4095) check_stop();
     const MeshTriangle& corners = mesh.triangles[i];
     TracedTriangle<Real> triangle{positions.at(corners.position[0]), positions.at(corners.position[1]),
                                   positions.at(corners.position[2]), -1};
@@ -84,6 +87,7 @@ void share_instance(std::int32_t object, const Instance& instance, NormalTransfo
   placed.normals = normal_matrix(instance.transform, normals);
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   for (std::uint32_t i = 0; i < count; ++i) {
+    if (i % 4096 == 4095) check_stop();
     const TracedTriangle<Real> triangle = placed_triangle<Real>(placed, mesh, i);
     if (!has_area(triangle)) {
       ++geometry.degenerate_triangles;
@@ -133,7 +137,11 @@ void add_solid(std::int32_t object, const CsgNode& root, Sides sides, TracedGeom
   TracedSolid solid;
   solid.first_form = static_cast<std::uint32_t>(geometry.forms.size());
   for (const Solid* part : csg_parts(root)) {
-    const FormFrame frame = form_frame(part->form);
+    FormFrame frame = form_frame(part->form);
+    // A length that is 0 in Real would divide 0 by 0 where points are brought to the form's own scale.
+    for (int axis = 0; axis < 3; ++axis)
+      if (frame.half[axis] > 0)
+        frame.half[axis] = std::max(frame.half[axis], static_cast<double>(std::numeric_limits<Real>::min()));
     geometry.forms.push_back({frame.kind,
                               Vec3<Real>(frame.centre),
                               {Vec3<Real>(frame.axes[0]), Vec3<Real>(frame.axes[1]), Vec3<Real>(frame.axes[2])},
@@ -182,6 +190,7 @@ TracedGeometry<Real> build_geometry(const Scene& scene, NormalTransform normals,
   if (shared) geometry.meshes = scene.geometry->meshes;
   const auto& objects = scene.geometry->objects;
   for (std::size_t i = 0; i < objects.size(); ++i) {
+    check_stop();
     const auto object = static_cast<std::int32_t>(i);
     if (const auto* sphere = std::get_if<Sphere>(&objects[i].shape)) {
       geometry.primitives.push_back({{object, 0},

@@ -1,4 +1,5 @@
 #include "accel/wide_octree.h"
+#include "base/stop.h"
 #include "raytrace/accelerators.h"
 #include "raytrace/geometry.h"
 
@@ -68,6 +69,7 @@ std::shared_ptr<const ListGeometry> list_geometry(const Scene& scene, const Trac
     ListGeometry list;
     std::size_t triangles = 0;
     for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
+      if (i % 4096 == 0) check_stop();
       if (geometry.primitives[i].kind != PrimitiveKind::triangle) {
         list.others.push_back(i);
         continue;

@@ -1,6 +1,7 @@
 #include "render/render.h"
 
 #include "base/check.h"
+#include "base/stop.h"
 #include "image/image.h"
 #include "render/precision_channels.h"
 
@@ -25,6 +26,7 @@ Frame render_as_set(const Scene& scene, const View& view, const Settings& settin
 Frame render(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
              Prepared& prepared, Progress& progress) {
   require_image_size(view.width, view.height, "picture");
+  const StopScope stop(&progress);
   RenderRequest plain = request;
   plain.channels = without(without(request.channels, Channel::precision), Channel::depth_gap);
   Frame frame = render_as_set(scene, view, settings, plain, prepared, progress);
@@ -44,6 +46,7 @@ Frame render(const Scene& scene, const View& view, const Settings& settings) {
 PixelStory inspect(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
                    Progress& progress) {
   require_image_size(view.width, view.height, "picture");
+  const StopScope stop(&progress);
   PS_ASSERT(pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height, "pixel outside the view");
   switch (settings.renderer) {
   case Renderer::ray_tracer:

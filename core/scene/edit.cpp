@@ -31,14 +31,14 @@ Fields camera_fields(const Scene& scene) {
   const auto axis = [&](const char* name, Vec3d Camera::*member) {
     fields.push_back(
         {fmt::format("camera.{}", name), scene_vec(camera.*member),
-         [member](Scene& s, const SceneValues& v, const SceneTerm& t) { s.camera.*member = v.direction(t); }});
+         [member](Scene& s, const SceneValues& v, const SceneTerm& t) { s.camera.*member = v.camera_axis(t); }});
   };
   axis("right", &Camera::right);
   axis("up", &Camera::up);
   axis("forward", &Camera::forward);
   fields.push_back({"camera.rotation", scene_rotation(Mat3d(camera.right, camera.up, camera.forward)),
                     [](Scene& s, const SceneValues& v, const SceneTerm& t) {
-                      const Mat3d rotation = v.rotation(t);
+                      const Mat3d rotation = v.frame(t);
                       s.camera.right = rotation[0];
                       s.camera.up = rotation[1];
                       s.camera.forward = rotation[2];

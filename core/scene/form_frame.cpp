@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/unit.h"
+
 namespace ps {
 namespace {
 
-Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
-double length_of(const Vec3d& v) { return std::sqrt(dot(v, v)); }
-
 /// Two directions so that the three together are a right-handed frame; along the world's axes where that is possible.
 void complete(FormFrame& frame, const Vec3d& direction) {
-  const Vec3d axis = unit(direction);
+  const Vec3d axis = unit_of(direction);
   const Vec3d helper = std::abs(axis.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-  const Vec3d side = unit(helper - axis * dot(helper, axis));
+  const Vec3d side = unit_of(helper - axis * dot(helper, axis));
   frame.axes = {side, cross(axis, side), axis};
 }
 
@@ -36,7 +35,9 @@ FormFrame frame_of(const Rectangle& rectangle) {
   FormFrame frame;
   frame.kind = FormKind::rectangle;
   frame.centre = rectangle.corner;
-  frame.axes = {unit(rectangle.side_a), unit(rectangle.side_b), unit(cross(rectangle.side_a, rectangle.side_b))};
+  const Vec3d a = unit_of(rectangle.side_a), b = unit_of(rectangle.side_b);
+  const Vec3d across = cross(rectangle.side_a, rectangle.side_b);  // too short to be squared where the sides are
+  frame.axes = {a, b, has_exact_square(dot(across, across)) ? unit_of(across) : unit_of(cross(a, b))};
   frame.half = {length_of(rectangle.side_a), length_of(rectangle.side_b), 0};
   return frame;
 }
@@ -45,7 +46,7 @@ FormFrame frame_of(const Brick& brick) {
   FormFrame frame;
   frame.kind = FormKind::brick;
   frame.centre = brick.centre;
-  frame.axes = {unit(brick.rotation[0]), unit(brick.rotation[1]), unit(brick.rotation[2])};
+  frame.axes = {unit_of(brick.rotation[0]), unit_of(brick.rotation[1]), unit_of(brick.rotation[2])};
   frame.half = brick.size * 0.5;
   return frame;
 }

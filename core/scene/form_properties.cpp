@@ -26,7 +26,7 @@ Properties properties(const Plane& plane) {
 
 void set_side(Form& form, const Values& values, const Term& term, Vec3d Rectangle::*side) {
   Rectangle changed = std::get<Rectangle>(form);
-  changed.*side = values.direction(term);
+  changed.*side = values.side(term);
   if (!has_right_angle(changed)) values.fail(term, "a side perpendicular to the other one");
   form = changed;
 }
@@ -46,7 +46,7 @@ Properties properties(const Brick& brick) {
           {"size", scene_vec(brick.size),
            [](Form& f, const Values& v, const Term& t) { std::get<Brick>(f).size = read_brick_size(v, t); }},
           {"rotation", scene_rotation(brick.rotation),
-           [](Form& f, const Values& v, const Term& t) { std::get<Brick>(f).rotation = v.rotation(t); }}};
+           [](Form& f, const Values& v, const Term& t) { std::get<Brick>(f).rotation = v.frame(t); }}};
 }
 
 void set_end(Form& form, const Values& values, const Term& term, Vec3d Cylinder::*end) {

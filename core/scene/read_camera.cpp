@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "math/unit.h"
 #include "scene/rotation.h"
 #include "scene/scene_draft.h"
 
 namespace ps {
 namespace {
-
-Vec3d normalised(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
 
 /// A frame that looks at a point. Right and up are perpendicular to the view whatever `up` is.
 void look_at(const SceneSource& source, const SceneFields& fields, Camera& camera) {
@@ -24,11 +23,11 @@ void look_at(const SceneSource& source, const SceneFields& fields, Camera& camer
     if (hand != "left" && hand != "right") values.fail(*term, "left or right");
     right_handed = hand == "right";
   }
-  camera.forward = normalised(towards);
+  camera.forward = unit_of(towards);
   const Vec3d across = right_handed ? cross(camera.forward, up) : cross(up, camera.forward);
   if (!(dot(across, across) > 1e-24 * dot(up, up)))
     values.fail(up_term != nullptr ? *up_term : target, "an 'up' that is not the direction of view");
-  camera.right = normalised(across);
+  camera.right = unit_of(across);
   camera.up = right_handed ? cross(camera.right, camera.forward) : cross(camera.forward, camera.right);
 }
 
@@ -46,16 +45,16 @@ void read_camera(const SceneSource& source, const SceneEntry& entry, SceneDraft&
   fields.forbid({"handedness"}, "'handedness' beside 'look_at' only");
   if (const auto* term = fields.find("rotation")) {
     fields.forbid({"right", "up", "forward"}, "only one of 'look_at', 'rotation' and 'right'");
-    const Mat3d rotation = values.rotation(*term);
+    const Mat3d rotation = values.frame(*term);
     camera.right = rotation[0];
     camera.up = rotation[1];
     camera.forward = rotation[2];
     return;
   }
   if (fields.find("right") == nullptr && fields.find("up") == nullptr && fields.find("forward") == nullptr) return;
-  camera.right = values.direction(fields.require("right"));
-  camera.up = values.direction(fields.require("up"));
-  camera.forward = values.direction(fields.require("forward"));
+  camera.right = values.camera_axis(fields.require("right"));
+  camera.up = values.camera_axis(fields.require("up"));
+  camera.forward = values.camera_axis(fields.require("forward"));
 }
 
 }  // namespace ps

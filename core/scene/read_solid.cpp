@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "math/unit.h"
 #include "scene/scene_draft.h"
 
 namespace ps {
@@ -21,11 +22,11 @@ const std::vector<std::string_view>& form_keys(std::string_view kind) {
 Form read_form(const SceneSource& source, const SceneFields& fields, std::string_view kind) {
   const SceneValues& values = source.values;
   const auto vec = [&](std::string_view key) { return values.vec3(fields.require(key)); };
-  const auto direction = [&](std::string_view key) { return values.direction(fields.require(key)); };
   if (kind == "sphere") return Ball{vec("center"), values.positive(fields.require("radius"))};
-  if (kind == "plane") return Plane{vec("point"), direction("normal")};
+  if (kind == "plane") return Plane{vec("point"), values.direction(fields.require("normal"))};
   if (kind == "rectangle") {
-    const Rectangle rectangle{vec("corner"), direction("side_a"), direction("side_b")};
+    const Rectangle rectangle{vec("corner"), values.side(fields.require("side_a")),
+                              values.side(fields.require("side_b"))};
     if (!has_right_angle(rectangle)) values.fail(fields.require("side_b"), "a side perpendicular to 'side_a'");
     return rectangle;
   }
@@ -33,7 +34,7 @@ Form read_form(const SceneSource& source, const SceneFields& fields, std::string
     Brick brick;
     brick.centre = vec("center");
     brick.size = read_brick_size(values, fields.require("size"));
-    if (const auto* term = fields.find("rotation")) brick.rotation = values.rotation(*term);
+    if (const auto* term = fields.find("rotation")) brick.rotation = values.frame(*term);
     return brick;
   }
   PS_ASSERT(kind == "cylinder", "a form that the block table knows");
@@ -96,8 +97,9 @@ class CsgReader {
 }  // namespace
 
 bool has_right_angle(const Rectangle& rectangle) {
-  const double product = dot(rectangle.side_a, rectangle.side_b);
-  return product * product <= 1e-12 * dot(rectangle.side_a, rectangle.side_a) * dot(rectangle.side_b, rectangle.side_b);
+  const Vec3d a = brought_near_one(rectangle.side_a), b = brought_near_one(rectangle.side_b);
+  const double product = dot(a, b);
+  return product * product <= 1e-12 * dot(a, a) * dot(b, b);
 }
 
 Vec3d read_brick_size(const SceneValues& values, const SceneTerm& term) {

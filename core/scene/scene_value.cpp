@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/number_text.h"
+#include "math/unit.h"
 #include "scene/colour_name.h"
 #include "scene/rotation.h"
 
@@ -87,9 +88,18 @@ Vec3d SceneValues::vec3(const SceneTerm& term) const {
   return {number(term.items[0]), number(term.items[1]), number(term.items[2])};
 }
 
-Vec3d SceneValues::direction(const SceneTerm& term) const {
+Vec3d SceneValues::direction(const SceneTerm& term) const { return float_direction(side(term)); }
+
+Vec3d SceneValues::side(const SceneTerm& term) const {
   const Vec3d value = vec3(term);
   if (value == Vec3d{0, 0, 0}) fail(term, "a direction other than (0, 0, 0)");
+  return value;
+}
+
+Vec3d SceneValues::camera_axis(const SceneTerm& term) const {
+  const Vec3d value = side(term);
+  if (largest_component(value) < min_camera_axis)
+    fail(term, fmt::format("a camera axis with a length of at least {:g}", min_camera_axis));
   return value;
 }
 
@@ -146,6 +156,14 @@ Mat3d SceneValues::rotation(const SceneTerm& term) const {
   if (axis == "Y" || axis == "y") return rotation_about(Axis::y, degrees);
   if (axis == "Z" || axis == "z") return rotation_about(Axis::z, degrees);
   fail(words[4], "X, Y or Z");
+}
+
+Mat3d SceneValues::frame(const SceneTerm& term) const {
+  const Mat3d value = rotation(term);
+  for (int column = 0; column < 3; ++column)
+    if (largest_component(value[column]) < min_camera_axis)
+      fail(term, fmt::format("a rotation with columns of a length of at least {:g}", min_camera_axis));
+  return value;
 }
 
 std::optional<double> SceneValues::specular(const SceneTerm& term) const {

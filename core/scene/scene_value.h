@@ -32,14 +32,20 @@ class SceneValues {
   const std::vector<SceneTerm>& corners(const SceneTerm& term) const;
   Vec2d vec2(const SceneTerm& term) const;
   Vec3d vec3(const SceneTerm& term) const;
-  /// Like vec3, but not (0, 0, 0).
+  /// Like vec3, but not (0, 0, 0). Its length means nothing: one that renderers could not square comes back longer.
   Vec3d direction(const SceneTerm& term) const;
+  /// Like vec3, but not (0, 0, 0), and with the length that it has: a side of a rectangle.
+  Vec3d side(const SceneTerm& term) const;
+  /// An axis of the camera's frame, whose length is a scale of the picture; at least `min_camera_axis` long.
+  Vec3d camera_axis(const SceneTerm& term) const;
   /// (r, g, b) from 0 to 255, a colour's name, or linear (r, g, b) with numbers from 0 up. Returned with 255 = 1.
   Vec3d colour(const SceneTerm& term) const;
   /// 600 x 400, written with or without blanks.
   Vec2d size(const SceneTerm& term) const;
   /// <45 degrees around the Y axis>, several of them with commas (the first turns first), or three rows in [ ].
   Mat3d rotation(const SceneTerm& term) const;
+  /// A rotation that serves as a frame of its own, of a camera or a box: no column is shorter than `min_camera_axis`.
+  Mat3d frame(const SceneTerm& term) const;
   /// The exponent of a highlight: greater than 0, or the book's -1 for a matte surface, which has none.
   std::optional<double> specular(const SceneTerm& term) const;
   /// Scale factors: one number for all axes or three; not zero.
@@ -51,6 +57,8 @@ class SceneValues {
 
 /// Larger numbers would overflow float arithmetic inside the renderers.
 inline constexpr double max_scene_number = 1e12;
+/// Rays in float could not square shorter axes of a camera.
+inline constexpr double min_camera_axis = 1e-9;
 inline constexpr double min_refraction_index = 0.1, max_refraction_index = 10;
 
 /// The whole of `text` as a finite decimal number; nothing if it is anything else (hexadecimal, "nan", "1,5",

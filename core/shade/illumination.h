@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -40,6 +41,15 @@ inline IlluminationOptions illumination_options(const Settings& settings) {
   return {settings.specular, settings.highlight, settings.illumination, settings.attenuation};
 }
 
+/// More does not arrive, however near a light is: the brightest that a scene can ask for. Infinity would make NaN of
+/// every channel in which the surface is black.
+template <class Real>
+inline constexpr Real brightest_arrival = Real(1e12);
+template <class Real>
+inline Real spread(Real intensity, Real divisor) {
+  return std::min(intensity / std::max(divisor, std::numeric_limits<Real>::min()), brightest_arrival<Real>);
+}
+
 /// What arrives of a casting light's intensity at a point, before the angle counts. Book: the intensity, of point
 /// lights divided by c + l r + q r^2 (OCT). Radiometric: a point light's intensity is its power, which spreads over a
 /// sphere (CGPP 15.4.5); a directional light's is the irradiance on a surface that faces it.
@@ -51,10 +61,10 @@ inline Real arriving(const ShadingLight<Real>& light, const Vec3<Real>& to_light
     if (!options.attenuation || !light.attenuates) return light.intensity;
     const Real square = dot(to_light, to_light);
     const Vec3<Real>& a = light.attenuation;
-    return light.intensity / (a.x + a.y * std::sqrt(square) + a.z * square);
+    return spread(light.intensity, a.x + a.y * std::sqrt(square) + a.z * square);
   }
   case Illumination::radiometric:
-    return light.intensity / (4 * std::numbers::pi_v<Real> * dot(to_light, to_light));
+    return spread(light.intensity, 4 * std::numbers::pi_v<Real> * dot(to_light, to_light));
   }
   return light.intensity;
 }

@@ -1,6 +1,7 @@
 #include "gui/app/render_worker.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "base/timer.h"
@@ -163,7 +164,8 @@ void RenderWorker::render_both(const Run& run, Progress& progress) {
     if (run.generation != generation_) return;
     news_ = true;
     state_ = RenderState::failed;
-    message_ = error.what();
+    message_ =
+        dynamic_cast<const std::bad_alloc*>(&error) ? "there is not enough memory for this picture" : error.what();
   }
   wake();
 }

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "base/available_memory.h"
+#include "math/unit.h"
 #include "raster/draw_list.h"
 #include "render/render.h"
 
@@ -64,7 +68,7 @@ ShadowMap point_map(const Scene& scene, const Light& light, const Settings& sett
 ShadowMap frame_around(const ShadowCasters& casters, const Light& light, int size) {
   ShadowMap map;
   map.size = size;
-  map.frame.forward = -light.direction / std::sqrt(dot(light.direction, light.direction));
+  map.frame.forward = -unit_of(light.direction);
   const Vec3d& forward = map.frame.forward;
   const Vec3d other = std::abs(forward.y) < 0.9 ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
   const Vec3d right = cross(other, forward);
@@ -103,6 +107,15 @@ ShadowMap directional_map(const Scene& scene, const ShadowCasters& casters, cons
 }
 
 }  // namespace
+
+std::uint64_t shadow_map_bytes(const std::vector<Light>& lights, int size) {
+  const std::uint64_t face = sizeof(float) * static_cast<std::uint64_t>(size) * static_cast<std::uint64_t>(size);
+  std::uint64_t faces = 0;
+  for (const Light& light : lights)
+    faces += light.kind == LightKind::point ? 6 : light.kind == LightKind::directional ? 1 : 0;
+  constexpr std::uint64_t while_drawn = 6;  // floats for each texel of the picture whose depth becomes a face
+  return face * (faces + while_drawn);
+}
 
 bool uses_shadow_maps(const Settings& settings, const Scene& scene) {
   return settings.shadows == Shadows::map && settings.lighting && settings.draw == Draw::filled &&
@@ -168,6 +181,12 @@ std::shared_ptr<const ShadowMaps> shadow_maps(const Scene& scene, const Settings
                       .add(settings.tessellation)
                       .add(settings.patches);
   return prepared.get<ShadowMaps>(key, [&] {
+    const auto casting = std::count_if(scene.lights->begin(), scene.lights->end(),
+                                       [](const Light& light) { return light.kind != LightKind::ambient; });
+    require_memory(shadow_map_bytes(*scene.lights, settings.shadow_map_size), available_memory(),
+                   fmt::format("the shadow maps of {} lights with {} x {} texels", casting, settings.shadow_map_size,
+                               settings.shadow_map_size),
+                   "set a smaller 'shadow-map-size', or have fewer lights");
     const Scene dark = dense_part(scene);
     const ShadowCasters casters = shadow_casters(dark);
     ShadowMaps maps;

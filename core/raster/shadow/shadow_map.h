@@ -32,6 +32,9 @@ struct ShadowMap {
 /// One for each light of the scene, in its order.
 using ShadowMaps = std::vector<ShadowMap>;
 
+/// Bytes that the maps of these lights take with `size` texels along an edge, and that drawing one of them takes beside.
+std::uint64_t shadow_map_bytes(const std::vector<Light>& lights, int size);
+
 /// Does the object stand in the way of light? Not if it is transparent (as for rays), or has no triangles (CSG).
 bool throws_shadow(const Scene& scene, const Object& object);
 
@@ -39,7 +42,8 @@ bool throws_shadow(const Scene& scene, const Object& object);
 bool uses_shadow_maps(const Settings& settings, const Scene& scene);
 
 /// Draws the scene from each light, with the rasterizer itself. Kept in `prepared` for as long as geometry, lights,
-/// materials, size and tessellation stay what they are. Transparent objects throw no shadow, as for rays.
+/// materials, size and tessellation stay what they are. Transparent objects throw no shadow, as for rays. Throws
+/// InputError where the maps together, which are all read for every pixel, need more memory than there is.
 std::shared_ptr<const ShadowMaps> shadow_maps(const Scene& scene, const Settings& settings, Prepared& prepared,
                                               WorkerPriority priority, Progress& progress);
 

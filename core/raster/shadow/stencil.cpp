@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "base/available_memory.h"
 #include "raster/bins.h"
 #include "raster/fragment.h"
 #include "raster/shadow/shadow_volume.h"
@@ -19,8 +22,7 @@ using Geometry64 = ScreenGeometry<double>;
 Settings depth_settings(const Settings& settings) {
   Settings plain = settings;
   plain.lighting = false;
-  plain.textures = false;
-  plain.shadows = Shadows::none;
+  plain.textures = false;  // but `shadows` stays: volumes end in the very triangles of the picture
   plain.environment = Environment::none;
   plain.draw = Draw::filled;
   plain.multisampling = 1;
@@ -135,6 +137,10 @@ bool uses_stencil(const Settings& settings, const Scene& scene) {
 
 Stencil make_stencil(const Scene& scene, const View& view, const Settings& settings, const TileRect& rect,
                      StencilNotes notes, Prepared& prepared, const ParallelOptions& parallel, Progress& progress) {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(rect.width()) * static_cast<std::uint64_t>(rect.height());
+  require_memory(pixels * scene.lights->size() * sizeof(std::int32_t), available_memory(),
+                 fmt::format("the stencil buffers of {} lights", scene.lights->size()),
+                 "draw a smaller picture, or have fewer lights");
   Stencil stencil;
   stencil.rect = rect;
   const Pass<double> pass = make_pass<double>(scene, view, depth_settings(settings), Channel::none, prepared);

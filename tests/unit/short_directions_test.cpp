@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "base/check.h"
+#include "math/unit.h"
+#include "raster/tessellate_solid.h"
+#include "render/prepared.h"
+#include "render/render.h"
+#include "scene/edit.h"
+#include "scene/form_frame.h"
+#include "scene/scene_file.h"
+
+namespace {
+
+using namespace ps;
+
+constexpr std::array<double, 6> lengths_of_directions{5e-324, 1e-300, 1e-170, 1e-162, 1e-30, 1e-12};
+
+TEST(ShortDirections, HaveLengthOne) {
+  for (const double length : lengths_of_directions) {
+    const Vec3d unit = unit_of(Vec3d{0, 3, -4} * length);
+    EXPECT_NEAR(dot(unit, unit), 1, 1e-15) << length;
+    if (length < 1e-320) continue;  // so few digits that 3 : 4 is rounded
+    EXPECT_NEAR(unit.y, 0.6, 1e-15) << length;
+    EXPECT_NEAR(unit.z, -0.8, 1e-15) << length;
+    EXPECT_NEAR(length_of(Vec3d{0, 3, -4} * length) / length, 5, 1e-14) << length;
+  }
+  EXPECT_EQ(length_of(Vec3d(0)), 0);
+  EXPECT_NEAR(length_of(Vec3d{3e200, 4e200, 0}) / 1e200, 5, 1e-14);
+}
+
+/// One scene for each place in which a scene file holds a direction; %d stands for a number however small.
+const std::array<std::string, 6> places_of_directions{
+    "plane { point=(0,-1,0) normal=(0,%d,0) }",
+    "cylinder { from=(0,0,3) to=(0,%d,3) radius=1 }",
+    "rectangle { corner=(0,0,3) side_a=(%d,0,0) side_b=(0,%d,0) }",
+    "sphere { center=(0,0,3) radius=1 specular=10 } light { type=directional intensity=0.5 direction=(%d,%d,-%d) }",
+    "camera { position=(0,0,0) look_at=(0,0,%d) up=(0,%d,0) } sphere { center=(0,0,3) radius=1 }",
+    "triangle { vertices=[(0,0,3),(0,1,3),(1,0,3)] normals=[(0,0,-%d),(0,0,-%d),(0,0,-%d)] color=red }"};
+
+Scene scene_of(std::string text, double length) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%.17g", length);
+  for (auto at = text.find("%d"); at != std::string::npos; at = text.find("%d")) text.replace(at, 2, number);
+  return parse_scene(text + " light { type=point intensity=0.5 position=(1,2,0) }", "short.scene", ".");
+}
+
+Frame picture_of(const Scene& scene, Renderer renderer, Shadows shadows) {
+  Settings settings;
+  settings.renderer = renderer;
+  settings.shadows = shadows;
+  settings.shadow_map_size = 64;
+  Prepared prepared;
+  Progress progress;
+  return render(scene, {scene.camera, 24, 18}, settings, {}, prepared, progress);
+}
+
+TEST(ShortDirections, DrawAsTheirLongerOnes) {
+  for (const std::string& text : places_of_directions)
+    for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
+      for (const double length : lengths_of_directions) {
+        const Scene scene = scene_of(text, length);
+        const Frame frame =
+            picture_of(scene, renderer, renderer == Renderer::rasterizer ? Shadows::map : Shadows::none);
+        const bool keeps_length = text.starts_with("cylinder") || text.starts_with("rectangle");
+        const Frame wanted = keeps_length ? frame
+                                          : picture_of(scene_of(text, 1), renderer,
+                                                       renderer == Renderer::rasterizer ? Shadows::map : Shadows::none);
+        for (int y = 0; y < 18; ++y)
+          for (int x = 0; x < 24; ++x)
+            for (int c = 0; c < 3; ++c) {
+              const float found = frame.colour.at(x, y)[c];
+              ASSERT_TRUE(std::isfinite(found)) << text << " with " << length;
+              ASSERT_NEAR(found, wanted.colour.at(x, y)[c], 1e-4) << text << " with " << length;
+            }
+      }
+}
+
+TEST(ShortDirections, OfTheCameraAreRefusedWhereTheirLengthCounts) {
+  const auto refused = [](const std::string& text) {
+    EXPECT_THROW(parse_scene(text, "short.scene", "."), InputError) << text;
+  };
+  refused("camera { right=(1,0,0) up=(0,1,0) forward=(0,0,1e-170) }");
+  refused("camera { rotation=[(1,0,0),(0,1,0),(0,0,0)] }");
+  refused("box { center=(0,0,4) size=(1,1,1) rotation=[(0,0,0),(0,0,0),(0,0,0)] }");
+  Scene scene = parse_scene("camera { position=(0,0,0) }", "short.scene", ".");
+  EXPECT_THROW(set_property(scene, "camera.forward", "(0,0,1e-30)"), InputError);
+}
+
+TEST(ShortDirections, OfACameraOfManyUnitsLieInNoPlane) {
+  Scene scene = parse_scene("sphere { center=(0,0,3) radius=1 }", "short.scene", ".");
+  scene.camera.right *= 1e-6;
+  scene.camera.up *= 1e-6;
+  scene.camera.forward *= 1e-6;
+  EXPECT_NO_THROW(picture_of(scene, Renderer::rasterizer, Shadows::none));
+}
+
+TEST(ShortDirections, TheTessellatorRefusesWhatIsNotFinite) {
+  raster::TessellationView view;
+  Solid solid;
+  solid.form = Plane{{0, std::numeric_limits<double>::quiet_NaN(), 0}, {0, 1, 0}};
+  EXPECT_THROW(raster::tessellate_solid(solid, view), InputError);
+  solid.form = Plane{{0, -1, 0}, {0, 1, 0}};
+  view.nearest = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(raster::tessellate_solid(solid, view), InputError);
+}
+
+TEST(ShortDirections, AttenuationThatFloatsRoundToNothingStaysFinite) {
+  const Scene scene =
+      parse_scene("light { type=point position=(0,0,4) intensity=1e12 attenuation=(0,0,5e-324) }"
+                  "light { type=point position=(0,0,4) intensity=0 attenuation=(0,0,5e-324) }"
+                  "sphere { center=(0,0,5) radius=1 specular=1e-300 color=red }"
+                  "light { type=point intensity=0.6 position=(1,2,0) } light { type=ambient intensity=0.2 }"
+                  "light { type=directional intensity=0.3 direction=(1,4,4) }",
+                  "bright.scene", ".");
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
+    for (const Vec3f& pixel : picture_of(scene, renderer, Shadows::none).colour.pixels())
+      for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(pixel[c]));
+}
+
+}  // namespace
