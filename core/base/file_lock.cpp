@@ -20,14 +20,16 @@ std::optional<FileLock> FileLock::try_lock(const std::filesystem::path& path) {
   if (file < 0)
     throw InputError(fmt::format("{}: cannot be locked ({})", path.string(), std::generic_category().message(errno)));
   FileLock lock(file);
-  if (flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return {};
+  lock.guards_ = flock(file, LOCK_EX | LOCK_NB) == 0;
+  if (!lock.guards_ && errno == EWOULDBLOCK) return {};
   return lock;
 }
 
-FileLock::FileLock(FileLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+FileLock::FileLock(FileLock&& other) noexcept : file_(std::exchange(other.file_, -1)), guards_(other.guards_) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {
   std::swap(file_, other.file_);
+  std::swap(guards_, other.guards_);
   return *this;
 }
 

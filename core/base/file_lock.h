@@ -16,9 +16,13 @@ class FileLock {
   FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();
 
+  /// Whether the file system has locks: without, having this object says nothing about others.
+  bool guards() const { return guards_; }
+
  private:
   explicit FileLock(int file) : file_(file) {}
   int file_ = -1;  ///< descriptor; -1 = moved away
+  bool guards_ = false;
 };
 
 }  // namespace ps
