@@ -117,8 +117,9 @@ class MtlChecker {
   void unknown(const ObjLine& line, const std::string& word) {
     constexpr std::size_t most_notes = 50;  // a file of another kind has nothing but unknown words
     if (noted_.size() >= most_notes || noted_.count(word) > 0) return;
-    note(word, fmt::format("{}:{}: '{}' is not a statement of a material file; perhaps '{}'.", file_, line.number(),
-                           word.substr(0, 60), nearest_word(word, mtl_words())));
+    const std::string_view similar = similar_word(word, mtl_words());
+    note(word, fmt::format("{}:{}: '{}' is not a statement of a material file{}.", file_, line.number(),
+                           word.substr(0, 60), similar.empty() ? "" : fmt::format("; perhaps '{}'", similar)));
   }
 
   void start(ObjLine& line) {

@@ -78,6 +78,7 @@ class App final : public Content {
   void go_to_option(const Option& option);
   void nudge(Vec2i by);
   void turn(double right, double up);
+  void orbit(double right, double up);
   void move_light(double right, double up, double forward);
   void next_channel(int by);
   void set_compare(CompareMode mode);

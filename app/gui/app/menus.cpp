@@ -162,7 +162,12 @@ void App::view_menu() {
   items({"channel-next", "channel-before"});
   items({"panels", "fullscreen"});
   items({"predict"});
-  items({"reset-view", "fly"});
+  menu_action(actions, "reset-view");
+  menu_action(actions, "fly");
+  tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on carry it around the scene.",
+                      actions.key_text("turn-left"), actions.key_text("turn-up"), actions.key_text("orbit-left"),
+                      actions.key_text("orbit-up")));
+  ImGui::Separator();
   for (const char* name : {"dark-theme", "larger-type", "smaller-type", "standard-type"}) menu_action(actions, name);
   end_menu();
 }
