@@ -28,7 +28,8 @@ Lesson load_lesson(const std::string& name) {
   const std::vector<std::string> names = lesson_names();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     const std::vector<std::string_view> known(names.begin(), names.end());
-    throw InputError(fmt::format("unknown lesson '{}'; did you mean '{}'?", name, nearest_word(name, known)));
+    throw InputError(fmt::format("unknown lesson '{}'{}", name,
+                                 did_you_mean(name, known, "; 'pixelscope-cli lessons list' lists them")));
   }
   const std::filesystem::path file = chapter_dir() / name / "lesson.md";
   return parse_lesson(read_whole_file(file, largest_lesson), name, file.string());

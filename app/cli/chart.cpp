@@ -14,6 +14,7 @@
 #include "study/chart.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
+#include "study/missing_points.h"
 
 namespace ps::cli {
 namespace {
@@ -52,6 +53,12 @@ ChartRequest make_request(const ChartArguments& arguments) {
   return request;
 }
 
+constexpr int incomplete = 1;  // exit status
+
+void print_damage(const Chart& chart) {
+  for (const std::string& sentence : chart.damage) fmt::print(stderr, "pixelscope-cli: {}\n", sentence);
+}
+
 void print_status(const StudyStatus& status) {
   if (isatty(STDERR_FILENO) == 0) return;
   const std::string left = status.seconds_left < 0 ? "" : fmt::format(", {:.0f} s left", status.seconds_left);
@@ -62,10 +69,16 @@ void print_status(const StudyStatus& status) {
 void print_table(const Chart& chart) {
   fmt::print("{:>11} {:>11} {:>11} {:>12} {:>10} {:>11}    {}\n", "time ms", "quartile 1", "quartile 3", "work",
              error_metric(chart.metric).key, "memory MB", "point (* on the front)");
-  for (const ChartPoint& point : chart.points)
+  for (const ChartPoint& point : chart.points) {
+    if (!point.measured()) {
+      fmt::print("{:>11} {:>11} {:>11} {:>12} {:>10} {:>11}    {}: not measured\n", "-", "-", "-", "-", "-", "-",
+                 point.what.label.empty() ? fmt::format("point {}", point.number) : point.what.label);
+      continue;
+    }
     fmt::print("{:>11.4g} {:>11.4g} {:>11.4g} {:>12} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median,
                point.time_ms.q1, point.time_ms.q3, point.work, point.error, point.memory_mb, point.on_front ? '*' : ' ',
                point.what.label);
+  }
   fmt::print("{}", chart_provenance(chart));
   if (chart.reference_halves) {
     Reference reference;
@@ -84,7 +97,10 @@ int run_merge(const ChartArguments& arguments) {
   std::filesystem::create_directories(arguments.output);
   write_chart(arguments.output, chart);
   print_table(chart);
-  return 0;
+  print_damage(chart);
+  const std::string missing = missing_text(chart);
+  if (!missing.empty()) fmt::print(stderr, "pixelscope-cli: incomplete: {}\n", missing);
+  return missing.empty() && chart.damage.empty() ? 0 : incomplete;
 }
 
 int run_chart_command(const ChartArguments& arguments) {
@@ -94,8 +110,12 @@ int run_chart_command(const ChartArguments& arguments) {
   const ChartRequest request = make_request(arguments);
   StudyControl control;
   forward_interrupts(control.progress());
-  const Chart chart =
-      run_chart(request, control, [](const Chart&, const StudyStatus& status) { print_status(status); });
+  bool begun = false;
+  const Chart chart = run_chart(request, control, [&](const Chart& so_far, const StudyStatus& status) {
+    if (!begun) print_damage(so_far);  // what is missing is measured again
+    begun = true;
+    print_status(status);
+  });
   write_chart(arguments.output, chart);
   print_table(chart);
   return 0;

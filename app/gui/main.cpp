@@ -4,11 +4,13 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "base/check.h"
 #include "base/version.h"
 #include "gui/app/app.h"
+#include "gui/platform/end_signals.h"
 #include "gui/platform/window.h"
 #include "gui/script/script.h"
 #include "gui/shell/shell.h"
@@ -86,6 +88,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ps::gui::watch_end_signals();
   try {
     return run(argc, argv);
   } catch (const CLI::Success& success) {  // --version
@@ -93,9 +96,9 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const CLI::Error& error) {
     std::cerr << "pixelscope: " << error.what() << '\n';
-  } catch (const ps::InputError& error) {
-    std::cerr << "pixelscope: " << error.what() << '\n';
-  } catch (const ps::gui::WindowError& error) {
+  } catch (const std::bad_alloc&) {
+    std::cerr << "pixelscope: there is not enough memory for this\n";
+  } catch (const std::exception& error) {  // InputError, WindowError and what a library throws
     std::cerr << "pixelscope: " << error.what() << '\n';
   }
   return 2;

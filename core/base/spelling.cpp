@@ -5,6 +5,11 @@
 #include <vector>
 
 namespace ps {
+namespace {
+
+constexpr std::size_t longest_typed = 64;  // letters; nobody mistypes a longer word
+
+}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -20,8 +25,28 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+std::string_view similar_word(std::string_view word, std::span<const std::string_view> known) {
+  constexpr std::size_t least_part = 4;  // letters; shorter ones are part of nearly anything
+  const std::string_view asked = word.substr(0, longest_typed), nearest = nearest_word(asked, known);
+  if (asked.empty() || nearest.empty()) return {};
+  const std::size_t letters = std::max(asked.size(), nearest.size());
+  if (3 * edit_distance(nearest, asked) <= letters + 2) return nearest;
+  const auto is_part = [](std::string_view part, std::string_view of) {
+    return part.size() >= least_part && of.find(part) != std::string_view::npos;
+  };
+  std::vector<std::string_view> parts;
+  for (const std::string_view candidate : known)
+    if (is_part(candidate, asked) || is_part(asked, candidate)) parts.push_back(candidate);
+  return nearest_word(asked, parts);
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known, std::string_view otherwise) {
+  const std::string_view similar = similar_word(word, known);
+  return similar.empty() ? std::string(otherwise) : "; did you mean '" + std::string(similar) + "'?";
+}
+
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known) {
-  const std::string_view asked = word.substr(0, 64);  // nobody mistypes a word longer than this
+  const std::string_view asked = word.substr(0, longest_typed);
   const auto nearest = std::min_element(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
     return edit_distance(a, asked) < edit_distance(b, asked);
   });

@@ -85,11 +85,10 @@ void parse_assignment(std::string_view assignment, Settings& settings) {
   if (equals == std::string_view::npos) throw InputError(fmt::format("found '{}', expected KEY=VALUE", assignment));
   const std::string_view key = assignment.substr(0, equals);
   if (const Option* option = find_option(key)) return parse_option(*option, assignment.substr(equals + 1), settings);
-  const auto table = option_table();
-  const auto nearest = std::min_element(table.begin(), table.end(), [&](const Option& a, const Option& b) {
-    return edit_distance(a.key, key) < edit_distance(b.key, key);
-  });
-  throw InputError(fmt::format("unknown option '{}'; did you mean '{}'?", key, nearest->key));
+  std::vector<std::string_view> known;
+  for (const Option& option : option_table()) known.push_back(option.key);
+  throw InputError(fmt::format("unknown option '{}'{}", key,
+                               did_you_mean(key, known, "; 'pixelscope-cli options' lists all options")));
 }
 
 std::vector<std::string> changed_options(const Settings& settings) {

@@ -192,7 +192,7 @@ Field find_field(const Scene& scene, std::string_view path) {
   }
   const std::string asked(path.substr(0, 80));
   if (known.empty()) throw InputError(fmt::format("the scene has no property '{}'", asked));
-  throw InputError(fmt::format("the scene has no property '{}'; did you mean '{}'?", asked, nearest_word(path, known)));
+  throw InputError(fmt::format("the scene has no property '{}'{}", asked, did_you_mean(path, known, "")));
 }
 
 }  // namespace

@@ -120,9 +120,10 @@ class MtlChecker {
   void unknown(const ObjLine& line, const std::string& word) {
     constexpr std::size_t most_notes = 50;  // a file of another kind has nothing but unknown words
     if (noted_.size() >= most_notes || noted_.count(word) > 0) return;
+    const std::string_view similar = similar_word(word, mtl_words());
     note(word, line.number(),
-         fmt::format("'{}' is not a statement of a material file; perhaps '{}'", word.substr(0, 60),
-                     nearest_word(word, mtl_words())));
+         fmt::format("'{}' is not a statement of a material file{}", word.substr(0, 60),
+                     similar.empty() ? "" : fmt::format("; perhaps '{}'", similar)));
   }
 
   void start(ObjLine& line) {

@@ -83,8 +83,13 @@ class ObjChecker {
       return skip(line, "free-form curves and surfaces are not drawn");
     if (word == "call" || word == "csh") return skip(line, "other files and programs are not run");
     if (word == "fo") line.fail("'fo', the old form of 'f'", "'f'");
-    if (std::find(ignored.begin(), ignored.end(), word) == ignored.end())
-      line.fail(line.shown(), fmt::format("'{}'", nearest_word(word, obj_words())));
+    if (std::find(ignored.begin(), ignored.end(), word) == ignored.end()) unknown(line, word);
+  }
+
+  [[noreturn]] static void unknown(const ObjLine& line, std::string_view word) {
+    const std::string_view similar = similar_word(word, obj_words());
+    line.fail(line.shown(),
+              similar.empty() ? "a statement of model files, such as v, vt, vn or f" : fmt::format("'{}'", similar));
   }
 
   /// x y z, then perhaps w, or a colour, or both.
@@ -215,9 +220,11 @@ class ObjChecker {
   }
 
   [[noreturn]] static void fail_index(const ObjLine& line, long long index, const IndexList& list) {
-    const std::string expected = list.count == 0 ? fmt::format("no {} index, since there are none {}", list.name,
-                                                               index < 0 ? "before this line" : "in the file")
-                                                 : fmt::format("a {} index of at most {}", list.name, list.count);
+    const std::string expected =
+        list.count == 0 ? fmt::format("no {} index, since there are none {}", list.name,
+                                      index < 0 ? "before this line" : "in the file")
+        : index < 0     ? fmt::format("a {} index of at least -{}, counted back from this line", list.name, list.count)
+                        : fmt::format("a {} index of at most {}", list.name, list.count);
     line.fail(fmt::format("index {} in {}", index, line.shown()), expected);
   }
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/check.h"
 #include "base/number_text.h"
-#include "base/spelling.h"
 
 namespace ps {
 namespace {
@@ -132,8 +132,8 @@ Image<Vec3f> generate_texture(std::string_view generator, int size) {
   const auto found =
       std::find_if(generators.begin(), generators.end(), [&](const Generator& g) { return g.name == generator; });
   if (found == generators.end())
-    throw InputError(fmt::format("unknown texture generator '{}'; did you mean '{}'?", generator,
-                                 nearest_word(generator, texture_generators())));
+    throw InputError(fmt::format("unknown texture generator '{}', expected one of {}", generator,
+                                 fmt::join(texture_generators(), " ")));
   Image<Vec3f> image(size, size);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) image.at(x, y) = found->texel(x, y, size);

@@ -96,7 +96,7 @@ class Runner {
     report();
     for (int round = 0; round < request_.repeats; ++round)
       for (std::size_t i = 0; i < chart_.points.size(); ++i)
-        if (static_cast<int>(chart_.points[i].samples_ms.size()) <= round) run_once(i);
+        if (!chart_.points[i].compared || static_cast<int>(chart_.points[i].samples_ms.size()) <= round) run_once(i);
     summarise(chart_, request_.error.metric);
     return std::move(chart_);
   }
@@ -123,7 +123,7 @@ class Runner {
     ChartPoint& point = chart_.points[i];
     if (!prepared_[i]) prepared_[i] = std::make_shared<Prepared>();
     const std::shared_ptr<Prepared> prepared = prepared_[i];
-    const bool known = point.picture.has_value();
+    const bool known = point.compared;
     const double start = clock_();
     if (!known) first_picture(i, *prepared);
     const double first_ms = 1e3 * (clock_() - start);
@@ -153,6 +153,7 @@ class Runner {
     point.counters = counters_of(i, frame);
     point.work = counted_work(point.counters);
     point.picture = std::move(picture.levels);
+    point.compared = true;
   }
 
   /// What does not depend on the processor: of another picture, if need be.
@@ -278,11 +279,14 @@ Chart merge_charts(const std::vector<std::filesystem::path>& folders, ErrorMetri
     for (ChartPoint& point : part.points) {
       const auto same = std::find_if(whole.points.begin(), whole.points.end(),
                                      [&](const ChartPoint& p) { return p.number == point.number; });
-      if (same == whole.points.end())
+      if (same == whole.points.end()) {
         whole.points.push_back(std::move(point));
-      else
-        same->samples_ms.insert(same->samples_ms.end(), point.samples_ms.begin(), point.samples_ms.end());
+        continue;
+      }
+      if (!same->compared) std::swap(*same, point);  // the samples below are those of the other
+      same->samples_ms.insert(same->samples_ms.end(), point.samples_ms.begin(), point.samples_ms.end());
     }
+    whole.damage.insert(whole.damage.end(), part.damage.begin(), part.damage.end());
   }
   std::sort(whole.points.begin(), whole.points.end(),
             [](const ChartPoint& a, const ChartPoint& b) { return a.number < b.number; });

@@ -32,13 +32,14 @@ struct ChartPoint {
   double prepare_ms = 0;  ///< the first render, with building trees, mips and tessellations, less the median time
   double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes
   Comparison comparison;
-  double error = 0;  ///< the chosen metric
+  bool compared = false;  ///< comparison, memory, counters and work are known
+  double error = 0;       ///< the chosen metric
   Counters counters;
   std::uint64_t work = 0;  ///< counted_work() of the counters, which are the same on every processor
   bool on_front = false;
   std::optional<Image<Rgb8>> picture;  ///< for thumbnails and differences
 
-  bool measured() const { return !samples_ms.empty(); }
+  bool measured() const { return compared && !samples_ms.empty(); }
 };
 
 /// What decides the numbers of a chart besides the points and the machine; results with another identity do not mix.
@@ -68,6 +69,8 @@ struct Chart {
   ChartAcross across = ChartAcross::time;
   std::optional<Comparison> reference_halves;  ///< how far two halves of the reference's samples are apart
   std::vector<ChartPoint> points;              ///< in the order of the sweep; some may not be measured yet
+  /// What the folder's log has lost: its damaged lines and missing pictures, each with file and line.
+  std::vector<std::string> damage;
 };
 
 /// Part `index` of `count` of a sweep: every count-th point. The parts together are the whole.
@@ -107,8 +110,8 @@ Chart run_chart(const ChartRequest& request, StudyControl& control, const ChartU
 /// Brings quartiles, costs along Chart::across, errors in `metric` and the front up to date with the samples.
 void summarise(Chart& chart, ErrorMetric metric);
 
-/// Reads the charts kept in several folders and makes one of them. Throws InputError unless all are parts of the same
-/// chart.
+/// Reads the charts kept in several folders and makes one of them; Chart::damage names what could not be read, and
+/// missing_points() what is lacking. Throws InputError unless all are parts of the same chart.
 Chart merge_charts(const std::vector<std::filesystem::path>& folders, ErrorMetric metric);
 
 }  // namespace ps

@@ -8,6 +8,7 @@
 #include "base/atomic_file.h"
 #include "options/option.h"
 #include "study/comparison_json.h"
+#include "study/missing_points.h"
 
 namespace ps {
 namespace {
@@ -75,6 +76,9 @@ std::string chart_json(const Chart& chart) {
   json["points"] = Json::array();
   for (const ChartPoint& point : chart.points)
     if (point.measured()) json["points"].push_back(point_json(point));
+  for (const MissingPoint& point : missing_points(chart))
+    json["missing"].push_back({{"number", point.number}, {"label", point.label}, {"reason", point.reason}});
+  if (!chart.damage.empty()) json["damaged"] = chart.damage;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,125 +1,117 @@
 #include "study/chart_log.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "image/file.h"
-#include "options/option.h"
-#include "study/comparison_json.h"
-#include "study/counted_work.h"
+#include "study/chart_log_lines.h"
+#include "study/json_log.h"
 
 namespace ps {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* log_name = "runs.jsonl";
-
-Json identity_json(const ChartIdentity& id) {
-  return {{"scene", id.scene},   {"size", {id.width, id.height}}, {"values", id.values},
-          {"region", id.region}, {"reference", id.reference},     {"base", id.base},
-          {"points", id.points}, {"machinery", id.machinery},     {"fingerprint", id.fingerprint}};
-}
-
-ChartIdentity identity_from(const Json& json) {
-  return {json.at("scene"),  json.at("size").at(0),        json.at("size").at(1), json.at("values"),
-          json.at("region"), json.at("reference"),         json.at("base"),       json.value("machinery", ""),
-          json.at("points"), json.value("fingerprint", "")};
-}
-
-Json head_json(const Chart& chart) {
-  Json json{{"chart", identity_json(chart.identity)},
-            {"machine",
-             {{"version", chart.machine.version},
-              {"processor", chart.machine.processor},
-              {"simd", chart.machine.simd},
-              {"threads", chart.machine.threads}}}};
-  if (chart.reference_halves) json["reference-halves"] = comparison_json(*chart.reference_halves);
-  return json;
-}
-
-void read_head(const Json& json, Chart& chart) {
-  chart.identity = identity_from(json.at("chart"));
-  const Json& machine = json.at("machine");
-  chart.machine = {machine.at("version"), machine.at("processor"), machine.at("simd"), machine.at("threads")};
-  if (json.contains("reference-halves")) chart.reference_halves = comparison_from_json(json.at("reference-halves"));
-}
-
-Json picture_json(const ChartPoint& point) {
-  Json json{{"picture", point.number},         {"label", point.what.label},
-            {"settings", point.what.settings}, {"comparison", comparison_json(point.comparison)},
-            {"memory_mb", point.memory_mb},    {"prepare_ms", point.prepare_ms}};
-  std::vector<std::string> all;
-  for (const Option& option : option_table())
-    if (option.get(point.what.value) != option.default_value())
-      all.push_back(fmt::format("{}={}", option.key, option_text(option, point.what.value)));
-  json["all-settings"] = all;
-  for (std::size_t i = 0; i < counter_count; ++i)
-    if (point.counters.values[i] > 0)
-      json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = point.counters.values[i];
-  return json;
-}
-
-void read_picture(const Json& json, const std::filesystem::path& folder, ChartPoint& point) {
-  point.number = json.at("picture");
-  point.what.label = json.at("label");
-  point.what.settings = json.at("settings");
-  point.what.value = Settings{};
-  for (const std::string assignment : json.at("all-settings")) parse_assignment(assignment, point.what.value);
-  point.comparison = comparison_from_json(json.at("comparison"));
-  point.memory_mb = json.at("memory_mb");
-  point.prepare_ms = json.at("prepare_ms");
-  for (std::size_t i = 0; i < counter_count; ++i) {
-    const std::string key(counter_key(static_cast<Counter>(i)));
-    if (json.contains("counters") && json.at("counters").contains(key))
-      point.counters.values[i] = json.at("counters").at(key);
-  }
-  point.work = counted_work(point.counters);
-  point.picture = load_levels(folder / picture_name(point));
-}
-
-/// All whole lines; the last one may have been cut off.
-std::vector<Json> read_lines(const std::filesystem::path& path) {
-  std::vector<Json> lines;
-  std::istringstream text(read_whole_file(path));
-  for (std::string line; std::getline(text, line);) {
-    Json json = Json::parse(line, nullptr, false);
-    if (json.is_discarded() || !json.is_object()) break;
-    lines.push_back(std::move(json));
-  }
-  return lines;
-}
-
-ChartPoint* find_point(Chart& chart, int number) {
-  const auto found =
-      std::find_if(chart.points.begin(), chart.points.end(), [&](const ChartPoint& p) { return p.number == number; });
-  return found == chart.points.end() ? nullptr : &*found;
-}
+constexpr const char* lock_name = "runs.lock";
 
 [[noreturn]] void refuse_other_chart(const std::filesystem::path& folder) {
   throw InputError(folder.string() + ": holds another chart; choose another folder or empty this one");
 }
 
-/// Puts pictures and samples into the points of `chart` that are there; with `add`, adds those that are not. What is
-/// there must be of the same settings.
-enum class Missing { ignore, add };
-void apply(const std::vector<Json>& lines, const std::filesystem::path& folder, Chart& chart, Missing missing) {
-  for (const Json& line : lines) {
-    if (line.contains("picture")) {
-      ChartPoint* point = find_point(chart, line.at("picture"));
-      if (point && line.at("settings") != point->what.settings) refuse_other_chart(folder);
-      if (!point && missing == Missing::add) point = &chart.points.emplace_back();
-      if (point) read_picture(line, folder, *point);
-    } else if (line.contains("sample")) {
-      if (ChartPoint* point = find_point(chart, line.at("sample"))) point->samples_ms.push_back(line.at("time_ms"));
+/// Identity, machine and halves from the first line. Without it nobody knows what the other lines were measured with.
+Chart read_head(const std::filesystem::path& path, const JsonLog& log) {
+  const bool first_is_damaged =
+      !log.damaged.empty() && (log.lines.empty() || log.damaged.front().number < log.lines.front().number);
+  if (first_is_damaged) throw InputError(damage_text(path, log.damaged.front()));
+  if (log.lines.empty() || !log.lines.front().json.contains("chart"))
+    throw InputError(path.string() + ": found no chart, expected what 'chart --out' wrote");
+  Chart chart;
+  try {
+    read_chart_head(log.lines.front().json, chart);
+  } catch (const std::exception& error) {
+    throw InputError(fmt::format("{}:{}: {}", path.string(), log.lines.front().number, error.what()));
+  }
+  return chart;
+}
+
+/// Whether points are added that the chart does not have, or those of other shards passed over.
+enum class OtherPoints { add, pass_over };
+
+/// Puts what the lines of a log hold into the points of a chart.
+class LogReader {
+ public:
+  LogReader(const std::filesystem::path& folder, Chart& chart, OtherPoints others)
+      : folder_(folder), chart_(chart), others_(others) {}
+
+  /// Lines that cannot be taken go from `lines` to `damaged`.
+  void take(JsonLog& log) {
+    std::vector<JsonLogLine> good;
+    for (JsonLogLine& line : log.lines) {
+      try {
+        take_line(line.json);
+        good.push_back(std::move(line));
+      } catch (const std::exception& error) {  // InputError and what nlohmann throws
+        log.damaged.push_back({line.number, std::move(line.text), error.what()});
+      }
+    }
+    if (other_chart_) refuse_other_chart(folder_);
+    log.lines = std::move(good);
+    std::stable_sort(log.damaged.begin(), log.damaged.end(),
+                     [](const DamagedLine& a, const DamagedLine& b) { return a.number < b.number; });
+  }
+
+ private:
+  void take_line(const nlohmann::ordered_json& json) {
+    const int points = chart_.identity.points;
+    if (json.contains("picture")) {
+      take_picture(chart_picture_from(json, points));
+    } else if (json.contains("sample")) {
+      const ChartSample sample = chart_sample_from(json, points);
+      if (ChartPoint* point = point_of(sample.number)) point->samples_ms.push_back(sample.milliseconds);
+    } else if (json.contains("chart")) {
+      Chart again;
+      read_chart_head(json, again);
+      other_chart_ = other_chart_ || again.identity != chart_.identity;
+    } else {
+      throw InputError("found an object of another kind, expected a picture or a sample");
     }
   }
-}
+
+  void take_picture(ChartPoint read) {
+    ChartPoint* point = point_of(read.number);
+    if (!point) return;
+    const bool planned = others_ == OtherPoints::pass_over || point->compared;
+    if (planned && read.what.settings != point->what.settings) {
+      other_chart_ = true;
+      return;
+    }
+    read.samples_ms = std::move(point->samples_ms);
+    try {
+      read.picture = load_levels(folder_ / picture_name(read));
+    } catch (const InputError& error) {
+      // Its numbers are good without it; a chart that goes on draws it again.
+      chart_.damage.emplace_back(error.what());
+      if (others_ == OtherPoints::pass_over) read.compared = false;
+    }
+    *point = std::move(read);
+  }
+
+  ChartPoint* point_of(int number) {
+    const auto found = std::find_if(chart_.points.begin(), chart_.points.end(),
+                                    [&](const ChartPoint& p) { return p.number == number; });
+    if (found != chart_.points.end()) return &*found;
+    if (others_ == OtherPoints::pass_over) return nullptr;
+    chart_.points.emplace_back().number = number;
+    return &chart_.points.back();
+  }
+
+  const std::filesystem::path& folder_;
+  Chart& chart_;
+  OtherPoints others_;
+  bool other_chart_ = false;
+};
 
 }  // namespace
 
@@ -129,35 +121,44 @@ ChartLog::ChartLog(const std::filesystem::path& folder, Chart& chart, const Imag
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder)) throw InputError(folder.string() + ": cannot be made a folder");
+  lock_ = FileLock::try_lock(folder / lock_name);
+  if (!lock_)
+    throw InputError(folder.string() +
+                     ": another program is measuring a chart there; wait until it ends, or choose another folder");
   const auto path = folder / log_name;
-  std::string kept = head_json(chart).dump() + "\n";
-  if (std::filesystem::exists(path)) {
-    const std::vector<Json> lines = read_lines(path);
-    if (!lines.empty() && lines.front().contains("chart")) {
-      try {
-        Chart there;
-        read_head(lines.front(), there);
-        if (!(there.identity == chart.identity)) refuse_other_chart(folder);
-        apply(lines, folder, chart, Missing::ignore);
-      } catch (const nlohmann::json::exception& e) {
-        throw InputError(path.string() + ": damaged: " + e.what());
-      }
-      for (std::size_t i = 1; i < lines.size(); ++i) kept += lines[i].dump() + "\n";
-    }
-  }
-  write_file_atomically(path, kept);  // without a last line that was cut off
+  std::string kept = chart_head_json(chart).dump() + "\n";
+  if (std::filesystem::exists(path)) kept += take_up(path, chart);
+  write_file_atomically(path, kept);
   save_image(folder / "reference.png", reference);
   file_.open(path, std::ios::app);
   if (!file_) throw InputError(path.string() + ": cannot be written");
 }
 
+std::string ChartLog::take_up(const std::filesystem::path& path, Chart& chart) const {
+  JsonLog log = read_json_log(path);
+  if (log.lines.empty() && log.damaged.empty()) return "";
+  if (read_head(path, log).identity != chart.identity) refuse_other_chart(folder_);
+  LogReader(folder_, chart, OtherPoints::pass_over).take(log);
+  if (!log.damaged.empty()) {
+    std::vector<std::string> texts;
+    for (const DamagedLine& line : log.damaged) texts.push_back(line.text);
+    const auto aside = keep_aside(path, texts, ".damaged");
+    for (const DamagedLine& line : log.damaged)
+      chart.damage.push_back(
+          fmt::format("{}; the line is kept in {}", damage_text(path, line), aside.filename().string()));
+  }
+  std::string kept;
+  for (std::size_t i = 1; i < log.lines.size(); ++i) kept += log.lines[i].text + "\n";
+  return kept;
+}
+
 void ChartLog::add_picture(const ChartPoint& point) {
   save_image(folder_ / picture_name(point), *point.picture);
-  write(picture_json(point).dump());
+  write(chart_picture_json(point).dump());
 }
 
 void ChartLog::add_sample(const ChartPoint& point, double milliseconds) {
-  write(Json{{"sample", point.number}, {"time_ms", milliseconds}}.dump());
+  write(chart_sample_json(point, milliseconds).dump());
 }
 
 void ChartLog::write(const std::string& line) {
@@ -167,16 +168,11 @@ void ChartLog::write(const std::string& line) {
 
 Chart read_chart_log(const std::filesystem::path& folder) {
   const auto path = folder / log_name;
-  const std::vector<Json> lines = read_lines(path);
-  if (lines.empty() || !lines.front().contains("chart"))
-    throw InputError(path.string() + ": found no chart, expected what 'chart --out' wrote");
-  Chart chart;
-  try {
-    read_head(lines.front(), chart);
-    apply(lines, folder, chart, Missing::add);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(path.string() + ": damaged: " + error.what());
-  }
+  JsonLog log = read_json_log(path);
+  Chart chart = read_head(path, log);
+  LogReader(folder, chart, OtherPoints::add).take(log);
+  for (const DamagedLine& line : log.damaged)
+    chart.damage.push_back(damage_text(path, line) + "; the line is left out");
   return chart;
 }
 

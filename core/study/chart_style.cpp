@@ -38,6 +38,9 @@ std::vector<const ChartPoint*> front_by_cost(const Chart& chart) {
 std::string chart_provenance(const Chart& chart) {
   std::string text = fmt::format("Truth: {}.", chart.identity.reference);
   if (!chart.identity.machinery.empty()) text += fmt::format(" Timed: {}.", chart.identity.machinery);
+  if (!chart.damage.empty())
+    text += fmt::format(" Damaged in the log: {}{}.", chart.damage.front(),
+                        chart.damage.size() > 1 ? fmt::format(", and {} more", chart.damage.size() - 1) : "");
   return text;
 }
 

@@ -19,7 +19,8 @@ ChartAxes chart_axes(const Chart& chart);
 
 /// Points on the front, the cheapest first.
 std::vector<const ChartPoint*> front_by_cost(const Chart& chart);
-/// Two sentences under a chart: what its errors are measured against, and which code its times are of.
+/// The sentences under a chart: what its errors are measured against, which code its times are of, and whether its log
+/// was damaged.
 std::string chart_provenance(const Chart& chart);
 
 /// Colours of Okabe and Ito, told apart by colour-blind eyes as well: one for each renderer and precision. Shape

@@ -10,6 +10,7 @@
 #include "study/chart_files.h"
 #include "study/chart_style.h"
 #include "study/label_layout.h"
+#include "study/missing_points.h"
 
 namespace ps {
 namespace {
@@ -215,9 +216,12 @@ std::string chart_svg(const Chart& chart) {
   for (const ChartPoint& point : chart.points)
     if (point.measured()) svg += mark(point, axes, largest_memory);
   svg += labels(chart, axes);
-  svg += notes(fmt::format("{} pixelscope {}, {}, {}, {} threads. {}", chart_provenance(chart), chart.machine.version,
-                           chart.machine.processor, chart.machine.simd, chart.machine.threads, id.base),
-               plot_corner.y + plot_size.y + 72);
+  const std::size_t missing = missing_points(chart).size();
+  svg += notes(
+      fmt::format("{}{} pixelscope {}, {}, {}, {} threads. {}", chart_provenance(chart),
+                  missing == 0 ? "" : fmt::format(" Incomplete: {} of {} points are missing.", missing, id.points),
+                  chart.machine.version, chart.machine.processor, chart.machine.simd, chart.machine.threads, id.base),
+      plot_corner.y + plot_size.y + 72);
   return svg + "</svg>\n";
 }
 

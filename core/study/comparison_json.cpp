@@ -1,5 +1,9 @@
 #include "study/comparison_json.h"
 
+#include <limits>
+
+#include "study/json_log.h"
+
 namespace ps {
 
 nlohmann::ordered_json comparison_json(const Comparison& c) {
@@ -19,14 +23,16 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
 Comparison comparison_from_json(const nlohmann::ordered_json& json) {
   Comparison c;
   c.identical = json.at("identical").get<bool>();
-  c.mae = json.at("mae").get<double>();
-  c.rmse = json.at("rmse").get<double>();
-  if (!json.at("psnr").is_null()) c.psnr = json.at("psnr").get<double>();
-  c.max = json.at("max").get<double>();
-  c.ssim = json.at("ssim").get<double>();
-  c.flip = json.at("flip").get<double>();
-  c.differing = json.at("differing").get<std::int64_t>();
-  c.not_finite = json.at("not-finite").get<std::int64_t>();
+  constexpr double any_double = std::numeric_limits<double>::max();
+  constexpr int any_int = std::numeric_limits<int>::max();  // pixels of a picture
+  c.mae = json_number(json, "mae", 0, any_double);
+  c.rmse = json_number(json, "rmse", 0, any_double);
+  if (!json.at("psnr").is_null()) c.psnr = json_number(json, "psnr", -any_double, any_double);
+  c.max = json_number(json, "max", 0, any_double);
+  c.ssim = json_number(json, "ssim", -1.000001, 1.000001);  // rounding aside
+  c.flip = json_number(json, "flip", 0, 1.000001);
+  c.differing = json_integer(json, "differing", 0, any_int);
+  c.not_finite = json_integer(json, "not-finite", 0, any_int);
   return c;
 }
 

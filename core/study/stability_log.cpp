@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/machine.h"
+#include "study/json_log.h"
 
 namespace ps {
 namespace {
@@ -31,7 +32,10 @@ StabilityJson number_or_word(double value) {
   return value;
 }
 double number_from(const StabilityJson& json) {
-  return json.is_string() ? std::stod(json.get<std::string>()) : json.get<double>();
+  if (json == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (json == "inf") return std::numeric_limits<double>::infinity();
+  if (json == "-inf") return -std::numeric_limits<double>::infinity();
+  return json.get<double>();
 }
 
 StabilityJson row_json(const std::string& experiment, const StabilityRow& row) {
@@ -39,42 +43,81 @@ StabilityJson row_json(const std::string& experiment, const StabilityRow& row) {
           {"naive", number_or_word(row.naive)}, {"robust", number_or_word(row.robust)}, {"unit", row.unit}};
 }
 
-void apply_line(const StabilityJson& line, std::vector<MeasuredExperiment>& all) {
-  const std::string key = line.at("experiment");
-  auto found = std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.key == key; });
-  if (line.contains("begin")) {
-    if (found == all.end()) found = all.insert(all.end(), MeasuredExperiment{});
-    *found = {key, {}, 0, false};
-  } else if (found != all.end() && line.contains("seconds")) {
-    found->seconds = line.at("seconds");
-    found->complete = true;
-  } else if (found != all.end()) {
-    found->rows.push_back({number_from(line.at("knob")), line.at("series"), number_from(line.at("naive")),
-                           number_from(line.at("robust")), line.at("unit")});
+/// What a log holds of the request's experiments.
+struct StabilityFound {
+  std::vector<MeasuredExperiment> experiments;
+  std::vector<std::string> unread;  ///< damaged lines, and all lines of a log of another head
+};
+
+/// Takes lines one after another.
+class StabilityReader {
+ public:
+  void take(const StabilityJson& line) {
+    const std::string key = line.at("experiment");
+    const auto found = std::find_if(all_.begin(), all_.end(), [&](const auto& e) { return e.key == key; });
+    if (line.contains("begin")) {
+      if (found != all_.end()) all_.erase(found);
+      all_.push_back({key, {}, 0, false});
+      damaged_ = false;
+    } else if (found == all_.end()) {
+      throw InputError("found a row before its experiment begins");
+    } else if (line.contains("seconds")) {
+      const double seconds = line.at("seconds");
+      if (!(seconds >= 0)) throw InputError("found a negative time");
+      found->seconds = seconds;
+      found->complete = !damaged_;
+    } else {
+      found->rows.push_back({number_from(line.at("knob")), line.at("series"), number_from(line.at("naive")),
+                             number_from(line.at("robust")), line.at("unit")});
+    }
   }
+  /// The line may have been a row of the experiment that was measured then, which is not complete without it.
+  void lose_line() {
+    damaged_ = true;
+    if (!all_.empty()) all_.back().complete = false;
+  }
+  std::vector<MeasuredExperiment> experiments() && { return std::move(all_); }
+
+ private:
+  std::vector<MeasuredExperiment> all_;  ///< the one that was measured last at the end
+  bool damaged_ = false;
+};
+
+StabilityFound read_stability_log(const StabilityRequest& request) {
+  StabilityFound found;
+  const auto path = stability_log_path(request);
+  std::error_code error;
+  if (request.folder.empty() || !std::filesystem::exists(path, error)) return found;
+  const JsonLog log = read_json_log(path);
+  const bool ours = !log.lines.empty() && log.lines.front().json == stability_head(request);
+  StabilityReader reader;
+  auto damaged = log.damaged.begin();
+  for (std::size_t i = 0; i < log.lines.size(); ++i) {
+    const JsonLogLine& line = log.lines[i];
+    for (; damaged != log.damaged.end() && damaged->number < line.number; ++damaged) {
+      found.unread.push_back(damaged->text);
+      reader.lose_line();
+    }
+    try {
+      if (!ours) throw InputError("found a line of another study");
+      if (i > 0) reader.take(line.json);
+    } catch (const std::exception&) {  // InputError and what nlohmann throws
+      found.unread.push_back(line.text);
+      reader.lose_line();
+    }
+  }
+  for (; damaged != log.damaged.end(); ++damaged) {
+    found.unread.push_back(damaged->text);
+    reader.lose_line();
+  }
+  found.experiments = std::move(reader).experiments();
+  return found;
 }
 
 }  // namespace
 
 std::vector<MeasuredExperiment> read_stability(const StabilityRequest& request) {
-  std::vector<MeasuredExperiment> all;
-  const auto path = stability_log_path(request);
-  std::error_code error;
-  if (request.folder.empty() || !std::filesystem::exists(path, error)) return all;
-  std::istringstream text(read_whole_file(path));
-  bool head = true;
-  for (std::string line; std::getline(text, line);) {
-    const StabilityJson json = StabilityJson::parse(line, nullptr, false);
-    if (!json.is_object()) break;
-    if (head && json != stability_head(request)) break;
-    try {
-      if (!head) apply_line(json, all);
-    } catch (const std::exception&) {
-      break;  // damaged: what stands before it is good
-    }
-    head = false;
-  }
-  return all;
+  return read_stability_log(request).experiments;
 }
 
 StabilityLog::StabilityLog(const StabilityRequest& request) : path_(stability_log_path(request)) {
@@ -82,7 +125,12 @@ StabilityLog::StabilityLog(const StabilityRequest& request) : path_(stability_lo
   std::filesystem::create_directories(request.folder, error);
   if (!std::filesystem::is_directory(request.folder))
     throw InputError(request.folder.string() + ": cannot be made a folder");
-  const std::vector<MeasuredExperiment> kept = read_stability(request);
+  lock_ = FileLock::try_lock(request.folder / "runs.lock");
+  if (!lock_)
+    throw InputError(request.folder.string() +
+                     ": another program is measuring there; wait until it ends, or choose another folder");
+  const auto [kept, unread] = read_stability_log(request);
+  if (!unread.empty()) keep_aside(path_, unread, ".damaged");
   write_file_atomically(path_, stability_head(request).dump() + "\n");  // without what is damaged or was done twice
   file_.open(path_, std::ios::app);
   for (const MeasuredExperiment& experiment : kept) {

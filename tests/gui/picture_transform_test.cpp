@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
 #include <cmath>
 #include <random>
 
@@ -36,6 +37,15 @@ TEST(PictureTransform, ThereAndBackIsTheSamePixel) {
     const Vec2i pixel(static_cast<int>(place(random) * 600), static_cast<int>(place(random) * 400));
     if (transform.zoom < 2) continue;  // several pixels share a window pixel below
     EXPECT_EQ(transform.pixel_at(transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, area), area), pixel);
+  }
+}
+
+// Dear ImGui's word for a pointer that is not in the window.
+TEST(PictureTransform, APointerOutsideTheWindowIsOnNoPixel) {
+  for (const double zoom : {smallest_zoom, 1.0, largest_zoom}) {
+    const PictureTransform transform{zoom, {300, 200}};
+    EXPECT_EQ(transform.pixel_at({-FLT_MAX, -FLT_MAX}, area), Vec2i(-1000000000, -1000000000));
+    EXPECT_EQ(transform.pixel_at({FLT_MAX, FLT_MAX}, area), Vec2i(1000000000, 1000000000));
   }
 }
 

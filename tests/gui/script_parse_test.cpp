@@ -45,6 +45,14 @@ TEST(ScriptParse, ErrorsNameThePlace) {
   expect_error("expect a !! b", 1, 8, "'!!'");
   expect_error("set gamma", 1, 5, "'gamma'");
   expect_error("wheel nan", 1, 7, "a number");
+  expect_error("quit\nwheel 1e300", 2, 7, "a number from -1000 to 1000");
+  expect_error("wait 1e300", 1, 6, "a number from 0 to 3600000");
+  expect_error("wait -1", 1, 6, "a number from 0");
+  expect_error("wait frames 1e300", 1, 6, "a number from 0 to 100000");
+  expect_error("click-pixel A 1e300,1e300", 1, 13, "a number from 0 to 65535");
+  expect_error("resize 1e9x1e9", 1, 8, "a number from 1 to 16384");
+  expect_error("resize 0x700", 1, 8, "a number from 1 to 16384");
+  expect_error("drag x 1e300,0", 1, 6, "a number from -100000 to 100000");
 }
 
 TEST(Expectation, ComparesNumbersAsNumbersAndTextAsText) {

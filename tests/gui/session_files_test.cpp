@@ -67,25 +67,85 @@ TEST_F(SessionFiles, AutosaveIsGoneAfterAProperEnd) {
     autosave.save("scene=cgfs/shadows");
     EXPECT_FALSE(std::filesystem::is_empty(folder_));
     Autosave second(folder_);
-    EXPECT_FALSE(second.take_left_behind()) << "its program still runs";
+    EXPECT_TRUE(second.take_left_behind().empty()) << "its program still runs";
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+/// As a program leaves its files that does not end properly.
+void leave_behind(const std::filesystem::path& folder, const std::string& text) {
+  Autosave autosave(folder);
+  autosave.save(text);
+  autosave.keep();
+}
+
+std::string only_text(const std::vector<LeftBehind>& found) {
+  return found.size() == 1 && found[0].problem.empty() ? found[0].text : "not one good session";
+}
+
 TEST_F(SessionFiles, AutosaveOfACrashedProgramIsFoundOnce) {
-  write("open-999999999.permalink", "scene=cgfs/shadows");  // no process has this number
+  write("open-999999999.permalink", "scene=cgfs/shadows");  // as earlier versions named it; no process has this number
   write("open-x.permalink", "not one of ours");
   Autosave autosave(folder_);
-  EXPECT_EQ(autosave.take_left_behind(), "scene=cgfs/shadows");
-  EXPECT_EQ(autosave.take_left_behind(), std::nullopt);
+  EXPECT_EQ(only_text(autosave.take_left_behind()), "scene=cgfs/shadows");
+  EXPECT_TRUE(autosave.take_left_behind().empty());
   EXPECT_TRUE(std::filesystem::exists(folder_ / "open-x.permalink"));
+  leave_behind(folder_, "scene=cgfs/lens");
+  EXPECT_EQ(only_text(autosave.take_left_behind()), "scene=cgfs/lens");
+}
+
+// The lock decides, not a process number, which another computer or container gives again.
+TEST_F(SessionFiles, AutosaveOfAProgramElsewhereIsLeftAlone) {
+  write("open-elsewhere-999999999.permalink", "scene=cgfs/shadows");
+  {
+    const auto running = FileLock::try_lock(folder_ / "open-elsewhere-999999999.lock");
+    EXPECT_TRUE(Autosave(folder_).take_left_behind().empty());
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "open-elsewhere-999999999.permalink"));
+  }
+  EXPECT_EQ(only_text(Autosave(folder_).take_left_behind()), "scene=cgfs/shadows");
+}
+
+TEST_F(SessionFiles, OfTwoSessionsTheNewestComesFirstAndBothStayOnDisk) {
+  leave_behind(folder_, "scene=cgfs/lens");
+  leave_behind(folder_, "scene=cgfs/shadows");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    std::ifstream file(entry.path());
+    std::string text;
+    std::getline(file, text);
+    if (text == "scene=cgfs/shadows")
+      std::filesystem::last_write_time(entry.path(), std::filesystem::last_write_time(entry.path()) - 1h);
+  }
+  Autosave autosave(folder_);
+  const auto found = autosave.take_left_behind();
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].text, "scene=cgfs/lens");
+  EXPECT_EQ(found[1].text, "scene=cgfs/shadows");
+  EXPECT_TRUE(std::filesystem::exists(found[0].file));
+  autosave.forget(found[0]);
+  EXPECT_TRUE(std::filesystem::exists(found[0].file)) << "until it is saved as the own one";
+  autosave.save("scene=cgfs/lens");
+  EXPECT_FALSE(std::filesystem::exists(found[0].file));
+  EXPECT_TRUE(std::filesystem::exists(found[1].file));
+}
+
+TEST_F(SessionFiles, DamagedAutosavesAreKeptAndNamed) {
+  write("open-999999999.permalink", "");
+  std::filesystem::create_directories(folder_ / "open-999999998.permalink");
+  write("open-999999997.permalink", std::string(3 << 20, 'x'));
+  Autosave autosave(folder_);
+  const auto found = autosave.take_left_behind();
+  ASSERT_EQ(found.size(), 3u);
+  for (const LeftBehind& session : found) {
+    EXPECT_NE(session.problem, "");
+    EXPECT_TRUE(std::filesystem::exists(session.file)) << session.file;
+  }
 }
 
 TEST_F(SessionFiles, AutosaveIntoAFolderThatCannotBeMadeIsSilent) {
   write("file", "");
   Autosave autosave(folder_ / "file" / "below");
   autosave.save("scene=cgfs/shadows");
-  EXPECT_FALSE(autosave.take_left_behind());
+  EXPECT_TRUE(autosave.take_left_behind().empty());
 }
 
 }  // namespace

@@ -62,6 +62,25 @@ TEST(Window, MisspeltControlNamesSimilarOnes) {
   EXPECT_NE(result.errors.find("similar: gallery/plain"), std::string::npos) << result.errors;
 }
 
+// Eight pixels of the picture share each of the screen's: the click alone could not reach them all.
+TEST(Window, EveryPixelOfAShrunkPictureCanBeClickedByAScript) {
+  const auto folder = ps::fresh_output_folder("gui-shrunk-pixels");
+  std::string script = "wait idle\nexpect zoom < 0.5\n";
+  for (const char* pixel : {"300,420", "301,421", "302,422", "777,13", "778,14"})
+    script += std::string("click-pixel A ") + pixel + "\nexpect pixel " + pixel + "\n";
+  const auto result = play(script, folder, "1024x768", "--size 1100x800 cgfs/spheres");
+  EXPECT_EQ(result.status, 0) << result.errors;
+}
+
+TEST(Window, AValueIsNoControl) {
+  const auto folder = ps::fresh_output_folder("gui-value-no-control");
+  const auto result = play("wait idle\nclick space/boxes\n", folder, "1024x768", "--size 160x120");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.errors.find("it is a value, which can be read and not clicked; similar: space/"), std::string::npos)
+      << result.errors;
+  EXPECT_EQ(result.errors.find("similar: space/boxes"), std::string::npos) << result.errors;
+}
+
 TEST(Window, IdleWindowDrawsNothing) {
   const auto folder = ps::fresh_output_folder("gui-idle");
   const auto result = play("wait idle\nwait 500\nprint window/frames\nwait 1500\nprint window/frames\n", folder,

@@ -11,6 +11,7 @@
 
 #include "inspect/microscope/drawing.h"
 #include "inspect/microscope/enlarge.h"
+#include "inspect/microscope/micro_svg.h"
 #include "inspect/microscope/window_clip.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -277,6 +278,27 @@ TEST(Microscope, DrawsEverythingInsideItsRectangle) {
       }
     }
     EXPECT_EQ(samples, renderer == Renderer::rasterizer ? 4 : 1);
+  }
+}
+
+// Filled with what parts from the surface, a covered sample does not look like a ring.
+TEST(Microscope, SamplesPartFromTheSurfaceThatTheyLieOn) {
+  for (const double exposure : {0.02, 50.0}) {
+    Bench setup("cgfs/reflections", Renderer::ray_tracer);
+    setup.settings.exposure = exposure;
+    const Microscope scope(setup.scene, setup.view, setup.settings, {20, 190}, setup.prepared, setup.progress);
+    const MicroReading reading = scope.read({0.5, 0.5}, setup.prepared, setup.progress);
+    int samples = 0;
+    for (const MicroItem& item : pixel_drawing(scope, reading, -1).items) {
+      if (item.kind != MicroKind::sample_lit && item.kind != MicroKind::sample_unlit) continue;
+      ++samples;
+      EXPECT_EQ(item.on_dark, exposure < 1);
+    }
+    EXPECT_GT(samples, 0);
+    const std::string svg = micro_svg(scope, reading), circle = svg.substr(svg.find("<circle"), 200);
+    const std::string first_circle = circle.substr(0, circle.find("/>"));
+    EXPECT_NE(first_circle.find(exposure < 1 ? "fill=\"#ffffff\"" : "fill=\"#181818\""), std::string::npos)
+        << first_circle;
   }
 }
 

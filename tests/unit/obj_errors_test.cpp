@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadModel{"first_of_two_too_large", three_vertices + "f 1 2 3\nf 1 2 7\nf 9 2 3\n", 5, 7, "index 7 in '7'",
                  "a vertex index of at most 3"},
         BadModel{"negative_beyond_start", three_vertices + "f -1 -2 -4\n", 4, 9, "index -4 in '-4'",
-                 "a vertex index of at most 3"},
+                 "a vertex index of at least -3, counted back from this line"},
         BadModel{"index_2_31", three_vertices + "f 1 2 2147483648\n", 4, 7, "index 2147483648 in '2147483648'",
                  "a vertex index of at most 3"},
         BadModel{"index_2_63", three_vertices + "f 1 2 9223372036854775808\n", 4, 7,

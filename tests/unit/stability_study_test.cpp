@@ -82,6 +82,45 @@ TEST(StabilityStudy, WhatWasCutOffIsTakenUpAgain) {
   }
 }
 
+// Also where the line alone would be good: without one of its rows an experiment is not complete.
+TEST(StabilityStudy, ADamagedLineCostsItsExperimentAndNothingElse) {
+  const StabilityRequest request = request_in("stability-study-damaged");
+  StudyControl control;
+  run_stability(request, control);
+  const auto path = request.folder / "runs.jsonl";
+  const std::string text = read_whole_file(path);
+  const std::size_t second = text.find("\n{\"experiment\":\"z-vs-1-z\",\"knob\"");
+  ASSERT_NE(second, std::string::npos);
+  std::string damaged = text;
+  damaged[second + 1] = 'x';
+  write_file_atomically(path, damaged);
+  const auto kept = read_stability(request);
+  ASSERT_EQ(kept.size(), 3u);
+  EXPECT_TRUE(kept[0].complete);
+  EXPECT_FALSE(kept[1].complete);
+  EXPECT_TRUE(kept[2].complete);
+  std::vector<std::string> begun;
+  run_stability(request, control, [&](const MeasuredExperiment& experiment, const StudyStatus&) {
+    if (experiment.rows.empty()) begun.push_back(experiment.key);
+  });
+  EXPECT_EQ(begun, std::vector<std::string>{"z-vs-1-z"});
+  for (const MeasuredExperiment& experiment : read_stability(request))
+    EXPECT_EQ(stability_csv(experiment.rows), direct(experiment.key));
+  const std::string line = damaged.substr(second + 1, damaged.find('\n', second + 1) - second);
+  EXPECT_EQ(read_whole_file(path.string() + ".damaged"), line);
+}
+
+TEST(StabilityStudy, ResultsOfAnotherSeedAreSetAside) {
+  StabilityRequest request = request_in("stability-study-aside");
+  request.keys = {"z-vs-1-z"};
+  StudyControl control;
+  run_stability(request, control);
+  const std::string before = read_whole_file(request.folder / "runs.jsonl");
+  request.seed = 2;
+  run_stability(request, control);
+  EXPECT_EQ(read_whole_file(request.folder / "runs.jsonl.damaged"), before);
+}
+
 TEST(StabilityStudy, ResultsOfAnotherSeedDoNotMix) {
   StabilityRequest request = request_in("stability-study-seed");
   StudyControl control;

@@ -92,30 +92,23 @@ Document first_document(const AppOptions& options) {
 
 App::App(Shell& shell, const AppOptions& options, Document document)
     : shell_(shell),
-      session_(
-          {.wake = [&shell] { shell.wake(); },
-           .remembered = [&shell](const std::string& key) { return shell.remembered(key); },
-           .remember = [&shell](const std::string& key, std::string value) { shell.remember(key, std::move(value)); }}),
+      session_({.wake = [&shell] { shell.wake(); },
+                .remembered = [&shell](const std::string& key) { return shell.remembered(key); },
+                .remember_lines = [&shell](const std::string& key,
+                                           std::string lines) { shell.remember_lines(key, std::move(lines)); }}),
       pixel_panel_([&shell] { shell.wake(); }), space_([&shell] { shell.wake(); }),
       microscope_([&shell] { shell.wake(); }), pixels_([&shell] { shell.wake(); }),
       listing_([&shell] { shell.wake(); }), history_([&shell] { shell.wake(); }),
       studies_([&shell] { shell.wake(); }, options.remember), autosave_(autosave_folder(options)) {
-  const auto left_behind = autosave_.take_left_behind();
   const bool nothing_asked = options.scene.empty() && options.permalink.empty() && options.lesson.empty();
-  if (left_behind && nothing_asked) {
-    try {
-      AppOptions restored;
-      restored.permalink = *left_behind;
-      document = first_document(restored);
-      session_.say(Message::Kind::information,
-                   "Pixelscope did not end properly the last time. This is what was open then.");
-    } catch (const InputError&) {
-      // What cannot be read back is no use to anyone.
-    }
-  }
-  if (nothing_linked(options)) read_layout(shell.remembered(layout_key), document.layout);
+  auto left_behind = nothing_asked ? restored() : std::optional<Document>();  // else it waits for another start
   offers_first_look_ = nothing_asked && !left_behind && shell.remembers() && shell.remembered(first_look_key).empty();
+  if (left_behind)
+    document = std::move(*left_behind);
+  else if (nothing_linked(options))
+    read_layout(shell.remembered(layout_key), document.layout);
   session_.start(std::move(document));
+  for (const Message& message : restored_words_) session_.say(message.kind, message.text);
   if (!options.lesson.empty()) go_to_step(session_, options.lesson, 0);
   space_.save = [this] { files_.ask(FilePurpose::save_space, "space.svg"); };
   microscope_.save = [this] { files_.ask(FilePurpose::save_microscope, "pixel.svg"); };
@@ -147,6 +140,11 @@ std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
 bool App::may_close() {
   remember_layout();
   return true;
+}
+
+void App::ended_from_outside() {
+  remember_layout();
+  autosave_.keep();
 }
 
 void App::remember_layout() { shell_.remember(layout_key, layout_text(session_.document().layout)); }

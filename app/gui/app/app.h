@@ -58,6 +58,8 @@ class App final : public Content {
   void set_option(Side side, const std::string& assignment) override;
   std::optional<WindowPoint> pixel_place(Side side, Vec2i pixel) const override;
   bool may_close() override;
+  void ended_from_outside() override;
+  void warn(const std::string& sentence) override { session_.say(Message::Kind::warning, sentence); }
 
  private:
   // app_actions.cpp
@@ -76,6 +78,7 @@ class App final : public Content {
   void go_to_option(const Option& option);
   void nudge(Vec2i by);
   void turn(double right, double up);
+  void orbit(double right, double up);
   void move_light(double right, double up, double forward);
   void next_channel(int by);
   void set_compare(CompareMode mode);
@@ -98,6 +101,8 @@ class App final : public Content {
   float compare_buttons_width() const;
   void compare_buttons(float left);
   void file_dialog();
+  // restore.cpp
+  std::optional<Document> restored();
   // app.cpp
   void close_on_escape();
   void layout(const Area& area);
@@ -137,6 +142,7 @@ class App final : public Content {
   bool offers_first_look_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
   Autosave autosave_;
+  std::vector<Message> restored_words_;  ///< what is to be said about it
   bool flying_now_ = false;
   double last_draw_ = 0;
 };

@@ -65,6 +65,12 @@ void App::nudge(Vec2i by) {
       Vec2i(std::clamp(picked->x + by.x, 0, view.width - 1), std::clamp(picked->y + by.y, 0, view.height - 1)));
 }
 
+void App::orbit(double right, double up) {
+  const Vec3d centre = scene_centre(session_.scene());
+  const Camera next = orbited(session_.view().camera, right, up, session_.scene().camera.up, centre);
+  session_.edit("orbit", "orbit by keys", [&](Document& document) { document.view.camera = next; });
+}
+
 void App::turn(double right, double up) {
   const Camera next = turned(session_.view().camera, right, up, session_.scene().camera.up);
   session_.edit("turn the camera", "turn", [&](Document& document) { document.view.camera = next; });
@@ -356,6 +362,17 @@ void App::add_camera_actions() {
                  .keys = by.keys,
                  .kind = ActionKind::repeat,
                  .run = [this, by] { turn(by.right * turn_step, by.up * turn_step); }});
+  // As Alt and a drag do. The camera goes where the key says, so that the scene turns the other way.
+  for (const Turn& by : {Turn{"orbit-left", "Go left around the scene", "Alt+Left", 1, 0},
+                         Turn{"orbit-right", "Go right around the scene", "Alt+Right", -1, 0},
+                         Turn{"orbit-up", "Go up around the scene", "Alt+Up", 0, -1},
+                         Turn{"orbit-down", "Go down around the scene", "Alt+Down", 0, 1}})
+    actions.add({.name = by.name,
+                 .label = by.label,
+                 .group = "Camera",
+                 .keys = by.keys,
+                 .kind = ActionKind::repeat,
+                 .run = [this, by] { orbit(by.right * turn_step, by.up * turn_step); }});
   actions.add({.name = "fly",
                .label = "Fly: W A S D Q E move the camera",
                .group = "Camera",

@@ -2,11 +2,23 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "base/file_lock.h"
 
 namespace ps::gui {
 
-/// A file that holds what is open as long as the program runs. One that is found although its program has ended tells
-/// of a crash.
+/// What a program that did not end properly had open.
+struct LeftBehind {
+  std::filesystem::path file;  ///< where it is kept from now on
+  std::filesystem::file_time_type saved;
+  std::string text;     ///< a permalink, unless `problem` says why it cannot be read
+  std::string problem;  ///< "" if it was read
+};
+
+/// A file that holds what is open as long as the program runs: `open-HOST-PROCESS.permalink`, beside a lock file of the
+/// same name, which other programs find locked as long as this one runs, also on other computers with the same home
+/// folder. A file that is found unlocked was left behind by a program that did not end properly.
 class Autosave {
  public:
   /// An empty folder saves nothing. The folder is made when it is first needed.
@@ -15,15 +27,26 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  /// What a program that did not end cleanly had open. The file is gone afterwards.
-  std::optional<std::string> take_left_behind();
+  /// What was left behind, the newest first. Each is moved to a name of its own, `left-behind-DATE.permalink`, where it
+  /// stays until forget(); another call finds none of them.
+  std::vector<LeftBehind> take_left_behind();
+  /// Removes the file of one that was restored, as soon as this program has saved it as its own.
+  void forget(const LeftBehind& session) { restored_ = session.file; }
   /// Saves `text` unless it is what was saved last. Failing to is no reason to bother anyone.
   void save(const std::string& text);
+  /// Leaves the file when this object goes: the program is ended from outside.
+  void keep() { keep_ = true; }
 
  private:
-  std::filesystem::path own_file() const;
+  bool find_own_name();
+  std::filesystem::path with_ending(const char* ending) const;
+
   std::filesystem::path folder_;
+  std::string name_;  ///< of the own files, without their ending; empty before the first save()
+  std::optional<FileLock> lock_;
   std::string saved_;
+  std::filesystem::path restored_;
+  bool keep_ = false;
 };
 
 }  // namespace ps::gui

@@ -36,9 +36,17 @@ std::size_t sentence_end(const std::string& text) {
   return std::string::npos;
 }
 
-/// The first sentence, short enough for a menu; the tooltip has all.
-std::string first_sentence(const std::string& text) {
-  constexpr std::size_t most = 72;
+/// How many letters of descriptions a menu has room for, beside its submenus: these would else lie over it, under the
+/// pointer that opened them.
+std::size_t description_room() {
+  constexpr float names = 420, submenu = 460, letter = 8.6f;
+  constexpr std::size_t fewest = 24, most = 72;
+  const float room = (ImGui::GetIO().DisplaySize.x - px(names + submenu)) / px(letter);
+  return room < fewest ? 0 : std::min(most, static_cast<std::size_t>(room));
+}
+
+/// The first sentence, in at most so many letters; the tooltip has all.
+std::string first_sentence(const std::string& text, std::size_t most) {
   std::string sentence = text.substr(0, sentence_end(text));
   if (const auto part = sentence.find_last_of(":;", most); sentence.size() > most && part != std::string::npos) {
     sentence = sentence.substr(0, part) + ".";
@@ -65,12 +73,39 @@ LessonEntry lesson_entry(const Lesson& lesson) {
           fmt::format("{}: {}", lesson.source.substr(part + 2, end - part - 2), lesson.title), lesson.source};
 }
 
+/// A name as it is; of a long path its end, which says more than its beginning.
+std::string short_path(const std::string& name) {
+  constexpr std::size_t long_path = 40;
+  const std::filesystem::path path(name);
+  if (name.size() <= long_path || !path.is_absolute()) return name;
+  const std::string end = (".../" / path.parent_path().filename() / path.filename()).string();
+  return end.size() <= long_path ? end : path.filename().string();
+}
+
 }  // namespace
 
+/// The scenes are more than a window has lines for, so what is done with them stands above.
 void App::scene_menu() {
   if (!begin_menu("menu/scene", "Scene")) return;
   const auto& actions = shell_.actions();
+  menu_action(actions, "open");
+  if (!session_.recent().empty() && begin_menu("menu/recent", "Recent")) {
+    for (const auto& name : std::vector<std::string>(session_.recent())) {
+      if (menu_item("recent/" + name, short_path(name))) session_.open(name);
+      tooltip(name);
+    }
+    end_menu();
+  }
+  menu_action(actions, "reload");
+  ImGui::Separator();
+  for (const char* name : {"save-picture", "save-scene", "save-screen", "save-story"}) menu_action(actions, name);
+  ImGui::Separator();
+  for (const char* name : {"picture-b", "drop-picture-b", "copy-permalink", "copy-command"}) menu_action(actions, name);
+  ImGui::Separator();
+  menu_action(actions, "quit");
+  ImGui::Separator();
   static const std::vector<BuiltinScene> scenes = builtin_scenes();
+  const std::size_t room = description_room();
   std::string book;
   for (const auto& scene : scenes) {
     if (book_of(scene.name) != book) {
@@ -78,32 +113,11 @@ void App::scene_menu() {
       const FontScope font(Face::small);
       ImGui::TextDisabled("%s", book_title(book).c_str());
     }
-    // Where the window is narrow the description would be cut; the tooltip has it.
-    const bool room = ImGui::GetIO().DisplaySize.x >= px(900);
-    if (menu_item("scene/" + scene.name, scene.title, room ? first_sentence(scene.description) : "",
+    if (menu_item("scene/" + scene.name, scene.title, room > 0 ? first_sentence(scene.description, room) : "",
                   session_.document().scene_name == scene.name))
       session_.open(scene.name);
     tooltip(scene.description);
   }
-  ImGui::Separator();
-  menu_action(actions, "open");
-  if (!session_.recent().empty() && begin_menu("menu/recent", "Recent")) {
-    for (const auto& name : std::vector<std::string>(session_.recent()))
-      if (menu_item("recent/" + name, name)) session_.open(name);
-    end_menu();
-  }
-  menu_action(actions, "reload");
-  ImGui::Separator();
-  menu_action(actions, "save-picture");
-  menu_action(actions, "save-scene");
-  menu_action(actions, "save-screen");
-  menu_action(actions, "save-story");
-  menu_action(actions, "picture-b");
-  menu_action(actions, "drop-picture-b");
-  menu_action(actions, "copy-permalink");
-  menu_action(actions, "copy-command");
-  ImGui::Separator();
-  menu_action(actions, "quit");
   end_menu();
 }
 
@@ -148,7 +162,12 @@ void App::view_menu() {
   items({"channel-next", "channel-before"});
   items({"panels", "fullscreen"});
   items({"predict"});
-  items({"reset-view", "fly"});
+  menu_action(actions, "reset-view");
+  menu_action(actions, "fly");
+  tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on carry it around the scene.",
+                      actions.key_text("turn-left"), actions.key_text("turn-up"), actions.key_text("orbit-left"),
+                      actions.key_text("orbit-up")));
+  ImGui::Separator();
   for (const char* name : {"dark-theme", "larger-type", "smaller-type", "standard-type"}) menu_action(actions, name);
   end_menu();
 }

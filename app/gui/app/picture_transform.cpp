@@ -8,6 +8,7 @@ namespace {
 
 /// A fit may be this much smaller than possible for the sake of a whole-number enlargement.
 constexpr double tolerated_loss = 0.8;
+constexpr double farthest = 1e9;  // pixels from the picture's corner
 
 }  // namespace
 
@@ -31,7 +32,9 @@ Vec2d PictureTransform::to_picture(ImVec2 point, const Area& area) const {
 
 Vec2i PictureTransform::pixel_at(ImVec2 point, const Area& area) const {
   const Vec2d place = to_picture(point, area);
-  return {static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y))};
+  // Without a pointer in the window its place is as far away as a float can say.
+  const auto whole = [](double v) { return static_cast<int>(std::clamp(std::floor(v), -farthest, farthest)); };
+  return {whole(place.x), whole(place.y)};
 }
 
 PictureTransform fitted(Vec2i picture_size, const Area& area) {

@@ -74,7 +74,7 @@ Session::Session(SessionHost host) : host_(std::move(host)), watch_(host_.wake) 
   if (host_.remembered) {
     std::istringstream lines(host_.remembered(recent_key));
     for (std::string line; std::getline(lines, line);)
-      if (!line.empty()) recent_.push_back(line);
+      if (!line.empty() && recent_.size() < recent_limit) recent_.push_back(line);
   }
 }
 
@@ -403,7 +403,7 @@ void Session::note_recent(const std::string& name) {
   if (recent_.size() > recent_limit) recent_.resize(recent_limit);
   std::string lines;
   for (const auto& entry : recent_) lines += entry + '\n';
-  if (host_.remember) host_.remember(recent_key, lines);
+  if (host_.remember_lines) host_.remember_lines(recent_key, lines);
 }
 
 void Session::say(Message::Kind kind, std::string text) {

@@ -40,7 +40,7 @@ struct PictureFile {
 struct SessionHost {
   std::function<void()> wake;  ///< from any thread: there is something new
   std::function<std::string(const std::string& key)> remembered;
-  std::function<void(const std::string& key, std::string value)> remember;
+  std::function<void(const std::string& key, std::string lines)> remember_lines;  ///< a list, one entry a line
 };
 
 /// All of the program that is not a widget: the document with its history, the scene files, and the work in the
@@ -118,6 +118,8 @@ class Session {
   /// Drops what is being loaded; the open scene stays. Reading a file ends some time later, unseen.
   void cancel_loading();
   const std::vector<std::string>& recent() const { return recent_; }
+  /// Puts a file in front of the recent ones, so that it is offered.
+  void note_recent(const std::string& name);
   std::string permalink() const;
 
   // --- messages ---
@@ -146,7 +148,6 @@ class Session {
   void give_up_picture_b(const std::string& why);
   void request_work();
   std::optional<ValueRange> common_range();
-  void note_recent(const std::string& name);
 
   SessionHost host_;
   std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();

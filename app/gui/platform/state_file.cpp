@@ -1,17 +1,68 @@
 #include "gui/platform/state_file.h"
 
+#include <algorithm>
 #include <cstdlib>
-#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "base/number_text.h"
 
 namespace ps::gui {
 namespace {
+
+constexpr std::uintmax_t largest_state = 1 << 20;
+constexpr const char* format_key = "format";
+constexpr int this_format = 1;  ///< of the file; one without a number is of the same
 
 /// The folder named by a variable, or a folder below the home folder; empty if neither is known.
 std::filesystem::path user_folder(const char* variable, const char* below_home) {
   if (const char* folder = std::getenv(variable); folder && *folder == '/') return folder;
   if (const char* home = std::getenv("HOME"); home && *home == '/') return std::filesystem::path(home) / below_home;
   return {};
+}
+
+/// Throws InputError for a text that is no state file. Entries that are not text are named in `odd`.
+std::map<std::string, std::string> parse_state(const std::string& text, std::vector<std::string>& odd) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw InputError("found no JSON, expected what the window writes there");
+  if (!json.is_object()) throw InputError(fmt::format("found {}, expected an object", json.type_name()));
+  if (const auto format = json.find(format_key); format != json.end() && *format != this_format)
+    throw InputError(fmt::format("found another version's format, expected {}", this_format));
+  std::map<std::string, std::string> entries;
+  for (const auto& [key, value] : json.items())
+    if (value.is_string())
+      entries[key] = value.get<std::string>();
+    else if (key != format_key)
+      odd.push_back(fmt::format("{}: found {}, expected text", key, value.type_name()));
+  return entries;
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+/// `ours` with what `theirs` has and neither `ours` nor `before` had, after the first entry.
+std::string merged_lines(const std::string& ours, const std::string& theirs, const std::string& before) {
+  std::vector<std::string> lines = split_lines(ours);
+  const std::vector<std::string> known = split_lines(before);
+  const auto lacks = [](const std::vector<std::string>& all, const std::string& line) {
+    return std::find(all.begin(), all.end(), line) == all.end();
+  };
+  std::size_t place = std::min<std::size_t>(lines.size(), 1);
+  for (const std::string& line : split_lines(theirs))
+    if (lacks(lines, line) && lacks(known, line))
+      lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(place++), line);
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
 }
 
 }  // namespace
@@ -27,12 +78,35 @@ std::filesystem::path config_file(const std::string& name) {
 }
 
 StateFile::StateFile(std::filesystem::path path) : path_(std::move(path)) {
-  if (path_.empty()) return;
-  std::ifstream file(path_);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
-  if (!json.is_object()) return;
-  for (const auto& [key, value] : json.items())
-    if (value.is_string()) entries_[key] = value.get<std::string>();
+  std::error_code error;
+  if (path_.empty() || !std::filesystem::exists(path_, error)) return;
+  if (!std::filesystem::is_regular_file(path_, error)) {
+    complaints_.push_back(path_.string() + ": is not a regular file; the window remembers nothing");
+    path_.clear();
+    return;
+  }
+  try {
+    std::vector<std::string> odd;
+    entries_ = read_ = parse_state(read_whole_file(path_, largest_state), odd);
+    for (const std::string& what : odd) complaints_.push_back(fmt::format("{}: {}; ignored", path_.string(), what));
+  } catch (const InputError& problem) {
+    keep_damaged(problem.what());
+  }
+}
+
+/// Moves the file aside, so that saving does not replace it.
+void StateFile::keep_damaged(const std::string& why) {
+  const std::string text = why.starts_with(path_.string()) ? why : fmt::format("{}: {}", path_.string(), why);
+  auto aside = path_;
+  aside += ".damaged";
+  std::error_code error;
+  std::filesystem::rename(path_, aside, error);
+  if (error) {
+    complaints_.push_back(text + "; the window remembers nothing");
+    path_.clear();
+    return;
+  }
+  complaints_.push_back(fmt::format("{}; ignored, and kept as {}", text, aside.filename().string()));
 }
 
 std::string StateFile::get(const std::string& key) const {
@@ -40,26 +114,51 @@ std::string StateFile::get(const std::string& key) const {
   return found == entries_.end() ? std::string() : found->second;
 }
 
+double StateFile::number(const std::string& key, double low, double high) {
+  const std::string text = get(key);
+  if (text.empty()) return 0;
+  if (const auto value = parse_number(text); value && *value >= low && *value <= high) return *value;
+  complain(key, fmt::format("a number from {} to {}", low, high));
+  return 0;
+}
+
+void StateFile::complain(const std::string& key, const std::string& expected) {
+  complaints_.push_back(
+      fmt::format("{}: {}: found '{}', expected {}; ignored", path_.string(), key, get(key), expected));
+}
+
 void StateFile::set(const std::string& key, std::string value) {
   std::string& entry = entries_[key];
   if (entry == value) return;
   entry = std::move(value);
-  changed_ = true;
+  changed_[key] = Kind::value;
+}
+
+void StateFile::set_lines(const std::string& key, std::string lines) {
+  std::string& entry = entries_[key];
+  if (entry == lines) return;
+  entry = std::move(lines);
+  changed_[key] = Kind::lines;
 }
 
 void StateFile::save() {
-  if (!changed_ || path_.empty()) return;
+  if (changed_.empty() || path_.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(path_.parent_path(), error);
-  auto temporary = path_;
-  temporary += ".new";
-  {
-    std::ofstream file(temporary);
-    file << nlohmann::json(entries_).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-    if (!file.flush()) return;
+  try {
+    Entries now;
+    std::vector<std::string> odd;
+    if (std::filesystem::exists(path_, error)) now = parse_state(read_whole_file(path_, largest_state), odd);
+    for (const auto& [key, kind] : changed_)
+      now[key] = kind == Kind::lines ? merged_lines(entries_[key], now[key], read_[key]) : entries_[key];
+    nlohmann::json json(now);
+    json[format_key] = this_format;
+    write_file_atomically(path_, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    entries_ = read_ = std::move(now);
+    changed_.clear();
+  } catch (const InputError&) {
+    // A folder that cannot be written, or a file that another program has damaged since: both stay as they are.
   }
-  std::filesystem::rename(temporary, path_, error);
-  changed_ = static_cast<bool>(error);
 }
 
 }  // namespace ps::gui

@@ -2,12 +2,14 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace ps::gui {
 
 /// What the window remembers from one start to the next, as text by key, in a JSON file in the user's state folder
-/// ($XDG_STATE_HOME or ~/.local/state, then pixelscope/window.json). A missing or damaged file counts as empty; a
-/// folder that cannot be written is ignored: remembering is a convenience.
+/// ($XDG_STATE_HOME or ~/.local/state, then pixelscope/window.json). A missing file counts as empty; a damaged one too,
+/// with a complaint, and it is kept as window.json.damaged. What cannot be read or written is not remembered:
+/// remembering is a convenience. Several windows may use the same file.
 class StateFile {
  public:
   /// An empty path remembers nothing.
@@ -16,14 +18,28 @@ class StateFile {
 
   bool remembers() const { return !path_.empty(); }
   std::string get(const std::string& key) const;
+  /// The number of a key from `low` to `high`; 0 if there is none, with a complaint if there is something else.
+  double number(const std::string& key, double low, double high);
   void set(const std::string& key, std::string value);
-  /// Writes the file (a temporary one, then a rename) if something changed since the last time.
+  /// The same for a list with an entry on each line: entries that another window has added since the file was read are
+  /// not lost, they follow the first one.
+  void set_lines(const std::string& key, std::string lines);
+  /// Takes what changed since the last time over into the file as it is now.
   void save();
 
+  /// One sentence for each thing that was ignored, with the file's name.
+  const std::vector<std::string>& complaints() const { return complaints_; }
+  void complain(const std::string& key, const std::string& expected);
+
  private:
+  using Entries = std::map<std::string, std::string>;
+  enum class Kind { value, lines };
+  void keep_damaged(const std::string& why);
+
   std::filesystem::path path_;
-  std::map<std::string, std::string> entries_;
-  bool changed_ = false;
+  Entries entries_, read_;               ///< as they are here, and as they were in the file
+  std::map<std::string, Kind> changed_;  ///< since the last save()
+  std::vector<std::string> complaints_;
 };
 
 /// A file of the user's configuration folder ($XDG_CONFIG_HOME or ~/.config, then pixelscope/NAME).

@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <vector>
 
+#include "base/spelling.h"
 #include "gui/shell/values.h"
 #include "gui/widgets/record.h"
 
@@ -33,17 +35,29 @@ bool fulfils(const std::string& found, const Expectation& expected) {
   return std::abs(*left - *right) <= expected.tolerance * std::max(1.0, std::abs(*right));
 }
 
-std::string similar_controls(const std::string& name) {
-  const std::string last = name.substr(name.rfind('/') + 1);
+std::string similar_controls(const std::string& name, Named wanted) {
+  constexpr std::size_t most = 6;
+  std::vector<std::string> known;
+  for (const auto& [control, record] : controls().all())
+    if (controls().find(control)) known.push_back(control);
   std::string result;
-  int count = 0;
-  const auto offer = [&](const std::string& known) {
-    if (count >= 6 || known.find(last) == std::string::npos) return;
-    result += (count++ == 0 ? "; similar: " : ", ") + known;
-  };
-  for (const auto& [known, record] : controls().all())
-    if (controls().find(known)) offer(known);
-  for (const auto& [known, value] : values().published()) offer(known);
+  if (wanted == Named::any)
+    for (const auto& [value, text] : values().published()) known.push_back(value);
+  else if (values().find(name))
+    result = "; it is a value, which can be read and not clicked";
+  // Those with the same last word, else those of the same panel, the nearest first.
+  const std::string last = name.substr(name.rfind('/') + 1), panel = name.substr(0, name.find('/') + 1);
+  std::vector<std::string> similar;
+  for (const std::string& each : known)
+    if (each.find(last) != std::string::npos) similar.push_back(each);
+  if (similar.empty() && !panel.empty())
+    for (const std::string& each : known)
+      if (each.starts_with(panel)) similar.push_back(each);
+  std::stable_sort(similar.begin(), similar.end(), [&](const std::string& a, const std::string& b) {
+    return edit_distance(a, name) < edit_distance(b, name);
+  });
+  for (std::size_t i = 0; i < std::min(most, similar.size()); ++i)
+    result += (i == 0 ? "; similar: " : ", ") + similar[i];
   return result;
 }
 

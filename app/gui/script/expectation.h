@@ -14,7 +14,11 @@ struct Expectation {
 /// false for anything else.
 bool fulfils(const std::string& found, const Expectation& expected);
 
-/// "; similar: a, b, c" from the controls of the last frame, or "".
-std::string similar_controls(const std::string& name);
+/// What a name in a script was to stand for: something to click, or anything to read.
+enum class Named { control, any };
+
+/// "; similar: a, b, c" from the controls of the last frame, and from the published values if these will do; or "".
+/// Says so if the name is that of a value where a control is wanted.
+std::string similar_controls(const std::string& name, Named wanted);
 
 }  // namespace ps::gui

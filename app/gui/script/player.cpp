@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -126,7 +127,7 @@ void ScriptPlayer::begin(const Command& command) {
     }
     return aim_at(words[0]);
   case Verb::wheel:
-    push_wheel(id, static_cast<float>(parse_script_number(words[0], command.place)));
+    push_wheel(id, static_cast<float>(parse_script_number(words[0], command.place, wheel_range)));
     return after_frames(frames_after_input);
   case Verb::type:
     push_text(id, words[0]);
@@ -161,7 +162,7 @@ void ScriptPlayer::begin(const Command& command) {
     std::cout << value_of(command.words[0]) << std::endl;
     return;
   case Verb::resize: {
-    const NumberPair size = parse_number_pair(words[0], command.place, 'x');
+    const NumberPair size = parse_number_pair(words[0], command.place, 'x', size_range);
     window_->resize({static_cast<int>(size.first), static_cast<int>(size.second)});
     return after_frames(4);
   }
@@ -174,9 +175,9 @@ void ScriptPlayer::begin_wait(const Command& command) {
   if (command.words[0] == "idle") return wait_for_idle();
   if (command.words[0] == "until") return wait_until(command);
   if (command.words[0] == "frames")
-    return after_frames(static_cast<int>(parse_script_number(command.words[1], command.place)));
-  wait_until_ = Clock::now() + std::chrono::milliseconds(
-                                   static_cast<std::int64_t>(parse_script_number(command.words[0], command.place)));
+    return after_frames(static_cast<int>(parse_script_number(command.words[1], command.place, frames_range)));
+  wait_until_ = Clock::now() + std::chrono::milliseconds(static_cast<std::int64_t>(
+                                   parse_script_number(command.words[0], command.place, milliseconds_range)));
   part([this] { return Clock::now() < wait_until_ ? Turn::again : Turn::done; });
 }
 
@@ -231,7 +232,7 @@ void ScriptPlayer::aim_at(const std::string& name) {
     if (++*tries > frames_to_reveal) {
       controls().stop_revealing();
       fail(control ? fmt::format("control '{}' is not on screen and cannot be scrolled into view", name)
-                   : fmt::format("there is no control '{}'{}", name, similar_controls(name)));
+                   : fmt::format("there is no control '{}'{}", name, similar_controls(name, Named::control)));
     }
     controls().reveal(name);
     after_frames(2);
@@ -250,13 +251,14 @@ void ScriptPlayer::press(MouseButton button, int clicks) {
 
 void ScriptPlayer::begin_click(const Command& command) {
   if (command.verb == Verb::click_pixel) {
-    const NumberPair pixel = parse_number_pair(command.words[1], command.place);
-    const auto place = content_->pixel_place(command.words[0] == "A" ? Side::a : Side::b,
-                                             {static_cast<int>(pixel.first), static_cast<int>(pixel.second)});
+    const NumberPair pair = parse_number_pair(command.words[1], command.place, ',', pixel_range);
+    const Vec2i pixel(static_cast<int>(pair.first), static_cast<int>(pair.second));
+    const auto place = content_->pixel_place(command.words[0] == "A" ? Side::a : Side::b, pixel);
     if (!place) fail("pixel " + command.words[1] + " of " + command.words[0] + " is not on screen");
     // Pointer positions are whole: of those inside a pixel at least one screen pixel wide, the one nearest its middle.
     aim_at_point(std::ceil(place->x - 0.5f), std::ceil(place->y - 0.5f));
-    return press(MouseButton::left, 1);
+    press(MouseButton::left, 1);
+    return go_on_to(pixel);
   }
   aim_at(expand(command.words[0]));
   const std::string kind = command.words.size() > 1 ? command.words[1] : "left";
@@ -271,6 +273,24 @@ void ScriptPlayer::begin_click(const Command& command) {
   press(button_named(kind), 1);
   if (kind == "double") press(MouseButton::left, 2);
   if (kind == "ctrl") control_key(false);
+}
+
+/// In a picture that is shown smaller than it is, a click may fall on a neighbour that shares the screen's pixel. From
+/// there the arrow keys lead to the one that is meant, as a hand would do it.
+void ScriptPlayer::go_on_to(Vec2i pixel) {
+  part([this, pixel] {
+    constexpr int near = 4;  // beyond, the click has had another effect
+    const auto picked = values().find("pixel");
+    if (!picked || !is_number_pair(*picked)) return Turn::done;
+    const NumberPair at = parse_number_pair(*picked, current_->place);
+    const int right = pixel.x - static_cast<int>(at.first), down = pixel.y - static_cast<int>(at.second);
+    if ((right == 0 && down == 0) || std::abs(right) > near || std::abs(down) > near) return Turn::done;
+    const Chord key = parse_chord(right > 0 ? "Right" : right < 0 ? "Left" : down > 0 ? "Down" : "Up");
+    push_key(window_->id(), key, true);
+    push_key(window_->id(), key, false);
+    after_frames(frames_after_input);
+    return Turn::again;
+  });
 }
 
 void ScriptPlayer::begin_choose(const Command& command) {
@@ -324,7 +344,7 @@ std::string ScriptPlayer::value_of(const std::string& name) const {
   if (const auto at = name.find("@middle"); at != std::string::npos)
     if (const ControlRecord* control = controls().find(name.substr(0, at)))
       return fmt::format("{:.0f},{:.0f}", (control->min.x + control->max.x) / 2, (control->min.y + control->max.y) / 2);
-  fail(fmt::format("there is no value '{}'{}", name, similar_controls(name)));
+  fail(fmt::format("there is no value '{}'{}", name, similar_controls(name, Named::any)));
 }
 
 std::string ScriptPlayer::expand(const std::string& word) const {
@@ -343,7 +363,7 @@ void ScriptPlayer::check_expectation(const Command& command) {
   } else {
     wanted.relation = words[1];
     wanted.value = expand(words[2]);
-    if (words.size() > 3) wanted.tolerance = parse_script_number(words[3], command.place);
+    if (words.size() > 3) wanted.tolerance = parse_script_number(words[3], command.place, {});
   }
   const std::string found = value_of(words[0]);
   if (!fulfils(found, wanted))

@@ -50,6 +50,7 @@ class ScriptPlayer {
   void begin(const Command& command);
   void begin_wait(const Command& command);
   void begin_click(const Command& command);
+  void go_on_to(Vec2i pixel);
   void begin_choose(const Command& command);
   void begin_drag(const Command& command);
   void check_expectation(const Command& command);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <sstream>
 
+#include <fmt/format.h>
+
+#include "base/number_text.h"
 #include "gui/input/actions.h"
 
 namespace ps::gui {
@@ -102,18 +103,18 @@ void check(const Command& command, std::string_view usage) {
   case Verb::wait:
     if (words[0] == "frames") {
       if (words.size() != 2) throw InputError(command.place, "wait frames", std::string(usage));
-      parse_script_number(words[1], command.place);
+      parse_script_number(words[1], command.place, frames_range);
     } else if (words[0] == "until") {
       if (words.size() < 3) throw InputError(command.place, "wait until", std::string(usage));
       if (words.size() == 4) require_one_of(words[2], operators, command.place, usage);
     } else if (words.size() != 1)
       throw InputError(command.place, "'" + words[1] + "'", std::string(usage));
     else if (words[0] != "idle")
-      parse_script_number(words[0], command.place);
+      parse_script_number(words[0], command.place, milliseconds_range);
     break;
   case Verb::click_pixel:
     require_one_of(words[0], std::array{"A", "B"}, command.place, usage);
-    parse_number_pair(words[1], command.place);
+    parse_number_pair(words[1], command.place, ',', pixel_range);
     break;
   case Verb::click:
     if (words.size() == 2) require_one_of(words[1], click_kinds, command.place, usage);
@@ -127,7 +128,7 @@ void check(const Command& command, std::string_view usage) {
     if (words.size() == 1) require_one_of(words[0], buttons, command.place, usage);
     break;
   case Verb::wheel:
-    parse_script_number(words[0], command.place);
+    parse_script_number(words[0], command.place, wheel_range);
     break;
   case Verb::key:
   case Verb::hold:
@@ -140,10 +141,10 @@ void check(const Command& command, std::string_view usage) {
     break;
   case Verb::expect:
     if (words.size() > 2) require_one_of(words[1], operators, command.place, usage);
-    if (words.size() > 3) parse_script_number(words[3], command.place);
+    if (words.size() > 3) parse_script_number(words[3], command.place, {});
     break;
   case Verb::resize:
-    parse_number_pair(words[0], command.place, 'x');
+    parse_number_pair(words[0], command.place, 'x', size_range);
     break;
   case Verb::set:
   case Verb::set_b:
@@ -167,19 +168,19 @@ void check(const Command& command, std::string_view usage) {
 
 }  // namespace
 
-double parse_script_number(const std::string& text, const SourcePlace& place) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    throw InputError(place, "'" + text + "'", "a number");
-  return value;
+double parse_script_number(const std::string& text, const SourcePlace& place, NumberRange range) {
+  const auto value = parse_number(text);
+  if (!value || *value < range.low || *value > range.high)
+    throw InputError(place, "'" + text + "'", fmt::format("a number from {} to {}", range.low, range.high));
+  return *value;
 }
 
-NumberPair parse_number_pair(const std::string& text, const SourcePlace& place, char separator) {
+NumberPair parse_number_pair(const std::string& text, const SourcePlace& place, char separator, NumberRange range) {
   const auto middle = text.find(separator);
   if (middle == std::string::npos)
     throw InputError(place, "'" + text + "'", std::string("two numbers with '") + separator + "' between them");
-  return {parse_script_number(text.substr(0, middle), place), parse_script_number(text.substr(middle + 1), place)};
+  return {parse_script_number(text.substr(0, middle), place, range),
+          parse_script_number(text.substr(middle + 1), place, range)};
 }
 
 bool is_number_pair(const std::string& text) {

@@ -34,6 +34,10 @@ class Content {
   virtual std::optional<WindowPoint> pixel_place(Side side, Vec2i pixel) const = 0;
   /// The user asks to close the window. Answers whether it may close now.
   virtual bool may_close() { return true; }
+  /// A logout or a shutdown ends the program, not the user: what is open is to be there again at the next start.
+  virtual void ended_from_outside() {}
+  /// Shows a sentence that the user should read.
+  virtual void warn(const std::string& sentence) { (void)sentence; }
 };
 
 }  // namespace ps::gui

@@ -1,5 +1,6 @@
 #include "gui/shell/shell.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <unistd.h>
 
@@ -8,14 +9,15 @@
 #include <chrono>
 #include <ctime>
 #include <fstream>
-#include <iostream>
 #include <sstream>
 #include <thread>
 
 #include "base/check.h"
 #include "base/timer.h"
 #include "gui/input/actions.h"
+#include "gui/input/bindings_file.h"
 #include "gui/input/tracker.h"
+#include "gui/platform/end_signals.h"
 #include "gui/platform/events.h"
 #include "gui/platform/state_file.h"
 #include "gui/platform/window.h"
@@ -38,15 +40,17 @@ constexpr std::chrono::microseconds frame_time{16'666};
 constexpr std::chrono::microseconds watching_frame_time{33'333};
 constexpr std::chrono::milliseconds hands_off{500};  ///< after the last input
 
-WindowSize remembered_size(const StateFile& state, const ShellOptions& options) {
-  WindowSize size{options.width, options.height};
+WindowSize remembered_size(StateFile& state, const ShellOptions& options) {
+  const std::string remembered = state.get("window/size");
+  if (remembered.empty()) return {options.width, options.height};
   char cross = 0;
   WindowSize old;
-  std::istringstream text(state.get("window/size"));
+  std::istringstream text(remembered);
   if (text >> old.width >> cross >> old.height && cross == 'x' && old.width >= 320 && old.height >= 240 &&
       old.width <= 16384 && old.height <= 16384)
-    size = old;
-  return size;
+    return old;
+  state.complain("window/size", "a size such as 1280x800");
+  return {options.width, options.height};
 }
 
 /// Since the process began, to a hundredth of a second: what was done before main() counts for one who waits.
@@ -93,6 +97,7 @@ struct Shell::Impl {
 
   std::unique_ptr<ScriptPlayer> script;  // read first: a bad script must not open a window
   StateFile state;
+  std::vector<std::string> complaints;  // about files of the user that were ignored
   Window window;
   InputTracker input;
   Actions actions;
@@ -109,7 +114,7 @@ struct Shell::Impl {
 
   void add_actions(Shell& shell);
   void offer_values();
-  void load_bindings();
+  void load_own_keys();
   void take_event(const SDL_Event& event);
   void wait(double seconds);
   void rest_between_frames();
@@ -131,10 +136,11 @@ void Shell::Impl::offer_values() {
 
 Shell::Shell(const ShellOptions& options) : impl_(std::make_unique<Impl>(options)) {
   double scale = options.scale.value_or(0);
-  if (scale <= 0) scale = std::atof(remembered("window/scale").c_str());
+  if (scale <= 0) scale = impl_->state.number("window/scale", Theme::min_scale, Theme::max_scale);
   if (scale <= 0) scale = !options.script.empty() ? 1 : impl_->window.display_lines() > 2000 ? 2 : 1;
   theme().set_scale(scale);
   theme().set_brightness(remembered("window/theme") == "dark" ? Brightness::dark : Brightness::light);
+  impl_->complaints = impl_->state.complaints();
   impl_->add_actions(*this);
   impl_->offer_values();
 }
@@ -144,7 +150,7 @@ Shell::~Shell() = default;
 void Shell::Impl::add_actions(Shell& shell) {
   const auto zoom = [&shell](double factor) {
     theme().set_scale(factor > 0 ? theme().scale() * factor : 1);
-    shell.remember("window/scale", std::to_string(theme().scale()));
+    shell.remember("window/scale", fmt::format("{}", theme().scale()));
     shell.wake();
   };
   actions.add({.name = "help", .label = "Keys and commands", .group = "Window", .keys = "? F1", .run = [this] {
@@ -189,17 +195,11 @@ void Shell::Impl::add_actions(Shell& shell) {
                }});
 }
 
-void Shell::Impl::load_bindings() {
-  const auto path = config_file("keys.conf");
-  std::ifstream file(path);
-  if (path.empty() || !file || script) return;
-  std::stringstream text;
-  text << file.rdbuf();
-  try {
-    actions.rebind(text.str(), path.string());
-  } catch (const InputError& error) {
-    std::cerr << "pixelscope: " << error.what() << '\n';
-  }
+/// The user's own keys. A script presses the standard ones.
+void Shell::Impl::load_own_keys() {
+  if (script) return;
+  const std::string complaint = load_bindings(config_file("keys.conf"), actions);
+  if (!complaint.empty()) complaints.push_back(complaint);
 }
 
 void Shell::Impl::take_event(const SDL_Event& event) {
@@ -288,8 +288,14 @@ void Shell::Impl::draw_frame() {
 int Shell::run(Content& content) {
   Impl& my = *impl_;
   my.content = &content;
-  my.load_bindings();
+  my.load_own_keys();
+  for (const std::string& complaint : my.complaints) content.warn(complaint);
   while (!my.ended) {
+    if (const int signal = end_signal(); signal != 0) {
+      content.ended_from_outside();
+      my.status = 128 + signal;  // as shells report it
+      break;
+    }
     const double seconds = my.patience();
     if (seconds == 0 && !my.script) my.rest_between_frames();
     my.wait(seconds);
@@ -345,5 +351,6 @@ void Shell::set_clipboard(const std::string& text) { impl_->window.set_clipboard
 std::string Shell::remembered(const std::string& key) const { return impl_->state.get(key); }
 bool Shell::remembers() const { return impl_->state.remembers(); }
 void Shell::remember(const std::string& key, std::string value) { impl_->state.set(key, std::move(value)); }
+void Shell::remember_lines(const std::string& key, std::string lines) { impl_->state.set_lines(key, std::move(lines)); }
 
 }  // namespace ps::gui

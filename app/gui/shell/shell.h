@@ -56,6 +56,8 @@ class Shell {
   /// Whether what is remembered now will be there at the next start.
   bool remembers() const;
   void remember(const std::string& key, std::string value);
+  /// The same for a list with an entry on each line, to which other windows may add.
+  void remember_lines(const std::string& key, std::string lines);
 
  private:
   struct Impl;

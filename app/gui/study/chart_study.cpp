@@ -17,6 +17,7 @@ ChartPoint light(const ChartPoint& point) {
   copy.prepare_ms = point.prepare_ms;
   copy.memory_mb = point.memory_mb;
   copy.comparison = point.comparison;
+  copy.compared = point.compared;
   copy.error = point.error;
   copy.counters = point.counters;
   copy.work = point.work;
@@ -31,6 +32,7 @@ ChartFound next_state(const Chart& chart, const ChartFound& before, const std::f
   next.chart.metric = chart.metric;
   next.chart.across = chart.across;
   next.chart.reference_halves = chart.reference_halves;
+  next.chart.damage = chart.damage;
   next.pictures = before.pictures;
   for (const ChartPoint& point : chart.points) {
     next.chart.points.push_back(light(point));

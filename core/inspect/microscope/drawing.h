@@ -35,6 +35,7 @@ struct MicroItem {
   std::string label = {};     ///< words, or a tap's weight
   int triangle = -1;          ///< index into MicroReading::triangles; -1 = none
   bool emphasised = false;    ///< belongs to the triangle that is looked at
+  bool on_dark = false;       ///< of samples: the backdrop is dark there, so that they are drawn light
 };
 
 struct MicroDrawing {

@@ -75,10 +75,10 @@ class SvgPanel {
       return svg_.polygon({at + Vec2d(-4, -4), at + Vec2d(4, -4), at + Vec2d(4, 4), at + Vec2d(-4, 4)},
                           {paper, 1.5, {}, ink});
     case MicroKind::sample_lit:
-      return svg_.circle(at, 7, {paper, 2, {}, ink});
+      return svg_.circle(at, 7, {item.on_dark ? ink : paper, 2, {}, item.on_dark ? paper : ink});
     case MicroKind::sample_unlit:
-      svg_.circle(at, 7, {paper, 5});
-      return svg_.circle(at, 7, {ink, 2});
+      svg_.circle(at, 7, {item.on_dark ? ink : paper, 5});
+      return svg_.circle(at, 7, {item.on_dark ? paper : ink, 2});
     case MicroKind::point:
       return cross(at, 14);
     case MicroKind::place:

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "inspect/microscope/drawing.h"
@@ -79,6 +80,18 @@ void add_name(MicroDrawing& drawing, const MicroTriangle& triangle, int index, b
       {MicroKind::triangle_name, MicroShape::words, {middle}, std::to_string(index + 1), index, emphasised});
 }
 
+/// Whether black ink could hardly be seen on the backdrop there. Weights of ITU-R BT.709.
+bool is_dark(const MicroDrawing& drawing, const Vec2d& point) {
+  const Image<Rgb8>& picture = drawing.backdrop;
+  if (picture.empty()) return false;
+  const Vec2d share = (point - drawing.low) / (drawing.high - drawing.low);
+  const auto index = [](double part, int size) {
+    return static_cast<int>(std::clamp(part * size, 0.0, static_cast<double>(size - 1)));
+  };
+  const Rgb8 level = picture.at(index(share.x, picture.width()), index(share.y, picture.height()));
+  return 0.2126 * level.r + 0.7152 * level.g + 0.0722 * level.b < 110;
+}
+
 }  // namespace
 
 MicroDrawing pixel_drawing(const Microscope& microscope, const MicroReading& reading, int selected) {
@@ -98,9 +111,11 @@ MicroDrawing pixel_drawing(const Microscope& microscope, const MicroReading& rea
   if (chosen >= 0) add_triangle(drawing, triangle(chosen), chosen, true);
   for (int i = 0; i < count; ++i) add_owners(drawing, triangle(i), i, i == chosen);
   for (int i = 0; i < count; ++i) add_name(drawing, triangle(i), i, i == chosen);
-  for (const MicroSample& sample : microscope.samples())
+  for (const MicroSample& sample : microscope.samples()) {
     drawing.items.push_back(
         {sample.lit ? MicroKind::sample_lit : MicroKind::sample_unlit, MicroShape::dot, {sample.position}});
+    drawing.items.back().on_dark = is_dark(drawing, sample.position);
+  }
   drawing.items.push_back({MicroKind::point, MicroShape::dot, {reading.point}});
   return drawing;
 }

@@ -102,7 +102,8 @@ const StabilityExperiment& find_stability_experiment(std::string_view key) {
   if (found != table().end()) return *found;
   std::vector<std::string_view> known;
   for (const StabilityExperiment& row : table()) known.push_back(row.key);
-  throw InputError(fmt::format("unknown experiment '{}'; did you mean '{}'?", key, nearest_word(key, known)));
+  throw InputError(fmt::format("unknown experiment '{}'{}", key,
+                               did_you_mean(key, known, "; 'pixelscope-cli stability --help' lists them")));
 }
 
 std::string_view set_up_text(SetUp set_up) {

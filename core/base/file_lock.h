@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+
+namespace ps {
+
+/// Holds a file locked against other programs and other FileLocks of this one, as long as the object lives. A lock goes
+/// with the program that holds it, however it ends, so none is ever stale; over a network the file system passes it on.
+class FileLock {
+ public:
+  /// Creates the file if it is missing; it stays when the lock goes. Nothing if another holds it. Where the file system
+  /// has no locks, nobody is kept out. Throws InputError if the file cannot be made or opened.
+  static std::optional<FileLock> try_lock(const std::filesystem::path& path);
+
+  FileLock(FileLock&& other) noexcept;
+  FileLock& operator=(FileLock&& other) noexcept;
+  ~FileLock();
+
+  /// Whether the file system has locks: without, having this object says nothing about others.
+  bool guards() const { return guards_; }
+
+ private:
+  explicit FileLock(int file) : file_(file) {}
+  int file_ = -1;  ///< descriptor; -1 = moved away
+  bool guards_ = false;
+};
+
+}  // namespace ps

@@ -1,0 +1,114 @@
+#include "study/chart_log_lines.h"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "options/option.h"
+#include "study/comparison_json.h"
+#include "study/counted_work.h"
+#include "study/json_log.h"
+
+namespace ps {
+namespace {
+
+using ChartJson = nlohmann::ordered_json;
+
+constexpr int most_chart_points = 1000000, largest_chart_side = 1000000;
+constexpr double largest_chart_memory_mb = 1e9;
+
+ChartJson identity_json(const ChartIdentity& id) {
+  return {{"scene", id.scene},   {"size", {id.width, id.height}}, {"values", id.values},
+          {"region", id.region}, {"reference", id.reference},     {"base", id.base},
+          {"points", id.points}, {"machinery", id.machinery},     {"fingerprint", id.fingerprint}};
+}
+
+ChartIdentity identity_from(const ChartJson& json) {
+  const ChartJson size{{"width", json.at("size").at(0)}, {"height", json.at("size").at(1)}};
+  ChartIdentity id;
+  id.scene = json.at("scene");
+  id.width = json_integer(size, "width", 1, largest_chart_side);
+  id.height = json_integer(size, "height", 1, largest_chart_side);
+  id.values = json.at("values");
+  id.region = json.at("region");
+  id.reference = json.at("reference");
+  id.base = json.at("base");
+  id.machinery = json.value("machinery", "");
+  id.points = json_integer(json, "points", 0, most_chart_points);
+  id.fingerprint = json.value("fingerprint", "");
+  return id;
+}
+
+Counters counters_from(const ChartJson& json) {
+  Counters counters;
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const std::string key(counter_key(static_cast<Counter>(i)));
+    if (!json.contains(key)) continue;
+    if (!json.at(key).is_number_unsigned())
+      throw InputError(fmt::format("found {} = {}, expected a count", key, json.at(key).type_name()));
+    counters.values[i] = json.at(key);
+  }
+  return counters;
+}
+
+}  // namespace
+
+ChartJson chart_head_json(const Chart& chart) {
+  ChartJson json{{"chart", identity_json(chart.identity)},
+                 {"machine",
+                  {{"version", chart.machine.version},
+                   {"processor", chart.machine.processor},
+                   {"simd", chart.machine.simd},
+                   {"threads", chart.machine.threads}}}};
+  if (chart.reference_halves) json["reference-halves"] = comparison_json(*chart.reference_halves);
+  return json;
+}
+
+void read_chart_head(const ChartJson& json, Chart& chart) {
+  chart.identity = identity_from(json.at("chart"));
+  const ChartJson& machine = json.at("machine");
+  chart.machine = {machine.at("version"), machine.at("processor"), machine.at("simd"),
+                   json_integer(machine, "threads", 0, std::numeric_limits<int>::max())};
+  if (json.contains("reference-halves")) chart.reference_halves = comparison_from_json(json.at("reference-halves"));
+}
+
+ChartJson chart_picture_json(const ChartPoint& point) {
+  ChartJson json{{"picture", point.number},         {"label", point.what.label},
+                 {"settings", point.what.settings}, {"comparison", comparison_json(point.comparison)},
+                 {"memory_mb", point.memory_mb},    {"prepare_ms", point.prepare_ms}};
+  std::vector<std::string> all;
+  for (const Option& option : option_table())
+    if (option.get(point.what.value) != option.default_value())
+      all.push_back(fmt::format("{}={}", option.key, option_text(option, point.what.value)));
+  json["all-settings"] = all;
+  for (std::size_t i = 0; i < counter_count; ++i)
+    if (point.counters.values[i] > 0)
+      json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = point.counters.values[i];
+  return json;
+}
+
+ChartPoint chart_picture_from(const ChartJson& json, int points) {
+  ChartPoint point;
+  point.number = json_integer(json, "picture", 0, points - 1);
+  point.what.label = json.at("label");
+  point.what.settings = json.at("settings");
+  for (const std::string assignment : json.at("all-settings")) parse_assignment(assignment, point.what.value);
+  point.comparison = comparison_from_json(json.at("comparison"));
+  point.memory_mb = json_number(json, "memory_mb", 0, largest_chart_memory_mb);
+  point.prepare_ms = json_number(json, "prepare_ms", 0, longest_sample_ms);
+  if (json.contains("counters")) point.counters = counters_from(json.at("counters"));
+  point.work = counted_work(point.counters);
+  point.compared = true;
+  return point;
+}
+
+ChartJson chart_sample_json(const ChartPoint& point, double milliseconds) {
+  return {{"sample", point.number}, {"time_ms", milliseconds}};
+}
+
+ChartSample chart_sample_from(const ChartJson& json, int points) {
+  return {json_integer(json, "sample", 0, points - 1), json_number(json, "time_ms", 0, longest_sample_ms)};
+}
+
+}  // namespace ps

@@ -1,0 +1,210 @@
+// Files of the user that the window reads at its start, good and bad, and what is there after it was ended from
+// outside.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "gui/input/bindings_file.h"
+#include "gui/platform/state_file.h"
+#include "gui/program.h"
+#include "support/golden.h"
+
+namespace ps::gui {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::filesystem::path state_folder(const std::string& name) {
+  const auto folder = std::filesystem::absolute(fresh_output_folder("gui-state-" + name));
+  std::filesystem::create_directories(folder / "pixelscope");
+  return folder;
+}
+
+void write(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
+
+/// Starts the window with this state folder, plays commands and ends it.
+test::WindowRun start(const std::filesystem::path& state, const std::string& commands) {
+  write(state / "play.script", "wait idle\n" + commands);
+  return test::run_window("--script " + (state / "play.script").string() + " --window-size 1366x768",
+                          "timeout 60 env XDG_STATE_HOME=" + state.string());
+}
+
+TEST(WindowState, WhatCannotBeReadIsIgnoredWithAWord) {
+  const auto folder = state_folder("bad");
+  const auto file = folder / "pixelscope" / "window.json";
+  struct Bad {
+    std::string content, complaint;
+  };
+  for (const Bad& bad :
+       {Bad{R"({"window/scale":"nan"})", "window/scale: found 'nan', expected a number from 0.75 to 4"},
+        Bad{R"({"window/scale":"1e300"})", "window/scale: found '1e300'"},
+        Bad{R"({"window/scale":2})", "window/scale: found number, expected text"},
+        Bad{R"(["window/scale"])", "found array, expected an object"}, Bad{R"({"window/sc)", "found no JSON"},
+        Bad{"", "found no JSON"},
+        Bad{R"({"format":7,"window/scale":"2"})", "found another version's format, expected 1"},
+        Bad{std::string(2 << 20, ' '), "bytes, expected at most"}}) {
+    write(file, bad.content);
+    StateFile state(file);
+    EXPECT_EQ(state.number("window/scale", 0.75, 4), 0);
+    ASSERT_EQ(state.complaints().size(), 1u) << bad.content.substr(0, 40);
+    EXPECT_NE(state.complaints()[0].find(file.string()), std::string::npos);
+    EXPECT_NE(state.complaints()[0].find(bad.complaint), std::string::npos) << state.complaints()[0];
+    // Nothing is lost by what is written now.
+    state.set("window/theme", "dark");
+    state.save();
+    EXPECT_EQ(StateFile(file).get("window/theme"), "dark");
+    if (state.complaints()[0].find("kept as") == std::string::npos) continue;
+    EXPECT_EQ(test::read_file(file.string() + ".damaged"), bad.content);
+  }
+  EXPECT_EQ(StateFile(folder / "none.json").complaints().size(), 0u);
+}
+
+TEST(WindowState, WhatIsNoFileIsNeitherReadNorReplaced) {
+  const auto folder = state_folder("no-file");
+  std::filesystem::create_directories(folder / "folder");
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"folder", "pipe"}) {
+    StateFile state(folder / name);
+    EXPECT_FALSE(state.remembers());
+    EXPECT_EQ(state.complaints().size(), 1u);
+    state.set("window/theme", "dark");
+    state.save();
+    EXPECT_FALSE(std::filesystem::is_regular_file(folder / name));
+  }
+}
+
+TEST(WindowState, KeysThatCannotBeReadStayAsTheyAre) {
+  const auto folder = state_folder("keys");
+  Actions actions;
+  actions.add({.name = "quit", .label = "Quit", .group = "Window", .keys = "Ctrl+Q", .run = [] {}});
+  std::filesystem::create_directories(folder / "folder");
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  write(folder / "huge", std::string(1 << 20, '#'));
+  write(folder / "unknown", "quit = F4\nno-such = F5\n");
+  for (const char* name : {"folder", "pipe", "huge", "unknown"}) {
+    const std::string complaint = load_bindings(folder / name, actions);
+    EXPECT_NE(complaint.find((folder / name).string()), std::string::npos) << complaint;
+    EXPECT_EQ(actions.key_text("quit"), "Ctrl+Q");
+  }
+  EXPECT_EQ(load_bindings(folder / "none", actions), "");
+  write(folder / "good", "quit = F4\n");
+  EXPECT_EQ(load_bindings(folder / "good", actions), "");
+  EXPECT_EQ(actions.key_text("quit"), "F4");
+}
+
+TEST(WindowState, TheWindowStartsAndSaysWhatItIgnores) {
+  const auto folder = state_folder("starts");
+  const auto file = folder / "pixelscope" / "window.json";
+  write(file, R"({"window/scale":"nan","window/size":"big"})");
+  auto result = start(folder, "expect messages 1\nexpect message contains window/scale\nexpect window/scale 1\n");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  std::filesystem::remove(file);
+  std::filesystem::create_directories(file);
+  result = start(folder, "expect messages 1\nexpect message contains \"not a regular file\"\n");
+  EXPECT_EQ(result.status, 0) << result.errors;
+}
+
+// The one that closes last adds what the other has opened.
+TEST(WindowState, TwoWindowsKeepBothListsOfRecentFiles) {
+  const auto file = state_folder("recent") / "pixelscope" / "window.json";
+  StateFile before(file);
+  before.set_lines("recent", "old\nolder\n");
+  before.save();
+  StateFile first(file), second(file);
+  first.set_lines("recent", "one\nold\nolder\n");
+  first.set("theme", "dark");
+  second.set_lines("recent", "two\nold\nolder\n");
+  second.set("scale", "2");
+  first.save();
+  second.save();
+  const StateFile after(file);
+  EXPECT_EQ(after.get("recent"), "two\none\nold\nolder\n");
+  EXPECT_EQ(after.get("theme"), "dark");
+  EXPECT_EQ(after.get("scale"), "2");
+  const auto names = [&] {
+    std::vector<std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
+      all.push_back(entry.path().filename());
+    return all;
+  }();
+  EXPECT_EQ(names, std::vector<std::string>{"window.json"}) << "no temporary file is left";
+}
+
+/// Whether a file of the state folder with this beginning of its name holds the text by and by.
+bool appears(const std::filesystem::path& folder, const std::string& beginning, const std::string& text) {
+  for (int i = 0; i < 6000; ++i) {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "pixelscope", error))
+      if (entry.path().filename().string().starts_with(beginning) &&
+          test::read_file(entry.path()).find(text) != std::string::npos)
+        return true;
+    std::this_thread::sleep_for(10ms);
+  }
+  return false;
+}
+
+TEST(WindowState, WhatWasOpenIsThereAfterALogout) {
+  for (const int number : {SIGTERM, SIGHUP}) {
+    const auto folder = state_folder("signal-" + std::to_string(number));
+    write(folder / "wait.script", "wait idle\nset exposure=2\nwait idle\nwait 600000\n");
+    const std::string script = folder / "wait.script";
+    const std::string variable = "XDG_STATE_HOME=" + folder.string();
+    const pid_t window = fork();
+    ASSERT_GE(window, 0);
+    if (window == 0) {
+      std::signal(SIGHUP, SIG_DFL);
+      execlp("env", "env", variable.c_str(), PIXELSCOPE_BIN_DIR "/pixelscope", "--script", script.c_str(),
+             "--window-size", "800x600", nullptr);
+      _exit(127);
+    }
+    EXPECT_TRUE(appears(folder, "open-", "exposure=2"));
+    kill(window, number);
+    int status = 0;
+    waitpid(window, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 128 + number) << status;
+    EXPECT_TRUE(appears(folder, "open-", "exposure=2")) << "as after a crash";
+    const auto next = start(folder, "expect a/option/exposure 2\nexpect message contains \"did not end properly\"\n");
+    EXPECT_EQ(next.status, 0) << next.errors;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "pixelscope"))
+      EXPECT_FALSE(entry.path().filename().string().starts_with("open-")) << entry.path();
+  }
+}
+
+TEST(WindowState, ASecondSessionIsOfferedAndADamagedOneNamed) {
+  const auto folder = state_folder("offered");
+  const auto leave = [&](const std::string& number, const std::string& text, std::chrono::minutes age) {
+    const auto path = folder / "pixelscope" / ("open-9999999" + number + ".permalink");
+    write(path, text);
+    std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() - age);
+  };
+  leave("91", "scene=cgfs/lens", 3min);
+  leave("92", "scene=cgfs/shadows", 2min);
+  leave("93", "nonsense", 1min);
+  auto result = start(folder, "expect scene cgfs/shadows\nexpect messages 3\nexpect message contains left-behind-\n");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  std::vector<std::string> kept;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "pixelscope"))
+    if (entry.path().filename().string().starts_with("left-behind-")) kept.push_back(test::read_file(entry.path()));
+  std::sort(kept.begin(), kept.end());
+  EXPECT_EQ(kept, (std::vector<std::string>{"nonsense", "scene=cgfs/lens"}));
+  // Offered under Recent, also by the next window.
+  const StateFile state(folder / "pixelscope" / "window.json");
+  const std::string recent = state.get("session/recent");
+  const std::size_t from = recent.find(folder.string());
+  ASSERT_NE(from, std::string::npos) << recent;
+  const std::string file = recent.substr(from, recent.find('\n', from) - from);
+  result = start(folder,
+                 "click menu/scene\nclick menu/recent\nclick recent/" + file + "\nwait idle\nexpect scene cgfs/lens\n");
+  EXPECT_EQ(result.status, 0) << result.errors;
+}
+
+}  // namespace
+}  // namespace ps::gui
