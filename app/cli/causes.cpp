@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scene_arguments.h"
+#include "number_option.h"
 #include "options/option.h"
 #include "study/difference_by_cause.h"
 
@@ -81,8 +83,9 @@ void add_causes_command(CLI::App& app, Action& chosen) {
       ->required();
   command->add_option("--metric", arguments->metric, "mae, rmse, max, ssim or flip");
   command->add_option("--orders", arguments->orders, "random orders, each also backwards, from seven options on")
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--seed", arguments->seed, "of the random orders");
+      ->check(whole_number_from(1, 10000));
+  command->add_option("--seed", arguments->seed, "of the random orders")
+      ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()));
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_causes(*arguments); }; });
 }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/output_file.h"
 #include "image/difference.h"
@@ -42,7 +43,10 @@ Comparison compare_files(const CompareArguments& arguments) {
 }
 
 int run_compare(const CompareArguments& arguments) {
-  if (!arguments.difference.empty()) require_output_file(arguments.difference, OutputKind::picture);
+  if (!arguments.difference.empty()) {
+    require_output_file(arguments.difference, OutputKind::levels);
+    require_no_input(arguments.difference, {arguments.a, arguments.b});
+  }
   const Comparison comparison = compare_files(arguments);
   if (!arguments.difference.empty())
     save_image(arguments.difference, difference_picture(load_levels(arguments.a), load_levels(arguments.b)));

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 
 #include "base/atomic_file.h"
+#include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
@@ -18,7 +20,9 @@
 #include "inspect/story_json.h"
 #include "inspect/story_markdown.h"
 #include "math/conventions.h"
+#include "number_option.h"
 #include "render/render.h"
+#include "scene/load.h"
 
 namespace ps::cli {
 namespace {
@@ -98,6 +102,7 @@ int run_inspect(const InspectArguments& arguments) {
     throw InputError(fmt::format("svg: found '{}', expected space or microscope", arguments.svg));
   if (!arguments.out.empty()) require_output_file(arguments.out, OutputKind::any);
   const Document document = load_document(arguments.scene);
+  require_no_input(arguments.out, files_of(document.scene));
   const View view = view_of(document);
   if (pixel.x >= view.width || pixel.y >= view.height)
     throw InputError(fmt::format("pixel: found {},{}, expected one inside the picture of {} x {}", pixel.x, pixel.y,
@@ -143,7 +148,7 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
       ->add_option("--instance", arguments->instance,
                    "with renderer=textbook: the time that a loop is run through whose values are shown")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number_from(0, std::numeric_limits<int>::max()));
   command
       ->add_option("--vertex", arguments->vertex.vertex,
                    "follow a vertex from its model to the canvas instead: the one nearest to the pixel, or by number")
@@ -154,7 +159,7 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
       ->type_name("ORDER");
   command->add_option("--vertex-near", arguments->vertex.near, "try another near plane")
       ->type_name("D")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above(0));
   const auto json = command->add_flag("--json", arguments->json, "as JSON, with all digits");
   const auto markdown = command->add_flag("--markdown", arguments->markdown, "as a page of Markdown")->excludes(json);
   const auto csv = command->add_flag("--csv", arguments->csv, "as comma-separated values, one line for each number")

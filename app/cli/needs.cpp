@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scene_arguments.h"
+#include "number_option.h"
 #include "options/scene_settings.h"
 #include "study/needs.h"
 
@@ -109,8 +110,8 @@ void add_needs_command(CLI::App& app, Action& chosen) {
   add_scene_arguments(*command, arguments->scene);
   command
       ->add_option("--tolerance", arguments->tolerance, "largest allowed mean FLIP of any tile of about 16 x 16 pixels")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--repeats", arguments->repeats, "timed runs of each variant")->check(CLI::Range(1, 1000));
+      ->check(number_from(0, 1));
+  command->add_option("--repeats", arguments->repeats, "timed runs of each variant")->check(whole_number_from(1, 1000));
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_needs(*arguments); }; });
 }

@@ -3,11 +3,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/scene_arguments.h"
 #include "image/file.h"
+#include "scene/load.h"
 #include "study/precision_map.h"
 #include "study/unsafe_settings.h"
 
@@ -22,8 +24,9 @@ struct PrecisionArguments {
 
 int run_precision(const PrecisionArguments& arguments) {
   for (const std::string& file : {arguments.faults, arguments.gap})
-    if (!file.empty()) require_output_file(file, OutputKind::picture);
+    if (!file.empty()) require_output_file(file, OutputKind::levels);
   const Document document = load_document(arguments.scene);
+  for (const std::string& file : {arguments.faults, arguments.gap}) require_no_input(file, files_of(document.scene));
   const View view = view_of(document);
   Prepared prepared;
   Progress& progress = interruptible_progress();

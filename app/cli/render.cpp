@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/atomic_file.h"
+#include "base/kept_inputs.h"
 #include "base/timer.h"
 #include "base/version.h"
 #include "cli/command.h"
@@ -14,12 +16,14 @@
 #include "cli/scene_arguments.h"
 #include "document/permalink.h"
 #include "image/file.h"
+#include "number_option.h"
 #include "options/option.h"
 #include "options/simd_choice.h"
 #include "raster/coverage/efficiency.h"
 #include "render/display_frame.h"
 #include "render/left_out.h"
 #include "render/render.h"
+#include "scene/load.h"
 
 namespace ps::cli {
 namespace {
@@ -96,6 +100,7 @@ int run_render(const RenderArguments& arguments) {
   if (lower_extension(arguments.output) == ".pfm" && show != ShownChannel::colour)
     throw InputError("--show: a .pfm file holds the colours alone");
   Document document = load_document(arguments.scene);
+  for (const std::string& file : {arguments.output, arguments.stats}) require_no_input(file, files_of(document.scene));
   document.a.show = show;
   const View view = view_of(document);
   document.view.region = region_of(arguments.region, view);
@@ -132,6 +137,7 @@ void add_render_command(CLI::App& app, Action& chosen) {
   command->add_option("--region", arguments->region, "only these pixels; the others stay black")
       ->delimiter(',')
       ->expected(4)
+      ->check(whole_number_from(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()))
       ->type_name("X,Y,W,H");
   command->add_option("--stats", arguments->stats, "a JSON file for times and counters");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_render(*arguments); }; });

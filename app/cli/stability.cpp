@@ -2,17 +2,19 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/machine.h"
+#include "base/standard_output.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "image/file.h"
+#include "number_option.h"
 #include "study/stability/pictures.h"
 #include "study/stability_study.h"
 
@@ -43,7 +45,7 @@ void print_rows(const StabilityExperiment& experiment, const std::vector<Stabili
 
 int save_strip(const std::vector<const StabilityExperiment*>& chosen, const std::string& file) {
   if (chosen.size() != 1) throw InputError("--strip: expected the name of one experiment");
-  require_output_file(file, OutputKind::picture);
+  require_output_file(file, OutputKind::levels);
   const auto strip = film_strip(*chosen.front(), {}, interruptible_progress());
   if (!strip) throw InputError(fmt::format("--strip: {} has no picture", chosen.front()->key));
   save_image(file, *strip);
@@ -86,7 +88,7 @@ int run_stability(const StabilityArguments& arguments) {
       write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
                             stability_csv(measured.rows));
     print_rows(find_stability_experiment(measured.key), measured.rows);
-    std::fflush(stdout);
+    require_printed();  // or nobody would see what takes minutes to measure
   });
   return 0;
 }
@@ -104,8 +106,9 @@ void add_stability_command(CLI::App& app, Action& chosen) {
                     "do not measure again what the folder holds of this seed and effort");
   command->add_option("--strip", arguments->strip, "the pictures over the knob of one experiment, as one file");
   command->add_option("--effort", arguments->effort, "share of the full number of rays, triangles and pixels")
-      ->check(CLI::Range(0.001, 10.0));
-  command->add_option("--seed", arguments->seed, "of the random numbers");
+      ->check(number_from(0.001, 10));
+  command->add_option("--seed", arguments->seed, "of the random numbers")
+      ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()));
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_stability(*arguments); }; });
 }
 

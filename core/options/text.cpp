@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/number_text.h"
 #include "base/spelling.h"
 #include "options/option.h"
 #include "textbook/listing.h"
@@ -30,14 +30,8 @@ std::string allowed_values(const Option& option) {
 }
 
 [[noreturn]] void reject(const Option& option, std::string_view text) {
-  throw InputError(fmt::format("option {}: found '{}', expected {}", option.key, text, allowed_values(option)));
-}
-
-std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
+  throw InputError(
+      fmt::format("option {}: found '{}', expected {}", option.key, shown_start(text), allowed_values(option)));
 }
 
 }  // namespace
@@ -82,14 +76,13 @@ void parse_option(const Option& option, std::string_view text, Settings& setting
 
 void parse_assignment(std::string_view assignment, Settings& settings) {
   const auto equals = assignment.find('=');
-  if (equals == std::string_view::npos) throw InputError(fmt::format("found '{}', expected KEY=VALUE", assignment));
+  if (equals == std::string_view::npos)
+    throw InputError(fmt::format("found '{}', expected KEY=VALUE", shown_start(assignment)));
   const std::string_view key = assignment.substr(0, equals);
   if (const Option* option = find_option(key)) return parse_option(*option, assignment.substr(equals + 1), settings);
-  const auto table = option_table();
-  const auto nearest = std::min_element(table.begin(), table.end(), [&](const Option& a, const Option& b) {
-    return edit_distance(a.key, key) < edit_distance(b.key, key);
-  });
-  throw InputError(fmt::format("unknown option '{}'; did you mean '{}'?", key, nearest->key));
+  std::vector<std::string_view> keys;
+  for (const Option& option : option_table()) keys.push_back(option.key);
+  throw InputError(fmt::format("unknown option '{}'; did you mean '{}'?", shown_start(key), nearest_word(key, keys)));
 }
 
 std::vector<std::string> changed_options(const Settings& settings) {

@@ -59,7 +59,7 @@ void Autosave::save(const std::string& text) {
   std::error_code ignored;
   std::filesystem::create_directories(folder_, ignored);
   try {
-    write_file_atomically(own_file(), text);
+    write_file_atomically(own_file(), text, Durability::quick);
     saved_ = text;
   } catch (const InputError&) {
     folder_.clear();  // a folder that cannot be written will not become writable with the next change

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/failure_text.h"
 #include "base/timer.h"
 #include "options/option.h"
 #include "render/display_frame.h"
@@ -163,7 +164,7 @@ void RenderWorker::render_both(const Run& run, Progress& progress) {
     if (run.generation != generation_) return;
     news_ = true;
     state_ = RenderState::failed;
-    message_ = error.what();
+    message_ = failure_text(error);
   }
   wake();
 }
