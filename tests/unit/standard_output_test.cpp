@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <sstream>
 #include <utility>
 
 #include "base/atomic_file.h"
@@ -70,10 +71,18 @@ TEST(StandardOutput, AClosedOneIsAFailure) {
 
 TEST(StandardOutput, AClosedOneIsNotTakenForTheNextFile) {
   const ScratchFolder folder;
-  const std::string picture = folder.file("a.png");
-  const auto [status, message] = run_by_shell({"render", "cgfs/lens", "--size", "9x9", "--out", picture}, ">&- <&-");
-  EXPECT_EQ(status, 0) << message << "nothing was to be printed";
-  EXPECT_EQ(read_whole_file(picture).substr(1, 3), "PNG");
+  const auto [status, message] =
+      run_by_shell({"stability", "epsilon-unit", "--effort", "0.01", "--out", folder.path().string()}, ">&-");
+  EXPECT_EQ(status, 2) << message;
+  std::istringstream log(read_whole_file(folder.file("runs.jsonl")));  // open while the results are printed
+  for (std::string line; std::getline(log, line);) EXPECT_EQ(line.substr(0, 1), "{") << line;
+}
+
+TEST(StandardOutput, NothingToPrintNeedsNone) {
+  const ScratchFolder folder;
+  const auto [status, message] =
+      run_by_shell({"render", "cgfs/lens", "--size", "9x9", "--out", folder.file("a.png")}, ">&- <&-");
+  EXPECT_EQ(status, 0) << message;
 }
 
 TEST(StandardOutput, AReaderThatHasGone) {
