@@ -7,8 +7,10 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scene_arguments.h"
+#include "document/document_provenance.h"
 #include "number_option.h"
 #include "options/option.h"
+#include "render/provenance_json.h"
 #include "study/difference_by_cause.h"
 
 namespace ps::cli {
@@ -23,7 +25,7 @@ struct CausesArguments {
   bool json = false;
 };
 
-void print_json(const CausesArguments& arguments, const DifferenceByCause& result) {
+void print_json(const CausesArguments& arguments, const DifferenceByCause& result, const nlohmann::ordered_json& made) {
   nlohmann::ordered_json json{
       {"scene", arguments.scene.scene}, {"metric", result.metric},           {"total", result.total},
       {"renders", result.renders},      {"every-order", result.every_order}, {"seed", arguments.seed}};
@@ -34,6 +36,7 @@ void print_json(const CausesArguments& arguments, const DifferenceByCause& resul
     if (!cause.note.empty()) row["note"] = cause.note;
     json["causes"].push_back(std::move(row));
   }
+  json["provenance"] = made;
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -53,7 +56,7 @@ int run_causes(const CausesArguments& arguments) {
   forward_interrupts(control.progress());
   const DifferenceByCause result = difference_by_cause(request, control);
   if (arguments.json) {
-    print_json(arguments, result);
+    print_json(arguments, result, provenance_json(document_provenance(document, Side::a)));
     return 0;
   }
   fmt::print("{} between A and B: {:.4g} ({} pictures, {})\n", result.metric, result.total, result.renders,

@@ -43,6 +43,7 @@ ChartRequest make_request(const ChartArguments& arguments) {
   for (const std::string& sweep : arguments.sweeps)
     for (SweepAxis& axis : parse_sweep(sweep)) axes.push_back(std::move(axis));
   const Document document = load_document(arguments.scene);
+  if (axes.empty() && !document.layout.sweep.empty()) axes = parse_sweep_text(document.layout.sweep);
   request.scene = document.scene;
   request.scene.name = document.scene_name;
   request.view = view_of(document);
@@ -113,7 +114,8 @@ void add_chart_command(CLI::App& app, Action& chosen) {
   for (const NamedSweep& sweep : named_sweeps()) sweeps += fmt::format(" {}", sweep.key);
   command
       ->add_option("--sweep", arguments->sweeps,
-                   "an option and its values (all, or a spread, without them); several make their product; or one of:" +
+                   "an option and its values (all, or a spread, without them); several make their product; that of the "
+                   "permalink without it; or one of:" +
                        sweeps)
       ->type_name("KEY[=V1,V2..]")
       ->allow_extra_args(false);

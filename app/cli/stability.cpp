@@ -15,6 +15,7 @@
 #include "cli/output_file.h"
 #include "image/file.h"
 #include "number_option.h"
+#include "render/provenance.h"
 #include "study/stability/pictures.h"
 #include "study/stability_study.h"
 
@@ -43,12 +44,18 @@ void print_rows(const StabilityExperiment& experiment, const std::vector<Stabili
   fmt::print("\n");
 }
 
+Provenance study_provenance(const StabilityArguments& arguments) {
+  return provenance_of(this_machine(), fmt::format("seed={};effort={}", arguments.seed, arguments.effort));
+}
+
 int save_strip(const std::vector<const StabilityExperiment*>& chosen, const std::string& file) {
   if (chosen.size() != 1) throw InputError("--strip: expected the name of one experiment");
   require_output_file(file, OutputKind::levels);
   const auto strip = film_strip(*chosen.front(), {}, interruptible_progress());
   if (!strip) throw InputError(fmt::format("--strip: {} has no picture", chosen.front()->key));
-  save_image(file, *strip);
+  Provenance made = provenance_of(Settings{});
+  made.more = {{"experiment", std::string(chosen.front()->key)}};
+  save_image(file, *strip, {image_texts(made)});
   fmt::print("from left to right, {}: {}\n", chosen.front()->knob, fmt::join(chosen.front()->frames, ", "));
   fmt::print("above: {}; below: {}; at the bottom, white: where they differ\n", chosen.front()->naive,
              chosen.front()->robust);
@@ -71,9 +78,8 @@ int run_stability(const StabilityArguments& arguments) {
   const bool kept = !arguments.output.empty();
   if (!kept && arguments.resume) throw InputError("--resume: expected --out FOLDER with what was measured before");
   if (kept) make_folder(arguments.output);
-  const Machine machine = this_machine();
-  fmt::print("pixelscope {}, {}, {}, {} threads, seed {}\n\n", machine.version, machine.processor, machine.simd,
-             machine.threads, arguments.seed);
+  const Provenance made = study_provenance(arguments);
+  fmt::print("{}, {}, {}, {} threads, {}\n\n", made.program, made.processor, made.simd, made.threads, made.settings);
   StabilityRequest request;
   for (const StabilityExperiment* experiment : chosen) request.keys.emplace_back(experiment->key);
   request.seed = arguments.seed;
@@ -86,7 +92,7 @@ int run_stability(const StabilityArguments& arguments) {
     if (!measured.complete) return;
     if (kept)
       write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
-                            stability_csv(measured.rows));
+                            csv_with_provenance(stability_csv(measured.rows), made));
     print_rows(find_stability_experiment(measured.key), measured.rows);
     require_printed();  // or nobody would see what takes minutes to measure
   });

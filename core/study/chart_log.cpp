@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "image/file.h"
 #include "options/option.h"
+#include "render/provenance.h"
 #include "study/comparison_json.h"
 #include "study/counted_work.h"
 
@@ -146,13 +147,15 @@ ChartLog::ChartLog(const std::filesystem::path& folder, Chart& chart, const Imag
     }
   }
   write_file_atomically(path, kept);  // without a last line that was cut off
-  save_image(folder / "reference.png", reference);
+  Provenance made = provenance_of(chart.machine, chart.identity.base);
+  made.more = {{"reference", chart.identity.reference}};
+  save_image(folder / "reference.png", reference, {image_texts(made)});
   file_.open(path, std::ios::app);
   if (!file_) throw InputError(path.string() + ": cannot be written");
 }
 
 void ChartLog::add_picture(const ChartPoint& point) {
-  save_image(folder_ / picture_name(point), *point.picture);
+  save_image(folder_ / picture_name(point), *point.picture, {image_texts(provenance_of(point.what.value))});
   write(picture_json(point).dump());
 }
 

@@ -6,6 +6,7 @@
 
 #include "image/svg.h"
 #include "options/option.h"
+#include "render/provenance.h"
 #include "study/axis.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
@@ -218,7 +219,7 @@ std::string chart_svg(const Chart& chart) {
   svg += notes(fmt::format("{} pixelscope {}, {}, {}, {} threads. {}", chart_provenance(chart), chart.machine.version,
                            chart.machine.processor, chart.machine.simd, chart.machine.threads, id.base),
                plot_corner.y + plot_size.y + 72);
-  return svg + "</svg>\n";
+  return svg_with_provenance(svg + "</svg>\n", provenance_of(chart.machine, id.base));
 }
 
 }  // namespace ps
