@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scene_arguments.h"
+#include "document/document_provenance.h"
+#include "number_option.h"
 #include "options/option.h"
+#include "render/provenance_json.h"
 #include "study/difference_by_cause.h"
 
 namespace ps::cli {
@@ -21,7 +25,7 @@ struct CausesArguments {
   bool json = false;
 };
 
-void print_json(const CausesArguments& arguments, const DifferenceByCause& result) {
+void print_json(const CausesArguments& arguments, const DifferenceByCause& result, const nlohmann::ordered_json& made) {
   nlohmann::ordered_json json{
       {"scene", arguments.scene.scene}, {"metric", result.metric},           {"total", result.total},
       {"renders", result.renders},      {"every-order", result.every_order}, {"seed", arguments.seed}};
@@ -32,6 +36,7 @@ void print_json(const CausesArguments& arguments, const DifferenceByCause& resul
     if (!cause.note.empty()) row["note"] = cause.note;
     json["causes"].push_back(std::move(row));
   }
+  json["provenance"] = made;
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -51,7 +56,7 @@ int run_causes(const CausesArguments& arguments) {
   forward_interrupts(control.progress());
   const DifferenceByCause result = difference_by_cause(request, control);
   if (arguments.json) {
-    print_json(arguments, result);
+    print_json(arguments, result, provenance_json(document_provenance(document, Side::a)));
     return 0;
   }
   fmt::print("{} between A and B: {:.4g} ({} pictures, {})\n", result.metric, result.total, result.renders,
@@ -81,8 +86,9 @@ void add_causes_command(CLI::App& app, Action& chosen) {
       ->required();
   command->add_option("--metric", arguments->metric, "mae, rmse, max, ssim or flip");
   command->add_option("--orders", arguments->orders, "random orders, each also backwards, from seven options on")
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--seed", arguments->seed, "of the random orders");
+      ->check(whole_number_from(1, 10000));
+  command->add_option("--seed", arguments->seed, "of the random orders")
+      ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()));
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_causes(*arguments); }; });
 }

@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/scene_arguments.h"
 #include "document/number_list.h"
+#include "number_option.h"
 #include "options/scene_settings.h"
 #include "study/chart.h"
 #include "study/chart_files.h"
@@ -43,6 +44,7 @@ ChartRequest make_request(const ChartArguments& arguments) {
   for (const std::string& sweep : arguments.sweeps)
     for (SweepAxis& axis : parse_sweep(sweep)) axes.push_back(std::move(axis));
   const Document document = load_document(arguments.scene);
+  if (axes.empty() && !document.layout.sweep.empty()) axes = parse_sweep_text(document.layout.sweep);
   request.scene = document.scene;
   request.scene.name = document.scene_name;
   request.view = view_of(document);
@@ -132,7 +134,8 @@ void add_chart_command(CLI::App& app, Action& chosen) {
   for (const NamedSweep& sweep : named_sweeps()) sweeps += fmt::format(" {}", sweep.key);
   command
       ->add_option("--sweep", arguments->sweeps,
-                   "an option and its values (all, or a spread, without them); several make their product; or one of:" +
+                   "an option and its values (all, or a spread, without them); several make their product; that of the "
+                   "permalink without it; or one of:" +
                        sweeps)
       ->type_name("KEY[=V1,V2..]")
       ->allow_extra_args(false);
@@ -142,14 +145,14 @@ void add_chart_command(CLI::App& app, Action& chosen) {
                     "time each point as the window draws it; without it all run on the same code, SIMD or scalar");
   command->add_flag("--linear", arguments->linear, "compare unit floats instead of display levels");
   command->add_option("--region", arguments->region, "compare only this part")->type_name("X,Y,W,H");
-  command->add_option("--repeats", arguments->repeats, "timed runs of each point")->check(CLI::Range(1, 1000));
+  command->add_option("--repeats", arguments->repeats, "timed runs of each point")->check(whole_number_from(1, 1000));
   command->add_option("--reference", arguments->reference, "a picture to compare with; without it one is rendered");
   command
       ->add_option("--reference-samples", arguments->samples,
                    "samples for each pixel of the rendered reference, a square number; 1 = the points' own samples; "
                    "without it as "
                    "the truth of the swept options asks")
-      ->check(CLI::Range(1, 4096));
+      ->check(whole_number_from(1, 4096));
   command->add_option("--shard", arguments->shard, "only part i of n of the sweep")->type_name("i/n");
   command->add_option("--out", arguments->output, "folder for the results; a cut-off run continues there")->required();
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_chart_command(*arguments); }; });

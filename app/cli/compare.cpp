@@ -2,12 +2,14 @@
 
 #include <memory>
 
+#include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/output_file.h"
 #include "image/difference.h"
 #include "image/display.h"
 #include "image/file.h"
 #include "image/metrics.h"
+#include "render/provenance.h"
 #include "study/comparison_json.h"
 
 namespace ps::cli {
@@ -41,11 +43,20 @@ Comparison compare_files(const CompareArguments& arguments) {
   return compare_images(load_levels(arguments.a), load_levels(arguments.b));
 }
 
+void save_difference(const CompareArguments& arguments) {
+  Provenance made = provenance_of(Settings{});
+  made.more = {{"difference-of", arguments.a}, {"and", arguments.b}};
+  save_image(arguments.difference, difference_picture(load_levels(arguments.a), load_levels(arguments.b)),
+             {image_texts(made)});
+}
+
 int run_compare(const CompareArguments& arguments) {
-  if (!arguments.difference.empty()) require_output_file(arguments.difference, OutputKind::picture);
+  if (!arguments.difference.empty()) {
+    require_output_file(arguments.difference, OutputKind::levels);
+    require_no_input(arguments.difference, {arguments.a, arguments.b});
+  }
   const Comparison comparison = compare_files(arguments);
-  if (!arguments.difference.empty())
-    save_image(arguments.difference, difference_picture(load_levels(arguments.a), load_levels(arguments.b)));
+  if (!arguments.difference.empty()) save_difference(arguments);
   if (arguments.json)
     print_json(comparison);
   else

@@ -1,14 +1,17 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 
 #include "base/atomic_file.h"
+#include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/print_listing.h"
 #include "cli/print_vertex.h"
 #include "cli/scene_arguments.h"
+#include "document/document_provenance.h"
 #include "document/number_list.h"
 #include "inspect/describe.h"
 #include "inspect/microscope/micro_svg.h"
@@ -18,7 +21,9 @@
 #include "inspect/story_json.h"
 #include "inspect/story_markdown.h"
 #include "math/conventions.h"
+#include "number_option.h"
 #include "render/render.h"
+#include "scene/load.h"
 
 namespace ps::cli {
 namespace {
@@ -92,12 +97,24 @@ void write_result(const std::string& text, const std::string& out) {
     write_file_atomically(out, text);
 }
 
+/// The pixel that was asked for, else that of the permalink.
+Vec2i picked_pixel(const Document& document, const InspectArguments& arguments, const std::optional<Vec2i>& asked) {
+  if (asked) return *asked;
+  if (arguments.scene.permalink.empty()) throw InputError("--pixel is required");
+  if (document.pixel.x < 0) throw InputError("--pixel is required: the permalink has no picked pixel");
+  return document.pixel;
+}
+
 int run_inspect(const InspectArguments& arguments) {
-  const Vec2i pixel = parse_pixel_text(arguments.pixel);
+  std::optional<Vec2i> asked;
+  if (!arguments.pixel.empty()) asked = parse_pixel_text(arguments.pixel);
   if (!arguments.svg.empty() && arguments.svg != "space" && arguments.svg != "microscope")
     throw InputError(fmt::format("svg: found '{}', expected space or microscope", arguments.svg));
   if (!arguments.out.empty()) require_output_file(arguments.out, OutputKind::any);
-  const Document document = load_document(arguments.scene);
+  Document document = load_document(arguments.scene);
+  const Vec2i pixel = picked_pixel(document, arguments, asked);
+  document.pixel = pixel;
+  require_no_input(arguments.out, files_of(document.scene));
   const View view = view_of(document);
   if (pixel.x >= view.width || pixel.y >= view.height)
     throw InputError(fmt::format("pixel: found {},{}, expected one inside the picture of {} x {}", pixel.x, pixel.y,
@@ -109,16 +126,18 @@ int run_inspect(const InspectArguments& arguments) {
     print_vertex(document, story, arguments.vertex, arguments.json);
     return 0;
   }
+  const Provenance made = document_provenance(document, Side::a);
   if (arguments.svg == "space")
-    write_result(draw_space(document, view, story, prepared), arguments.out);
+    write_result(svg_with_provenance(draw_space(document, view, story, prepared), made), arguments.out);
   else if (arguments.svg == "microscope")
-    write_result(draw_microscope(document, view, pixel, arguments.point, prepared), arguments.out);
+    write_result(svg_with_provenance(draw_microscope(document, view, pixel, arguments.point, prepared), made),
+                 arguments.out);
   else if (arguments.json)
-    write_result(story_json(story, document.scene, view) + "\n", arguments.out);
+    write_result(story_json(story, document.scene, view, made) + "\n", arguments.out);
   else if (arguments.csv)
-    write_result(story_csv(story, document.scene), arguments.out);
+    write_result(story_csv(story, document.scene, made), arguments.out);
   else if (arguments.markdown || !arguments.out.empty())
-    write_result(story_markdown(story, document.scene, view), arguments.out);
+    write_result(story_markdown(story, document.scene, view, made), arguments.out);
   else
     print_story(story, document.scene, view);
   const bool as_text = !arguments.json && !arguments.csv && !arguments.markdown && arguments.svg.empty();
@@ -135,15 +154,16 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("inspect", "tell how one pixel got its colour");
   const auto arguments = std::make_shared<InspectArguments>();
   add_scene_arguments(*command, arguments->scene);
-  command->add_option("--pixel", arguments->pixel, "column and row, counted from the top left")
+  command
+      ->add_option("--pixel", arguments->pixel,
+                   "column and row, counted from the top left; that of the permalink without it")
       ->type_name("X,Y")
-      ->delimiter('\0')
-      ->required();
+      ->delimiter('\0');
   command
       ->add_option("--instance", arguments->instance,
                    "with renderer=textbook: the time that a loop is run through whose values are shown")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number_from(0, std::numeric_limits<int>::max()));
   command
       ->add_option("--vertex", arguments->vertex.vertex,
                    "follow a vertex from its model to the canvas instead: the one nearest to the pixel, or by number")
@@ -154,7 +174,7 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
       ->type_name("ORDER");
   command->add_option("--vertex-near", arguments->vertex.near, "try another near plane")
       ->type_name("D")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above(0));
   const auto json = command->add_flag("--json", arguments->json, "as JSON, with all digits");
   const auto markdown = command->add_flag("--markdown", arguments->markdown, "as a page of Markdown")->excludes(json);
   const auto csv = command->add_flag("--csv", arguments->csv, "as comma-separated values, one line for each number")

@@ -2,25 +2,31 @@
 
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "base/check.h"
+#include "base/failure_text.h"
 #include "base/progress.h"
+#include "base/spelling.h"
+#include "base/standard_output.h"
 #include "base/version.h"
 #include "cli/command.h"
 
 namespace {
 
+constexpr int check_failed = 1;
 constexpr int bad_input = 2;
 constexpr int interrupted = 130;
 
-/// One line on standard error, whatever the message.
+/// One line on standard error, whatever the message, and not all of a long one.
 int fail(std::string message, int status) {
+  constexpr std::size_t longest = 4000;
+  if (message.size() > longest) message = message.substr(0, longest) + "...";
   for (char& c : message)
     if (c == '\n' || c == '\r') c = ' ';
-  fmt::print(stderr, "pixelscope-cli: {}\n", message);
+  std::fputs(fmt::format("pixelscope-cli: {}\n", message).c_str(), stderr);  // fmt::print would throw where that fails
   return status;
 }
 
@@ -31,7 +37,7 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
     return {};
   } catch (const CLI::RequiredError& error) {
     if (argc > 1 && app.get_subcommands().empty())
-      return fail(fmt::format("unknown command '{}'; --help lists them", argv[1]), bad_input);
+      return fail(fmt::format("unknown command '{}'; --help lists them", ps::shown_start(argv[1])), bad_input);
     return fail(error.what(), bad_input);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // help and version
@@ -39,9 +45,24 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// What is left to do: 130 and 2 for work that was stopped or failed.
+int act(const ps::cli::Action& action) {
+  try {
+    return action();
+  } catch (const ps::Cancelled&) {
+    return fail("stopped", interrupted);
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) return fail(ps::unprinted_text(error.code().value()), bad_input);
+    return fail(ps::failure_text(error), bad_input);
+  } catch (const std::exception& error) {
+    return fail(ps::failure_text(error), bad_input);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  ps::open_standard_streams();
   CLI::App app{"Renders scenes, tells the story of a pixel and checks the lessons, without a window."};
   app.name("pixelscope-cli");
   app.set_version_flag("--version", std::string(ps::version()));
@@ -58,14 +79,12 @@ int main(int argc, char** argv) {
   ps::cli::add_lessons_command(app, action);
   ps::cli::add_options_command(app, action);
   ps::cli::add_scenes_command(app, action);
-  if (const auto status = parse(app, argc, argv)) return *status;
   try {
-    return action();
-  } catch (const ps::Cancelled&) {
-    return fail("stopped", interrupted);
-  } catch (const std::bad_alloc&) {
-    return fail("there is not enough memory for this", bad_input);
-  } catch (const std::exception& error) {
+    const auto ended = parse(app, argc, argv);
+    const int status = ended ? *ended : act(action);
+    if (status <= check_failed) ps::require_printed();  // else there is a message already
+    return status;
+  } catch (const ps::InputError& error) {
     return fail(error.what(), bad_input);
   }
 }

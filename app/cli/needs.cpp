@@ -3,11 +3,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/machine.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scene_arguments.h"
+#include "number_option.h"
 #include "options/scene_settings.h"
+#include "render/provenance.h"
 #include "study/needs.h"
 
 namespace ps::cli {
@@ -25,12 +26,13 @@ std::string changes(const Settings& from, const Settings& to) {
 }
 
 void print_json(const Document& document, const Needs& needs) {
-  const Machine machine = this_machine();
-  nlohmann::ordered_json json{{"program", "pixelscope " + machine.version},
-                              {"processor", machine.processor},
-                              {"simd", machine.simd},
-                              {"threads", machine.threads},
+  const Provenance made = provenance_of(document.a.settings);
+  nlohmann::ordered_json json{{"program", made.program},
+                              {"processor", made.processor},
+                              {"simd", made.simd},
+                              {"threads", made.threads},
                               {"scene", document.scene_name},
+                              {"base-settings", made.settings},
                               {"metric", "largest mean FLIP of a tile"},
                               {"tolerance", needs.tolerance},
                               {"within-tolerance", needs.within_tolerance},
@@ -81,6 +83,9 @@ void print_text(const Document& document, const Needs& needs) {
   fmt::print("time       {:.4g} ms, as it is {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
              needs.time_told ? "" : ": the same within noise", needs.machinery);
   fmt::print("work       {} rays, tests, fragments and texels, as it is {}\n", needs.work, needs.default_work);
+  const Provenance made = provenance_of(document.a.settings);
+  fmt::print("made by    {}, {}, {}, {} threads{}{}\n", made.program, made.processor, made.simd, made.threads,
+             made.settings.empty() ? "" : ", ", made.settings);
 }
 
 int run_needs(const NeedsArguments& arguments) {
@@ -109,8 +114,8 @@ void add_needs_command(CLI::App& app, Action& chosen) {
   add_scene_arguments(*command, arguments->scene);
   command
       ->add_option("--tolerance", arguments->tolerance, "largest allowed mean FLIP of any tile of about 16 x 16 pixels")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--repeats", arguments->repeats, "timed runs of each variant")->check(CLI::Range(1, 1000));
+      ->check(number_from(0, 1));
+  command->add_option("--repeats", arguments->repeats, "timed runs of each variant")->check(whole_number_from(1, 1000));
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_needs(*arguments); }; });
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/check.h"
+#include "base/output_target.h"
 
 namespace ps::cli {
 
@@ -18,15 +19,13 @@ std::string lower_extension(const std::string& path) {
 }
 
 void require_output_file(const std::string& path, OutputKind kind) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code error;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, error))
-    throw InputError(fmt::format("{}: the folder '{}' does not exist", path, folder.string()));
-  if (std::filesystem::is_directory(path, error)) throw InputError(fmt::format("{}: is a folder", path));
+  output_target(path);
   if (kind == OutputKind::any) return;
   const std::string extension = lower_extension(path);
-  if (extension != ".png" && extension != ".ppm" && extension != ".pfm")
-    throw InputError(fmt::format("{}: found the extension '{}', expected .png, .ppm or .pfm", path, extension));
+  const bool floats = kind == OutputKind::picture && extension == ".pfm";
+  if (extension != ".png" && extension != ".ppm" && !floats)
+    throw InputError(fmt::format("{}: found the extension '{}', expected {}", path, extension,
+                                 kind == OutputKind::levels ? ".png or .ppm" : ".png, .ppm or .pfm"));
 }
 
 }  // namespace ps::cli

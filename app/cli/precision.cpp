@@ -3,11 +3,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/scene_arguments.h"
+#include "document/document_provenance.h"
 #include "image/file.h"
+#include "render/provenance_json.h"
+#include "scene/load.h"
 #include "study/precision_map.h"
 #include "study/unsafe_settings.h"
 
@@ -22,14 +26,17 @@ struct PrecisionArguments {
 
 int run_precision(const PrecisionArguments& arguments) {
   for (const std::string& file : {arguments.faults, arguments.gap})
-    if (!file.empty()) require_output_file(file, OutputKind::picture);
+    if (!file.empty()) require_output_file(file, OutputKind::levels);
   const Document document = load_document(arguments.scene);
+  for (const std::string& file : {arguments.faults, arguments.gap}) require_no_input(file, files_of(document.scene));
   const View view = view_of(document);
   Prepared prepared;
   Progress& progress = interruptible_progress();
   const PrecisionMap map = precision_map(document.scene, view, document.a.settings, prepared, progress);
-  if (!arguments.faults.empty()) save_image(arguments.faults, fault_picture(map));
-  if (!arguments.gap.empty()) save_image(arguments.gap, gap_picture(map));
+  const Provenance made = document_provenance(document, Side::a);
+  const SaveOptions options{image_texts(made)};
+  if (!arguments.faults.empty()) save_image(arguments.faults, fault_picture(map), options);
+  if (!arguments.gap.empty()) save_image(arguments.gap, gap_picture(map), options);
   std::uint64_t confused = 0;
   for (const float gap : map.gap.pixels()) confused += gap < 1 ? 1 : 0;
   const std::vector<UnsafeSetting> unsafe = unsafe_settings(document.scene, view, document.a.settings, progress);
@@ -45,6 +52,7 @@ int run_precision(const PrecisionArguments& arguments) {
                                          {"experiment", s.experiment},
                                          {"safe", s.safe},
                                          {"bad-percent", s.bad_percent}});
+    json["provenance"] = provenance_json(made);
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     return 0;
   }

@@ -1,25 +1,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/atomic_file.h"
+#include "base/kept_inputs.h"
 #include "base/timer.h"
-#include "base/version.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/scene_arguments.h"
+#include "document/document_provenance.h"
 #include "document/permalink.h"
 #include "image/file.h"
+#include "number_option.h"
 #include "options/option.h"
-#include "options/simd_choice.h"
 #include "raster/coverage/efficiency.h"
 #include "render/display_frame.h"
 #include "render/left_out.h"
 #include "render/render.h"
+#include "scene/load.h"
 
 namespace ps::cli {
 namespace {
@@ -27,7 +30,7 @@ namespace {
 struct RenderArguments {
   SceneArguments scene;
   std::string output;
-  std::string show = "colour";
+  std::string show;  ///< key of a channel; empty = that of the permalink, or the colours
   std::string stats;
   std::vector<int> region;  ///< x, y, width, height; empty = all
 };
@@ -50,13 +53,14 @@ std::optional<TileRect> region_of(const std::vector<int>& numbers, const View& v
 /// Everything about a finished picture except its pixels.
 std::string stats_json(const Document& document, const View& view, const Frame& frame, double milliseconds) {
   const Settings& settings = document.a.settings;
-  const bool scalar = frame.path.machinery == Machinery::clear;
-  nlohmann::ordered_json json{{"program", fmt::format("pixelscope {}", version())},
+  const Provenance made = provenance_of(settings, frame.path.machinery);
+  nlohmann::ordered_json json{{"program", made.program},
                               {"scene", document.scene_name},
                               {"size", {view.width, view.height}},
                               {"permalink", permalink(document)},
-                              {"threads", resolve_threads({settings.threads, WorkerPriority::normal})},
-                              {"simd", scalar ? "none" : chosen_simd(settings.simd)}};
+                              {"processor", made.processor},
+                              {"threads", made.threads},
+                              {"simd", made.simd}};
   for (const Option& option : option_table()) json["settings"][std::string(option.key)] = option_text(option, settings);
   for (std::size_t i = 0; i < counter_count; ++i)
     json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = frame.counters.values[i];
@@ -84,7 +88,7 @@ void save_picture(const RenderArguments& arguments, const Document& document, co
   const Settings& settings = document.a.settings;
   const ShownChannel show = document.a.show;
   SaveOptions options;
-  options.texts = {{"Software", fmt::format("pixelscope {}", version())}, {"permalink", permalink(document)}};
+  options.texts = image_texts(document_provenance(document, Side::a, frame.path.machinery));
   if (show == ShownChannel::colour)
     save_image(arguments.output, levels.empty() ? display_frame(frame, settings) : levels, options);
   else
@@ -94,13 +98,14 @@ void save_picture(const RenderArguments& arguments, const Document& document, co
 int run_render(const RenderArguments& arguments) {
   require_output_file(arguments.output, OutputKind::picture);
   if (!arguments.stats.empty()) require_output_file(arguments.stats, OutputKind::any);
-  const ShownChannel show = parse_shown_channel(arguments.show);
+  Document document = load_document(arguments.scene);
+  const ShownChannel show = arguments.show.empty() ? document.a.show : parse_shown_channel(arguments.show);
   if (lower_extension(arguments.output) == ".pfm" && show != ShownChannel::colour)
     throw InputError("--show: a .pfm file holds the colours alone");
-  Document document = load_document(arguments.scene);
+  for (const std::string& file : {arguments.output, arguments.stats}) require_no_input(file, files_of(document.scene));
   document.a.show = show;
   const View view = view_of(document);
-  document.view.region = region_of(arguments.region, view);
+  if (!arguments.region.empty()) document.view.region = region_of(arguments.region, view);
   for (const LeftOut& one : left_out(scene_traits(document.scene), document.a.settings))
     fmt::print(stderr, "{}\n", one.sentence);
   Prepared prepared;
@@ -134,6 +139,7 @@ void add_render_command(CLI::App& app, Action& chosen) {
   command->add_option("--region", arguments->region, "only these pixels; the others stay black")
       ->delimiter(',')
       ->expected(4)
+      ->check(whole_number_from(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()))
       ->type_name("X,Y,W,H");
   command->add_option("--stats", arguments->stats, "a JSON file for times and counters");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_render(*arguments); }; });

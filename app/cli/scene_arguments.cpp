@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 
 #include "base/check.h"
+#include "base/spelling.h"
+#include "cli/output_file.h"
 #include "document/number_list.h"
+#include "document/permalink.h"
+#include "document/permalink_file.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"
@@ -13,7 +18,15 @@
 namespace ps::cli {
 
 void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
-  command.add_option("SCENE", arguments.scene, "a .scene or .obj file, or the name of a built-in scene")->required();
+  command.add_option("SCENE", arguments.scene,
+                     "a .scene or .obj file, or the name of a built-in scene; not needed with --permalink");
+  command
+      .add_option("--permalink", arguments.permalink,
+                  "begin with what a permalink holds: scene, changes, camera, size, settings, pixel, rectangle; its "
+                  "text, or a .permalink or .png file with one. Other options count more")
+      ->type_name("TEXT|FILE");
+  command.add_option("--side", arguments.side, "which picture of the permalink; the one that is picked without it")
+      ->type_name("a|b");
   command.add_option("--size", arguments.size, "picture size in pixels; the scene's own without it")->type_name("WxH");
   command.add_option("--set", arguments.settings, "set an option; see the command 'options'")
       ->type_name("KEY=VALUE")
@@ -36,6 +49,44 @@ SceneEdit parse_edit(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+namespace {
+
+/// The link in a file, or the text itself.
+std::string link_text(const std::string& text_or_file) {
+  const std::string extension = lower_extension(text_or_file);
+  const bool has_parts = text_or_file.find('=') != std::string::npos;
+  std::error_code error;
+  if (has_parts && !std::filesystem::exists(text_or_file, error)) return text_or_file;
+  if (extension != permalink_extension && extension != ".png")
+    throw InputError(fmt::format("--permalink: found '{}', expected a permalink, or a .permalink or .png file with one",
+                                 shown_start(text_or_file)));
+  if (const auto link = permalink_in_file(text_or_file)) return *link;
+  throw InputError(fmt::format("{}: holds no permalink", text_or_file));
+}
+
+/// The side that was asked for becomes side A.
+void choose_side(Document& document, const std::string& asked) {
+  if (!asked.empty() && asked != "a" && asked != "b")
+    throw InputError(fmt::format("--side: found '{}', expected a or b", asked));
+  const Side side = asked.empty() ? document.picked : asked == "a" ? Side::a : Side::b;
+  if (side == Side::b && !document.picture_b.empty())
+    throw InputError(
+        fmt::format("--side: b of this permalink is the picture '{}', which nothing renders", document.picture_b));
+  document.a = side_of(document, side);
+  document.picked = Side::a;
+}
+
+Document open_link(const SceneArguments& arguments) {
+  Document document = parse_permalink(link_text(arguments.permalink));
+  choose_side(document, arguments.side);
+  if (!arguments.scene.empty()) document.scene_name = arguments.scene;
+  if (document.scene_name.empty()) throw InputError("--permalink: it names no scene, so SCENE is required");
+  attach_scene(document, load_scene(document.scene_name));
+  return document;
+}
+
+}  // namespace
+
 Document load_document(const SceneArguments& arguments) {
   PictureView view;
   if (!arguments.size.empty()) {
@@ -46,14 +97,20 @@ Document load_document(const SceneArguments& arguments) {
   if (!arguments.camera.empty()) view.camera = parse_camera_text(arguments.camera);
   Settings trial;
   for (const std::string& assignment : arguments.settings) parse_assignment(assignment, trial);
+  const bool linked = !arguments.permalink.empty();
+  if (arguments.scene.empty() && !linked) throw InputError("SCENE is required");
+  if (!arguments.side.empty() && !linked) throw InputError("--side: needs --permalink");
 
-  Scene scene = load_scene(arguments.scene);
-  for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}\n", warning);
-  const Settings start = settings_for(scene);
-  Document document = open_document(arguments.scene, std::move(scene));
+  Document document = linked ? open_link(arguments) : open_document(arguments.scene, load_scene(arguments.scene));
+  for (const std::string& warning : document.base.warnings) fmt::print(stderr, "{}\n", warning);
   for (const std::string& edit : arguments.edits) edit_scene(document, parse_edit(edit));
-  document.view = view;
-  document.a.settings = start;
+  if (!linked) document.a.settings = settings_for(document.base);
+  if (!arguments.size.empty()) {
+    document.view.width = view.width;
+    document.view.height = view.height;
+  }
+  if (view.camera) document.view.camera = view.camera;
+  fit_region(document);
   for (const std::string& assignment : arguments.settings) parse_assignment(assignment, document.a.settings);
   return document;
 }

@@ -2,17 +2,20 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/machine.h"
+#include "base/standard_output.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "image/file.h"
+#include "number_option.h"
+#include "render/provenance.h"
 #include "study/stability/pictures.h"
 #include "study/stability_study.h"
 
@@ -41,12 +44,18 @@ void print_rows(const StabilityExperiment& experiment, const std::vector<Stabili
   fmt::print("\n");
 }
 
+Provenance study_provenance(const StabilityArguments& arguments) {
+  return provenance_of(this_machine(), fmt::format("seed={};effort={}", arguments.seed, arguments.effort));
+}
+
 int save_strip(const std::vector<const StabilityExperiment*>& chosen, const std::string& file) {
   if (chosen.size() != 1) throw InputError("--strip: expected the name of one experiment");
-  require_output_file(file, OutputKind::picture);
+  require_output_file(file, OutputKind::levels);
   const auto strip = film_strip(*chosen.front(), {}, interruptible_progress());
   if (!strip) throw InputError(fmt::format("--strip: {} has no picture", chosen.front()->key));
-  save_image(file, *strip);
+  Provenance made = provenance_of(Settings{});
+  made.more = {{"experiment", std::string(chosen.front()->key)}};
+  save_image(file, *strip, {image_texts(made)});
   fmt::print("from left to right, {}: {}\n", chosen.front()->knob, fmt::join(chosen.front()->frames, ", "));
   fmt::print("above: {}; below: {}; at the bottom, white: where they differ\n", chosen.front()->naive,
              chosen.front()->robust);
@@ -69,9 +78,8 @@ int run_stability(const StabilityArguments& arguments) {
   const bool kept = !arguments.output.empty();
   if (!kept && arguments.resume) throw InputError("--resume: expected --out FOLDER with what was measured before");
   if (kept) make_folder(arguments.output);
-  const Machine machine = this_machine();
-  fmt::print("pixelscope {}, {}, {}, {} threads, seed {}\n\n", machine.version, machine.processor, machine.simd,
-             machine.threads, arguments.seed);
+  const Provenance made = study_provenance(arguments);
+  fmt::print("{}, {}, {}, {} threads, {}\n\n", made.program, made.processor, made.simd, made.threads, made.settings);
   StabilityRequest request;
   for (const StabilityExperiment* experiment : chosen) request.keys.emplace_back(experiment->key);
   request.seed = arguments.seed;
@@ -84,9 +92,9 @@ int run_stability(const StabilityArguments& arguments) {
     if (!measured.complete) return;
     if (kept)
       write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
-                            stability_csv(measured.rows));
+                            csv_with_provenance(stability_csv(measured.rows), made));
     print_rows(find_stability_experiment(measured.key), measured.rows);
-    std::fflush(stdout);
+    require_printed();  // or nobody would see what takes minutes to measure
   });
   return 0;
 }
@@ -104,8 +112,9 @@ void add_stability_command(CLI::App& app, Action& chosen) {
                     "do not measure again what the folder holds of this seed and effort");
   command->add_option("--strip", arguments->strip, "the pictures over the knob of one experiment, as one file");
   command->add_option("--effort", arguments->effort, "share of the full number of rays, triangles and pixels")
-      ->check(CLI::Range(0.001, 10.0));
-  command->add_option("--seed", arguments->seed, "of the random numbers");
+      ->check(number_from(0.001, 10));
+  command->add_option("--seed", arguments->seed, "of the random numbers")
+      ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()));
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_stability(*arguments); }; });
 }
 

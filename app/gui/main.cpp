@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -8,26 +7,19 @@
 #include <optional>
 
 #include "base/check.h"
+#include "base/failure_text.h"
+#include "base/standard_output.h"
 #include "base/version.h"
+#include "document/number_list.h"
 #include "gui/app/app.h"
 #include "gui/platform/end_signals.h"
 #include "gui/platform/window.h"
 #include "gui/script/script.h"
 #include "gui/shell/shell.h"
 #include "gui/widgets/gallery.h"
-#include "image/image.h"
+#include "number_option.h"
 
 namespace {
-
-/// "1280x720"
-ps::gui::WindowSize parse_size(const std::string& text) {
-  int width = 0, height = 0, used = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
-      static_cast<std::size_t>(used) != text.size())
-    throw ps::InputError("--size: found " + text + ", expected WIDTHxHEIGHT, such as 600x400");
-  ps::require_image_size(width, height, "--size");
-  return {width, height};
-}
 
 int run(int argc, char** argv) {
   CLI::App cli("Pixelscope, a microscope for pixels");
@@ -39,7 +31,7 @@ int run(int argc, char** argv) {
   std::string window_size;
   cli.set_version_flag("--version", "pixelscope " + std::string(ps::version()));
   const auto* scale_option =
-      cli.add_option("--scale", scale, "Size of type and controls, 0.75 to 4")->check(CLI::Range(0.75, 4.0));
+      cli.add_option("--scale", scale, "Size of type and controls, 0.75 to 4")->check(ps::number_from(0.75, 4));
   cli.add_option("--script", shell_options.script, "Drive the window by the commands of a file, then quit");
   cli.add_option("SCENE", app_options.scene, "A .scene or .obj file, or the name of a built-in scene");
   cli.add_option("--lesson", app_options.lesson, "Begin a lesson, by its name");
@@ -61,6 +53,11 @@ int run(int argc, char** argv) {
     cli.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     std::cout << cli.help();
+    ps::require_printed();
+    return 0;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
+    ps::require_printed();
     return 0;
   }
   if (*scale_option) shell_options.scale = scale;
@@ -71,9 +68,9 @@ int run(int argc, char** argv) {
   }
 
   if (!size.empty()) {
-    const auto wanted = parse_size(size);
-    app_options.width = wanted.width;
-    app_options.height = wanted.height;
+    const ps::Vec2i wanted = ps::parse_size_text(size);
+    app_options.width = wanted.x;
+    app_options.height = wanted.y;
   }
   app_options.remember = shell_options.script.empty() || std::getenv("XDG_STATE_HOME");
 
@@ -88,18 +85,14 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  ps::open_standard_streams();
   ps::gui::watch_end_signals();
   try {
     return run(argc, argv);
-  } catch (const CLI::Success& success) {  // --version
-    std::cout << success.what() << '\n';
-    return 0;
   } catch (const CLI::Error& error) {
     std::cerr << "pixelscope: " << error.what() << '\n';
-  } catch (const std::bad_alloc&) {
-    std::cerr << "pixelscope: there is not enough memory for this\n";
   } catch (const std::exception& error) {  // InputError, WindowError and what a library throws
-    std::cerr << "pixelscope: " << error.what() << '\n';
+    std::cerr << "pixelscope: " << ps::failure_text(error) << '\n';
   }
   return 2;
 }

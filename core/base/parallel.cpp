@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #ifdef __linux__
@@ -94,6 +95,7 @@ using Helpers = std::vector<std::unique_ptr<Helper>>;
 /// Helpers without work, by their nice value. No more of each are kept than the machine can run at once.
 class IdleHelpers {
  public:
+  /// Fewer than asked for where the system has no more threads to give.
   Helpers take(std::size_t count, int nice) {
     Helpers taken;
     taken.reserve(count);
@@ -105,7 +107,11 @@ class IdleHelpers {
         idle.pop_back();
       }
     }
-    while (taken.size() < count) taken.push_back(std::make_unique<Helper>(nice));
+    try {
+      while (taken.size() < count) taken.push_back(std::make_unique<Helper>(nice));
+    } catch (const std::system_error&) {
+      return taken;
+    }
     return taken;
   }
   void give_back(Helpers& helpers, int nice) {
@@ -173,13 +179,12 @@ void parallel_for(int count, const ParallelOptions& options, Progress& progress,
 
   const int threads = std::min(resolve_threads(options), count);
   // The caller is one of the workers, unless they have a priority of their own, which it could not take back.
-  const bool caller_works = options.priority == WorkerPriority::normal;
-  const int first = caller_works ? 1 : 0;
-  const int nice = caller_works ? own_nice() : background_nice;
+  const bool own_priority = options.priority == WorkerPriority::normal;
+  const int first = own_priority ? 1 : 0;
+  const int nice = own_priority ? own_nice() : background_nice;
   Helpers helpers = IdleHelpers::all().take(static_cast<std::size_t>(threads - first), nice);
-  for (int worker = first; worker < threads; ++worker)
-    helpers[static_cast<std::size_t>(worker - first)]->start(work, worker);
-  if (caller_works) work(0);
+  for (std::size_t i = 0; i < helpers.size(); ++i) helpers[i]->start(work, static_cast<int>(i) + first);
+  if (own_priority || helpers.empty()) work(0);
   for (const auto& helper : helpers) helper->finish();
   IdleHelpers::all().give_back(helpers, nice);
   if (failure) std::rethrow_exception(failure);

@@ -53,4 +53,9 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
   return nearest == known.end() ? std::string_view{} : *nearest;
 }
 
+std::string shown_start(std::string_view word) {
+  constexpr std::size_t longest = 60;
+  return word.size() <= longest ? std::string(word) : std::string(word.substr(0, longest)) + "...";
+}
+
 }  // namespace ps

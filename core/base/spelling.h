@@ -18,4 +18,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 /// The word of `known` with the least edit distance to `word` (the first of equals); empty if `known` is empty.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known);
 
+/// The word for a message: as it is, or its first 60 bytes and "..." where it is longer.
+std::string shown_start(std::string_view word);
+
 }  // namespace ps

@@ -49,6 +49,17 @@ std::string chart_command(const Document& document, Side side, const std::vector
   return text + " --out chart";
 }
 
+std::string linked_command(const Document& document, LinkedCommand command) {
+  const std::string link = " --permalink " + shell_quote(permalink(document));
+  switch (command) {
+  case LinkedCommand::render:
+    return "pixelscope-cli render" + link + " --out picture.png";
+  case LinkedCommand::inspect:
+    return "pixelscope-cli inspect" + link;
+  }
+  return {};
+}
+
 std::string window_command(const Document& document) {
   return "pixelscope --permalink " + shell_quote(permalink(document));
 }

@@ -15,6 +15,9 @@ std::string render_command(const Document& document, Side side, const std::strin
 std::string inspect_command(const Document& document, Side side);
 /// Measures a chart around the settings of one side. `arguments` are those of `chart` itself ("--sweep", "samples").
 std::string chart_command(const Document& document, Side side, const std::vector<std::string>& arguments);
+/// The same in short: everything is in the permalink. Both act on the side whose pixel is picked; `inspect` needs one.
+enum class LinkedCommand { render, inspect };
+std::string linked_command(const Document& document, LinkedCommand command);
 /// Opens the window as it is now.
 std::string window_command(const Document& document);
 

@@ -9,7 +9,7 @@
 namespace ps {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string csv_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string safe = "\"";
   for (const char c : text) {
@@ -26,7 +26,8 @@ class CsvRows {
   std::string part, index, parent, kind;
 
   void add(std::string_view name, std::string_view value) {
-    text_ += fmt::format("{},{},{},{},{},{}\r\n", part, index, parent, quoted(kind), quoted(name), quoted(value));
+    text_ +=
+        fmt::format("{},{},{},{},{},{}\r\n", part, index, parent, csv_field(kind), csv_field(name), csv_field(value));
   }
   void add(std::string_view name, double value) { add(name, exact_number_text(value)); }
   void add(std::string_view name, const Vec3d& value) {
@@ -67,7 +68,7 @@ struct ValueRows {
 
 }  // namespace
 
-std::string story_csv(const PixelStory& story, const Scene& scene) {
+std::string story_csv(const PixelStory& story, const Scene& scene, const Provenance& provenance) {
   std::string text = "part,index,parent,kind,name,value\r\n";
   CsvRows rows(text);
   rows.part = "pixel";
@@ -102,6 +103,8 @@ std::string story_csv(const PixelStory& story, const Scene& scene) {
     const auto counter = static_cast<Counter>(i);
     rows.add(counter_key(counter), fmt::format("{}", story.counters[counter]));
   }
+  rows.part = "provenance";
+  for (const auto& [key, value] : provenance_facts(provenance)) rows.add(key, value);
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "inspect/names.h"
 #include "math/conventions.h"
 #include "options/option.h"
+#include "render/provenance_json.h"
 #include "textbook/trace_listing.h"
 
 namespace ps {
@@ -79,7 +80,7 @@ std::string renderer_key(Renderer renderer) {
 
 }  // namespace
 
-std::string story_json(const PixelStory& story, const Scene& scene, const View& view) {
+std::string story_json(const PixelStory& story, const Scene& scene, const View& view, const Provenance& provenance) {
   const Vec2i book = book_pixel(story.pixel.x, story.pixel.y, view.width, view.height);
   Json json{{"pixel", {story.pixel.x, story.pixel.y}},
             {"book-pixel", {book.x, book.y}},
@@ -99,6 +100,7 @@ std::string story_json(const PixelStory& story, const Scene& scene, const View& 
   }
   json["triangles-elsewhere"] = story.triangles_elsewhere;
   if (story.listing) json["listing"] = listing_json(*story.listing);
+  json["provenance"] = provenance_json(provenance);
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

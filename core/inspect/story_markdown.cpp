@@ -23,7 +23,8 @@ std::string indent(int depth) { return std::string(static_cast<std::size_t>(dept
 
 }  // namespace
 
-std::string story_markdown(const PixelStory& story, const Scene& scene, const View& view) {
+std::string story_markdown(const PixelStory& story, const Scene& scene, const View& view,
+                           const Provenance& provenance) {
   const Vec2i book = book_pixel(story.pixel.x, story.pixel.y, view.width, view.height);
   const auto& d = story.display;
   std::string text = fmt::format("# Pixel ({}, {}) of {}\n\n{}\n\n", story.pixel.x, story.pixel.y, plain(scene.name),
@@ -54,6 +55,7 @@ std::string story_markdown(const PixelStory& story, const Scene& scene, const Vi
     if (story.counters[counter] > 0)
       text += fmt::format("| {} | {} |\n", plain(counter_label(counter)), story.counters[counter]);
   }
+  text += "\n## How this was made\n\n" + provenance_markdown(provenance);
   return text;
 }
 

@@ -2,17 +2,20 @@
 #include <string>
 
 #include "inspect/story.h"
+#include "render/provenance.h"
 #include "render/view.h"
 #include "scene/scene.h"
 
 namespace ps {
 
-/// A story as a page of Markdown: what was asked, the verdict, the events as a nested list, the colour as a table.
-std::string story_markdown(const PixelStory& story, const Scene& scene, const View& view);
+/// A story as a page of Markdown: what was asked, the verdict, the events as a nested list, the colour as a table,
+/// and the provenance.
+std::string story_markdown(const PixelStory& story, const Scene& scene, const View& view, const Provenance& provenance);
 
 /// A story as a table of comma-separated values (RFC 4180), one line for each number or word that is known:
-/// part,index,parent,kind,name,value. `part` is pixel, event, ledger or counter; lists have their place in the name
+/// part,index,parent,kind,name,value. `part` is pixel, event, ledger, counter or provenance; lists have their place in
+/// the name
 /// ("point[2]"). Numbers have all their digits.
-std::string story_csv(const PixelStory& story, const Scene& scene);
+std::string story_csv(const PixelStory& story, const Scene& scene, const Provenance& provenance);
 
 }  // namespace ps

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/number_text.h"
 #include "base/spelling.h"
 #include "options/option.h"
 #include "textbook/listing.h"
@@ -30,14 +30,8 @@ std::string allowed_values(const Option& option) {
 }
 
 [[noreturn]] void reject(const Option& option, std::string_view text) {
-  throw InputError(fmt::format("option {}: found '{}', expected {}", option.key, text, allowed_values(option)));
-}
-
-std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
+  throw InputError(
+      fmt::format("option {}: found '{}', expected {}", option.key, shown_start(text), allowed_values(option)));
 }
 
 }  // namespace
@@ -82,12 +76,13 @@ void parse_option(const Option& option, std::string_view text, Settings& setting
 
 void parse_assignment(std::string_view assignment, Settings& settings) {
   const auto equals = assignment.find('=');
-  if (equals == std::string_view::npos) throw InputError(fmt::format("found '{}', expected KEY=VALUE", assignment));
+  if (equals == std::string_view::npos)
+    throw InputError(fmt::format("found '{}', expected KEY=VALUE", shown_start(assignment)));
   const std::string_view key = assignment.substr(0, equals);
   if (const Option* option = find_option(key)) return parse_option(*option, assignment.substr(equals + 1), settings);
   std::vector<std::string_view> known;
   for (const Option& option : option_table()) known.push_back(option.key);
-  throw InputError(fmt::format("unknown option '{}'{}", key,
+  throw InputError(fmt::format("unknown option '{}'{}", shown_start(key),
                                did_you_mean(key, known, "; 'pixelscope-cli options' lists all options")));
 }
 

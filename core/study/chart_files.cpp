@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.h"
 #include "options/option.h"
+#include "render/provenance.h"
 #include "study/comparison_json.h"
 #include "study/missing_points.h"
 
@@ -43,6 +44,8 @@ Json point_json(const ChartPoint& point) {
   return json;
 }
 
+Provenance chart_machine_provenance(const Chart& chart) { return provenance_of(chart.machine, chart.identity.base); }
+
 }  // namespace
 
 std::string chart_csv(const Chart& chart) {
@@ -54,15 +57,16 @@ std::string chart_csv(const Chart& chart) {
                           renderer_key(point.what.value), field(point.what.settings), point.time_ms.median,
                           point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb, point.on_front ? 1 : 0,
                           point.work, field(chart.identity.machinery), field(chart.identity.reference));
-  return text;
+  return csv_with_provenance(text, chart_machine_provenance(chart), "base_settings");
 }
 
 std::string chart_json(const Chart& chart) {
   const ChartIdentity& id = chart.identity;
-  Json json{{"program", "pixelscope " + chart.machine.version},
-            {"processor", chart.machine.processor},
-            {"simd", chart.machine.simd},
-            {"threads", chart.machine.threads},
+  const Provenance made = chart_machine_provenance(chart);
+  Json json{{"program", made.program},
+            {"processor", made.processor},
+            {"simd", made.simd},
+            {"threads", made.threads},
             {"scene", id.scene},
             {"size", {id.width, id.height}},
             {"base-settings", id.base},

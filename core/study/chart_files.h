@@ -7,7 +7,7 @@
 namespace ps {
 
 /// The measured points as a table with a heading: label, renderer, settings, time_ms, time_q1_ms, time_q3_ms, error,
-/// memory_mb, on_front.
+/// memory_mb, on_front, work, machinery, truth, and the provenance: program, processor, simd, threads, base_settings.
 std::string chart_csv(const Chart& chart);
 /// Everything: identity, machine, the reference's noise, all metrics and samples of each point.
 std::string chart_json(const Chart& chart);

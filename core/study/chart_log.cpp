@@ -7,6 +7,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "image/file.h"
+#include "render/provenance.h"
 #include "study/chart_log_lines.h"
 #include "study/json_log.h"
 
@@ -129,7 +130,9 @@ ChartLog::ChartLog(const std::filesystem::path& folder, Chart& chart, const Imag
   std::string kept = chart_head_json(chart).dump() + "\n";
   if (std::filesystem::exists(path)) kept += take_up(path, chart);
   write_file_atomically(path, kept);
-  save_image(folder / "reference.png", reference);
+  Provenance made = provenance_of(chart.machine, chart.identity.base);
+  made.more = {{"reference", chart.identity.reference}};
+  save_image(folder / "reference.png", reference, {image_texts(made)});
   file_.open(path, std::ios::app);
   if (!file_) throw InputError(path.string() + ": cannot be written");
 }
@@ -153,7 +156,7 @@ std::string ChartLog::take_up(const std::filesystem::path& path, Chart& chart) c
 }
 
 void ChartLog::add_picture(const ChartPoint& point) {
-  save_image(folder_ / picture_name(point), *point.picture);
+  save_image(folder_ / picture_name(point), *point.picture, {image_texts(provenance_of(point.what.value))});
   write(chart_picture_json(point).dump());
 }
 

@@ -6,6 +6,7 @@
 
 #include "image/svg.h"
 #include "options/option.h"
+#include "render/provenance.h"
 #include "study/axis.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
@@ -222,7 +223,7 @@ std::string chart_svg(const Chart& chart) {
                   missing == 0 ? "" : fmt::format(" Incomplete: {} of {} points are missing.", missing, id.points),
                   chart.machine.version, chart.machine.processor, chart.machine.simd, chart.machine.threads, id.base),
       plot_corner.y + plot_size.y + 72);
-  return svg + "</svg>\n";
+  return svg_with_provenance(svg + "</svg>\n", provenance_of(chart.machine, id.base));
 }
 
 }  // namespace ps

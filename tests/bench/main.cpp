@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "bench/report.h"
+#include "number_option.h"
 
 namespace {
 
@@ -47,8 +48,8 @@ int main(int argc, char** argv) {
   app.add_option("filter", filter, "only benches whose name or yardstick contains this");
   app.add_option("--json", json, "write the results to this file");
   app.add_flag("--list", list, "print the names of the benches and end");
-  app.add_option("--repeats", options.repeats, "runs of each side")->check(CLI::Range(1, 1000));
-  app.add_option("--budget", options.budget, "seconds for one bench")->check(CLI::Range(0.0, 3600.0));
+  app.add_option("--repeats", options.repeats, "runs of each side")->check(ps::whole_number_from(1, 1000));
+  app.add_option("--budget", options.budget, "seconds for one bench")->check(ps::number_from(0, 3600));
   app.add_flag("--processor-time", processor_time, "measure the processor time of all threads instead of time");
   try {
     app.parse(argc, argv);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.h"
 #include "base/check.h"
 
 namespace ps::bench {
@@ -97,10 +97,7 @@ void write_json(const std::filesystem::path& path, const std::vector<Row>& rows,
     entry["threads"] = machine.threads;
     out.push_back(std::move(entry));
   }
-  std::ofstream file(path);
-  file << out.dump(1) << '\n';
-  file.close();
-  if (!file) throw InputError(fmt::format("cannot write {}", path.string()));
+  write_file_atomically(path, out.dump(1) + "\n");
 }
 
 }  // namespace ps::bench

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "base/atomic_file.h"
+#include "document/command_line.h"
+#include "document/permalink.h"
 #include "document/permalink_file.h"
 #include "gui/program.h"
 #include "image/file.h"
@@ -156,7 +158,9 @@ TEST_P(PermalinkScreen, FourWaysBringItBack) {
                              "key P\nwait frames 3\ntype " + picture + "\nkey Enter\nwait idle\n" +
                              "key Ctrl+Shift+S\nwait frames 3\ntype " + file + "\nkey Enter\nwait idle\n" +
                              "expect permalink $LINK\nscreenshot " + (folder / "before.png").string() + "\n" +
-                             "key Shift+C\nwait frames 2\nprint clipboard\n" + expect + "quit\n";
+                             "key Shift+C\nwait frames 2\nprint clipboard\n" +
+                             "key Ctrl+K\nwait frames 2\ntype \"opens this screen\"\nkey Enter\nwait frames 2\n" +
+                             "print clipboard\n" + expect + "quit\n";
   const auto saved = play(saving, folder, "1280x800", screen.scene);
   ASSERT_EQ(saved.status, 0) << saved.errors << saved.output;
   const auto end = saved.output.find('\n');
@@ -177,12 +181,27 @@ TEST_P(PermalinkScreen, FourWaysBringItBack) {
   const auto by_picture = play(same, folder, "1280x800", "'" + (folder / "picture-a.png").string() + "'");
   EXPECT_EQ(by_picture.status, 0) << by_picture.errors;
 
-  // The command that the window puts on the clipboard, as a shell reads it.
-  std::string command = saved.output.substr(end + 1);
-  const auto begins = command.find("pixelscope --permalink");
-  ASSERT_NE(begins, std::string::npos) << saved.output;
-  command = command.substr(begins + std::string("pixelscope ").size());
-  command = command.substr(0, command.find('\n'));
+  // The commands that the window puts on the clipboard, as a shell reads them: one makes the picture of the picked side
+  // without a window, the other opens the screen again.
+  const auto printed = [&](const std::string& start) {
+    const auto begins = saved.output.find(start, end);
+    return begins == std::string::npos ? "" : saved.output.substr(begins, saved.output.find('\n', begins) - begins);
+  };
+  const std::string render = printed("pixelscope-cli render --permalink");
+  ASSERT_FALSE(render.empty()) << saved.output;
+  const std::string alone = (folder / "alone.png").string();
+  const std::string made = render.substr(0, render.find("--out")) + "--out " + ps::shell_quote(alone);
+  ASSERT_EQ(std::system((PIXELSCOPE_BIN_DIR "/" + made).c_str()), 0) << made;
+  const std::string shown = folder / (link.find("picked=b") == std::string::npos ? "picture-a.png" : "picture-b.png");
+  const auto levels = ps::load_levels(alone), wanted = ps::load_levels(shown);
+  const auto region =
+      ps::parse_permalink(link).view.region.value_or(ps::TileRect{0, 0, wanted.width(), wanted.height()});
+  ASSERT_EQ(levels.width(), wanted.width());
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) ASSERT_EQ(levels.at(x, y), wanted.at(x, y)) << x << "," << y;
+  const std::string window = printed("pixelscope --permalink");
+  ASSERT_FALSE(window.empty()) << saved.output;
+  const std::string command = window.substr(std::string("pixelscope ").size());
   const auto by_command = play(same, folder, "1280x800", command);
   EXPECT_EQ(by_command.status, 0) << by_command.errors;
 

@@ -31,6 +31,23 @@ TEST(Window, SaysThatThereIsNoOpenGl) {
   EXPECT_NE(result.errors.find("OpenGL"), std::string::npos) << result.errors;
 }
 
+TEST(Window, RefusesNumbersThatAreNone) {
+  for (const char* arguments : {"--scale nan", "--scale inf", "--scale 5", "--scale 0x1", "--size 010x",
+                                "--size nanxnan", "--size 4294967297x1", "--window-size nanxnan", "--set gamma=nan"}) {
+    const auto result = run_window(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_TRUE(one_line(result.errors)) << arguments << ": " << result.errors;
+  }
+}
+
+TEST(Window, SaysThatItCannotPrint) {
+  for (const char* arguments : {"--help", "--version"}) {
+    const auto result = run_window(arguments, "sh -c 'exec \"$@\" >/dev/full' sh");
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_NE(result.errors.find("standard output cannot be written"), std::string::npos) << result.errors;
+  }
+}
+
 TEST(Window, HelpNamesEveryArgument) {
   const auto result = run_window("--help");
   EXPECT_EQ(result.status, 0);

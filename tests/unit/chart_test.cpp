@@ -242,7 +242,8 @@ TEST(Chart, FilesHoldTheTableOfTheDesign) {
   const Chart chart = run_chart(request, control);
   const std::string csv = chart_csv(chart);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth");
+            "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth,"
+            "program,processor,simd,threads,base_settings");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
   const std::string svg = chart_svg(chart);
   std::size_t circles = 0;

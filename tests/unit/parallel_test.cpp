@@ -1,15 +1,22 @@
 #include "base/parallel.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <atomic>
+#include <fstream>
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "image/image.h"
+#include "support/emulated.h"
+#include "support/trials.h"
 
 namespace {
 
@@ -53,6 +60,57 @@ TEST(Parallel, StartsAsManyThreadsAsAsked) {
 TEST(Parallel, KeepsItsThreads) {
   const auto first = threads_of_call(2);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(threads_of_call(2), first);
+}
+
+/// Takes away the memory that the stacks of further threads would need, until the end of the scope.
+class NoMoreThreads {
+ public:
+  NoMoreThreads() {
+    getrlimit(RLIMIT_AS, &before_);
+    rlimit little = before_;
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    constexpr std::size_t room = 24u << 20;  // for two or three stacks
+    little.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + room;
+    setrlimit(RLIMIT_AS, &little);
+  }
+  ~NoMoreThreads() { setrlimit(RLIMIT_AS, &before_); }
+  NoMoreThreads(const NoMoreThreads&) = delete;
+  NoMoreThreads& operator=(const NoMoreThreads&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+/// How many threads can be had at a time, `most` at most.
+int threads_that_start(int most) {
+  std::atomic<bool> ended{false};
+  std::vector<std::thread> threads;
+  try {
+    while (static_cast<int>(threads.size()) < most)
+      threads.emplace_back([&] {
+        while (!ended.load()) std::this_thread::yield();
+      });
+  } catch (const std::system_error&) {  // no more
+  }
+  ended.store(true);
+  for (std::thread& thread : threads) thread.join();
+  return static_cast<int>(threads.size());
+}
+
+TEST(Parallel, WorksWithTheThreadsThatThereAre) {
+  if (test::trial_divisor > 1 || test::is_emulated()) GTEST_SKIP() << "the tool needs the memory itself";
+  for (const WorkerPriority priority : {WorkerPriority::normal, WorkerPriority::background}) {
+    const NoMoreThreads limit;
+    ASSERT_LT(threads_that_start(64), 64) << "the limit acts";
+    std::atomic<int> runs{0};
+    Progress progress;
+    parallel_for(1000, {.threads = 64, .priority = priority}, progress, [&](int, int worker) {
+      EXPECT_LT(worker, 64);
+      runs.fetch_add(1);
+    });
+    EXPECT_EQ(runs.load(), 1000);
+  }
 }
 
 TEST(Parallel, RunsInsideItselfAndBesideItself) {

@@ -48,7 +48,7 @@ TEST(StoryFiles, CsvKeepsEveryDigit) {
   Prepared prepared;
   Progress progress;
   const PixelStory story = inspect(scene, view, {}, {151, 191}, prepared, progress);
-  const auto rows = read_csv(story_csv(story, scene));
+  const auto rows = read_csv(story_csv(story, scene, provenance_of(Settings{})));
   ASSERT_GT(rows.size(), story.events.size());
   for (const auto& row : rows) ASSERT_EQ(row.size(), 6u);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"part", "index", "parent", "kind", "name", "value"}));
@@ -77,7 +77,7 @@ TEST(StoryFiles, CsvKeepsEveryDigit) {
 TEST(StoryFiles, MarkdownTellsEverything) {
   const Scene scene = test::book_spheres();
   const PixelStory story = test::mirrored_story();
-  const std::string page = story_markdown(story, scene, {scene.camera, 600, 600});
+  const std::string page = story_markdown(story, scene, {scene.camera, 600, 600}, provenance_of(Settings{}));
   const auto lines_with = [&](const std::string& start) {
     std::size_t count = 0;
     for (std::size_t at = 0; at < page.size();) {
@@ -90,7 +90,9 @@ TEST(StoryFiles, MarkdownTellsEverything) {
   };
   EXPECT_EQ(page.substr(0, 2), "# ");
   EXPECT_NE(page.find(story.verdict.substr(0, 8)), std::string::npos);
-  EXPECT_EQ(lines_with("- "), story.events.size() + 4 + (story.triangles_elsewhere > 0 ? 1 : 0));
+  constexpr std::size_t picture_lines = 4, provenance_lines = 4;  // no settings differ from the defaults
+  EXPECT_EQ(lines_with("- "),
+            story.events.size() + picture_lines + provenance_lines + (story.triangles_elsewhere > 0 ? 1 : 0));
   EXPECT_GE(lines_with("| "), story.ledger.size() + 2);
   EXPECT_EQ(page.find('<'), std::string::npos);
 }

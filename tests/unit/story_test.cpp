@@ -241,7 +241,7 @@ TEST(StoryJson, HoldsWhatTheStoryHolds) {
   PixelStory story = test::mirrored_story();
   const Scene scene = test::book_spheres();
   finish_story(story, scene, Settings{});
-  const auto json = nlohmann::json::parse(story_json(story, scene, View{{}, 600, 600}));
+  const auto json = nlohmann::json::parse(story_json(story, scene, View{{}, 600, 600}, {}));
   EXPECT_EQ(json["pixel"], nlohmann::json({3, 4}));
   EXPECT_EQ(json["book-pixel"], nlohmann::json({-297, 295}));
   EXPECT_EQ(json["renderer"], "ray-tracer");
@@ -262,7 +262,7 @@ TEST(StoryJson, InfinityIsNull) {
   RayEvent ray;
   ray.t_max = std::numeric_limits<double>::infinity();
   story.events = {{-1, ray}};
-  const auto json = nlohmann::json::parse(story_json(story, Scene{}, View{}));
+  const auto json = nlohmann::json::parse(story_json(story, Scene{}, View{}, {}));
   EXPECT_TRUE(json["events"][0]["t-max"].is_null());
 }
 

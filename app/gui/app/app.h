@@ -90,6 +90,7 @@ class App final : public Content {
   void save_permalink_as(std::filesystem::path path);
   // save_exports.cpp
   void save_story_as(std::filesystem::path path);
+  void copy_command(const std::string& command);
   void save_drawing(std::filesystem::path path, const std::string& svg);
   // menus.cpp
   void menu_bar();

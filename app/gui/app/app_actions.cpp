@@ -130,19 +130,27 @@ void App::add_actions() {
                .run =
                    [this] {
                      shell_.set_clipboard(session_.permalink());
-                     session_.say(Message::Kind::information,
-                                  "The permalink is on the clipboard: pixelscope --permalink TEXT");
+                     session_.say(
+                         Message::Kind::information,
+                         "The permalink is on the clipboard: pixelscope-cli render --permalink TEXT --out FILE.png "
+                         "makes the picture, pixelscope --permalink TEXT opens the window.");
                    },
                .enabled = open_scene});
   actions.add({.name = "copy-command",
-               .label = "Copy the command that shows this screen",
+               .label = "Copy the command that renders this picture",
                .group = "Scene",
                .keys = "Shift+C",
-               .run =
-                   [this] {
-                     shell_.set_clipboard(window_command(session_.document()));
-                     session_.say(Message::Kind::information, "The command is on the clipboard.");
-                   },
+               .run = [this] { copy_command(linked_command(session_.document(), LinkedCommand::render)); },
+               .enabled = open_scene});
+  actions.add({.name = "copy-inspect-command",
+               .label = "Copy the command that prints this pixel's story",
+               .group = "Scene",
+               .run = [this] { copy_command(linked_command(session_.document(), LinkedCommand::inspect)); },
+               .enabled = [this] { return session_.has_scene() && session_.document().pixel.x >= 0; }});
+  actions.add({.name = "copy-window-command",
+               .label = "Copy the command that opens this screen",
+               .group = "Scene",
+               .run = [this] { copy_command(window_command(session_.document())); },
                .enabled = open_scene});
   actions.add({.name = "save-screen",
                .label = "Save the screen as a file...",

@@ -167,7 +167,7 @@ void Autosave::save(const std::string& text) {
   std::filesystem::create_directories(folder_, ignored);
   try {
     if (name_.empty() && !find_own_name()) return folder_.clear();
-    write_file_atomically(with_ending(saved_ending), text);
+    write_file_atomically(with_ending(saved_ending), text, Durability::quick);
     saved_ = text;
     if (!restored_.empty()) std::filesystem::remove(std::exchange(restored_, {}), ignored);
   } catch (const InputError&) {

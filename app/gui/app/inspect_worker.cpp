@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/failure_text.h"
+
 namespace ps::gui {
 
 InspectWorker::InspectWorker(std::shared_ptr<Prepared> prepared, std::function<void()> wake, InspectCall inspect_call)
@@ -27,7 +29,7 @@ void InspectWorker::request(const StoryRequest& request) {
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& error) {
-      message = error.what();
+      message = failure_text(error);
     }
     {
       const std::lock_guard result_lock(mutex_);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "document/document_provenance.h"
 #include "gui/app/ledger_view.h"
 #include "gui/app/picture_text.h"
 #include "gui/widgets/draw.h"
@@ -99,7 +100,8 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   ImGui::Spacing();
   if (button("copy-text", "Copy as text", Emphasis::quiet)) copy(story_text(story, session.scene()));
   same_line_if_room(button_width("Copy as JSON"));
-  if (button("copy-json", "Copy as JSON", Emphasis::quiet)) copy(story_json(story, session.scene(), session.view()));
+  if (button("copy-json", "Copy as JSON", Emphasis::quiet))
+    copy(story_json(story, session.scene(), session.view(), document_provenance(session.document(), side)));
 }
 
 /// What a picture file in B's place has here, beside A.

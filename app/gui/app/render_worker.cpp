@@ -1,9 +1,9 @@
 #include "gui/app/render_worker.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
+#include "base/failure_text.h"
 #include "base/timer.h"
 #include "options/option.h"
 #include "render/display_frame.h"
@@ -164,8 +164,7 @@ void RenderWorker::render_both(const Run& run, Progress& progress) {
     if (run.generation != generation_) return;
     news_ = true;
     state_ = RenderState::failed;
-    message_ =
-        dynamic_cast<const std::bad_alloc*>(&error) ? "there is not enough memory for this picture" : error.what();
+    message_ = failure_text(error);
   }
   wake();
 }

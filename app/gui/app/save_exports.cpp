@@ -2,6 +2,8 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "base/spelling.h"
+#include "document/document_provenance.h"
 #include "gui/app/app.h"
 #include "inspect/story_json.h"
 #include "inspect/story_markdown.h"
@@ -14,13 +16,14 @@ void App::save_story_as(std::filesystem::path path) {
   if (!story) return;
   if (path.extension().empty()) path += ".md";
   const std::string extension = path.extension().string();
+  const Provenance made = document_provenance(session_.document(), told_side(session_));
   try {
     if (extension == ".csv")
-      write_file_atomically(path, story_csv(*story, session_.scene()));
+      write_file_atomically(path, story_csv(*story, session_.scene(), made));
     else if (extension == ".json")
-      write_file_atomically(path, story_json(*story, session_.scene(), session_.view()));
+      write_file_atomically(path, story_json(*story, session_.scene(), session_.view(), made));
     else if (extension == ".md")
-      write_file_atomically(path, story_markdown(*story, session_.scene(), session_.view()));
+      write_file_atomically(path, story_markdown(*story, session_.scene(), session_.view(), made));
     else
       throw InputError(fmt::format("{}: found extension '{}', expected md, csv or json", path.string(), extension));
     session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
@@ -29,11 +32,18 @@ void App::save_story_as(std::filesystem::path path) {
   }
 }
 
+/// Puts a command for a shell on the clipboard and shows how it begins.
+void App::copy_command(const std::string& command) {
+  shell_.set_clipboard(command);
+  session_.say(Message::Kind::information, "On the clipboard: " + shown_start(command));
+}
+
 void App::save_drawing(std::filesystem::path path, const std::string& svg) {
   if (svg.empty()) return session_.say(Message::Kind::warning, "There is nothing to draw yet.");
   if (path.extension().empty()) path += ".svg";
   try {
-    write_file_atomically(path, svg);
+    write_file_atomically(path,
+                          svg_with_provenance(svg, document_provenance(session_.document(), told_side(session_))));
     session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
   } catch (const InputError& error) {
     session_.say(Message::Kind::error, error.what());

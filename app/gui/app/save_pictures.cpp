@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
-#include "base/version.h"
+#include "document/document_provenance.h"
 #include "document/permalink_file.h"
 #include "gui/app/app.h"
 #include "image/file.h"
@@ -12,8 +12,9 @@ namespace ps::gui {
 /// Writes what is shown of A and B to NAME-a.png and NAME-b.png, and of the difference to NAME-difference.png when it
 /// is on the screen. The permalink goes along, so that the state can be had again from the file.
 void App::save_pictures(const std::filesystem::path& path) {
-  SaveOptions options;
-  options.texts = {{"Software", fmt::format("Pixelscope {}", version())}, {"permalink", session_.permalink()}};
+  const auto texts_of = [&](Side side) {
+    return SaveOptions{image_texts(document_provenance(session_.document(), side))};
+  };
   auto named = [&](const char* suffix) {
     auto result = path;
     std::string extension = path.extension().string();
@@ -23,9 +24,9 @@ void App::save_pictures(const std::filesystem::path& path) {
   };
   try {
     for (const Side side : both_sides)
-      save_image(named(side == Side::a ? "-a" : "-b"), pictures_.pictures[index_of(side)].levels, options);
+      save_image(named(side == Side::a ? "-a" : "-b"), pictures_.pictures[index_of(side)].levels, texts_of(side));
     const bool difference = session_.document().compare == CompareMode::difference;
-    if (difference) save_image(named("-difference"), pictures_.difference.levels, options);
+    if (difference) save_image(named("-difference"), pictures_.difference.levels, texts_of(Side::a));
     session_.say(Message::Kind::information,
                  fmt::format("Saved {} and {}{}.", named("-a").string(), named("-b").filename().string(),
                              difference ? " and the difference" : ""));

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/failure_text.h"
 #include "document/permalink.h"
 #include "document/permalink_file.h"
 #include "image/file.h"
@@ -276,7 +277,7 @@ void Session::load(const std::string& name, std::function<Document()> make, Reas
     try {
       loaded.document = make();
     } catch (const std::exception& error) {
-      loaded.error = error.what();
+      loaded.error = failure_text(error);
     }
     progress.check();
     {

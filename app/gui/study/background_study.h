@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/failure_text.h"
 #include "gui/app/newest_job.h"
 #include "study/control.h"
 
@@ -109,7 +110,7 @@ class BackgroundStudy {
       ended = StudyState::cancelled;
     } catch (const std::exception& error) {
       ended = StudyState::failed;
-      message = error.what();
+      message = failure_text(error);
     }
     {
       const std::lock_guard lock(mutex_);
