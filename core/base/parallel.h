@@ -29,8 +29,9 @@ int resolve_threads(const ParallelOptions& options);
 
 /// Calls body(index, worker) once for each index in [0, count); indices are handed out in increasing order to the
 /// workers. The first exception thrown by a body stops the rest and is rethrown here; a stop requested through
-/// `progress`, or through the caller's StopScope, throws Cancelled. Advances `progress` by one per finished index. The only place that starts threads
-/// for rendering; they are kept for the next call. Results must not depend on which worker ran an index.
+/// `progress`, or through the caller's StopScope, throws Cancelled. Advances `progress` by one per finished index. The
+/// only place that starts threads for rendering; they are kept for the next call. Results must not depend on which
+/// worker ran an index.
 void parallel_for(int count, const ParallelOptions& options, Progress& progress,
                   const std::function<void(int index, int worker)>& body);
 

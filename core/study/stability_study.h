@@ -38,7 +38,8 @@ using StabilityUpdate = std::function<void(const MeasuredExperiment&, const Stud
 
 /// Measures experiments one after another. A cancelled study throws Cancelled; complete experiments in the folder are
 /// taken up by the next call, the one that was cut off begins anew. Results of another seed, effort, version or
-/// processor in the folder are set aside, in `runs.jsonl.damaged`. Throws InputError for an unknown key and a folder that cannot be written.
+/// processor in the folder are set aside, in `runs.jsonl.damaged`. Throws InputError for an unknown key and a folder
+/// that cannot be written.
 std::vector<MeasuredExperiment> run_stability(const StabilityRequest& request, StudyControl& control,
                                               const StabilityUpdate& update = {}, const Clock& clock = steady_seconds);
 

@@ -32,7 +32,8 @@ struct ShadowMap {
 /// One for each light of the scene, in its order.
 using ShadowMaps = std::vector<ShadowMap>;
 
-/// Bytes that the maps of these lights take with `size` texels along an edge, and that drawing one of them takes beside.
+/// Bytes that the maps of these lights take with `size` texels along an edge, and that drawing one of them takes
+/// beside.
 std::uint64_t shadow_map_bytes(const std::vector<Light>& lights, int size);
 
 /// Does the object stand in the way of light? Not if it is transparent (as for rays), or has no triangles (CSG).
