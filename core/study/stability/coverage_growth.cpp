@@ -83,8 +83,9 @@ const StabilityExperiment coverage_growth{
     .naive = "every sample of the box",
     .robust = "rows, cells, tiles or pieces",
     .explanation =
-        "A box of side n has n^2 samples, but a thin triangle in it may cover only n of them. Going by rows takes n "
-        "tests, cells about n and n^2 / 4096 more, tiles n^2 / 64; pieces as small as pixels are as many as pixels.",
+        "A box of side n has n^2 samples, but a thin triangle in it covers only n of them. Rows are n, cells about 5 n "
+        "and the n^2 / 4096 coarsest ones, tiles n^2 / 64. Pieces as small as a pixel are more than n^2 in either "
+        "triangle, for a thin one is cut as often as a wide one.",
     .safe = "Triangles of a few pixels: then the box has hardly more samples than the triangle.",
     .window = {0, 8},
     .measure = measure_growth};
