@@ -9,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/print_listing.h"
+#include "cli/print_rows.h"
 #include "cli/print_vertex.h"
 #include "cli/scene_arguments.h"
 #include "document/document_provenance.h"
@@ -33,6 +34,7 @@ struct InspectArguments {
   std::string pixel;
   int instance = -1;
   VertexArguments vertex;
+  bool rows = false;
   bool json = false, markdown = false, csv = false;
   std::string svg;    ///< "space" or "microscope"; empty = none
   std::string point;  ///< of the microscope; empty = the pixel's first sample
@@ -119,6 +121,10 @@ int run_inspect(const InspectArguments& arguments) {
   if (pixel.x >= view.width || pixel.y >= view.height)
     throw InputError(fmt::format("pixel: found {},{}, expected one inside the picture of {} x {}", pixel.x, pixel.y,
                                  view.width, view.height));
+  if (arguments.rows) {
+    print_rows(document, pixel, arguments.json);
+    return 0;
+  }
   Prepared prepared;
   const PixelStory story =
       inspect(document.scene, view, document.a.settings, pixel, prepared, interruptible_progress());
@@ -175,6 +181,9 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
   command->add_option("--vertex-near", arguments->vertex.near, "try another near plane")
       ->type_name("D")
       ->check(number_above(0));
+  command->add_flag("--rows", arguments->rows,
+                    "the rows of the canvas triangles at the pixel instead, left and right: between the pixels of "
+                    "their interpolated edges (LAB 4), and as the fill rule fills them");
   const auto json = command->add_flag("--json", arguments->json, "as JSON, with all digits");
   const auto markdown = command->add_flag("--markdown", arguments->markdown, "as a page of Markdown")->excludes(json);
   const auto csv = command->add_flag("--csv", arguments->csv, "as comma-separated values, one line for each number")
