@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -102,7 +103,13 @@ int run_render(const RenderArguments& arguments) {
   require_output_file(arguments.output, OutputKind::picture);
   if (!arguments.ppm.empty() && lower_extension(arguments.output) != ".ppm")
     throw InputError(fmt::format("--ppm: the output is {}, expected a .ppm file", arguments.output));
-  if (!arguments.stats.empty()) require_output_file(arguments.stats, OutputKind::any);
+  if (!arguments.stats.empty()) {
+    require_output_file(arguments.stats, OutputKind::any);
+    std::error_code error;
+    if (std::filesystem::weakly_canonical(arguments.stats, error) ==
+        std::filesystem::weakly_canonical(arguments.output, error))
+      throw InputError(fmt::format("--stats: {} is the picture's own file", arguments.stats));
+  }
   Document document = load_document(arguments.scene);
   const ShownChannel show = arguments.show.empty() ? document.a.show : parse_shown_channel(arguments.show);
   for (const std::string& file : {arguments.output, arguments.stats}) require_no_input(file, files_of(document.scene));

@@ -245,6 +245,15 @@ TEST(OutputTarget, AnOutputNeverReplacesWhatTheSceneWasReadFrom) {
   }
   refused({"precision", scene, "--size", "8x8", "--out", texture}, texture);
   refused({"compare", texture, texture, "--diff", texture}, texture);
+  fs::rename(texture, folder.file("textures/picture-0.png"));
+  const std::string other = folder.write(
+      "textures/other.scene",
+      "texture { name = t file = \"picture-0.png\" }\nsphere { center = (0,0,3) radius = 1 texture = t }\n");
+  refused({"chart", other, "--size", "8x8", "--out", folder.file("textures")}, folder.file("textures/picture-0.png"));
+  fs::rename(folder.file("textures/picture-0.png"), texture);
+  const auto twice = run_cli(
+      {"render", scene, "--size", "8x8", "--out", folder.file("a.png"), "--stats", folder.file("way/../a.png")});
+  EXPECT_EQ(twice.status, 2) << "one file for the picture and its statistics";
   fs::create_hard_link(texture, folder.file("copy.png"));
   EXPECT_EQ(run_cli({"render", scene, "--size", "8x8", "--out", folder.file("copy.png")}).status, 0);
   EXPECT_EQ(read_whole_file(texture), before);
