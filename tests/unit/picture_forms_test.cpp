@@ -55,12 +55,13 @@ TEST(PictureForms, AsciiPpmHoldsTheLevels) {
   EXPECT_EQ(render(png, {"--ppm", "ascii"}).status, 2) << "no PPM file";
 }
 
-/// A wall across the whole picture at z = 5, its texture coordinates from 0 to 1, and beside it nothing.
+/// A wall at z = 5 in the lower left quarter of the picture, its texture coordinates from 0 to 1, and elsewhere
+/// nothing.
 constexpr const char* wall = R"(canvas_size = 8 x 8
 viewport_size = 1 x 1
 projection_plane_d = 1
 texture { name = squares generator = checker size = 8 }
-rectangle { name = wall corner = (-2.5, -2.5, 5) side_a = (2.5, 0, 0) side_b = (0, 5, 0) color = white texture = squares }
+rectangle { name = wall corner = (-2.5, -2.5, 5) side_a = (2.5, 0, 0) side_b = (0, 2.5, 0) color = white texture = squares }
 light { type = ambient intensity = 1 }
 )";
 
@@ -78,7 +79,7 @@ TEST(PictureForms, ChannelsArePfmNumbers) {
     const auto normal = channel("normal", "PF"), uv = channel("uv", "PF"), nan = channel("nan", "Pf");
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 8; ++x) {
-        const bool seen = x < 4;
+        const bool seen = x < 4 && y >= 4;
         if (seen) {
           EXPECT_NEAR(depth.at(x, y).x, 5, 1e-5);
           EXPECT_NEAR(uv.at(x, y).x, (x + 0.5) / 4, 1e-5);
