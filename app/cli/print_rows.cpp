@@ -19,7 +19,7 @@ RowsJson span_json(const std::optional<ColumnSpan>& span) {
   return span ? RowsJson::array({span->left, span->right}) : RowsJson();
 }
 
-void print_rows_json(const std::vector<CanvasTriangleRows>& triangles, const Provenance& made) {
+std::string rows_json(const std::vector<CanvasTriangleRows>& triangles, const Provenance& made) {
   RowsJson json{{"triangles", RowsJson::array()}};
   for (const CanvasTriangleRows& triangle : triangles) {
     RowsJson one{{"item", triangle.item}, {"corners", RowsJson::array()}, {"rows", RowsJson::array()}};
@@ -30,27 +30,28 @@ void print_rows_json(const std::vector<CanvasTriangleRows>& triangles, const Pro
     json["triangles"].push_back(std::move(one));
   }
   json["provenance"] = provenance_json(made);
-  fmt::print("{}\n", json.dump(2, ' ', false, RowsJson::error_handler_t::replace));
+  return json.dump(2, ' ', false, RowsJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
 
-void print_rows(const Document& document, Vec2i pixel, bool json) {
+std::string rows_text(const Document& document, Vec2i pixel, bool json) {
   const auto triangles =
       canvas_rows(document.scene, view_of(document), document.a.settings, pixel, interruptible_progress());
   if (triangles.empty())
     throw InputError(fmt::format("--rows: there is no filled triangle of the canvas at pixel {},{}", pixel.x, pixel.y));
-  if (json) return print_rows_json(triangles, document_provenance(document, Side::a));
+  if (json) return rows_json(triangles, document_provenance(document, Side::a));
+  std::string text;
   for (const CanvasTriangleRows& triangle : triangles) {
     const auto& c = triangle.corners;
-    fmt::print("canvas item {}, vertices at pixels ({}, {}), ({}, {}), ({}, {})\n", triangle.item, c[0].x, c[0].y,
-               c[1].x, c[1].y, c[2].x, c[2].y);
-    fmt::print("{:>7} {:>14} {:>14}\n", "row", "interpolated", "filled");
+    text += fmt::format("canvas item {}, vertices at pixels ({}, {}), ({}, {}), ({}, {})\n{:>7} {:>14} {:>14}\n",
+                        triangle.item, c[0].x, c[0].y, c[1].x, c[1].y, c[2].x, c[2].y, "row", "interpolated", "filled");
     for (const CanvasRow& row : triangle.rows)
-      fmt::print("{:>7} {:>14} {:>14}{}\n", row.y, span_text(row.outlined), span_text(row.filled),
-                 row.y == pixel.y ? "  <- the pixel's row" : "");
-    fmt::print("\n");
+      text += fmt::format("{:>7} {:>14} {:>14}{}\n", row.y, span_text(row.outlined), span_text(row.filled),
+                          row.y == pixel.y ? "  <- the pixel's row" : "");
+    text += "\n";
   }
+  return text;
 }
 
 }  // namespace ps::cli

@@ -5,6 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/read_file.h"
 #include "inspect/canvas_rows.h"
 #include "options/scene_settings.h"
 #include "render/display_frame.h"
@@ -18,17 +19,17 @@ namespace {
 using test::run_cli;
 
 /// LAB 4 prints y, left and right of its triangle.
-constexpr std::array<std::array<int, 3>, 11> printed{{{5, 10, 10},
-                                                      {6, 9, 10},
-                                                      {7, 8, 11},
-                                                      {8, 7, 11},
-                                                      {9, 6, 12},
-                                                      {10, 5, 12},
-                                                      {11, 7, 13},
-                                                      {12, 9, 13},
-                                                      {13, 11, 14},
-                                                      {14, 13, 14},
-                                                      {15, 15, 15}}};
+constexpr std::array<std::array<int, 3>, 11> printed_rows{{{5, 10, 10},
+                                                           {6, 9, 10},
+                                                           {7, 8, 11},
+                                                           {8, 7, 11},
+                                                           {9, 6, 12},
+                                                           {10, 5, 12},
+                                                           {11, 7, 13},
+                                                           {12, 9, 13},
+                                                           {13, 11, 14},
+                                                           {14, 13, 14},
+                                                           {15, 15, 15}}};
 
 /// The pixels between the three edges by the plane's definition: a centre is inside where it lies on the same side of
 /// all edges, in twice the pixels' whole numbers.
@@ -54,12 +55,12 @@ TEST(CanvasRows, AreThoseOfTheLabAndOfTheFillRule) {
   std::size_t lab_rows = 0;
   for (const CanvasRow& row : found[0].rows) {
     if (!row.outlined) continue;
-    ASSERT_LT(lab_rows, printed.size());
-    const auto& [y, left, right] = printed[lab_rows++];
+    ASSERT_LT(lab_rows, printed_rows.size());
+    const auto& [y, left, right] = printed_rows[lab_rows++];
     EXPECT_EQ(row.y, y);
     EXPECT_EQ(row.outlined, (ColumnSpan{left, right}));
   }
-  EXPECT_EQ(lab_rows, printed.size());
+  EXPECT_EQ(lab_rows, printed_rows.size());
   for (const FillRule rule : {FillRule::top_left, FillRule::inclusive, FillRule::exclusive}) {
     settings.fill_rule = rule;
     const auto rows = canvas_rows(scene, view, settings, {10, 9}, progress).at(0).rows;
@@ -101,11 +102,16 @@ TEST(CanvasRows, CommandLine) {
   std::size_t count = 0;
   for (const auto& row : json["triangles"][0]["rows"])
     if (!row["interpolated"].is_null()) {
-      const auto& [y, left, right] = printed.at(count++);
+      const auto& [y, left, right] = printed_rows.at(count++);
       EXPECT_EQ(row["y"], y);
       EXPECT_EQ(row["interpolated"], nlohmann::json({left, right}));
     }
-  EXPECT_EQ(count, printed.size());
+  EXPECT_EQ(count, printed_rows.size());
+  const test::ScratchFolder folder;
+  ASSERT_EQ(run_cli({"inspect", "lab/polygon-rows", "--pixel", "10,9", "--rows", "--out", folder.file("rows")}).status,
+            0);
+  EXPECT_EQ(read_whole_file(folder.file("rows")), text.out);
+  EXPECT_EQ(run_cli({"inspect", "lab/polygon-rows", "--pixel", "10,9", "--rows", "--csv"}).status, 2);
   const auto none = run_cli({"inspect", "cgfs/spheres", "--size", "9x9", "--pixel", "3,3", "--rows"});
   EXPECT_EQ(none.status, 2);
   EXPECT_NE(none.err.find("no filled triangle of the canvas"), std::string::npos) << none.err;

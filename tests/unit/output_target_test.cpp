@@ -42,7 +42,7 @@ std::optional<std::string> own_device(const ScratchFolder& folder, const std::st
 
 bool is_device(const std::string& path) { return fs::is_character_file(fs::status(path)); }
 
-std::string error_of(const fs::path& path, std::string_view bytes = "new") {
+std::string writing_error(const fs::path& path, std::string_view bytes = "new") {
   try {
     write_file_atomically(path, bytes);
   } catch (const InputError& error) {
@@ -78,12 +78,12 @@ TEST(OutputTarget, DevicesStay) {
   const ScratchFolder folder;
   const auto null = own_device(folder, "null", null_device), full = own_device(folder, "full", full_device);
   if (!null || !full) GTEST_SKIP() << "no devices may be made here";
-  EXPECT_EQ(error_of(*null), "");
+  EXPECT_EQ(writing_error(*null), "");
   EXPECT_TRUE(is_device(*null));
-  EXPECT_NE(error_of(*full).find("No space left on device"), std::string::npos);
+  EXPECT_NE(writing_error(*full).find("No space left on device"), std::string::npos);
   EXPECT_TRUE(is_device(*full));
   fs::create_symlink("null", folder.file("link"));
-  EXPECT_EQ(error_of(folder.file("link")), "");
+  EXPECT_EQ(writing_error(folder.file("link")), "");
   EXPECT_TRUE(is_device(*null));
   EXPECT_TRUE(fs::is_symlink(folder.file("link")));
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"full", "link", "null"}));
@@ -123,7 +123,7 @@ TEST(OutputTarget, PipesAreWrittenInto) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const std::string bytes(300'000, 'x');  // more than a pipe holds
   PipeReader reader(pipe);
-  EXPECT_EQ(error_of(pipe, bytes), "");
+  EXPECT_EQ(writing_error(pipe, bytes), "");
   EXPECT_EQ(reader.text(), bytes);
   EXPECT_TRUE(fs::is_fifo(pipe));
   EXPECT_EQ(folder.names(), std::vector<std::string>{"pipe"});
@@ -139,7 +139,7 @@ TEST(OutputTarget, AReaderThatGoesAwayIsAnError) {
     while (read(reader, &one, 1) < 1) std::this_thread::yield();
     close(reader);
   });
-  EXPECT_NE(error_of(pipe, std::string(300'000, 'x')).find("Broken pipe"), std::string::npos);
+  EXPECT_NE(writing_error(pipe, std::string(300'000, 'x')).find("Broken pipe"), std::string::npos);
   leaving.join();
 }
 
@@ -157,16 +157,16 @@ TEST(OutputTarget, LinksLeadToFiles) {
   fs::create_directory(folder.file("below"));
   fs::create_symlink("below/file", folder.file("first"));
   fs::create_symlink("first", folder.file("second"));
-  EXPECT_EQ(error_of(folder.file("second"), "made"), "") << "the last link leads to a name that is free";
+  EXPECT_EQ(writing_error(folder.file("second"), "made"), "") << "the last link leads to a name that is free";
   EXPECT_EQ(read_whole_file(folder.file("below/file")), "made");
-  EXPECT_EQ(error_of(folder.file("second"), "replaced"), "");
+  EXPECT_EQ(writing_error(folder.file("second"), "replaced"), "");
   EXPECT_EQ(read_whole_file(folder.file("below/file")), "replaced");
   EXPECT_TRUE(fs::is_symlink(folder.file("first")));
   EXPECT_TRUE(fs::is_symlink(folder.file("second")));
   fs::create_symlink("circle", folder.file("circle"));
-  EXPECT_NE(error_of(folder.file("circle")).find("circle"), std::string::npos);
+  EXPECT_NE(writing_error(folder.file("circle")).find("circle"), std::string::npos);
   fs::create_symlink("gone/file", folder.file("lost"));
-  EXPECT_NE(error_of(folder.file("lost")).find("does not exist"), std::string::npos);
+  EXPECT_NE(writing_error(folder.file("lost")).find("does not exist"), std::string::npos);
 }
 
 TEST(OutputTarget, AWriteProtectedFileIsRefused) {
@@ -193,7 +193,7 @@ TEST(OutputTarget, PermissionsAreKeptAndOtherHardLinksKeepTheOldContent) {
   fs::create_hard_link(file, folder.file("backup"));
   fs::permissions(file, static_cast<fs::perms>(0666));
   const mode_t before = umask(077);
-  EXPECT_EQ(error_of(file, "new"), "");
+  EXPECT_EQ(writing_error(file, "new"), "");
   umask(before);
   EXPECT_EQ(fs::status(file).permissions(), static_cast<fs::perms>(0666));
   EXPECT_EQ(read_whole_file(file), "new");
@@ -205,7 +205,7 @@ TEST(OutputTarget, OwnerAndGroupAreKept) {
   const ScratchFolder folder;
   const std::string file = folder.write("file", "old");
   ASSERT_EQ(chown(file.c_str(), 12, 34), 0);
-  EXPECT_EQ(error_of(file, "new"), "");
+  EXPECT_EQ(writing_error(file, "new"), "");
   struct stat found {};
   ASSERT_EQ(stat(file.c_str(), &found), 0);
   EXPECT_EQ(found.st_uid, 12u);
@@ -215,8 +215,8 @@ TEST(OutputTarget, OwnerAndGroupAreKept) {
 TEST(OutputTarget, NamesAsLongAsTheSystemAllows) {
   const ScratchFolder folder;
   const std::string name = std::string(250, 'n') + ".png";
-  EXPECT_EQ(error_of(folder.file(name)), "");
-  EXPECT_EQ(error_of(folder.file(name), "again"), "");
+  EXPECT_EQ(writing_error(folder.file(name)), "");
+  EXPECT_EQ(writing_error(folder.file(name), "again"), "");
   EXPECT_EQ(read_whole_file(folder.file(name)), "again");
   EXPECT_EQ(folder.names(), std::vector<std::string>{name});
 }

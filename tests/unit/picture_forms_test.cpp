@@ -21,7 +21,7 @@ using test::run_cli;
 using test::ScratchFolder;
 
 /// The numbers of an ASCII PPM file behind its magic number, comments left out.
-std::vector<int> numbers_of(const std::string& file) {
+std::vector<int> ppm_numbers(const std::string& file) {
   std::istringstream text(file.substr(file.find('\n')));
   std::vector<int> numbers;
   for (std::string line; std::getline(text, line);) {
@@ -47,7 +47,7 @@ TEST(PictureForms, AsciiPpmHoldsTheLevels) {
   for (const Rgb8 pixel : levels.pixels()) wanted.insert(wanted.end(), {pixel.r, pixel.g, pixel.b});
   const std::string text = read_whole_file(ascii);
   EXPECT_EQ(text.substr(0, 3), "P3\n");
-  EXPECT_EQ(numbers_of(text), wanted);
+  EXPECT_EQ(ppm_numbers(text), wanted);
   EXPECT_EQ(read_whole_file(binary).substr(0, 3), "P6\n");
   EXPECT_EQ(load_levels(binary), levels);
   for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{{"--ppm", "text"}, {"--ppm", ""}})
@@ -57,7 +57,7 @@ TEST(PictureForms, AsciiPpmHoldsTheLevels) {
 
 /// A wall at z = 5 in the lower left quarter of the picture, its texture coordinates from 0 to 1, and elsewhere
 /// nothing.
-constexpr const char* wall = R"(canvas_size = 8 x 8
+constexpr const char* wall_scene = R"(canvas_size = 8 x 8
 viewport_size = 1 x 1
 projection_plane_d = 1
 texture { name = squares generator = checker size = 8 }
@@ -67,7 +67,7 @@ light { type = ambient intensity = 1 }
 
 TEST(PictureForms, ChannelsArePfmNumbers) {
   const ScratchFolder folder;
-  const std::string scene = folder.write("wall.scene", wall), out = folder.file("channel.pfm");
+  const std::string scene = folder.write("wall.scene", wall_scene), out = folder.file("channel.pfm");
   for (const char* renderer : {"renderer=ray-tracer", "renderer=rasterizer"}) {
     const auto channel = [&](const std::string& show, const std::string& magic) {
       const auto result = run_cli({"render", scene, "--set", renderer, "--show", show, "--out", out});
