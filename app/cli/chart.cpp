@@ -3,15 +3,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "base/check.h"
+#include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/scene_arguments.h"
 #include "document/number_list.h"
 #include "number_option.h"
 #include "options/scene_settings.h"
+#include "scene/load.h"
 #include "study/chart.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
@@ -105,11 +108,24 @@ int run_merge(const ChartArguments& arguments) {
   return missing.empty() && chart.damage.empty() ? 0 : incomplete;
 }
 
+/// A chart's folder must not be one whose files of the same names the scene is made of.
+void require_own_folder(const ChartRequest& request) {
+  const std::vector<std::string> inputs = files_of(request.scene);
+  for (const std::string& input : inputs) {
+    const std::filesystem::path name = std::filesystem::path(input).filename();
+    const bool is_ours = name == "runs.jsonl" || name == "points.csv" || name == "points.json" || name == "chart.svg" ||
+                         name == "reference.png" ||
+                         (name.string().starts_with("picture-") && name.extension() == ".png");
+    if (is_ours) require_no_input(request.folder / name, inputs);
+  }
+}
+
 int run_chart_command(const ChartArguments& arguments) {
   if (arguments.scene.scene == "merge") return run_merge(arguments);
   if (!arguments.folders.empty())
     throw InputError(fmt::format("chart: found '{}' behind the scene, expected options", arguments.folders.front()));
   const ChartRequest request = make_request(arguments);
+  require_own_folder(request);
   StudyControl control;
   forward_interrupts(control.progress());
   bool begun = false;

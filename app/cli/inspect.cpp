@@ -9,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/print_listing.h"
+#include "cli/print_rows.h"
 #include "cli/print_vertex.h"
 #include "cli/scene_arguments.h"
 #include "document/document_provenance.h"
@@ -33,6 +34,7 @@ struct InspectArguments {
   std::string pixel;
   int instance = -1;
   VertexArguments vertex;
+  bool rows = false;
   bool json = false, markdown = false, csv = false;
   std::string svg;    ///< "space" or "microscope"; empty = none
   std::string point;  ///< of the microscope; empty = the pixel's first sample
@@ -110,6 +112,8 @@ int run_inspect(const InspectArguments& arguments) {
   if (!arguments.pixel.empty()) asked = parse_pixel_text(arguments.pixel);
   if (!arguments.svg.empty() && arguments.svg != "space" && arguments.svg != "microscope")
     throw InputError(fmt::format("svg: found '{}', expected space or microscope", arguments.svg));
+  if (!arguments.out.empty() && !arguments.vertex.vertex.empty())
+    throw InputError("--out: does not go with --vertex, which prints");
   if (!arguments.out.empty()) require_output_file(arguments.out, OutputKind::any);
   Document document = load_document(arguments.scene);
   const Vec2i pixel = picked_pixel(document, arguments, asked);
@@ -119,6 +123,10 @@ int run_inspect(const InspectArguments& arguments) {
   if (pixel.x >= view.width || pixel.y >= view.height)
     throw InputError(fmt::format("pixel: found {},{}, expected one inside the picture of {} x {}", pixel.x, pixel.y,
                                  view.width, view.height));
+  if (arguments.rows) {
+    write_result(rows_text(document, pixel, arguments.json), arguments.out);
+    return 0;
+  }
   Prepared prepared;
   const PixelStory story =
       inspect(document.scene, view, document.a.settings, pixel, prepared, interruptible_progress());
@@ -175,6 +183,10 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
   command->add_option("--vertex-near", arguments->vertex.near, "try another near plane")
       ->type_name("D")
       ->check(number_above(0));
+  const auto rows =
+      command->add_flag("--rows", arguments->rows,
+                        "the rows of the canvas triangles at the pixel instead, left and right: between the pixels of "
+                        "their interpolated edges (LAB 4), and as the fill rule fills them");
   const auto json = command->add_flag("--json", arguments->json, "as JSON, with all digits");
   const auto markdown = command->add_flag("--markdown", arguments->markdown, "as a page of Markdown")->excludes(json);
   const auto csv = command->add_flag("--csv", arguments->csv, "as comma-separated values, one line for each number")
@@ -184,7 +196,9 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
       ->type_name("space|microscope")
       ->excludes(json)
       ->excludes(markdown)
-      ->excludes(csv);
+      ->excludes(csv)
+      ->excludes(rows);
+  rows->excludes(markdown)->excludes(csv);
   command->add_option("--point", arguments->point, "sample point of the microscope, in pixels from the pixel's corner")
       ->type_name("X,Y")
       ->delimiter('\0');

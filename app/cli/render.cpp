@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@
 #include "number_option.h"
 #include "options/option.h"
 #include "raster/coverage/efficiency.h"
+#include "render/channel_floats.h"
 #include "render/display_frame.h"
 #include "render/left_out.h"
 #include "render/render.h"
@@ -32,6 +34,7 @@ struct RenderArguments {
   std::string output;
   std::string show;  ///< key of a channel; empty = that of the permalink, or the colours
   std::string stats;
+  std::string ppm;          ///< "ascii" or "binary"; empty = binary
   std::vector<int> region;  ///< x, y, width, height; empty = all
 };
 
@@ -81,13 +84,14 @@ std::string stats_json(const Document& document, const View& view, const Frame& 
 /// `levels`: of the whole picture's colours, or empty.
 void save_picture(const RenderArguments& arguments, const Document& document, const Frame& frame,
                   const Image<Rgb8>& levels) {
-  if (lower_extension(arguments.output) == ".pfm") {
-    save_pfm(arguments.output, frame.colour);
-    return;
-  }
   const Settings& settings = document.a.settings;
   const ShownChannel show = document.a.show;
+  if (lower_extension(arguments.output) == ".pfm") {
+    std::visit([&](const auto& floats) { save_pfm(arguments.output, floats); }, channel_floats(frame, show));
+    return;
+  }
   SaveOptions options;
+  options.pnm = arguments.ppm == "ascii" ? PnmForm::ascii : PnmForm::binary;
   options.texts = image_texts(document_provenance(document, Side::a, frame.path.machinery));
   if (show == ShownChannel::colour)
     save_image(arguments.output, levels.empty() ? display_frame(frame, settings) : levels, options);
@@ -97,11 +101,17 @@ void save_picture(const RenderArguments& arguments, const Document& document, co
 
 int run_render(const RenderArguments& arguments) {
   require_output_file(arguments.output, OutputKind::picture);
-  if (!arguments.stats.empty()) require_output_file(arguments.stats, OutputKind::any);
+  if (!arguments.ppm.empty() && lower_extension(arguments.output) != ".ppm")
+    throw InputError(fmt::format("--ppm: the output is {}, expected a .ppm file", arguments.output));
+  if (!arguments.stats.empty()) {
+    require_output_file(arguments.stats, OutputKind::any);
+    std::error_code error;
+    if (std::filesystem::weakly_canonical(arguments.stats, error) ==
+        std::filesystem::weakly_canonical(arguments.output, error))
+      throw InputError(fmt::format("--stats: {} is the picture's own file", arguments.stats));
+  }
   Document document = load_document(arguments.scene);
   const ShownChannel show = arguments.show.empty() ? document.a.show : parse_shown_channel(arguments.show);
-  if (lower_extension(arguments.output) == ".pfm" && show != ShownChannel::colour)
-    throw InputError("--show: a .pfm file holds the colours alone");
   for (const std::string& file : {arguments.output, arguments.stats}) require_no_input(file, files_of(document.scene));
   document.a.show = show;
   const View view = view_of(document);
@@ -135,12 +145,18 @@ void add_render_command(CLI::App& app, Action& chosen) {
   command->add_option("--out", arguments->output, "the file to write: .png, .ppm or .pfm")->required();
   std::string views;
   for (const ShownChannelRow& row : shown_channels()) views += fmt::format("{}{}", views.empty() ? "" : " ", row.key);
-  command->add_option("--show", arguments->show, "what to show of each pixel: " + views)->type_name("VIEW");
+  command->add_option("--show", arguments->show, "what to show of each pixel, in a .pfm file as its numbers: " + views)
+      ->type_name("VIEW");
   command->add_option("--region", arguments->region, "only these pixels; the others stay black")
       ->delimiter(',')
       ->expected(4)
       ->check(whole_number_from(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()))
       ->type_name("X,Y,W,H");
+  command
+      ->add_option("--ppm", arguments->ppm,
+                   "how a .ppm file holds the levels: binary (P6, the default), or ascii (P3), to be read in an editor")
+      ->check(CLI::IsMember({"ascii", "binary"}))
+      ->type_name("ascii|binary");
   command->add_option("--stats", arguments->stats, "a JSON file for times and counters");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_render(*arguments); }; });
 }

@@ -57,6 +57,13 @@ Image<Vec3f> decode_png(std::string_view bytes, const std::string& file, std::in
   return stb_decode(bytes, file, most);
 }
 
+template <class Pixel>
+void save_floats(const std::filesystem::path& path, const Image<Pixel>& image) {
+  PS_ASSERT(!image.empty(), "a picture to save has pixels");
+  if (lower_extension(path) != ".pfm") fail_extension(path, "pfm");
+  write_file_atomically(path, pfm_bytes(image));
+}
+
 }  // namespace
 
 Image<Vec3f> load_image(const std::filesystem::path& path, const LoadOptions& options) {
@@ -100,11 +107,8 @@ void save_image(const std::filesystem::path& path, const Image<Rgb8>& levels, co
   }
 }
 
-void save_pfm(const std::filesystem::path& path, const Image<Vec3f>& linear) {
-  PS_ASSERT(!linear.empty(), "a picture to save has pixels");
-  if (lower_extension(path) != ".pfm") fail_extension(path, "pfm");
-  write_file_atomically(path, pfm_bytes(linear));
-}
+void save_pfm(const std::filesystem::path& path, const Image<Vec3f>& linear) { save_floats(path, linear); }
+void save_pfm(const std::filesystem::path& path, const Image<float>& numbers) { save_floats(path, numbers); }
 
 std::vector<ImageText> load_texts(const std::filesystem::path& path) {
   if (format_of(path) != Format::png) return {};

@@ -46,6 +46,7 @@ void save_image(const std::filesystem::path& path, const Image<Rgb8>& levels, co
 
 /// Writes floats without loss (Portable Float Map, little-endian); the extension must be pfm.
 void save_pfm(const std::filesystem::path& path, const Image<Vec3f>& linear);
+void save_pfm(const std::filesystem::path& path, const Image<float>& numbers);
 
 /// The texts kept in a PNG file, in the file's order; empty for other formats.
 std::vector<ImageText> load_texts(const std::filesystem::path& path);

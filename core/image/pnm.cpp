@@ -77,6 +77,16 @@ void append_float(std::string& bytes, float value) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift & 0xff);
 }
 
+/// The header, then the rows from the bottom up.
+template <class Pixel, class Append>
+std::string pfm_of(std::string_view magic, const Image<Pixel>& image, Append append) {
+  std::string bytes = fmt::format("{}\n{} {}\n-1.0\n", magic, image.width(), image.height());
+  bytes.reserve(bytes.size() + image.pixels().size_bytes());
+  for (int y = image.height() - 1; y >= 0; --y)
+    for (const Pixel& pixel : image.row(y)) append(bytes, pixel);
+  return bytes;
+}
+
 std::string comment(const ImageText& text) {
   std::string line = fmt::format("# {}: {}", text.key, text.value);
   for (char& c : line)
@@ -141,16 +151,11 @@ std::string ppm_bytes(const Image<Rgb8>& levels, const SaveOptions& options) {
 }
 
 std::string pfm_bytes(const Image<Vec3f>& linear) {
-  std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", linear.width(), linear.height());
-  bytes.reserve(bytes.size() + linear.pixels().size_bytes());
-  for (int y = linear.height() - 1; y >= 0; --y) {
-    for (const Vec3f& pixel : linear.row(y)) {
-      append_float(bytes, pixel.r);
-      append_float(bytes, pixel.g);
-      append_float(bytes, pixel.b);
-    }
-  }
-  return bytes;
+  return pfm_of("PF", linear, [](std::string& bytes, const Vec3f& pixel) {
+    for (int i = 0; i < 3; ++i) append_float(bytes, pixel[i]);
+  });
 }
+
+std::string pfm_bytes(const Image<float>& numbers) { return pfm_of("Pf", numbers, append_float); }
 
 }  // namespace ps

@@ -18,7 +18,8 @@ Image<Vec3f> read_pfm(std::string_view bytes, const std::string& file, std::int6
 /// The bytes of a PPM file (P6, or P3 for ascii) with the texts as comments.
 std::string ppm_bytes(const Image<Rgb8>& levels, const SaveOptions& options);
 
-/// The bytes of a little-endian colour PFM file.
+/// The bytes of a little-endian PFM file, of colour (PF) or of one number for each pixel (Pf).
 std::string pfm_bytes(const Image<Vec3f>& linear);
+std::string pfm_bytes(const Image<float>& numbers);
 
 }  // namespace ps

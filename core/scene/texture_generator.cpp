@@ -108,16 +108,49 @@ Vec3f crate(int x, int y, int size) {
   return plank(v, u - frame, 48, (u - frame) / 48) * (shade ? 0.55F : 0.82F);
 }
 
+/// 1 in the top row, falling by equal steps towards the bottom, where it is 0.
+float fall(int y, int size) { return static_cast<float>(size - 1 - y) / static_cast<float>(std::max(size - 1, 1)); }
+
+/// CGPP figure 15.2: single texels of a gradient in a checkerboard with a blue of a hundredth of its largest value. A
+/// picture that is stretched or cut shows stripes; without gamma correction the blue looks black.
+Vec3f gamma_checker(int x, int y, int size) {
+  return (x + y) % 2 == 0 ? Vec3f(fall(y, size)) : Vec3f(0.0F, 0.0F, 0.01F);
+}
+
+/// CGPP inline exercise 15.3, right: a gradient of equal steps in radiance.
+Vec3f gamma_radiance(int, int y, int size) { return Vec3f(fall(y, size)); }
+
+/// The same, left: a gradient of equal steps in display levels under a gamma of 2.
+Vec3f gamma_brightness(int, int y, int size) { return Vec3f(fall(y, size) * fall(y, size)); }
+
+/// The place of a texel in Bayer's 8 x 8 order of thresholds, 0 to 63: the bits of x xor y and of y, mirrored.
+int bayer(int x, int y) {
+  int order = 0;
+  for (int bit = 0; bit < 3; ++bit) order = order << 2 | (((x ^ y) >> bit & 1) << 1) | (y >> bit & 1);
+  return order;
+}
+
+/// Four strips: a gradient of equal steps in radiance, and beside it the same made of black and white texels alone, as
+/// many white ones of 64 as its radiance asks for. They look alike where the display undoes the gamma.
+Vec3f gamma_dither(int x, int y, int size) {
+  if (x * 4 / size % 2 == 0) return Vec3f(fall(y, size));
+  return Vec3f(fall(y, size) * 64.0F > static_cast<float>(bayer(x, y)) + 0.5F ? 1.0F : 0.0F);
+}
+
 struct Generator {
   std::string_view name;
   TexelFunction texel;
 };
-constexpr std::array<Generator, 6> generators{{{"checker", checker},
-                                               {"tiles", tiles},
-                                               {"bricks", bricks},
-                                               {"brick-normals", brick_normals},
-                                               {"brick-heights", brick_heights},
-                                               {"crate", crate}}};
+constexpr std::array<Generator, 10> generators{{{"checker", checker},
+                                                {"tiles", tiles},
+                                                {"bricks", bricks},
+                                                {"brick-normals", brick_normals},
+                                                {"brick-heights", brick_heights},
+                                                {"crate", crate},
+                                                {"gamma-checker", gamma_checker},
+                                                {"gamma-radiance", gamma_radiance},
+                                                {"gamma-brightness", gamma_brightness},
+                                                {"gamma-dither", gamma_dither}}};
 
 }  // namespace
 

@@ -10,8 +10,9 @@
 namespace ps {
 
 /// Pictures that the program makes itself: "checker" (8 x 8 black and white squares), "tiles" (10 x 10 squares with a
-/// colour ramp, which shows where on the picture a texel is), "bricks" and their normal map "brick-normals", and
-/// "crate" (planks in a frame with nails).
+/// colour ramp, which shows where on the picture a texel is), "bricks" and their normal map "brick-normals", "crate"
+/// (planks in a frame with nails), and the gradients of a display test (CGPP 15.3.2): "gamma-checker",
+/// "gamma-radiance", "gamma-brightness" and "gamma-dither".
 std::vector<std::string_view> texture_generators();
 
 /// The picture `generator` with size x size texels, size from 1 to 4096. Equal arguments give equal pictures on every

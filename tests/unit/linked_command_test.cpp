@@ -21,17 +21,18 @@ namespace {
 using test::run_cli;
 using test::ScratchFolder;
 
-const std::string camera = "0.5,0.2,-1,1,0,0,0,1,0,0,0,1,1,1,1";
+const std::string linked_camera = "0.5,0.2,-1,1,0,0,0,1,0,0,0,1,1,1,1";
 
 /// All that the commands take and a permalink holds.
 std::vector<std::string> with_everything(std::vector<std::string> command) {
   command.insert(command.end(),
                  {"cgfs/reflections", "--size", "60x40", "--set", "reflection-depth=1", "--set", "gamma=1.5", "--edit",
-                  "light.2.intensity=0.3", "--edit", "material.1.color=(1, 2, 200)", "--camera", camera});
+                  "light.2.intensity=0.3", "--edit", "material.1.color=(1, 2, 200)", "--camera", linked_camera});
   return command;
 }
 
-std::string picture_of(const std::vector<std::string>& command, const ScratchFolder& folder, const std::string& name) {
+std::string linked_picture(const std::vector<std::string>& command, const ScratchFolder& folder,
+                           const std::string& name) {
   std::vector<std::string> arguments = command;
   arguments.insert(arguments.end(), {"--out", folder.file(name)});
   const auto result = run_cli(arguments);
@@ -45,31 +46,31 @@ TEST(LinkedCommand, ThePictureIsThatOfTheOptionsByteForByte) {
        std::vector<std::vector<std::string>>{{}, {"--region", "10,5,30,20"}, {"--show", "depth"}}) {
     auto command = with_everything({"render"});
     command.insert(command.end(), more.begin(), more.end());
-    const std::string picture = picture_of(command, folder, "options.png");
+    const std::string picture = linked_picture(command, folder, "options.png");
     const std::string link = permalink_in_file(folder.file("options.png")).value_or("");
     ASSERT_FALSE(link.empty());
-    EXPECT_EQ(picture_of({"render", "--permalink", link}, folder, "link.png"), picture);
-    EXPECT_EQ(picture_of({"render", "--permalink", folder.file("options.png")}, folder, "file.png"), picture);
+    EXPECT_EQ(linked_picture({"render", "--permalink", link}, folder, "link.png"), picture);
+    EXPECT_EQ(linked_picture({"render", "--permalink", folder.file("options.png")}, folder, "file.png"), picture);
     const std::string line = folder.write("screen.permalink", link + "\n");
-    EXPECT_EQ(picture_of({"render", "--permalink", line}, folder, "line.png"), picture);
+    EXPECT_EQ(linked_picture({"render", "--permalink", line}, folder, "line.png"), picture);
   }
 }
 
 TEST(LinkedCommand, OtherOptionsCountMore) {
   const ScratchFolder folder;
-  picture_of(with_everything({"render"}), folder, "options.png");
+  linked_picture(with_everything({"render"}), folder, "options.png");
   const std::string link = permalink_in_file(folder.file("options.png")).value();
   auto changed = with_everything({"render"});
   changed.insert(changed.end(), {"--set", "gamma=2.2", "--edit", "light.2.intensity=0.1", "--show", "normal"});
   *(std::find(changed.begin(), changed.end(), "60x40")) = "30x20";
-  const std::string wanted = picture_of(changed, folder, "changed.png");
-  EXPECT_EQ(picture_of({"render", "--permalink", link, "--size", "30x20", "--set", "gamma=2.2", "--edit",
-                        "light.2.intensity=0.1", "--show", "normal"},
-                       folder, "over.png"),
+  const std::string wanted = linked_picture(changed, folder, "changed.png");
+  EXPECT_EQ(linked_picture({"render", "--permalink", link, "--size", "30x20", "--set", "gamma=2.2", "--edit",
+                            "light.2.intensity=0.1", "--show", "normal"},
+                           folder, "over.png"),
             wanted);
-  picture_of({"render", "cgfs/spheres", "--permalink", "scene=cgfs/lines&size=60x40"}, folder, "scene.png");
+  linked_picture({"render", "cgfs/spheres", "--permalink", "scene=cgfs/lines&size=60x40"}, folder, "scene.png");
   const Image<Rgb8> levels = load_levels(folder.file("scene.png"));
-  picture_of({"render", "--permalink", "scene=cgfs/spheres&size=60x40"}, folder, "spheres.png");
+  linked_picture({"render", "--permalink", "scene=cgfs/spheres&size=60x40"}, folder, "spheres.png");
   EXPECT_EQ(levels, load_levels(folder.file("spheres.png")));
 }
 
@@ -77,7 +78,7 @@ TEST(LinkedCommand, TheSideThatIsPickedOrAskedFor) {
   const ScratchFolder folder;
   const std::string link = "scene=cgfs/reflections&size=60x40&b.renderer=rasterizer&show-b=depth";
   const auto levels = [&](const std::vector<std::string>& command) {
-    picture_of(command, folder, "side.png");
+    linked_picture(command, folder, "side.png");
     return load_levels(folder.file("side.png"));
   };
   const auto a = levels({"render", "cgfs/reflections", "--size", "60x40"});

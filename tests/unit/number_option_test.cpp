@@ -16,6 +16,7 @@ namespace {
 using test::run_cli;
 
 TEST(NumberOptions, OnlyFiniteNumbersInsideTheRange) {
+  const test::ScratchFolder folder;
   struct Row {
     std::vector<std::string> arguments;  // the last one is the option
     std::vector<std::string> wrong;
@@ -29,13 +30,13 @@ TEST(NumberOptions, OnlyFiniteNumbersInsideTheRange) {
       {{"inspect", "cgfs/cubes", "--size", "4x4", "--pixel", "2,2", "--instance"},
        {"nan", "-1", "1e3", "010", "2147483648"}},
       {{"needs", "cgfs/spheres", "--size", "4x4", "--repeats"}, {"nan", "0", "1001", "010", "0x10", "1.5"}},
-      {{"chart", "cgfs/spheres", "--out", "never", "--reference-samples"}, {"nan", "0", "4097"}},
+      {{"chart", "cgfs/spheres", "--out", folder.file("never"), "--reference-samples"}, {"nan", "0", "4097"}},
       {{"causes", "cgfs/spheres", "--set-b", "gamma=2", "--orders"}, {"nan", "0", "10001"}},
       {{"stability", "epsilon-unit", "--seed"}, {"nan", "-1", "4294967296"}},
-      {{"render", "cgfs/spheres", "--out", "never.png", "--region"}, {"nan,0,1,1", "0,0,1,0x1"}},
-      {{"render", "cgfs/spheres", "--out", "never.png", "--set"},
+      {{"render", "cgfs/spheres", "--out", folder.file("never.png"), "--region"}, {"nan,0,1,1", "0,0,1,0x1"}},
+      {{"render", "cgfs/spheres", "--out", folder.file("never.png"), "--set"},
        {"gamma=nan", "gamma=inf", "gamma=1e999", "samples-per-pixel=nan"}},
-      {{"render", "cgfs/spheres", "--out", "never.png", "--camera"}, {"nan,0,0,1,0,0,0,1,0,0,0,1,1,1,1"}}};
+      {{"render", "cgfs/spheres", "--out", folder.file("never.png"), "--camera"}, {"nan,0,0,1,0,0,0,1,0,0,0,1,1,1,1"}}};
   for (const Row& row : rows)
     for (const std::string& wrong : row.wrong) {
       std::vector<std::string> arguments = row.arguments;
@@ -59,14 +60,15 @@ TEST(NumberOptions, TheEndsOfARangeAreAllowed) {
 }
 
 TEST(NumberOptions, LongWordsAreCutInMessages) {
+  const test::ScratchFolder folder;
   const std::string word(100'000, 'x');
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{word},
-                                             {"options", "--" + word},
-                                             {"render", "cgfs/spheres", "--out", "never.png", "--set", word + "=1"},
-                                             {"render", "cgfs/spheres", "--out", "never.png", "--set", word},
-                                             {"render", "cgfs/spheres", "--out", "never.png", "--set", "gamma=" + word},
-                                             {"needs", "cgfs/spheres", "--tolerance", word}}) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {word},
+           {"options", "--" + word},
+           {"render", "cgfs/spheres", "--out", folder.file("never.png"), "--set", word + "=1"},
+           {"render", "cgfs/spheres", "--out", folder.file("never.png"), "--set", word},
+           {"render", "cgfs/spheres", "--out", folder.file("never.png"), "--set", "gamma=" + word},
+           {"needs", "cgfs/spheres", "--tolerance", word}}) {
     const auto result = run_cli(arguments);
     EXPECT_EQ(result.status, 2);
     EXPECT_LT(result.err.size(), 5000u);

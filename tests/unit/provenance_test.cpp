@@ -26,7 +26,7 @@ const std::vector<std::string>& traced_lens() {
   return arguments;
 }
 
-std::vector<std::string> command(const std::string& name, const std::vector<std::string>& more) {
+std::vector<std::string> lens_command(const std::string& name, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{name};
   arguments.insert(arguments.end(), traced_lens().begin(), traced_lens().end());
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -34,7 +34,7 @@ std::vector<std::string> command(const std::string& name, const std::vector<std:
 }
 
 /// Reads the processor's name where this program does not: the first such line of the system's list.
-std::string processor() {
+std::string system_processor() {
   std::istringstream list([] {
     std::ifstream file("/proc/cpuinfo");
     std::ostringstream text;
@@ -50,7 +50,7 @@ std::string processor() {
 void expect_everything(const std::string& text, const std::string& where, const std::string& threads = "3") {
   const Machine machine = this_machine();
   EXPECT_NE(text.find("pixelscope " + machine.version), std::string::npos) << where;
-  EXPECT_NE(text.find(processor()), std::string::npos) << where;
+  EXPECT_NE(text.find(system_processor()), std::string::npos) << where;
   EXPECT_NE(text.find("gamma=1.5"), std::string::npos) << where;
   if (machine.simd != "none") {
     EXPECT_NE(text.find("SSE4"), std::string::npos) << where;
@@ -66,7 +66,7 @@ TEST(Provenance, OfSettings) {
   EXPECT_EQ(made.simd, "none");
   EXPECT_EQ(made.threads, 5);
   EXPECT_EQ(made.settings, "threads=5;simd=off");
-  EXPECT_EQ(made.processor, processor());
+  EXPECT_EQ(made.processor, system_processor());
   settings = {};
   EXPECT_EQ(provenance_of(settings, Machinery::clear).simd, "none") << "scalar code drew it";
   EXPECT_EQ(provenance_of(settings, Machinery::whole_frame).simd, this_machine().simd);
@@ -75,29 +75,30 @@ TEST(Provenance, OfSettings) {
 TEST(Provenance, PicturesAndTheirStatistics) {
   const ScratchFolder folder;
   const std::string png = folder.file("a.png"), ppm = folder.file("a.ppm"), stats = folder.file("a.json");
-  ASSERT_EQ(run_cli(command("render", {"--out", png, "--stats", stats})).status, 0);
+  ASSERT_EQ(run_cli(lens_command("render", {"--out", png, "--stats", stats})).status, 0);
   std::map<std::string, std::string> texts;
   for (const ImageText& text : load_texts(png)) texts[text.key] = text.value;
   const json numbers = json::parse(read_whole_file(stats));
   EXPECT_EQ(texts["Software"], "pixelscope " + this_machine().version);
-  EXPECT_EQ(texts["processor"], processor());
+  EXPECT_EQ(texts["processor"], system_processor());
   EXPECT_EQ(texts["threads"], "3");
   EXPECT_EQ(texts["simd"], numbers["simd"]);
   EXPECT_EQ(texts["settings"], "threads=3;simd=sse4;gamma=1.5");
   EXPECT_EQ(texts["machinery"], numbers["machinery"]["path"]);
   EXPECT_EQ(texts["scene"], "cgfs/lens");
   EXPECT_EQ(texts["permalink"], numbers["permalink"]);
-  EXPECT_EQ(numbers["processor"], processor());
-  ASSERT_EQ(run_cli(command("render", {"--out", ppm})).status, 0);
+  EXPECT_EQ(numbers["processor"], system_processor());
+  ASSERT_EQ(run_cli(lens_command("render", {"--out", ppm})).status, 0);
   for (const auto& [key, value] : texts)
     EXPECT_NE(read_whole_file(ppm).find("# " + key + ": " + value + "\n"), std::string::npos) << key;
   const std::string other = folder.file("b.png");
   for (const auto& arguments :
-       {command("precision", {"--out", other}), std::vector<std::string>{"compare", png, ppm, "--diff", other},
+       {lens_command("precision", {"--out", other}), std::vector<std::string>{"compare", png, ppm, "--diff", other},
         std::vector<std::string>{"stability", "reflection-self-hit", "--strip", other}}) {
     ASSERT_EQ(run_cli(arguments).status, 0) << arguments.front();
     const auto found = load_texts(other);
-    EXPECT_TRUE(std::count(found.begin(), found.end(), ImageText{"processor", processor()})) << arguments.front();
+    EXPECT_TRUE(std::count(found.begin(), found.end(), ImageText{"processor", system_processor()}))
+        << arguments.front();
   }
 }
 
@@ -106,19 +107,19 @@ TEST(Provenance, StoriesAndDrawings) {
            {"--json"}, {"--csv"}, {"--markdown"}, {"--svg", "space"}, {"--svg", "microscope"}}) {
     std::vector<std::string> more{"--pixel", "4,4"};
     more.insert(more.end(), form.begin(), form.end());
-    const auto result = run_cli(command("inspect", more));
+    const auto result = run_cli(lens_command("inspect", more));
     ASSERT_EQ(result.status, 0) << result.err;
     expect_everything(result.out, form.back());
     EXPECT_NE(result.out.find("scene=cgfs/lens"), std::string::npos) << "the permalink, " << form.back();
   }
-  const auto table = run_cli(command("inspect", {"--pixel", "4,4", "--csv"})).out;
+  const auto table = run_cli(lens_command("inspect", {"--pixel", "4,4", "--csv"})).out;
   EXPECT_TRUE(table.starts_with("part,index,parent,kind,name,value\r\n"));
-  const json story = json::parse(run_cli(command("inspect", {"--pixel", "4,4", "--json"})).out);
+  const json story = json::parse(run_cli(lens_command("inspect", {"--pixel", "4,4", "--json"})).out);
   EXPECT_EQ(story["provenance"]["threads"], 3);
 }
 
 /// The lines of a table, without the quotation marks.
-std::vector<std::string> lines_of(const std::string& csv) {
+std::vector<std::string> csv_lines(const std::string& csv) {
   std::vector<std::string> lines;
   std::istringstream text(csv);
   for (std::string line; std::getline(text, line);) {
@@ -131,14 +132,15 @@ std::vector<std::string> lines_of(const std::string& csv) {
 TEST(Provenance, StudiesKeepTheirColumnsFirst) {
   const ScratchFolder folder;
   const std::string chart = folder.file("chart");
-  ASSERT_EQ(run_cli(command("chart", {"--sweep", "reflection-depth=0,1", "--repeats", "1", "--out", chart})).status, 0);
-  const auto rows = lines_of(read_whole_file(chart + "/points.csv"));
+  ASSERT_EQ(
+      run_cli(lens_command("chart", {"--sweep", "reflection-depth=0,1", "--repeats", "1", "--out", chart})).status, 0);
+  const auto rows = csv_lines(read_whole_file(chart + "/points.csv"));
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0],
             "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth,"
             "program,processor,simd,threads,base_settings");
   const Machine machine = this_machine();
-  const std::string made = "pixelscope " + machine.version + "," + processor() + "," + machine.simd + "," +
+  const std::string made = "pixelscope " + machine.version + "," + system_processor() + "," + machine.simd + "," +
                            std::to_string(machine.threads) + ",threads=3;simd=sse4;gamma=1.5";
   EXPECT_TRUE(rows[1].ends_with(made)) << rows[1];
   EXPECT_TRUE(rows[2].ends_with(made)) << rows[2];
@@ -146,17 +148,17 @@ TEST(Provenance, StudiesKeepTheirColumnsFirst) {
     expect_everything(read_whole_file(chart + file) + "SSE4", file);
   EXPECT_NE(read_whole_file(chart + "/chart.svg").find("<metadata>"), std::string::npos);
 
-  const auto needs = run_cli(command("needs", {"--repeats", "1", "--json"}));
+  const auto needs = run_cli(lens_command("needs", {"--repeats", "1", "--json"}));
   EXPECT_EQ(json::parse(needs.out)["base-settings"], "threads=3;simd=sse4;gamma=1.5");
   expect_everything(needs.out, "needs --json");
 
   ASSERT_EQ(run_cli({"stability", "epsilon-unit", "--effort", "0.01", "--out", folder.path().string()}).status, 0);
-  const auto table = lines_of(read_whole_file(folder.file("epsilon-unit.csv")));
+  const auto table = csv_lines(read_whole_file(folder.file("epsilon-unit.csv")));
   EXPECT_EQ(table[0], "knob,series,naive,robust,unit,program,processor,simd,threads,settings");
   for (std::size_t i = 1; i < table.size(); ++i)
     EXPECT_TRUE(table[i].ends_with(std::to_string(machine.threads) + ",seed=1;effort=0.01")) << table[i];
   for (const char* study : {"precision", "causes"}) {
-    auto arguments = command(study, {"--json"});
+    auto arguments = lens_command(study, {"--json"});
     if (arguments.front() == "causes") arguments.insert(arguments.end(), {"--set-b", "reflection-depth=0"});
     expect_everything(run_cli(arguments).out, study);
   }

@@ -96,6 +96,8 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
       state.events_open = true;
     }
   }
+  if (has_canvas_rows(session) && section("rows", "Rows of the canvas triangles", state.rows_open))
+    canvas_rows_view(session, side, state.rows, name);
   if (section("work", "Work for this pixel", state.work_open)) work(story, name + "/work");
   ImGui::Spacing();
   if (button("copy-text", "Copy as text", Emphasis::quiet)) copy(story_text(story, session.scene()));

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "gui/app/canvas_rows_view.h"
 #include "gui/app/parting_view.h"
 #include "gui/app/pin_view.h"
 #include "gui/app/session.h"
@@ -22,7 +23,8 @@ struct PixelPanelState {
   std::array<std::shared_ptr<const PixelStory>, 2> told;  ///< the stories that the cursors point into
   PartingViewState parting;
   PinState pin;
-  bool events_open = true, sum_open = true, work_open = false;
+  bool events_open = true, sum_open = true, work_open = false, rows_open = false;
+  CanvasRowsState rows;
   std::array<bool, 2> both_events_open{false, false}, both_sum_open{true, true};  ///< in the view of both
 };
 

@@ -2,11 +2,13 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "base/kept_inputs.h"
 #include "base/spelling.h"
 #include "document/document_provenance.h"
 #include "gui/app/app.h"
 #include "inspect/story_json.h"
 #include "inspect/story_markdown.h"
+#include "scene/load.h"
 
 namespace ps::gui {
 
@@ -18,6 +20,7 @@ void App::save_story_as(std::filesystem::path path) {
   const std::string extension = path.extension().string();
   const Provenance made = document_provenance(session_.document(), told_side(session_));
   try {
+    require_no_input(path, files_of(session_.document().base));
     if (extension == ".csv")
       write_file_atomically(path, story_csv(*story, session_.scene(), made));
     else if (extension == ".json")
@@ -42,6 +45,7 @@ void App::save_drawing(std::filesystem::path path, const std::string& svg) {
   if (svg.empty()) return session_.say(Message::Kind::warning, "There is nothing to draw yet.");
   if (path.extension().empty()) path += ".svg";
   try {
+    require_no_input(path, files_of(session_.document().base));
     write_file_atomically(path,
                           svg_with_provenance(svg, document_provenance(session_.document(), told_side(session_))));
     session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));

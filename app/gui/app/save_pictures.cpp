@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/kept_inputs.h"
 #include "document/document_provenance.h"
 #include "document/permalink_file.h"
 #include "gui/app/app.h"
 #include "image/file.h"
+#include "scene/load.h"
 #include "scene/scene_writer.h"
 
 namespace ps::gui {
@@ -22,7 +24,9 @@ void App::save_pictures(const std::filesystem::path& path) {
     result.replace_filename(path.stem().string() + suffix + extension);
     return result;
   };
+  const std::vector<std::string> inputs = files_of(session_.document().base);
   try {
+    for (const char* suffix : {"-a", "-b", "-difference"}) require_no_input(named(suffix), inputs);
     for (const Side side : both_sides)
       save_image(named(side == Side::a ? "-a" : "-b"), pictures_.pictures[index_of(side)].levels, texts_of(side));
     const bool difference = session_.document().compare == CompareMode::difference;
@@ -39,6 +43,10 @@ void App::save_pictures(const std::filesystem::path& path) {
 void App::save_scene_as(std::filesystem::path path) {
   if (path.extension().empty()) path += ".scene";
   try {
+    std::vector<std::string> inputs = files_of(session_.document().base);
+    // A scene may be saved over itself; a model that was opened by itself, and what a scene includes, may not.
+    if (!inputs.empty() && std::filesystem::path(inputs.front()).extension() == ".scene") inputs.erase(inputs.begin());
+    require_no_input(path, inputs);
     Scene scene = session_.scene();
     scene.camera = session_.view().camera;
     save_scene(scene, path);
@@ -50,6 +58,7 @@ void App::save_scene_as(std::filesystem::path path) {
 
 void App::save_chart(const std::filesystem::path& path) {
   try {
+    require_no_input(path, files_of(session_.document().base));
     export_chart(studies_.chart(), path);
     session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
   } catch (const InputError& error) {
@@ -61,6 +70,7 @@ void App::save_chart(const std::filesystem::path& path) {
 void App::save_permalink_as(std::filesystem::path path) {
   if (path.extension() != permalink_extension) path += permalink_extension;
   try {
+    require_no_input(path, files_of(session_.document().base));
     save_permalink(path, session_.document());
     session_.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
   } catch (const InputError& error) {
