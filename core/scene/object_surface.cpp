@@ -31,7 +31,7 @@ std::optional<std::uint32_t> own_material(const Object& object) {
   return {};
 }
 
-std::uint32_t first_material(const Scene& scene, std::size_t index) {
+std::uint32_t index_of_material(const Scene& scene, std::size_t index) {
   const Object& object = scene.geometry->objects.at(index);
   if (const auto own = own_material(object)) return *own;
   return scene.geometry->meshes.at(std::get<Instance>(object.shape).mesh)->materials.front();
@@ -92,14 +92,14 @@ bool takes_texture(const Scene& scene, std::size_t index) {
 
 const Material& object_material(const Scene& scene, std::size_t object) {
   PS_ASSERT(takes_texture(scene, object), "the object has a material of its own");
-  return scene.materials->at(first_material(scene, object));
+  return scene.materials->at(index_of_material(scene, object));
 }
 
 void edit_object_material(Scene& scene, std::size_t object, const std::function<void(Material&)>& change) {
   Material changed = object_material(scene, object);
   change(changed);
   if (changed == object_material(scene, object)) return;
-  const std::uint32_t before = first_material(scene, object);
+  const std::uint32_t before = index_of_material(scene, object);
   const bool own = own_material(scene.geometry->objects[object]).has_value();
   if (own && !is_shared(scene, before)) {
     scene.materials.edit([&](std::vector<Material>& materials) { materials[before] = changed; });
