@@ -104,6 +104,9 @@ class App final : public Content {
   float compare_buttons_width() const;
   void compare_buttons(float left);
   void file_dialog();
+  // drop.cpp
+  /// The object that is seen at a place of the window, else that of the picked pixel; -1 = none.
+  int object_at(ImVec2 place);
   // restore.cpp
   std::optional<Document> restored();
   // app.cpp
@@ -119,8 +122,6 @@ class App final : public Content {
   void bottom_tab(const std::string& tab);
   void publish();
   void remember_layout();
-  /// The object that is seen at a place of the window, else that of the picked pixel; -1 = none.
-  int object_at(ImVec2 place);
   /// The region that fills the window; empty = none.
   const std::string& filling() const { return session_.document().layout.filled; }
   void fill(const std::string& region);
