@@ -6,6 +6,7 @@
 
 #include "base/spelling.h"
 #include "scene/form_properties.h"
+#include "scene/object_surface.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_text.h"
 #include "scene/scene_value.h"
@@ -83,7 +84,28 @@ Fields light_fields(const Scene& scene, std::size_t index) {
   return fields;
 }
 
-Fields object_fields(const Scene& scene, std::size_t index) {
+/// The surface of an object, which has it for itself once it is changed.
+Fields surface_fields(const Scene& scene, std::size_t index) {
+  if (!takes_texture(scene, index)) return {};
+  const Material& material = object_material(scene, index);
+  Fields fields;
+  fields.push_back({fmt::format("object.{}.color", index), scene_colour(material.colour),
+                    [index](Scene& s, const SceneValues& v, const SceneTerm& t) {
+                      const Vec3d colour = v.colour(t);
+                      edit_object_material(s, index, [&](Material& m) { m.colour = colour; });
+                    }});
+  fields.push_back({fmt::format("object.{}.texture", index), scene_name(texture_text(scene, material.texture)),
+                    [index](Scene& s, const SceneValues& v, const SceneTerm& t) {
+                      Scene changed = s;
+                      const int texture = find_or_add_texture(changed, v.name(t, "a picture file, or none"));
+                      edit_object_material(changed, index, [&](Material& m) { m.texture = texture; });
+                      s = std::move(changed);
+                    }});
+  return fields;
+}
+
+/// Shape and place of an object.
+Fields shape_fields(const Scene& scene, std::size_t index) {
   const Object& object = scene.geometry->objects.at(index);
   Fields fields;
   const auto add = [&](const char* name, std::string value, auto change) {
@@ -132,6 +154,16 @@ Fields object_fields(const Scene& scene, std::size_t index) {
   return fields;
 }
 
+void append(Fields& all, Fields some) {
+  for (Field& field : some) all.push_back(std::move(field));
+}
+
+Fields object_fields(const Scene& scene, std::size_t index) {
+  Fields fields = shape_fields(scene, index);
+  append(fields, surface_fields(scene, index));
+  return fields;
+}
+
 Fields material_fields(const Scene& scene, std::size_t index) {
   const Material& material = scene.materials->at(index);
   Fields fields;
@@ -159,10 +191,6 @@ Fields material_fields(const Scene& scene, std::size_t index) {
     add("relief_depth", scene_number(material.relief_depth),
         [](Material& m, const SceneValues& v, const SceneTerm& t) { m.relief_depth = v.in_range(t, 0, 1); });
   return fields;
-}
-
-void append(Fields& all, Fields some) {
-  for (Field& field : some) all.push_back(std::move(field));
 }
 
 /// The fields among which `path` must be, if it exists: those of one thing, so that large scenes cost nothing.

@@ -15,7 +15,9 @@ namespace ps {
 ///   (directional) object.N.center  object.N.radius (spheres) object.N.point  object.N.normal (planes)  object.N.corner
 ///   object.N.side_a  object.N.side_b (rectangles) object.N.center  object.N.size  object.N.rotation (boxes)
 ///   object.N.from  object.N.to  object.N.radius (cylinders) object.N.part.K.center ... (part K of a CSG object, in the
-///   order of the file) object.N.scale  object.N.rotation  object.N.translation (instances) material.N.color
+///   order of the file) object.N.scale  object.N.rotation  object.N.translation (instances)
+///   object.N.color  object.N.texture (those that takes_texture(): a picture file, the name of a texture, or none; the
+///   object then has its material for itself) material.N.color
 ///   material.N.specular (-1 = matte)  material.N.reflective material.N.transparency  material.N.refraction_index
 ///   material.N.relief_depth (those with a height map)
 struct SceneProperty {

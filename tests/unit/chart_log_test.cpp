@@ -181,6 +181,9 @@ TEST(ChartLog, WhatNoChartWritesIsNamedWithItsLine) {
     ASSERT_EQ(chart.damage.size(), 1u) << bad.substr(0, 60);
     EXPECT_TRUE(log_says(chart.damage[0], "runs.jsonl:3: ")) << chart.damage[0];
     EXPECT_EQ(samples_in(chart), 9u);
+    if (bad == deep) {
+      EXPECT_TRUE(log_says(chart.damage[0], "found 100000 levels of brackets")) << chart.damage[0];
+    }
   }
   // The same goes for a chart that is taken up, which writes the lines again.
   const Chart resumed = measure_logged(whole.scratch.path());

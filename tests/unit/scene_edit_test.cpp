@@ -3,8 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "base/check.h"
+#include "image/file.h"
 #include "scene/load.h"
+#include "scene/object_surface.h"
+#include "scene/scene_file.h"
+#include "scene/scene_text.h"
+#include "scene/scene_writer.h"
 #include "scene_random.h"
+#include "support/run_cli.h"
 
 namespace {
 
@@ -31,6 +37,45 @@ TEST(SceneEdit, EveryPropertyReadsBackItsOwnValue) {
       ps::test::expect_equal_scenes(scene, before);
     }
   }
+}
+
+TEST(SceneEdit, ATextureIsPutOnOneObjectAlone) {
+  const ps::test::ScratchFolder scratch;
+  ps::Image<ps::Rgb8> picture(2, 1);
+  picture.at(1, 0) = {255, 128, 0};
+  const std::string file = scratch.file("a \"quoted\" name.png");
+  ps::save_image(file, picture);
+  // Two balls with one material, and one with its own.
+  ps::Scene scene = ps::parse_scene("material { name = red color = red }\n"
+                                    "sphere { center = (0, 0, 5) radius = 1 material = red }\n"
+                                    "sphere { center = (3, 0, 5) radius = 1 material = red }\n"
+                                    "sphere { center = (6, 0, 5) radius = 1 color = blue }\n",
+                                    "balls.scene", scratch.path());
+  const ps::Scene before = scene;
+  for (const std::size_t object : {0u, 2u}) {
+    const std::string name = "object." + std::to_string(object);
+    ps::set_property(scene, name + ".texture", ps::scene_name(file));
+    ps::set_property(scene, name + ".color", "white");
+    const ps::Material& material = ps::material_of(scene, static_cast<int>(object), 0);
+    EXPECT_EQ(material.colour, ps::Vec3d(1, 1, 1));
+    EXPECT_EQ(scene.textures->at(static_cast<std::size_t>(material.texture)).texels->at(1, 0).r, 1.f);
+    EXPECT_EQ(ps::get_property(scene, name + ".texture"), ps::scene_name(file));
+  }
+  EXPECT_EQ(ps::material_of(scene, 1, 0), ps::material_of(before, 1, 0)) << "it shared the first one's material";
+  EXPECT_EQ(scene.textures->size(), 1u) << "the same file for both";
+  EXPECT_EQ(scene.materials->size(), before.materials->size() + 1) << "the third ball's was its own already";
+  // What is saved is what was seen.
+  const ps::Scene again = ps::parse_scene(ps::write_scene(scene, scratch.path()), "saved.scene", scratch.path());
+  for (int object = 0; object < 3; ++object) {
+    const ps::Material &a = ps::material_of(scene, object, 0), &b = ps::material_of(again, object, 0);
+    EXPECT_EQ(a.colour, b.colour);
+    EXPECT_EQ(ps::texture_text(scene, a.texture), ps::texture_text(again, b.texture));
+  }
+  const auto revision = scene.materials.revision();
+  EXPECT_THROW(ps::set_property(scene, "object.1.texture", "nowhere.png"), ps::InputError);
+  EXPECT_EQ(scene.materials.revision(), revision);
+  ps::set_property(scene, "object.0.texture", "none");
+  EXPECT_EQ(ps::material_of(scene, 0, 0).texture, -1);
 }
 
 TEST(SceneEdit, ValuesOfEveryKind) {

@@ -100,6 +100,7 @@ App::App(Shell& shell, const AppOptions& options, Document document)
       microscope_([&shell] { shell.wake(); }), pixels_([&shell] { shell.wake(); }),
       listing_([&shell] { shell.wake(); }), history_([&shell] { shell.wake(); }),
       studies_([&shell] { shell.wake(); }, options.remember), autosave_(autosave_folder(options)) {
+  pictures_.meter = std::make_unique<DifferenceMeter>([&shell] { shell.wake(); });
   const bool nothing_asked = options.scene.empty() && options.permalink.empty() && options.lesson.empty();
   auto left_behind = nothing_asked ? restored() : std::optional<Document>();  // else it waits for another start
   offers_first_look_ = nothing_asked && !left_behind && shell.remembers() && shell.remembered(first_look_key).empty();
@@ -126,7 +127,7 @@ bool App::busy() const {
   return session_.busy() || session_.has_news() || space_.worker.busy() || space_.worker.has_news() ||
          microscope_.worker.busy() || microscope_.worker.has_news() || history_.thumbnails.busy() || studies_.busy() ||
          listing_.worker.busy() || listing_.worker.has_news() || pixels_.cost.busy() || pixels_.cost.has_news() ||
-         pin_busy(pixel_panel_.pin);
+         pictures_.meter->busy() || pictures_.meter->has_news() || pin_busy(pixel_panel_.pin);
 }
 
 std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
@@ -158,6 +159,10 @@ void App::close_on_escape() {
   }
   if (about_open_) {
     about_open_ = false;
+    return;
+  }
+  if (!dropped_.file.empty()) {
+    dropped_ = {};
     return;
   }
   pictures_.fly = false;
@@ -227,6 +232,7 @@ void App::draw() {
   if (studies_.unsafe(session_, pictures_)) show_tab("stability");
   file_dialog();
   about();
+  dropped_picture(session_, dropped_);
   session_.request_changed();
   publish();
   autosave_.save(session_.permalink());

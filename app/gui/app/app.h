@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gui/app/autosave.h"
+#include "gui/app/dropped_picture.h"
 #include "gui/app/file_dialog.h"
 #include "gui/app/first_look.h"
 #include "gui/app/history_panel.h"
@@ -55,6 +56,7 @@ class App final : public Content {
   bool busy() const override;
   bool animating() const override { return flying_now_; }
   void open(const std::string& path_or_name) override { session_.open(path_or_name); }
+  void drop(const std::string& path, std::optional<WindowPoint> at) override;
   void set_option(Side side, const std::string& assignment) override;
   std::optional<WindowPoint> pixel_place(Side side, Vec2i pixel) const override;
   bool may_close() override;
@@ -102,6 +104,9 @@ class App final : public Content {
   float compare_buttons_width() const;
   void compare_buttons(float left);
   void file_dialog();
+  // drop.cpp
+  /// The object that is seen at a place of the window, else that of the picked pixel; -1 = none.
+  int object_at(ImVec2 place);
   // restore.cpp
   std::optional<Document> restored();
   // app.cpp
@@ -137,6 +142,7 @@ class App final : public Content {
   HistoryPanelState history_;
   StatusBarState status_bar_;
   FileDialog files_;
+  DroppedPicture dropped_;
   Studies studies_;
   LessonShelf lessons_;
   bool about_open_ = false;

@@ -171,6 +171,7 @@ void Autosave::save(const std::string& text) {
     saved_ = text;
     if (!restored_.empty()) std::filesystem::remove(std::exchange(restored_, {}), ignored);
   } catch (const InputError&) {
+    if (!name_.empty()) std::filesystem::remove(with_ending(lock_ending), ignored);
     folder_.clear();  // a folder that cannot be written will not become writable with the next change
     name_.clear();
   }

@@ -5,32 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/app/difference_view.h"
 #include "gui/app/handles_view.h"
 #include "gui/app/picture_frame.h"
 #include "gui/widgets/widgets.h"
-#include "image/metrics.h"
 #include "inspect/names.h"
 #include "render/left_out.h"
 
 namespace ps::gui {
-namespace {
-
-constexpr double gap = 10;         // between two pictures
-constexpr double long_wait = 500;  // milliseconds without a new pixel until that is said
-
-PictureTransform current_transform(const Document& document, Vec2i size, const Area& area) {
-  if (document.view.zoom <= 0) return fitted(size, area);
-  return {document.view.zoom, {document.view.middle.x * size.x, document.view.middle.y * size.y}};
-}
-
-struct Split {
-  float at = 0;  ///< window x of the divider
-};
-
-/// Lights and spheres that can be dragged, while the mouse is in the picture. `clip` is the part of the area that shows
-/// this side; `prefix` names them for scripts.
-void handles(Session& session, PicturesState& state, Side side, const Area& area, const Area& clip,
-             const std::string& prefix, bool hovered) {
+void picture_handles(Session& session, PicturesState& state, Side side, const Area& area, const Area& clip,
+                     const std::string& prefix, bool hovered) {
   if (!session.has_scene() || !state.handles) return;
   const bool dragging = state.drag == PictureDrag::handle;
   std::string held = dragging && state.drag_side == side ? state.grabbed->path : "";
@@ -48,6 +32,20 @@ void handles(Session& session, PicturesState& state, Side side, const Area& area
   if (!held.empty()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   draw_handles(*ImGui::GetWindowDrawList(), all, held, state.transform, area);
 }
+
+namespace {
+
+constexpr double gap = 10;         // between two pictures
+constexpr double long_wait = 500;  // milliseconds without a new pixel until that is said
+
+PictureTransform current_transform(const Document& document, Vec2i size, const Area& area) {
+  if (document.view.zoom <= 0) return fitted(size, area);
+  return {document.view.zoom, {document.view.middle.x * size.x, document.view.middle.y * size.y}};
+}
+
+struct Split {
+  float at = 0;  ///< window x of the divider
+};
 
 /// Says why a picture is empty where nothing is in the scene, or nothing that its renderer can show.
 void nothing_drawn(Session& session, Side side, const Area& area) {
@@ -130,7 +128,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     draw_legend(list, legend, area);
   }
   const auto handles_in = [&](Side which, const Area& clip) {
-    handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);
+    picture_handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);
   };
   if (split) {
     handles_in(side, {area.min, {split->at - px(divider_reach), area.max.y}});
@@ -160,80 +158,6 @@ void divider(const Area& area, float at, double share) {
   for (const float sense : {-1.f, 1.f})
     list.AddTriangleFilled({at + sense * px(9), middle.y}, {at + sense * px(4), middle.y - px(5)},
                            {at + sense * px(4), middle.y + px(5)}, IM_COL32(40, 40, 40, 255));
-}
-
-void make_difference(Session& session, PicturesState& state) {
-  if (!state.difference_stale) return;
-  const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
-  if (a.empty() || a.width() != b.width() || a.height() != b.height()) return;
-  state.identical = a == b;
-  state.difference.levels = difference_picture(a, b, {session.document().difference_gain, state.difference_mode});
-  state.difference.upload({{0, 0, a.width(), a.height()}});
-  state.difference_stale = false;
-  state.difference_fresh = true;
-}
-
-/// One picture of what parts A and B, with its gain.
-void difference_view(Session& session, PicturesState& state, const Area& row, const Area& area) {
-  const NameScope scope("difference");
-  make_difference(session, state);
-  auto& list = *ImGui::GetWindowDrawList();
-  ImGui::SetCursorScreenPos({row.min.x, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
-  ImGui::AlignTextToFramePadding();
-  {
-    const FontScope font(Face::bold);
-    ImGui::TextUnformatted(state.difference_mode == DifferenceMode::absolute ? "|B − A|" : "B − A");
-  }
-  ImGui::SameLine();
-  ImGui::TextUnformatted("amplify");
-  ImGui::SameLine();
-  double gain = session.document().difference_gain;
-  const auto edit = number(
-      "gain", gain, {.minimum = 1, .maximum = 256, .scale = OptionScale::logarithmic, .unit = "x"},
-      {.tooltip = "Differences are multiplied by this before they are shown.", .disabled = {}, .width = px(140)});
-  if (edit.changed) {
-    session.navigate([&](Document& document) { document.difference_gain = gain; });
-    state.difference_stale = true;
-  }
-  ImGui::SameLine();
-  bool sign = state.difference_mode == DifferenceMode::sign;
-  if (toggle("sign", "signed", sign,
-             {.tooltip = "Grey where equal, lighter where B is brighter, darker where A is."})) {
-    state.difference_mode = sign ? DifferenceMode::sign : DifferenceMode::absolute;
-    state.difference_stale = true;
-  }
-  if (sign) {
-    ImGui::SameLine();
-    const FontScope font(Face::small);
-    for (const char* legend : {"grey: equal, lighter: B larger, darker: A larger", "lighter: B larger"}) {
-      if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(legend).x > row.max.x) continue;
-      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-      value_text("legend", legend);
-      ImGui::PopStyleColor();
-      break;
-    }
-  }
-
-  ImGui::SetCursorScreenPos(area.min);
-  ImGui::InvisibleButton("picture-difference", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                             ImGuiButtonFlags_MouseButtonMiddle);
-  controls().record("picture", state.identical ? "identical" : "different");
-  const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  picture_input(session, state, Side::a, area, {});
-  state.areas[0] = area;
-  PictureStyle style;
-  style.grid = state.grid;
-  style.marked = session.pixel();
-  style.region = session.region();
-  draw_picture(list, state.flip ? state.pictures[1] : state.difference, state.transform, area, style);
-  handles(session, state, Side::a, area, area, "picture", hovered);
-  if (!state.identical || session.busy()) return;
-  const bool same = session.settings(Side::a) == session.settings(Side::b);
-  const std::string text = same ? "A and B have the same options: there is no difference."
-                                : "A and B are identical to the last level, although their options differ.";
-  controls().record("notice", area.min, area.max, text);
-  draw_notice(list, area, text);
 }
 
 /// The lines around a picture, and what they leave to it.
@@ -351,7 +275,7 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area) {
   case CompareMode::difference: {
     const auto [title, inner, footer] = framed(area, 2);
     state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
-    difference_view(session, state, {{title.min.x, title.max.y - px(34)}, title.max}, inner);
+    difference_view(session, state, title, inner);
     const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
     below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
     below(session, state, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");

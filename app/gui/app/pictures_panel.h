@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 
+#include "gui/app/difference_meter.h"
 #include "gui/app/handles.h"
 #include "gui/app/nan_pixels.h"
 #include "gui/app/picture_transform.h"
@@ -36,6 +38,8 @@ struct PicturesState {
   std::uint64_t difference_hash = 0;  ///< of its levels, for tests
   bool identical = false;             ///< A and B, when the difference was last made
   DifferenceMode difference_mode = DifferenceMode::absolute;
+  ErrorMetric difference_metric = ErrorMetric::rmse;  ///< beside the difference
+  std::unique_ptr<DifferenceMeter> meter;             ///< made by whoever owns the state
 
   bool grid = true;
   bool flip = false;   ///< held: each picture gives way to the other
@@ -63,6 +67,11 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area);
 /// Mouse in one picture; call right after its invisible button. `split_at` is the divider's place in the window, if
 /// there is one.
 void picture_input(Session& session, PicturesState& state, Side side, const Area& area, std::optional<float> split_at);
+
+/// Lights and spheres that can be dragged, while the mouse is in the picture. `clip` is the part of the area that shows
+/// this side; `prefix` names them for scripts.
+void picture_handles(Session& session, PicturesState& state, Side side, const Area& area, const Area& clip,
+                     const std::string& prefix, bool hovered);
 
 /// Whether letters fly the camera now.
 bool flying(const PicturesState& state);

@@ -56,7 +56,8 @@ bool inside(Vec2i pixel, const View& view) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height;
 }
 
-/// By its name: these are never scenes.
+}  // namespace
+
 bool is_picture_file(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -64,8 +65,6 @@ bool is_picture_file(const std::string& path) {
   constexpr std::array pictures{".png", ".ppm", ".pgm", ".pbm", ".pnm", ".pfm", ".jpg", ".jpeg", ".tga", ".bmp"};
   return std::find(pictures.begin(), pictures.end(), extension) != pictures.end();
 }
-
-}  // namespace
 
 Session::Session(SessionHost host) : host_(std::move(host)), watch_(host_.wake) {
   for (const Side side : both_sides) {

@@ -174,6 +174,9 @@ class Session {
   NewestJob loader_;
 };
 
+/// Whether a file is a picture, by its name: these are never scenes.
+bool is_picture_file(const std::string& path);
+
 /// The side whose story is told: the picked one, or A where B is a picture file, which has no story.
 Side told_side(const Session& session);
 

@@ -169,6 +169,13 @@ Image<Rgb8> Window::screenshot() const {
   return picture;
 }
 
+WindowPoint Window::pointer() const {
+  int x = 0, y = 0, left = 0, top = 0;
+  SDL_GetGlobalMouseState(&x, &y);
+  SDL_GetWindowPosition(window_, &left, &top);
+  return {static_cast<float>(x - left), static_cast<float>(y - top)};
+}
+
 WindowSize Window::size() const {
   WindowSize result;
   SDL_GetWindowSize(window_, &result.width, &result.height);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gui/platform/frame_memory.h"
+#include "gui/shell/content.h"
 #include "image/image.h"
 
 union SDL_Event;
@@ -49,6 +50,8 @@ class Window {
   void show_frame();     ///< swaps
   void fonts_changed();  ///< the font atlas was rebuilt
 
+  /// Where the display's pointer is, from the window's top left.
+  WindowPoint pointer() const;
   WindowSize size() const;
   WindowSize drawable_size() const;
   void resize(WindowSize size);

@@ -28,6 +28,11 @@ class Content {
   virtual bool animating() const { return false; }
   /// Opens a scene file or a built-in scene by name. Errors are shown in the window, not thrown.
   virtual void open(const std::string& path_or_name) = 0;
+  /// A file was dropped on the window, at this place, or where the pointer was last if nobody knows the place.
+  virtual void drop(const std::string& path, std::optional<WindowPoint> at) {
+    (void)at;
+    open(path);
+  }
   /// Sets "key=value" on one side, as a panel would (undoable). Throws InputError for an unknown key or value.
   virtual void set_option(Side side, const std::string& assignment) = 0;
   /// Where the middle of a picture's pixel (array position) is on screen now; nothing if it is not visible.

@@ -205,7 +205,9 @@ void Shell::Impl::load_own_keys() {
 void Shell::Impl::take_event(const SDL_Event& event) {
   input.take(event);
   const WindowEvent other = read_event(event);
-  if (!other.dropped_file.empty()) content->open(other.dropped_file);
+  // While something is dragged over the window no movements are reported, but a script's pointer is not the real one.
+  if (!other.dropped_file.empty())
+    content->drop(other.dropped_file, script ? std::nullopt : std::optional(window.pointer()));
   if (other.close && content->may_close()) ended = true;
 }
 
