@@ -31,7 +31,8 @@ Welded weld(const DrawObject& object) {
     number.push_back(entry->second);
   }
   for (const MeshTriangle& triangle : object.mesh->triangles) {
-    const Corners c{number[triangle.position[0]], number[triangle.position[1]], number[triangle.position[2]]};
+    Corners c{number[triangle.position[0]], number[triangle.position[1]], number[triangle.position[2]]};
+    if (object.mirrored) std::swap(c[1], c[2]);
     if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) welded.triangles.push_back(c);
   }
   return welded;
