@@ -1,6 +1,6 @@
 #pragma once
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "raytrace/intersector.h"
 #include "raytrace/medium.h"
@@ -13,21 +13,21 @@ namespace ps {
 template <class Real>
 class EyeMedia {
  public:
-  static constexpr std::size_t most = 8;  ///< bodies around each other; more do not count
-
   EyeMedia(const TraceInputs<Real>& inputs, const Ray<Real>& ray) {
     if (inputs.eye_bodies.empty()) return;
     find(inputs, ray);
-    for (std::size_t i = 0; i < count_; ++i) chain_[i] = {left_[i].index, i + 1 < count_ ? &chain_[i + 1] : &outside_};
+    chain_.resize(left_.size());
+    for (std::size_t i = 0; i < left_.size(); ++i)
+      chain_[i] = {left_[i].index, i + 1 < left_.size() ? &chain_[i + 1] : &outside_};
   }
   EyeMedia(const EyeMedia&) = delete;
   EyeMedia& operator=(const EyeMedia&) = delete;
 
-  const Medium<Real>& innermost() const { return count_ > 0 ? chain_[0] : outside_; }
+  const Medium<Real>& innermost() const { return chain_.empty() ? outside_ : chain_[0]; }
   /// From the innermost to the outermost.
   std::vector<MediumAtEye> events() const {
     std::vector<MediumAtEye> found;
-    for (std::size_t i = 0; i < count_; ++i) found.push_back({left_[i].object, static_cast<double>(left_[i].index)});
+    for (const Left& body : left_) found.push_back({body.object, static_cast<double>(body.index)});
     return found;
   }
 
@@ -42,13 +42,11 @@ class EyeMedia {
   void find(const TraceInputs<Real>& inputs, const Ray<Real>& ray) {
     Silent nobody;
     const Intersector<Real, Silent> intersector(inputs, nobody);
-    std::array<Left, 2 * most> left;
-    std::size_t found = 0;
     const auto note = [&](const Hit<Real>& hit, std::int32_t object) {
-      if (!hit.found() || found == left.size()) return;
+      if (!hit.found()) return;
       const Surface<Real> surface = surface_of(ray, hit, inputs);
       const ShadingMaterial<Real>& material = inputs.materials[surface.material];
-      if (surface.back_face && material.transparency > 0) left[found++] = {hit.t, object, material.refraction_index};
+      if (surface.back_face && material.transparency > 0) left_.push_back({hit.t, object, material.refraction_index});
     };
     bool meshes = false;
     for (const EyeBody& body : inputs.eye_bodies) {
@@ -56,10 +54,8 @@ class EyeMedia {
       meshes = meshes || !body.primitive;
     }
     if (meshes) walk_to_meshes(inputs, intersector, ray, note);
-    std::sort(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(found),
+    std::sort(left_.begin(), left_.end(),
               [](const Left& a, const Left& b) { return a.t != b.t ? a.t < b.t : a.object > b.object; });
-    count_ = std::min(found, most);
-    std::copy_n(left.begin(), count_, left_.begin());
   }
 
   /// The first triangle of each mesh among the bodies, by the accelerator: from surface to surface along the ray.
@@ -83,9 +79,8 @@ class EyeMedia {
   }
 
   Medium<Real> outside_{};
-  std::size_t count_ = 0;
-  std::array<Left, most> left_;
-  std::array<Medium<Real>, most> chain_;
+  std::vector<Left> left_;  ///< from the innermost to the outermost; nearly always there are none
+  std::vector<Medium<Real>> chain_;
 };
 
 }  // namespace ps

@@ -18,7 +18,7 @@ using namespace ps;
 std::string scene_with(const std::string& transform, const std::string& sides) {
   return "model { name = t generator = teapot divisions = 3 color = red specular = 30 }"
          "model { name = w color = green vertices { 0 = (-1,-1,-1) 1 = (1,-1,-1) 2 = (-1,1,-1) 3 = (-1,-1,1) }"
-         "  triangles { 0,2,1  0,1,3  0,3,2  1,2,3 } }"
+         "  triangles { 0 = 0,2,1 1 = 0,1,3 2 = 0,3,2 3 = 1,2,3 } }"
          "rectangle { corner = (-9,-2.2,2) side_a = (0,0,12) side_b = (18,0,0) color = yellow }"
          "light { type = ambient intensity = 0.2 } light { type = point intensity = 0.6 position = (2,3,0) }"
          "light { type = directional intensity = 0.2 direction = (-1,4,-4) }" +

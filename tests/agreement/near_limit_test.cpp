@@ -12,7 +12,7 @@ std::string wall_at(double z, bool triangles) {
   const std::string d = std::to_string(z);
   if (!triangles) return "rectangle { corner=(-9,-9," + d + ") side_a=(18,0,0) side_b=(0,18,0) color=white }";
   return "model { name=m color=white vertices { 0=(-9,-9," + d + ") 1=(9,-9," + d + ") 2=(0,20," + d +
-         ") } triangles { 0,2,1 } } instance { model=m }";
+         ") } triangles { 0 = 0,2,1 } } instance { model=m }";
 }
 
 /// How many of the picture's 300 pixels show the wall.

@@ -39,7 +39,8 @@ std::vector<RayEvent> rays_through(const PixelStory& story) {
 const std::string box_of_glass = "box { center=(0,0,0) size=(2,2,2) transparency=1 refraction_index=1.5 }";
 const std::string mesh_of_glass = R"(model { name = m transparency = 1 refraction_index = 1.5
   vertices { 0=(-1,-1,-1) 1=(1,-1,-1) 2=(1,1,-1) 3=(-1,1,-1) 4=(-1,-1,1) 5=(1,-1,1) 6=(1,1,1) 7=(-1,1,1) }
-  triangles { 0,3,2 0,2,1 4,5,6 4,6,7 0,1,5 0,5,4 3,7,6 3,6,2 0,4,7 0,7,3 1,2,6 1,6,5 } }
+  triangles { 0 = 0,3,2 1 = 0,2,1 2 = 4,5,6 3 = 4,6,7 4 = 0,1,5 5 = 0,5,4 6 = 3,7,6 7 = 3,6,2 8 = 0,4,7 9 = 0,7,3
+  10 = 1,2,6 11 = 1,6,5 } }
   instance { model = m })";
 
 TEST(EyeInGlass, ARayThatLeavesABoxIsBentBySnellsLaw) {
