@@ -165,26 +165,6 @@ class RayParts {
     return points;
   }
 
-  /// A way along three great circles, one around each axis.
-  static std::vector<Vec3d> sphere_outline(const NodeEvent& node) {
-    constexpr int steps = 32;
-    const Vec3d centre = (node.low + node.high) * 0.5;
-    std::vector<Vec3d> points;
-    const auto arc = [&](int first, int second, int from, int to) {
-      for (int i = from; i <= to; ++i) {
-        const double turn = 2 * std::numbers::pi * i / steps;
-        Vec3d away(0);
-        away[first] = portable::cos(turn) * node.radius;
-        away[second] = portable::sin(turn) * node.radius;
-        points.push_back(centre + away);
-      }
-    };
-    arc(0, 2, 0, steps);              // from x through z, and back to x
-    arc(0, 1, 0, steps + steps / 4);  // from x through y, and on to y
-    arc(1, 2, 0, steps);
-    return points;
-  }
-
   /// A box is drawn once, however many rays come to it; entered if any ray did.
   void add_node(int index, const NodeEvent& node) {
     const auto [place, first] = nodes_.try_emplace({node.object, node.node}, model_.items.size());
@@ -196,7 +176,7 @@ class RayParts {
     item.kind = SpaceKind::node;
     if (node.radius > 0) {
       item.shape = SpaceShape::line;
-      item.points = sphere_outline(node);
+      item.points = sphere_outline((node.low + node.high) * 0.5, node.radius);
     } else if (const Instance* instance = instance_of(node.object)) {
       item.shape = SpaceShape::line;
       item.points = placed_box(node, instance->transform);
@@ -217,6 +197,24 @@ class RayParts {
 };
 
 }  // namespace
+
+std::vector<Vec3d> sphere_outline(const Vec3d& centre, double radius) {
+  constexpr int steps = 32;
+  std::vector<Vec3d> points;
+  const auto arc = [&](int first, int second, int to) {
+    for (int i = 0; i <= to; ++i) {
+      const double turn = 2 * std::numbers::pi * i / steps;
+      Vec3d away(0);
+      away[first] = portable::cos(turn) * radius;
+      away[second] = portable::sin(turn) * radius;
+      points.push_back(centre + away);
+    }
+  };
+  arc(0, 2, steps);              // from x through z, and back to x
+  arc(0, 1, steps + steps / 4);  // from x through y, and on to y
+  arc(1, 2, steps);
+  return points;
+}
 
 void add_rays(const SpaceInputs& inputs, SpaceModel& model) { RayParts(inputs, model).add(); }
 
