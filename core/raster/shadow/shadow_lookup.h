@@ -11,9 +11,10 @@ namespace ps::raster {
 /// The knobs of a comparison with a shadow map.
 template <class Real>
 struct ShadowComparison {
-  Real bias = 0;        ///< world units
-  Real slope_bias = 0;  ///< texels, times how much depth a texel's width adds on the receiving surface; < 0: derived
-  int filter = 1;       ///< taps along each side
+  Real bias = 0;           ///< world units
+  Real slope_bias = 0;     ///< texels, times how much depth a texel's width adds on the receiving surface; < 0: derived
+  int filter = 1;          ///< taps along each side
+  Real surface_error = 0;  ///< world units: how far triangles may lie within the round surface; for a derived bias
 };
 
 /// The slope bias, in texels, at which no surface shadows itself: from the middle of a filter of `taps` x `taps` texels
@@ -118,8 +119,10 @@ Real look_up_shadow(const ShadowMap& map, int light, const Vec3<Real>& position,
   const Vec3<Real> from_light = position - Vec3<Real>(map.position);
   const bool derived = how.slope_bias < 0;
   const Real texels = derived ? needed_slope_bias<Real>(how.filter) : how.slope_bias;
-  const Real rounding = derived ? rounding_of_depth<Real> * std::abs(point.depth) : Real(0);
-  const Real bias = how.bias + texels * point.texel * point.slope + rounding;
+  Real bias = how.bias + texels * point.texel * point.slope;
+  if (derived)
+    bias += rounding_of_depth<Real> * std::abs(point.depth) +
+            how.surface_error * std::sqrt(Real(1) + point.slope * point.slope);
   // The taps whose middle is nearest to the position; an odd number has the position's own texel in its middle.
   const auto first = [&](Real place) {
     const int texel = static_cast<int>(std::floor(how.filter % 2 == 0 ? place + Real(0.5) : place));
