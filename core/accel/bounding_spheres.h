@@ -70,7 +70,9 @@ void for_each_candidate(const BoundingSpheres& spheres, const CandidateRay<Real>
     const SlabRange<double> range = sphere_range(node, ray);
     const bool entered = !(range.near > range.far) && !(range.near > static_cast<double>(limit));
     recorder.event([&] {
-      return NodeEvent{static_cast<int>(index), level, node.centre - node.radius, node.centre + node.radius, entered};
+      NodeEvent event{static_cast<int>(index), level, node.centre - node.radius, node.centre + node.radius, entered};
+      event.radius = node.radius;
+      return event;
     });
     if (entered) stack[static_cast<std::size_t>(waiting++)] = {index, level, range.near};
   };

@@ -45,6 +45,7 @@ constexpr std::array<CounterName, counter_count> names{{
     {"stencil-tests", "shadow volume samples"},
     {"stencil-updates", "stencil updates"},
     {"environment-reads", "cube maps read"},
+    {"octree-entries", "primitives listed in octree cells"},
 }};
 
 }  // namespace

@@ -17,12 +17,20 @@ struct Describer {
   const Scene& scene;
 
   std::string operator()(const RayEvent& e) const {
-    return fmt::format("{} ray from {} along {}", ray_kind_key(e.kind), vector_text(e.origin),
-                       vector_text(e.direction));
+    std::string text =
+        fmt::format("{} ray from {} along {}", ray_kind_key(e.kind), vector_text(e.origin), vector_text(e.direction));
+    for (std::size_t i = 0; i < e.inside.size(); ++i)
+      text += fmt::format("{}{} (refraction index {})", i == 0 ? ", from the inside of " : ", which lies in ",
+                          object_name(scene, e.inside[i].object), number_text(e.inside[i].index));
+    return text;
   }
   std::string operator()(const NodeEvent& e) const {
     const std::string place = e.object < 0 ? "" : fmt::format(" in the model of {}", object_name(scene, e.object));
-    return fmt::format("box {} on level {}{}: {}", e.node, e.level, place, e.entered ? "entered" : "passed by");
+    const std::string_view outcome = e.entered ? "entered" : "passed by";
+    if (e.radius > 0)
+      return fmt::format("sphere {} on level {}, center {}, radius {}: {}", e.node, e.level,
+                         vector_text((e.low + e.high) * 0.5), number_text(e.radius), outcome);
+    return fmt::format("box {} on level {}{}: {}", e.node, e.level, place, outcome);
   }
   std::string operator()(const SphereTestEvent& e) const {
     std::string text = fmt::format("{}: {}", primitive_name(scene, e.id), outcome_text(e.outcome));

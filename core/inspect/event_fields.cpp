@@ -16,21 +16,32 @@ std::vector<double> list(const std::array<double, N>& v) {
 std::int64_t whole(int value) { return value; }
 
 Fields fields(const RayEvent& e) {
-  return {{"ray", std::string(ray_kind_key(e.kind))},
-          {"origin", list(e.origin)},
-          {"direction", list(e.direction)},
-          {"t-min", e.t_min},
-          {"t-max", e.t_max},
-          {"depth", whole(e.depth)},
-          {"share", e.share}};
+  Fields f{{"ray", std::string(ray_kind_key(e.kind))},
+           {"origin", list(e.origin)},
+           {"direction", list(e.direction)},
+           {"t-min", e.t_min},
+           {"t-max", e.t_max},
+           {"depth", whole(e.depth)},
+           {"share", e.share}};
+  std::vector<double> indices;
+  for (const MediumAtEye& medium : e.inside) indices.push_back(medium.index);
+  if (!e.inside.empty()) {
+    f.push_back({"begins-in", PixelId{e.inside.front().object, -1}});
+    f.push_back({"refraction-indices-around", indices});
+  }
+  return f;
 }
 
 Fields fields(const NodeEvent& e) {
-  Fields f{{"node", whole(e.node)},
-           {"level", whole(e.level)},
-           {"low", list(e.low)},
-           {"high", list(e.high)},
-           {"entered", e.entered}};
+  Fields f{{"node", whole(e.node)}, {"level", whole(e.level)}};
+  if (e.radius > 0) {
+    f.push_back({"center", list((e.low + e.high) * 0.5)});
+    f.push_back({"radius", e.radius});
+  } else {
+    f.push_back({"low", list(e.low)});
+    f.push_back({"high", list(e.high)});
+  }
+  f.push_back({"entered", e.entered});
   if (e.object >= 0) f.push_back({"model-of", PixelId{e.object, -1}});
   return f;
 }

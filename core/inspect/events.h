@@ -20,13 +20,20 @@ namespace ps {
 enum class RayKind { eye, shadow, reflection, refraction };
 
 /// A ray is about to be traced. Its tests, hit and shading follow as its children.
+/// A transparent body in which an eye ray begins.
+struct MediumAtEye {
+  std::int32_t object = -1;
+  double index = 1;  ///< of refraction
+};
+
 struct RayEvent {
   RayKind kind = RayKind::eye;
   Vec3d origin{0, 0, 0};
   Vec3d direction{0, 0, 0};  ///< as used, not normalised
   double t_min = 0, t_max = 0;
-  int depth = 0;     ///< 0 for the eye ray, +1 for each bounce
-  double share = 1;  ///< how much of what this ray returns reaches the pixel
+  int depth = 0;                      ///< 0 for the eye ray, +1 for each bounce
+  double share = 1;                   ///< how much of what this ray returns reaches the pixel
+  std::vector<MediumAtEye> inside{};  ///< of an eye ray: the innermost body first
 };
 
 struct NodeEvent {
@@ -34,7 +41,8 @@ struct NodeEvent {
   int level = 0;
   Vec3d low{0, 0, 0}, high{0, 0, 0};
   bool entered = false;
-  int object = -1;  ///< the instance in whose model space the box lies; -1 = in the world
+  int object = -1;    ///< the instance in whose model space the box lies; -1 = in the world
+  double radius = 0;  ///< above 0: the node is no box, but the ball in the middle of it
 };
 
 enum class TestOutcome {

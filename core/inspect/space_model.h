@@ -29,7 +29,7 @@ enum class SpaceKind {
   barycentric_area,   ///< the part of a triangle opposite to a corner
   triangle_on_image,  ///< a fragment's triangle on the projection plane
   rejected_triangle,  ///< never became a fragment
-  node,               ///< box of the accelerator that a ray was tested against
+  node,               ///< box or sphere of the accelerator that a ray was tested against
   silhouette,         ///< an edge of the outline that an object shows to a light
   shadow_volume,      ///< a side of a shadow volume
   shadow_map          ///< what a light's shadow map covers

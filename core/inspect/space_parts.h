@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "inspect/space_image.h"
 #include "inspect/space_model.h"
@@ -45,6 +46,8 @@ double normal_length(const SpaceBounds& bounds);
 /// The triangle and the three areas into which the point with these weights divides it.
 void add_triangle(const std::array<Vec3d, 3>& corners, const std::array<double, 3>& weights, const SpaceItem& like,
                   SpaceModel& model);
+/// A way along three great circles of a sphere, one around each axis.
+std::vector<Vec3d> sphere_outline(const Vec3d& centre, double radius);
 /// World-space corners of a triangle that the scene holds; none for spheres and unknown ids.
 std::optional<std::array<Vec3d, 3>> world_triangle(const Scene& scene, const PixelId& id);
 

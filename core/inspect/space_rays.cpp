@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "inspect/names.h"
 #include "inspect/number_text.h"
 #include "inspect/space_parts.h"
 #include "inspect/story_tree.h"
+#include "math/portable.h"
 #include "scene/world.h"
 
 namespace ps {
@@ -125,7 +127,7 @@ class RayParts {
     const Vec3d from = event_as<HitEvent>(events_, hits.front()).point;
     SpaceItem item = part_of(index);
     item.kind = SpaceKind::light_direction;
-    const RayEvent towards{RayKind::shadow, from, light.to_light, 0, 1, 0, 0};
+    const RayEvent towards{RayKind::shadow, from, light.to_light, 0, 1, 0, 0, {}};
     item.points = {from, light.kind == LightKind::point ? from + light.to_light : along(towards, sunward_share)};
     model_.items.push_back(std::move(item));
   }
@@ -172,7 +174,10 @@ class RayParts {
     }
     SpaceItem item = part_of(index);
     item.kind = SpaceKind::node;
-    if (const Instance* instance = instance_of(node.object)) {
+    if (node.radius > 0) {
+      item.shape = SpaceShape::line;
+      item.points = sphere_outline((node.low + node.high) * 0.5, node.radius);
+    } else if (const Instance* instance = instance_of(node.object)) {
       item.shape = SpaceShape::line;
       item.points = placed_box(node, instance->transform);
     } else {
@@ -192,6 +197,24 @@ class RayParts {
 };
 
 }  // namespace
+
+std::vector<Vec3d> sphere_outline(const Vec3d& centre, double radius) {
+  constexpr int steps = 32;
+  std::vector<Vec3d> points;
+  const auto arc = [&](int first, int second, int to) {
+    for (int i = 0; i <= to; ++i) {
+      const double turn = 2 * std::numbers::pi * i / steps;
+      Vec3d away(0);
+      away[first] = portable::cos(turn) * radius;
+      away[second] = portable::sin(turn) * radius;
+      points.push_back(centre + away);
+    }
+  };
+  arc(0, 2, steps);              // from x through z, and back to x
+  arc(0, 1, steps + steps / 4);  // from x through y, and on to y
+  arc(1, 2, steps);
+  return points;
+}
 
 void add_rays(const SpaceInputs& inputs, SpaceModel& model) { RayParts(inputs, model).add(); }
 

@@ -10,7 +10,8 @@
 /// **Camera space.** (x, y, z) = coordinates along right, up, forward; z is the distance in front of the camera along
 /// forward. "Depth" without a further word is this z.
 ///
-/// **Facing.** The front of triangle a, b, c is the side to which cross(b - a, c - a) points, in world space.
+/// **Facing.** The front of triangle a, b, c is the side to which cross(b - a, c - a) points, in world space; of an
+/// instance whose transform mirrors its model, the other side: a front stays a front in the mirror.
 ///
 /// **Canvas.** Images are row-major with the origin at the top left; pixel (column, row) has its centre at
 /// (column + 0.5, row + 0.5). Canvas coordinates in the book are centred with y up.

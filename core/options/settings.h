@@ -126,8 +126,8 @@ struct Settings {
   ShadowRays shadow_rays = ShadowRays::all;
   bool shadow_cache = false;
   int shadow_map_size = 1024;
-  double shadow_bias = 0.01;
-  double shadow_slope_bias = 0;
+  double shadow_bias = 0;
+  double shadow_slope_bias = -1;  ///< below 0: what filter and slope need
   int shadow_filter = 1;
   int stencil_bits = 8;
   bool volume_caps = true;

@@ -116,10 +116,11 @@ std::vector<Option> shadow_rows() {
                 "cover there. Added to the constant one.",
                 "Direct3D 11 15.10",
                 "A filter of k x k taps needs k / 2 texels where the slope runs along the map's axes, as on a floor, "
-                "and 0.71 k on any surface; and 1/256 more, since the map's vertices are rounded."},
+                "and 0.71 k on any surface; and 1/256 more, since the map's vertices are rounded. -1 stands for that, "
+                "with the rounding of the depths themselves and how far triangles stray from round surfaces."},
            .truth = exactly("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
-          0, 16, OptionScale::linear, "texels"),
+          -1, 16, OptionScale::linear, "texels"),
       integer<&Settings::shadow_filter>(
           {.key = "shadow-filter",
            .label = "Shadow map filter",

@@ -74,8 +74,10 @@ std::vector<Option> speed_rows() {
       integer<&Settings::octree_leaf>(
           {.key = "octree-leaf",
            .label = "Octree leaf limit",
-           .help = {"A cell with more primitives than this is cut into eight.", "octrees for ray casting",
-                    "Small limits copy large triangles into many cells; large ones test too much."},
+           .help =
+               {"A cell with more primitives than this is cut into eight; those in the very same place count as one.",
+                "octrees for ray casting",
+                "Small limits copy large triangles into many cells; large ones test too much."},
            .truth = as_set(),
            .inactive = needs_octree,
            .effect = OptionEffect::speed},

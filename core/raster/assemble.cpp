@@ -55,7 +55,7 @@ class Assembler {
       recorder_.count(Counter::triangles_degenerate);
       return reject(RejectReason::zero_area, "");
     }
-    const auto handedness = static_cast<Real>(pass_.camera_space.handedness);
+    const auto handedness = static_cast<Real>(facing_sense(pass_, object_));
     const Vec3<Real> to_eye = pass_.perspective() ? -corner_[0] : Vec3<Real>(0, 0, -1);
     back_face_ = !(handedness * dot(normal, to_eye) > 0);
     if (back_face_ && (pass_.settings.backface_culling || object_.front_only)) {

@@ -53,7 +53,7 @@ inline Vec3<Real> face_normal(const DrawObject& object, const MeshTriangle& tria
   const auto world = [&](std::size_t k) { return object.world(object.mesh->positions[triangle.position[k]]); };
   const Vec3d a = world(0);
   const Vec3d normal = cross(world(1) - a, world(2) - a);
-  return Vec3<Real>(normal / std::sqrt(dot(normal, normal)));
+  return Vec3<Real>(normal / (object.mirrored ? -std::sqrt(dot(normal, normal)) : std::sqrt(dot(normal, normal))));
 }
 
 /// Fills in what the layout asks for; Gouraud shading lights the corners here.

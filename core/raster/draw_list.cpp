@@ -10,6 +10,7 @@
 #include "raster/tessellate_patches.h"
 #include "raster/tessellate_solid.h"
 #include "scene/generate/bezier_patch.h"
+#include "scene/world.h"
 
 namespace ps::raster {
 namespace {
@@ -132,13 +133,13 @@ double largest_stretch(const Mat3d& m) {
   return std::sqrt(bound);
 }
 
-Mat3d normal_matrix(const Mat3d& linear, NormalTransform how) {
+Mat3d normal_matrix(const Mat3d& linear, bool mirrored, NormalTransform how) {
   switch (how) {
   case NormalTransform::inverse_transpose:
     // The matrix of cofactors is the inverse transpose times the determinant: it needs no division, so a model that is
     // scaled flat in one direction keeps its normals, and its sign follows a mirrored model.
     return Mat3d(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1])) *
-           (glm::determinant(linear) < 0 ? -1.0 : 1.0);
+           (mirrored ? -1.0 : 1.0);
   case NormalTransform::model:
     return linear;
   }
@@ -153,7 +154,8 @@ DrawObject place_instance(const Scene& scene, int index, const Instance& instanc
   draw.mesh = scene.geometry->meshes.at(instance.mesh);
   draw.corners = models.corners.at(instance.mesh);
   draw.linear = linear_part(transform);
-  draw.normal_matrix = normal_matrix(draw.linear, how);
+  draw.mirrored = mirrors(transform);
+  draw.normal_matrix = normal_matrix(draw.linear, draw.mirrored, how);
   draw.translation = transform.translation;
   draw.front_only = instance.sides == Sides::front;
   const BoundingSphere& model = models.bounds.at(instance.mesh);

@@ -103,6 +103,13 @@ struct Pass {
   Vec3<Real> to_eye(const Vec3<Real>& world) const { return perspective() ? eye - world : backward; }
 };
 
+/// +1, or -1 where a triangle of the object that turns its front to the eye runs clockwise in camera space: the
+/// camera's frame mirrors the world, or the instance its model.
+template <class Real>
+inline double facing_sense(const Pass<Real>& pass, const DrawObject& object) {
+  return object.mirrored ? -pass.camera_space.handedness : pass.camera_space.handedness;
+}
+
 template <class Real>
 Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,
                      Prepared& prepared);

@@ -47,6 +47,7 @@ void add_instance(const Scene& scene, std::int32_t object, const Instance& insta
   positions.reserve(mesh.positions.size());
   for (const Vec3d& position : mesh.positions) positions.push_back(placed_corner<Real>(instance.transform, position));
   geometry.one_sided_triangles = geometry.one_sided_triangles || instance.sides == Sides::front;
+  const bool mirrored = mirrors(instance.transform);
   const Mat3d matrix = normal_matrix(instance.transform, normals);
   std::vector<Vec3d> world_normals;
   world_normals.reserve(mesh.normals.size());
@@ -67,7 +68,8 @@ void add_instance(const Scene& scene, std::int32_t object, const Instance& insta
                                    PrimitiveKind::triangle,
                                    static_cast<std::uint32_t>(geometry.triangles.size()),
                                    material,
-                                   instance.sides == Sides::front});
+                                   instance.sides == Sides::front,
+                                   mirrored});
     geometry.triangles.push_back(triangle);
   }
 }
@@ -82,6 +84,7 @@ void share_instance(std::int32_t object, const Instance& instance, NormalTransfo
   placed.mesh = instance.mesh;
   placed.first = geometry.numbered;
   placed.front_only = instance.sides == Sides::front;
+  placed.mirrored = mirrors(instance.transform);
   placed.material = instance.material;
   placed.transform = instance.transform;
   placed.normals = normal_matrix(instance.transform, normals);

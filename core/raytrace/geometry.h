@@ -56,6 +56,7 @@ struct Primitive {
   std::uint32_t shape = 0;     ///< index into spheres, triangles (where shared: instances) or solids
   std::uint32_t material = 0;  ///< index into Scene::materials; of a CSG object that of its first part
   bool front_only = false;     ///< rays that see its back pass through
+  bool mirrored = false;       ///< a triangle whose front is the side from which its corners run clockwise
 };
 
 /// Consecutive numbers of primitives, from `first` to the next range.
@@ -114,11 +115,8 @@ inline Primitive placed_primitive(const TracedGeometry<Real>& geometry, std::uin
   const PlacedInstance& placed = geometry.instances[instance];
   const Mesh& mesh = *geometry.meshes[placed.mesh];
   const std::uint32_t own = mesh.triangles[triangle].material;
-  return {{placed.object, static_cast<std::int32_t>(triangle)},
-          PrimitiveKind::triangle,
-          instance,
-          placed.material ? *placed.material : mesh.materials[own],
-          placed.front_only};
+  return {{placed.object, static_cast<std::int32_t>(triangle)},     PrimitiveKind::triangle, instance,
+          placed.material ? *placed.material : mesh.materials[own], placed.front_only,       placed.mirrored};
 }
 
 /// The primitive with this number.

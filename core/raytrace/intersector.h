@@ -174,7 +174,7 @@ class Intersector {
       const TriangleVerdict verdict = triangle_result(query, candidate.primitive, triangle).verdict;
       if (verdict != TriangleVerdict::outside && verdict != TriangleVerdict::parallel) return false;
       if (query.ray.passes_transparent && inputs_.materials[primitive.material].transparency > 0) return false;
-      if (primitive.front_only && sees_back(query.ray, triangle)) return false;
+      if (primitive.front_only && sees_back(query.ray, primitive, triangle)) return false;
       if (judge(query.ray, candidate.t, candidate.primitive, best) != TestOutcome::accepted) return false;
       recorder_.count(Counter::edge_rays);
       best = {candidate.primitive, candidate.t, candidate.weights, 0};
@@ -385,7 +385,7 @@ class Intersector {
     TestOutcome outcome = TestOutcome::missed;
     switch (result.verdict) {
     case TriangleVerdict::inside:
-      if (primitive.front_only && sees_back(query.ray, triangle))
+      if (primitive.front_only && sees_back(query.ray, primitive, triangle))
         outcome = TestOutcome::back_side;
       else
         outcome = judge(query.ray, result.t, index, best);
@@ -405,8 +405,9 @@ class Intersector {
     return outcome == TestOutcome::accepted;
   }
 
-  static bool sees_back(const Ray<Real>& ray, const TracedTriangle<Real>& triangle) {
-    return dot(cross(triangle.b - triangle.a, triangle.c - triangle.a), ray.direction) >= 0;
+  static bool sees_back(const Ray<Real>& ray, const Primitive& primitive, const TracedTriangle<Real>& triangle) {
+    const Real along = dot(cross(triangle.b - triangle.a, triangle.c - triangle.a), ray.direction);
+    return primitive.mirrored ? along <= 0 : along >= 0;
   }
 
   LineSpan<Real> span_of(const Query& query, std::uint32_t index, const TracedSolid& solid, std::size_t part) const {

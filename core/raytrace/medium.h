@@ -3,7 +3,7 @@
 namespace ps {
 
 /// What a ray runs through (CGFS ch. 5): the refraction index it carries along, and what lies around that material. The
-/// chain lives on the stack of the recursion.
+/// chain lives on the stack of the recursion; that of eye rays begins in EyeMedia.
 template <class Real>
 struct Medium {
   Real index = 1;

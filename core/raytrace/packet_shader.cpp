@@ -38,6 +38,7 @@ bool PacketShader::put_lane(std::size_t lane, const Ray<float>& ray, const Hit<f
   packet_.triangle[lane] = static_cast<std::int32_t>(primitive.shape);
   packet_.attributes[lane] = smooth ? attributes : -1;
   packet_.material[lane] = static_cast<std::int32_t>(primitive.material);
+  packet_.sense[lane] = primitive.mirrored ? -1.0f : 1.0f;
   for (int axis = 0; axis < 3; ++axis) {
     const auto k = static_cast<std::size_t>(axis);
     packet_.weights[k][lane] = hit.weights[k];

@@ -32,6 +32,7 @@ struct PlacedInstance {
   std::uint32_t mesh = 0;   ///< index into TracedGeometry::meshes
   std::uint32_t first = 0;  ///< number of its first triangle
   bool front_only = false;
+  bool mirrored = false;                  ///< mirrors(transform)
   std::optional<std::uint32_t> material;  ///< for all of its triangles
   Transform transform;
   Mat3d normals{1.0};  ///< takes vertex normals to the world

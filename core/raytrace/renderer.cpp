@@ -56,6 +56,7 @@ class PictureTracer {
       if (!ids_asked_) frame_.ids = {};
     }
     frame_.counters[Counter::triangles_degenerate] += inputs_.geometry->degenerate_triangles;
+    if (inputs_.simple.octree) frame_.counters[Counter::octree_entries] += inputs_.simple.octree->entries.size();
     if (request_.region) clear_outside(region_, frame_);
     return std::move(frame_);
   }

@@ -70,7 +70,10 @@ void place(const HitTables& tables, HitPacket& packet) {
     usable = hn::And(carried, hn::Gt(dot(unit, unit), hn::Zero(d)));
     normal = tables.renormalise ? unit : corners;
   }
-  if (!hn::AllTrue(d, usable)) normal = choose(usable, normal, unit_of(cross(subtract(b, a), subtract(c, a))));
+  if (!hn::AllTrue(d, usable)) {
+    const P face = scale(unit_of(cross(subtract(b, a), subtract(c, a))), hn::Load(d, packet.sense.data()));
+    normal = choose(usable, normal, face);
+  }
   store(normal, packet.normal);
 }
 

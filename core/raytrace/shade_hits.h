@@ -20,6 +20,7 @@ struct alignas(32) HitPacket {
   Numbers triangle{};    ///< index into TracedGeometry::triangles
   Numbers attributes{};  ///< index into TracedGeometry::attributes of vertex normals; -1 = the face's normal
   Numbers material{};    ///< index into HitTables::materials
+  Lanes sense{};         ///< 1, or -1 for a triangle that is mirrored
   std::array<Lanes, 3> weights{}, to_eye{};
   std::array<Lanes, 3> point{}, normal{};  ///< of the surface, in world space
   std::array<Lanes, 3> colour{};           ///< the result

@@ -66,6 +66,7 @@ inline void put_triangle_surface(const Ray<Real>& ray, const Hit<Real>& hit, con
         rounding_bound<Real>(7) *
         (std::abs(w[0] * triangle.a[axis]) + std::abs(w[1] * triangle.b[axis]) + std::abs(w[2] * triangle.c[axis]));
   surface.geometric_normal = normalised(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  if (primitive.mirrored) surface.geometric_normal = -surface.geometric_normal;
   surface.shading_normal = surface.geometric_normal;
   surface.back_face = dot(ray.direction, surface.geometric_normal) > 0;
   if (triangle.attributes < 0) return;

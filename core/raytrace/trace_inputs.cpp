@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "math/unit.h"
+#include "raytrace/eye_bodies.h"
+
 namespace ps {
 namespace {
 
@@ -13,6 +16,27 @@ Real padding(const Settings& settings) {
   constexpr Real u = std::numeric_limits<Real>::epsilon() / 2;
   constexpr Real operations = 32;
   return settings.sphere_test == SphereTest::quadratic ? std::sqrt(operations * u) : operations * u;
+}
+
+/// The book's interval of t is closed (CGFS ch. 2), and the rasterizer keeps what lies right on a clipping plane. A ray
+/// may meet such a surface some rounding errors before or behind it.
+template <class Real>
+constexpr Real limit_slack = 8 * std::numeric_limits<Real>::epsilon();
+
+/// How far from the eye an eye ray may begin, world units.
+template <class Real>
+double eye_reach(const TraceInputs<Real>& inputs, const View& view) {
+  const Vec3d forward(inputs.forward);
+  const double across =
+      length_of(view.camera.right) * inputs.viewport.width / 2 + length_of(view.camera.up) * inputs.viewport.height / 2;
+  const double along = static_cast<double>(inputs.near) * length_of(forward);
+  switch (inputs.viewport.projection) {
+  case Projection::perspective:
+    return along + static_cast<double>(inputs.near) * across;
+  case Projection::orthographic:
+    return along + across;
+  }
+  return along + across;
 }
 
 }  // namespace
@@ -51,8 +75,10 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   inputs.right = Vec3<Real>(camera.right);
   inputs.up = Vec3<Real>(camera.up);
   inputs.forward = Vec3<Real>(camera.forward) * inputs.viewport.distance;
-  inputs.near = static_cast<Real>(settings.near);
-  inputs.far = static_cast<Real>(settings.far);
+  inputs.near = static_cast<Real>(settings.near) * (1 - limit_slack<Real>);
+  inputs.far = static_cast<Real>(settings.far) * (1 + limit_slack<Real>);
+  if (inputs.any_transparent && settings.refraction && settings.reflection_depth > 0)
+    inputs.eye_bodies = eye_bodies(scene, *inputs.geometry, eye_reach(inputs, view), camera.position);
   inputs.triangle_epsilon = static_cast<Real>(settings.triangle_epsilon);
   inputs.shadow_epsilon = static_cast<Real>(settings.shadow_epsilon);
   inputs.reflection_epsilon = static_cast<Real>(settings.reflection_epsilon);

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "image/texture_sampling.h"
+#include "raytrace/eye_media.h"
 #include "raytrace/intersector.h"
 #include "raytrace/medium.h"
 #include "raytrace/normal_map.h"
@@ -39,7 +40,11 @@ class Tracer {
     TracedPixel<Real> pixel;
     pixel.ray = ray;
     recorder_.count(Counter::eye_rays);
-    pixel.colour = trace(pixel.ray, RayKind::eye, 0, Real(1), {}, &pixel);
+    const EyeMedia<Real> media(inputs_, ray);
+    recorder_.begin([&] { return eye_ray_event(ray, media); });
+    const Hit<Real> hit = intersector_.nearest(ray);
+    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), media.innermost(), &pixel);
+    recorder_.end();
     return pixel;
   }
 
@@ -118,11 +123,12 @@ class Tracer {
     TracedPixel<Real> pixel;
     pixel.ray = ray;
     recorder_.count(Counter::eye_rays);
-    recorder_.begin([&] { return ray_event(ray, RayKind::eye, 0, Real(1)); });
+    const EyeMedia<Real> media(inputs_, ray);
+    recorder_.begin([&] { return eye_ray_event(ray, media); });
     Hit<Real> hit = find_between(ray, primitives, around);
     recorder_.event([&] { return around; });
     if (!around.met) hit = intersector_.nearest(ray);
-    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), {}, &pixel);
+    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), media.innermost(), &pixel);
     recorder_.end();
     return pixel;
   }
@@ -172,7 +178,8 @@ class Tracer {
     pixel.hit = {};
     pixel.shadow_mask = 0;
     if (!hit.found()) pixel.surface = {};
-    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), {}, &pixel);
+    const EyeMedia<Real> media(inputs_, ray);
+    pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), media.innermost(), &pixel);
   }
 
   /// The colour that comes back along `ray` after `depth` bounces. `first` notes what the eye ray found.
@@ -411,6 +418,14 @@ class Tracer {
     return hit;
   }
 
+  RayEvent eye_ray_event(const Ray<Real>& ray, const EyeMedia<Real>& media) const {
+    RayEvent event = ray_event(ray, RayKind::eye, 0, Real(1));
+    event.t_min = inputs_.settings.near;  // as asked, without the slack for rounding
+    event.t_max = inputs_.settings.far;
+    event.inside = media.events();
+    return event;
+  }
+
   static RayEvent ray_event(const Ray<Real>& ray, RayKind kind, int depth, Real share) {
     return {kind,
             Vec3d(ray.origin),
@@ -418,7 +433,8 @@ class Tracer {
             static_cast<double>(ray.t_min),
             static_cast<double>(ray.t_max),
             depth,
-            static_cast<double>(share)};
+            static_cast<double>(share),
+            {}};
   }
 
   HitEvent hit_event(const Hit<Real>& hit, const Surface<Real>& surface) const {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
+#include "math/unit.h"
 #include "scene/obj_check.h"
 #include "scene/obj_material.h"
 #include "scene/polygon.h"
@@ -47,7 +48,10 @@ class ModelBuilder {
     callbacks.vertex_cb = [](void* self, Real x, Real y, Real z, Real) {
       mesh_of(self).positions.emplace_back(x, y, z);
     };
-    callbacks.normal_cb = [](void* self, Real x, Real y, Real z) { mesh_of(self).normals.emplace_back(x, y, z); };
+    callbacks.normal_cb = [](void* self, Real x, Real y, Real z) {
+      const Vec3d normal(x, y, z);
+      mesh_of(self).normals.push_back(normal == Vec3d(0) ? normal : float_direction(normal));
+    };
     callbacks.texcoord_cb = [](void* self, Real u, Real v, Real) { mesh_of(self).uvs.emplace_back(u, 1 - v); };
     callbacks.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
       static_cast<ModelBuilder*>(self)->face(corners, count);

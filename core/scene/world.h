@@ -11,6 +11,15 @@ inline Vec3d to_world(const Transform& transform, const Vec3d& position) {
   return transform.rotation * (transform.scale * position) + transform.translation;
 }
 
+/// Does the transform turn left into right (its determinant is negative)? Then corners that ran anticlockwise around a
+/// triangle's front run clockwise.
+inline bool mirrors(const Transform& transform) {
+  const Vec3d& s = transform.scale;
+  const Mat3d& r = transform.rotation;
+  const bool scale = (s.x < 0) != ((s.y < 0) != (s.z < 0));
+  return scale != (dot(r[0], cross(r[1], r[2])) < 0);
+}
+
 /// The matrix that takes vertex normals to the world; their lengths afterwards mean nothing. The inverse transpose is
 /// built from cofactors, which exist for flat models (a scale of 0) too.
 inline Mat3d normal_matrix(const Transform& transform, NormalTransform how) {
@@ -23,7 +32,7 @@ inline Mat3d normal_matrix(const Transform& transform, NormalTransform how) {
     scale[2][2] = s.z;
     break;
   case NormalTransform::inverse_transpose: {
-    const double sign = s.x * s.y * s.z < 0 ? -1 : 1;
+    const double sign = (s.x < 0) != ((s.y < 0) != (s.z < 0)) ? -1 : 1;
     scale[0][0] = sign * s.y * s.z;
     scale[1][1] = sign * s.z * s.x;
     scale[2][2] = sign * s.x * s.y;

@@ -5,12 +5,9 @@
 #include <cstdlib>
 #include <span>
 
-#include <fmt/format.h>
-
 #include "base/check.h"
 #include "options/option.h"
 #include "render/display_frame.h"
-#include "study/stability/shadow_map_ball.h"
 
 namespace ps {
 namespace {
@@ -24,7 +21,9 @@ struct Rule {
 };
 
 bool guarded_by_epsilon(const Settings& s) { return s.self_hit == SelfHit::epsilon; }
-bool fixed_map_bias(const Settings& s) { return s.shadow_slope_bias < 0.5 * s.shadow_filter; }
+bool fixed_map_bias(const Settings& s) {
+  return s.shadow_slope_bias >= 0 && s.shadow_slope_bias < 0.5 * s.shadow_filter;
+}
 
 /// In the order of the option table's groups. Windows are those of the experiments (core/study/stability).
 constexpr Rule rules[] = {
@@ -76,7 +75,7 @@ constexpr Rule rules[] = {
     {"reflection-epsilon", "reflection-self-hit", guarded_by_epsilon, "self-hit=offset", "shadows=none"},
     {"self-hit", "constant-normal-bump", [](const Settings& s) { return s.self_hit == SelfHit::normal_bump; },
      "self-hit=offset"},
-    {"shadow-bias", "shadow-map-acne", fixed_map_bias, "shadow-bias=0;shadow-slope-bias=SLOPE"},
+    {"shadow-bias", "shadow-map-acne", fixed_map_bias, "shadow-bias=0;shadow-slope-bias=-1"},
     {"stencil-bits", "stencil-bits-wrap", [](const Settings& s) { return s.stencil_bits < 8; }, "stencil-bits=8"},
     {"volume-caps", "z-fail-caps", [](const Settings& s) { return !s.volume_caps; }, "volume-caps=on"},
     {"volume-length", "z-fail-caps", [](const Settings& s) { return s.volume_length > 0; }, "volume-length=0"},
@@ -95,18 +94,6 @@ constexpr Rule rules[] = {
     {"sphere-test", "ray-sphere-cancellation", [](const Settings& s) { return s.sphere_test != SphereTest::robust; },
      "sphere-test=robust"},
 };
-
-/// The rule's remedy for these settings. Where it needs the slope bias that cures acne on any surface with these taps,
-/// that is rounded up to two digits.
-std::string remedy(const Rule& rule, const Settings& settings) {
-  std::string text(rule.safe);
-  constexpr std::string_view wanted = "SLOPE";
-  if (const auto at = text.find(wanted); at != std::string::npos) {
-    const double texels = stability::slope_bias_of_all(settings.shadow_filter);
-    text.replace(at, wanted.size(), fmt::format("{:.2f}", std::ceil(100 * texels) / 100));
-  }
-  return text;
-}
 
 Settings made_safe(Settings settings, const std::string& assignments) {
   for (std::size_t begin = 0; begin < assignments.size();) {
@@ -147,7 +134,7 @@ std::vector<UnsafeSetting> unsafe_settings(const Scene& scene, const View& view,
     const Option* option = find_option(rule.option);
     PS_ASSERT(option != nullptr, "a rule names an option of the table");
     if (!rule.leaves(settings) || inactive_reason(*option, settings, traits)) continue;
-    UnsafeSetting unsafe{rule.experiment, rule.option, option_text(*option, settings), remedy(rule, settings), 0};
+    UnsafeSetting unsafe{rule.experiment, rule.option, option_text(*option, settings), std::string(rule.safe), 0};
     if (!options.only_known) {
       const Settings probed = made_safe(settings, std::string(rule.probe));
       const Settings safe = made_safe(probed, unsafe.safe);

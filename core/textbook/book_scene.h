@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "options/settings.h"
 #include "render/view.h"
 #include "scene/scene.h"
+#include "textbook/unmirrored.h"
 
 /// A scene as the listings see it: the book's words, colours from 0 to 255, everything in double.
 
@@ -53,6 +55,7 @@ struct BookScene {
   std::vector<BookSphere> spheres;
   std::vector<BookInstance> instances;
   const std::vector<Light>& lights;
+  std::vector<std::shared_ptr<const Unmirrored>> unmirrored{};  ///< what some of `instances` stand for
 };
 
 BookScene book_scene(const Scene& scene, const View& view, const Settings& settings);

@@ -45,6 +45,15 @@ TEST(CoincidentOctree, ListsEachCopyAsOftenAsOneAlone) {
   EXPECT_EQ(entries_of_octree<double>(coincident_teapots(9)), 9 * entries_of_octree<double>(coincident_teapots(1)));
 }
 
+TEST(CoincidentOctree, EntriesAreCounted) {
+  const Scene scene = coincident_teapots(2);
+  const View view{scene.camera, 8, 8};
+  const std::size_t entries = entries_of_octree<float>(scene);
+  EXPECT_GT(entries, 2u * 32 * 2 * 2 * 2) << "some triangles must stand in several cells";
+  EXPECT_EQ(render(scene, view, with_octree()).counters[Counter::octree_entries], entries);
+  EXPECT_EQ(render(scene, view, Settings()).counters[Counter::octree_entries], 0u);
+}
+
 TEST(CoincidentOctree, DrawsWhatTestingEverythingDraws) {
   const Scene scene = coincident_teapots(20);
   const View view{scene.camera, 24, 24};

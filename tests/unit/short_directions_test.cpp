@@ -11,6 +11,7 @@
 #include "render/render.h"
 #include "scene/edit.h"
 #include "scene/form_frame.h"
+#include "scene/obj.h"
 #include "scene/scene_file.h"
 
 namespace {
@@ -77,6 +78,13 @@ TEST(ShortDirections, DrawAsTheirLongerOnes) {
               ASSERT_NEAR(found, wanted.colour.at(x, y)[c], 1e-4) << text << " with " << length;
             }
       }
+}
+
+TEST(ShortDirections, OfObjFilesAreBroughtToALengthThatFloatsSquare) {
+  const ObjModel model = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1e-170\nf 1//1 2//1 3//1\n", "short.obj");
+  ASSERT_EQ(model.mesh.normals.size(), 1u);
+  EXPECT_GE(model.mesh.normals[0].z, 0.5);
+  EXPECT_EQ(model.mesh.triangles.at(0).normal[0], 0);
 }
 
 TEST(ShortDirections, OfTheCameraAreRefusedWhereTheirLengthCounts) {

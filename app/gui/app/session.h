@@ -67,6 +67,8 @@ class Session {
   std::optional<Vec2i> pixel() const;
   RenderWorker& renderer(Side side) { return *renderers_[index_of(side)]; }
   InspectWorker& inspector(Side side) { return *inspectors_[index_of(side)]; }
+  /// What has been built for the pictures.
+  Prepared& prepared() { return *prepared_; }
   /// The story of the picked pixel; nullptr while there is none.
   std::shared_ptr<const PixelStory> story(Side side) const;
   /// Something is loading, rendering or being told.

@@ -78,6 +78,12 @@ void show_popup(SpacePanelState& state) {
   number("level", state.deepest_level,
          {.minimum = 0, .maximum = std::max(1.0, static_cast<double>(state.model.deepest_level)), .integer = true},
          {.tooltip = "0 is the box around everything.", .width = px(180)});
+  toggle("tree", "Whole tree", state.whole_tree,
+         {.tooltip = "Also the boxes that none of this pixel's rays came to: the whole accelerator, level by level."});
+  if (state.tree && state.tree->nodes > 0)
+    ImGui::TextUnformatted(fmt::format("{} nodes; {} primitives, listed {} times", state.tree->nodes,
+                                       state.tree->primitives, state.tree->entries)
+                               .c_str());
   ImGui::TextUnformatted("Leave out rays below a share of");
   number("least", state.least_contribution, {.minimum = 0, .maximum = 1},
          {.tooltip = "Rays that bring less of the pixel's colour are hidden with all that belongs to them.",
@@ -274,7 +280,8 @@ void update_space(Session& session, SpacePanelState& state) {
   const Scene& scene = session.scene();
   const std::array revisions{scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
   if (story == state.told && revisions == state.revisions && session.view() == state.view &&
-      session.settings(side) == state.settings && same_vertex(state.vertex, state.followed))
+      session.settings(side) == state.settings && same_vertex(state.vertex, state.followed) &&
+      (state.whole_tree && story != nullptr) == state.tree.has_value())
     return;
   if (story != state.told) state.play.up_to = -1;
   state.told = story;
@@ -284,6 +291,10 @@ void update_space(Session& session, SpacePanelState& state) {
   state.settings = session.settings(side);
   state.followed = state.vertex;
   state.model = build_space(scene, state.view, state.settings, story.get());
+  state.tree.reset();
+  // Only where a story has come: then the accelerator is there already.
+  if (state.whole_tree && story)
+    state.tree = add_tree(scene, state.settings, story.get(), session.prepared(), state.model);
   if (state.vertex) add_vertex(*state.vertex, state.view.camera, state.model);
 }
 

@@ -9,6 +9,7 @@
 #include "gui/app/space_style.h"
 #include "gui/app/space_worker.h"
 #include "inspect/space_orbit.h"
+#include "inspect/space_tree.h"
 #include "inspect/vertex_chain.h"
 
 namespace ps::gui {
@@ -33,6 +34,7 @@ struct SpacePanelState {
   std::array<bool, space_groups.size()> groups{};
   double least_contribution = 0;
   double deepest_level = 3;
+  bool whole_tree = false;  ///< also the nodes of the accelerator that no ray came to
   StoryPlay play;
 
   // The model and what it was made from.
@@ -44,6 +46,7 @@ struct SpacePanelState {
   std::optional<VertexChain> vertex;  ///< that is followed; set before update_space()
   std::optional<VertexChain> followed;
   SpaceModel model;
+  std::optional<SpaceTree> tree;  ///< what is known of the accelerator, if the whole of it is in the model
 
   // What is on the screen.
   SpaceWorker worker;

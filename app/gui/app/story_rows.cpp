@@ -65,11 +65,13 @@ bool came_to_nothing(TestOutcome outcome) {
 
 struct Tally {
   int boxes = 0, entered = 0, misses = 0, rejects = 0;
+  bool spheres = false;  ///< they bound the nodes, not boxes
 
   /// Whether the event is one of those that are counted.
   bool add(const Event& event) {
     if (const auto* node = std::get_if<NodeEvent>(&event.data)) {
       ++boxes;
+      spheres = spheres || node->radius > 0;
       if (node->entered) ++entered;
     } else if (const auto* outcome = outcome_of(event); outcome && came_to_nothing(*outcome)) {
       ++misses;
@@ -164,7 +166,9 @@ std::string run_text(const std::vector<Event>& events, const StoryRow& run) {
   for (int i = run.first; i < run.last; ++i) tally.add(at(events, i));
   std::string text;
   if (tally.boxes > 0)
-    append(text, counted(tally.boxes, "box visited", "boxes visited") + fmt::format(", {} entered", tally.entered));
+    append(text, counted(tally.boxes, tally.spheres ? "sphere visited" : "box visited",
+                         tally.spheres ? "spheres visited" : "boxes visited") +
+                     fmt::format(", {} entered", tally.entered));
   if (tally.misses > 0) append(text, counted(tally.misses, "primitive missed", "primitives missed"));
   for (const RejectReason reason : all_reject_reasons) {
     const auto count = static_cast<std::size_t>(

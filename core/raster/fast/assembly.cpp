@@ -150,7 +150,7 @@ class PartAssembler {
     rules.spare_bits = pass_.grid.subpixel_bits > 0 ? 1 : 0;
     rules.unit_bits = pass_.grid.subpixel_bits + 1 - rules.spare_bits;
     const auto unit = static_cast<double>(1 << rules.unit_bits);
-    rules.handedness = static_cast<float>(pass_.camera_space.handedness);
+    rules.handedness = static_cast<float>(facing_sense(pass_, object));
     rules.cull_backs = pass_.settings.backface_culling || object.front_only;
     rules.sample_x = static_cast<std::int32_t>(pass_.grid.sample.x * unit);
     rules.sample_y = static_cast<std::int32_t>(pass_.grid.sample.y * unit);

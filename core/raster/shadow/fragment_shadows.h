@@ -11,8 +11,9 @@ template <class Real, class Recorder>
 class FragmentShadows {
  public:
   FragmentShadows(const Pass<Real>& pass, int column, int row, const Vec3<Real>& position, const Vec3<Real>& normal,
-                  Recorder& recorder)
-      : pass_(pass), column_(column), row_(row), position_(position), normal_(normal), recorder_(recorder) {}
+                  Real surface_error, Recorder& recorder)
+      : pass_(pass), column_(column), row_(row), position_(position), normal_(normal), surface_error_(surface_error),
+        recorder_(recorder) {}
 
   /// As illuminate() asks.
   Blocking<Real> operator()(int light, const Vec3<Real>&, Real) {
@@ -30,7 +31,7 @@ class FragmentShadows {
       const ShadowMap& map = (*pass_.shadow_maps)[index];
       const Settings& s = pass_.settings;
       const ShadowComparison<Real> how{static_cast<Real>(s.shadow_bias), static_cast<Real>(s.shadow_slope_bias),
-                                       s.shadow_filter};
+                                       s.shadow_filter, surface_error_};
       return look_up_shadow(map, light, position_, normal_, how, recorder_);
     }
     const Stencil& stencil = *pass_.stencil;
@@ -43,6 +44,7 @@ class FragmentShadows {
   const Pass<Real>& pass_;
   int column_, row_;
   Vec3<Real> position_, normal_;
+  Real surface_error_;
   Recorder& recorder_;
   std::uint32_t mask_ = 0;
 };

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "inspect/recorder.h"
 #include "raster/shadow/shadow_map.h"
@@ -10,10 +11,23 @@ namespace ps::raster {
 /// The knobs of a comparison with a shadow map.
 template <class Real>
 struct ShadowComparison {
-  Real bias = 0;        ///< world units
-  Real slope_bias = 0;  ///< texels, times how much depth a texel's width adds on the receiving surface
-  int filter = 1;       ///< taps along each side
+  Real bias = 0;           ///< world units
+  Real slope_bias = 0;     ///< texels, times how much depth a texel's width adds on the receiving surface; < 0: derived
+  int filter = 1;          ///< taps along each side
+  Real surface_error = 0;  ///< world units: how far triangles may lie within the round surface; for a derived bias
 };
+
+/// The slope bias, in texels, at which no surface shadows itself: from the middle of a filter of `taps` x `taps` texels
+/// to the farthest corner that it compares with along any direction, and 1/256 for the rounding of the map's vertices.
+template <class Real>
+inline Real needed_slope_bias(int taps) {
+  return static_cast<Real>(taps) * std::numbers::sqrt2_v<Real> / 2 + Real(1) / 256;
+}
+
+/// How much of a depth, whatever the slope, its rounding may be: it is a float from a few operations, here and in the
+/// map.
+template <class Real>
+inline constexpr Real rounding_of_depth = Real(0x1p-20);
 
 /// A point as a face of a shadow map sees it.
 template <class Real>
@@ -103,7 +117,12 @@ Real look_up_shadow(const ShadowMap& map, int light, const Vec3<Real>& position,
     return 1;
   }
   const Vec3<Real> from_light = position - Vec3<Real>(map.position);
-  const Real bias = how.bias + how.slope_bias * point.texel * point.slope;
+  const bool derived = how.slope_bias < 0;
+  const Real texels = derived ? needed_slope_bias<Real>(how.filter) : how.slope_bias;
+  Real bias = how.bias + texels * point.texel * point.slope;
+  if (derived)
+    bias += rounding_of_depth<Real> * std::abs(point.depth) +
+            how.surface_error * std::sqrt(Real(1) + point.slope * point.slope);
   // The taps whose middle is nearest to the position; an odd number has the position's own texel in its middle.
   const auto first = [&](Real place) {
     const int texel = static_cast<int>(std::floor(how.filter % 2 == 0 ? place + Real(0.5) : place));

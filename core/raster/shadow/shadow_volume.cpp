@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/stop.h"
 #include "raster/shadow/shadow_map.h"
 
 namespace ps::raster {
@@ -24,6 +25,7 @@ Welded weld(const DrawObject& object) {
   std::map<std::tuple<double, double, double>, CornerIndex> known;
   std::vector<CornerIndex> number;
   for (const Vec3d& model : object.mesh->positions) {
+    if (number.size() % 1024 == 0) check_stop();
     const Vec3d p = object.world(model);
     const auto [entry, fresh] =
         known.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<CornerIndex>(welded.positions.size()));
@@ -31,7 +33,8 @@ Welded weld(const DrawObject& object) {
     number.push_back(entry->second);
   }
   for (const MeshTriangle& triangle : object.mesh->triangles) {
-    const Corners c{number[triangle.position[0]], number[triangle.position[1]], number[triangle.position[2]]};
+    Corners c{number[triangle.position[0]], number[triangle.position[1]], number[triangle.position[2]]};
+    if (object.mirrored) std::swap(c[1], c[2]);
     if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) welded.triangles.push_back(c);
   }
   return welded;
@@ -50,7 +53,10 @@ void add_edges(const Corners& triangle, EdgeBalance& balance) {
 
 bool is_closed(const Welded& welded) {
   EdgeBalance balance;
-  for (const Corners& triangle : welded.triangles) add_edges(triangle, balance);
+  for (std::size_t i = 0; i < welded.triangles.size(); ++i) {
+    if (i % 1024 == 0) check_stop();
+    add_edges(welded.triangles[i], balance);
+  }
   for (const auto& edge : balance)
     if (edge.second != 0) return false;
   return !balance.empty();
@@ -129,6 +135,7 @@ ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, co
     const auto far = [&](CornerIndex c) { return c + static_cast<CornerIndex>(welded.positions.size()); };
     EdgeBalance balance;
     for (const Corners& t : lit_triangles(welded, light)) {
+      if (surface->triangles.size() % 1024 == 0) check_stop();
       add_edges(t, balance);
       if (!options.caps) continue;
       surface->triangles.push_back(surface_triangle(t[0], t[1], t[2]));

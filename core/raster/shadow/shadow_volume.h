@@ -40,7 +40,7 @@ struct ShadowVolumeOptions {
 
 /// Closed models throw shadows with the triangles that face the light. In an open one any triangle may be the only one
 /// in the light's way, so all do, each turned to face the light; where two lie behind each other the count is 2, which
-/// is as dark as 1. Empty for ambient light.
+/// is as dark as 1. Empty for ambient light. Throws Cancelled (base/stop.h).
 ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, const ShadowVolumeOptions& options);
 
 /// The volumes of all objects that throw shadows, for each light: transparent ones do not. As the settings say.

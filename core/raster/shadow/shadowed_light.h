@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "raster/corner_attributes.h"
@@ -18,6 +19,17 @@ struct KnownShares {
   }
 };
 
+/// How far the fragment may lie from the round surface that its triangle stands for: so many pixels (option
+/// tessellation), in world units. The map has triangles of its own, so its surface is another one.
+template <class Real>
+Real tessellation_error(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment) {
+  if (!setup.surface->sphere) return 0;
+  const Real pixels = static_cast<Real>(pass.settings.tessellation);
+  const Real width =
+      (pass.perspective() ? fragment.z : Real(1)) / std::min(pass.projection.scale.x, pass.projection.scale.y);
+  return pixels * width;
+}
+
 /// Light on a fragment in a picture with shadows. Whether a light is seen is always found out at the fragment itself;
 /// where the light is computed at the corners (Gouraud) or once for the triangle (flat), what they get of a light is
 /// multiplied by the share of it that the fragment sees.
@@ -29,7 +41,8 @@ Lighting<Real> shadowed_light(const Pass<Real>& pass, const ScreenGeometry<Real>
   const AttributeLayout& layout = setup.surface->layout;
   const bool has_position = layout.position != AttributeLayout::absent;
   const Vec3<Real> position = has_position ? interpolate3(pass, setup, fragment, layout.position) : Vec3<Real>(0);
-  FragmentShadows<Real, Recorder> shadows(pass, fragment.column, fragment.row, position, normal, recorder);
+  FragmentShadows<Real, Recorder> shadows(pass, fragment.column, fragment.row, position, normal,
+                                          tessellation_error(pass, setup, fragment), recorder);
   const auto known = [&] {
     KnownShares<Real> known_shares;
     for (std::size_t i = 0; i < pass.lights.size(); ++i)

@@ -1,0 +1,108 @@
+// The whole accelerator in the view from outside.
+#include "inspect/space_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "raytrace/accelerators.h"
+#include "render/render.h"
+#include "scene/scene_file.h"
+
+namespace {
+
+using namespace ps;
+
+Scene teapot_scene() {
+  return parse_scene("model { name = t generator = teapot divisions = 3 } instance { model = t position = (0,-1,9) }"
+                     "sphere { center = (3,0,9) radius = 1 } light { type = ambient intensity = 1 }",
+                     "teapot.scene", ".");
+}
+
+struct SpaceWithTree {
+  SpaceModel model;
+  SpaceTree tree;
+  std::size_t nodes = 0;
+};
+
+SpaceWithTree with_tree(const Settings& settings, std::size_t most, Prepared& prepared) {
+  const Scene scene = teapot_scene();
+  const View view{scene.camera, 40, 40};
+  Progress progress;
+  const PixelStory story = inspect(scene, view, settings, {20, 20}, prepared, progress);
+  SpaceWithTree space{build_space(scene, view, settings, &story), {}, 0};
+  space.tree = add_tree(scene, settings, &story, prepared, space.model, most);
+  space.nodes = static_cast<std::size_t>(count_of(space.model, SpaceKind::node));
+  return space;
+}
+
+Settings by(Accelerator accelerator) {
+  Settings settings;
+  settings.accelerator = accelerator;
+  return settings;
+}
+
+TEST(SpaceTree, DrawsEveryNodeOnce) {
+  for (const Accelerator accelerator :
+       {Accelerator::bvh, Accelerator::octree, Accelerator::bounding_spheres, Accelerator::box, Accelerator::two_level})
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+      Settings settings = by(accelerator);
+      settings.precision = precision;
+      settings.octree_leaf = 4;
+      Prepared prepared;
+      const SpaceWithTree space = with_tree(settings, 1'000'000, prepared);
+      EXPECT_GE(space.tree.nodes, 1u);
+      // Boxes in the model of an instance are drawn only where a ray came to them.
+      if (accelerator != Accelerator::two_level) {
+        EXPECT_EQ(space.nodes, space.tree.nodes);
+        EXPECT_GE(space.tree.entries, space.tree.primitives);
+      }
+    }
+}
+
+TEST(SpaceTree, CountsWhatAnOctreeListsTwice) {
+  Settings settings = by(Accelerator::octree);
+  settings.octree_leaf = 4;
+  Prepared prepared;
+  const SpaceWithTree space = with_tree(settings, 1'000'000, prepared);
+  const Scene scene = teapot_scene();
+  Prepared own;
+  const auto geometry = traced_geometry<float>(scene, settings, own);
+  const auto octree = simple_accelerators<float>(scene, *geometry, settings, own).octree;
+  std::size_t listed = 0, cells = 1;
+  for (const OctreeNode<float>& node : octree->nodes) {
+    if (node.leaf) listed += node.count;
+    for (unsigned k = 0; k < 8 && !node.leaf; ++k) cells += node.filled >> k & 1u;
+  }
+  EXPECT_EQ(space.tree.entries, listed);
+  EXPECT_EQ(space.tree.nodes, cells);
+  EXPECT_EQ(space.tree.primitives, geometry->primitives.size());
+  EXPECT_GT(space.tree.entries, space.tree.primitives);
+}
+
+TEST(SpaceTree, LeavesOutTheDeepestLevelsFirst) {
+  Prepared prepared;
+  const Settings settings = by(Accelerator::bvh);
+  const SpaceWithTree all = with_tree(settings, 1'000'000, prepared), some = with_tree(settings, 200, prepared);
+  EXPECT_EQ(some.nodes, 200u);
+  EXPECT_EQ(some.tree.nodes, all.tree.nodes);
+  int deepest = 0;
+  for (const SpaceItem& item : some.model.items)
+    if (item.kind == SpaceKind::node && item.event < 0) deepest = std::max(deepest, item.level);
+  for (int level = 0; level < deepest; ++level) {
+    const auto on_level = [&](const SpaceItem& item) { return item.kind == SpaceKind::node && item.level == level; };
+    EXPECT_EQ(std::count_if(some.model.items.begin(), some.model.items.end(), on_level),
+              std::count_if(all.model.items.begin(), all.model.items.end(), on_level))
+        << level;
+  }
+}
+
+TEST(SpaceTree, IsEmptyWithoutRays) {
+  Settings settings;
+  settings.renderer = Renderer::rasterizer;
+  Prepared prepared;
+  EXPECT_EQ(with_tree(settings, 1000, prepared).nodes, 0u);
+  EXPECT_EQ(with_tree(by(Accelerator::none), 1000, prepared).nodes, 0u);
+}
+
+}  // namespace
