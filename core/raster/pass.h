@@ -103,6 +103,11 @@ struct Pass {
   Vec3<Real> to_eye(const Vec3<Real>& world) const { return perspective() ? eye - world : backward; }
 };
 
+/// What lies beyond the borders of a texture.
+inline TextureWrap wrap_of(const MipChain& chain, const Settings& settings) {
+  return chain.clamped ? TextureWrap::clamp : settings.texture_wrap;
+}
+
 template <class Real>
 Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,
                      Prepared& prepared);
