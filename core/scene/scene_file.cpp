@@ -20,7 +20,7 @@ struct BlockReader {
   ReadBlock read;
   bool once;
 };
-constexpr std::array<BlockReader, 19> blocks{{{"sphere", read_sphere, false},
+constexpr std::array<BlockReader, 20> blocks{{{"sphere", read_sphere, false},
                                               {"light", read_light, false},
                                               {"camera", read_camera, true},
                                               {"material", read_material, false},
@@ -30,6 +30,7 @@ constexpr std::array<BlockReader, 19> blocks{{{"sphere", read_sphere, false},
                                               {"group", read_group, false},
                                               {"line", read_line, false},
                                               {"triangle", read_any_triangle, false},
+                                              {"polygon", read_polygon, false},
                                               {"plane", read_solid, false},
                                               {"rectangle", read_solid, false},
                                               {"box", read_solid, false},
