@@ -65,7 +65,7 @@ struct ListingGap {
   std::string_view what, remedy;
 };
 
-std::vector<LeftOut> left_out_by_listing(const SceneTraits& traits, const Settings& settings) {
+std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& settings) {
   const Listing& listing = *listing_of(settings, traits).listing;
   const ListingDraws& draws = listing.draws;
   const bool shows_space = draws.spheres || draws.models;
@@ -116,7 +116,7 @@ std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& setting
   case Renderer::rasterizer:
     return left_out_by_fragments(traits, settings);
   case Renderer::textbook:
-    return left_out_by_listing(traits, settings);
+    return gaps_of_listing(traits, settings);
   }
   return {};
 }

@@ -81,7 +81,7 @@ FormBox common(const FormBox& a, const FormBox& b) {
 }
 
 /// Around the corners of the box where the map takes them.
-FormBox placed_box(const FormBox& box, const PartPlace& place) {
+FormBox moved_box(const FormBox& box, const PartPlace& place) {
   if (place.is_identity() || !is_bounded(box)) return box;
   FormBox result;
   for (int corner = 0; corner < 8; ++corner) {
@@ -125,7 +125,7 @@ FormBox form_box(const FormFrame& frame) {
 }
 
 FormBox csg_box(const CsgNode& node) {
-  if (node.children.empty()) return placed_box(form_box(form_frame(node.part.form)), node.part.place);
+  if (node.children.empty()) return moved_box(form_box(form_frame(node.part.form)), node.part.place);
   FormBox box = csg_box(node.children.front());
   for (std::size_t i = 1; i < node.children.size(); ++i) {
     switch (node.operation) {

@@ -25,7 +25,7 @@ const std::vector<SceneTerm>& each_corner(const SceneSource& source, const Scene
 }
 
 /// Twice the area of a triangle, above 0 where its corners go round from +x to +y.
-double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
+double corner_turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -39,8 +39,8 @@ bool is_convex(const std::vector<Vec2d>& points) {
   };
   const std::size_t count = points.size();
   for (std::size_t i = 0; i < count; ++i) {
-    note(turn(points[i], points[(i + 1) % count], points[(i + 2) % count]));
-    if (i > 0 && i + 1 < count) note(turn(points[0], points[i], points[i + 1]));
+    note(corner_turn(points[i], points[(i + 1) % count], points[(i + 2) % count]));
+    if (i > 0 && i + 1 < count) note(corner_turn(points[0], points[i], points[i + 1]));
   }
   return left != right;
 }
@@ -115,7 +115,7 @@ void read_polygon(const SceneSource& source, const SceneEntry& entry, SceneDraft
         piece.h[k] = h[corners[k]];
       }
       piece.blend = blend;
-      if (turn(piece.points[0], piece.points[1], piece.points[2]) != 0) draft.canvas_items.emplace_back(piece);
+      if (corner_turn(piece.points[0], piece.points[1], piece.points[2]) != 0) draft.canvas_items.emplace_back(piece);
     }
   const SceneTerm* outline = fields.find("outline");
   if (outline == nullptr) return;

@@ -13,7 +13,7 @@
 namespace ps {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, TextureChannel>, 6> channel_names{
+constexpr std::array<std::pair<std::string_view, TextureChannel>, 6> texture_channels{
     {{"colour", TextureChannel::colour},
      {"red", TextureChannel::red},
      {"green", TextureChannel::green},
@@ -91,7 +91,7 @@ class TextureReader {
 
   TextureChannel channel_of(const SceneTerm& term) const {
     const std::string name = values_.name(term);
-    for (const auto& [known, channel] : channel_names)
+    for (const auto& [known, channel] : texture_channels)
       if (name == known) return channel;
     values_.fail(term, "colour, red, green, blue, alpha or luminance");
   }
@@ -132,7 +132,7 @@ class TextureReader {
 }  // namespace
 
 std::string_view texture_channel_name(TextureChannel channel) {
-  for (const auto& [name, known] : channel_names)
+  for (const auto& [name, known] : texture_channels)
     if (known == channel) return name;
   return "";
 }

@@ -20,7 +20,7 @@ CellSize largest_face(const std::array<Image<Vec3f>, 6>& faces) {
   return size;
 }
 
-float channel_of(const Vec3f& colour, TextureChannel channel) {
+float one_channel(const Vec3f& colour, TextureChannel channel) {
   switch (channel) {
   case TextureChannel::red:
     return colour.x;
@@ -44,7 +44,7 @@ Image<Vec3f> load_texels(const std::filesystem::path& path, const TextureFileOpt
   const LoadOptions load{.most_pixels = options.most_pixels};
   Image<Vec3f> texels = options.channel == TextureChannel::alpha ? load_alpha(path, load) : load_image(path, load);
   if (options.channel != TextureChannel::colour)
-    for (Vec3f& texel : texels.pixels()) texel = Vec3f(channel_of(texel, options.channel));
+    for (Vec3f& texel : texels.pixels()) texel = Vec3f(one_channel(texel, options.channel));
   if (options.base == 0 && options.gain == 1) return texels;
   for (Vec3f& texel : texels.pixels())
     for (int i = 0; i < 3; ++i)
