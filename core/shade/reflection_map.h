@@ -32,7 +32,8 @@ inline Vec2<Real> reflection_uv(Surroundings surroundings, const Vec3<Real>& dir
     Vec3<Real> middle_point(0);
     middle_point[axis] = on_face[axis];
     const Vec2<Real> uv = cube_cross_uv(face, on_face), middle = cube_cross_uv(face, middle_point);
-    const Vec2<Real> reach = Vec2<Real>{Real(1) / 8, Real(1) / 6} - half_texel;
+    const Vec2<Real> reach{std::max(Real(1) / 8 - half_texel.x, Real(0)),
+                           std::max(Real(1) / 6 - half_texel.y, Real(0))};
     return {std::clamp(uv.x, middle.x - reach.x, middle.x + reach.x),
             std::clamp(uv.y, middle.y - reach.y, middle.y + reach.y)};
   }

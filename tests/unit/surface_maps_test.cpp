@@ -202,6 +202,11 @@ TEST(SurfaceMaps, CubeFacesAreUprightFromTheInside) {
       }
 }
 
+TEST(SurfaceMaps, APictureTooSmallForACrossIsReadAllTheSame) {
+  const Vec2d uv = reflection_uv(Surroundings::cube, Vec3d(0.3, 0.2, -1), 1, 1);
+  EXPECT_EQ(uv, Vec2d(1.5 / 4, 1.5 / 3)) << "the middle of the front";
+}
+
 TEST(SurfaceMaps, WorldOfPicturesIsReflected) {
   const test::ModelFolder folder;
   folder.write("sky.ppm", "P3 1 2 1 1 0 0  0 1 0\n");
