@@ -55,20 +55,22 @@ namespace {
   throw InputError(fmt::format("{}: the picture cannot be decoded ({})", file, reason ? reason : "unknown reason"));
 }
 
+enum class DecodedPart { colour, alpha };
+
+/// `samples` holds three channels for the colour, four for the opacity.
 template <class Sample>
-Image<Vec3f> unit_image(const Sample* samples, int width, int height) {
+Image<Vec3f> unit_image(const Sample* samples, int width, int height, DecodedPart part) {
   constexpr float largest = std::numeric_limits<Sample>::max();
   Image<Vec3f> image(width, height);
   for (Vec3f& pixel : image.pixels()) {
-    pixel = Vec3f(samples[0], samples[1], samples[2]) / largest;
-    samples += 3;
+    pixel =
+        part == DecodedPart::colour ? Vec3f(samples[0], samples[1], samples[2]) / largest : Vec3f(samples[3]) / largest;
+    samples += part == DecodedPart::colour ? 3 : 4;
   }
   return image;
 }
 
-}  // namespace
-
-Image<Vec3f> stb_decode(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
+Image<Vec3f> decode_part(std::string_view bytes, const std::string& file, std::int64_t most_pixels, DecodedPart part) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw InputError(fmt::format("{}: has {} bytes, expected under 2 GiB", file, bytes.size()));
@@ -85,17 +87,27 @@ Image<Vec3f> stb_decode(std::string_view bytes, const std::string& file, std::in
   largest_block =
       tables + 2 * bytes.size() +
       bytes_per_pixel * (static_cast<std::size_t>(width) + padding) * (static_cast<std::size_t>(height) + padding);
-  constexpr int rgb = 3;
+  const int wanted = part == DecodedPart::colour ? 3 : 4;
   if (stbi_is_16_bit_from_memory(data, size)) {
     const std::unique_ptr<stbi_us, void (*)(void*)> samples(
-        stbi_load_16_from_memory(data, size, &width, &height, &channels, rgb), stbi_image_free);
+        stbi_load_16_from_memory(data, size, &width, &height, &channels, wanted), stbi_image_free);
     if (!samples) fail(file);
-    return unit_image(samples.get(), width, height);
+    return unit_image(samples.get(), width, height, part);
   }
   const std::unique_ptr<stbi_uc, void (*)(void*)> samples(
-      stbi_load_from_memory(data, size, &width, &height, &channels, rgb), stbi_image_free);
+      stbi_load_from_memory(data, size, &width, &height, &channels, wanted), stbi_image_free);
   if (!samples) fail(file);
-  return unit_image(samples.get(), width, height);
+  return unit_image(samples.get(), width, height, part);
+}
+
+}  // namespace
+
+Image<Vec3f> stb_decode(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
+  return decode_part(bytes, file, most_pixels, DecodedPart::colour);
+}
+
+Image<Vec3f> stb_decode_alpha(std::string_view bytes, const std::string& file, std::int64_t most_pixels) {
+  return decode_part(bytes, file, most_pixels, DecodedPart::alpha);
 }
 
 std::string stb_encode_png(const Image<Rgb8>& levels) {

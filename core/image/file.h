@@ -23,6 +23,9 @@ Image<Vec3f> load_image(const std::filesystem::path& path, const LoadOptions& op
 /// The same for the bytes of a file at hand; the name gives the format and stands in messages.
 Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name, const LoadOptions& options = {});
 
+/// The opacity of each pixel of a picture that load_image can read, in all three channels: 1 where the file has none.
+Image<Vec3f> load_alpha(const std::filesystem::path& path, const LoadOptions& options = {});
+
 /// The same for a file of which only the 8-bit levels are wanted; out-of-range floats are clamped.
 Image<Rgb8> load_levels(const std::filesystem::path& path);
 

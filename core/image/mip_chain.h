@@ -12,6 +12,7 @@ namespace ps {
 struct MipChain {
   std::shared_ptr<const Image<Vec3f>> base;  ///< level 0, shared with the texture
   std::vector<Image<Vec3f>> reduced;         ///< levels 1, 2, ...
+  bool clamped = false;                      ///< see Texture::clamped
 
   /// Bytes of the smaller versions; level 0 belongs to the texture.
   std::size_t heap_bytes() const {

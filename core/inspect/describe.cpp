@@ -54,7 +54,8 @@ struct Describer {
     return fmt::format("nothing hit: background {}", vector_text(e.background));
   }
   std::string operator()(const TextureEvent& e) const {
-    return fmt::format("texture read at uv {}, level {}: {} of {}", vector_text(e.uv), number_text(e.level),
+    const std::string use = e.use == TextureUse::surface ? "" : fmt::format(" for {}", texture_use_key(e.use));
+    return fmt::format("texture read{} at uv {}, level {}: {} of {}", use, vector_text(e.uv), number_text(e.level),
                        vector_text(e.result),
                        e.texels.size() == 1 ? "1 texel" : fmt::format("{} texels", e.texels.size()));
   }

@@ -74,11 +74,8 @@ Fields fields(const HitEvent& e) {
 Fields fields(const MissEvent& e) { return {{"background", list(e.background)}}; }
 
 Fields fields(const TextureEvent& e) {
-  return {{"texture", whole(e.texture)},
-          {"uv", list(e.uv)},
-          {"level", e.level},
-          {"texels", e.texels},
-          {"result", list(e.result)}};
+  return {{"texture", whole(e.texture)}, {"uv", list(e.uv)},         {"level", e.level},
+          {"texels", e.texels},          {"result", list(e.result)}, {"use", std::string(texture_use_key(e.use))}};
 }
 
 Fields fields(const LightEvent& e) {

@@ -108,12 +108,16 @@ struct Texel {
   Vec3d colour{0, 0, 0};
 };
 
+/// What a texture was read for.
+enum class TextureUse { surface, highlight, ambient, opacity, reflection };
+
 struct TextureEvent {
   int texture = 0;
   Vec2d uv{0, 0};
   double level = 0;  ///< continuous level of detail that was asked for
   std::vector<Texel> texels;
   Vec3d result{0, 0, 0};
+  TextureUse use = TextureUse::surface;  ///< `surface`: its colour, or its relief
 };
 
 struct LightEvent {
@@ -165,6 +169,7 @@ enum class RejectReason {
   clipped_far,
   back_face,
   zero_area,
+  cut_out,       ///< covered, but its opacity map is below 1/2 there
   not_covered,   ///< its box touched the pixel, its area did not
   behind_camera  ///< clipping is off and it could not be projected
 };

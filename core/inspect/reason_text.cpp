@@ -68,6 +68,8 @@ std::string_view reject_reason_text(RejectReason reason) {
     return "culled: it turns its back to the camera";
   case RejectReason::zero_area:
     return "dropped: it has no area";
+  case RejectReason::cut_out:
+    return "cut out: its opacity map is below 1/2 here";
   case RejectReason::not_covered:
     return "near, but does not cover the pixel";
   case RejectReason::behind_camera:
@@ -90,10 +92,28 @@ std::string_view reject_reason_key(RejectReason reason) {
     return "back-face";
   case RejectReason::zero_area:
     return "zero-area";
+  case RejectReason::cut_out:
+    return "cut-out";
   case RejectReason::not_covered:
     return "not-covered";
   case RejectReason::behind_camera:
     return "behind-camera";
+  }
+  return "";
+}
+
+std::string_view texture_use_key(TextureUse use) {
+  switch (use) {
+  case TextureUse::surface:
+    return "surface";
+  case TextureUse::highlight:
+    return "highlight";
+  case TextureUse::ambient:
+    return "ambient";
+  case TextureUse::opacity:
+    return "opacity";
+  case TextureUse::reflection:
+    return "reflection";
   }
   return "";
 }
@@ -176,6 +196,8 @@ std::string reject_count_text(RejectReason reason, std::size_t count) {
     return fmt::format("{} back {} culled", count, one ? "face" : "faces");
   case RejectReason::zero_area:
     return fmt::format("{} {} without area", count, triangles);
+  case RejectReason::cut_out:
+    return fmt::format("{} {} cut out by an opacity map", count, triangles);
   case RejectReason::not_covered:
     return fmt::format("{} {} near by {} not cover the pixel", count, triangles, one ? "does" : "do");
   case RejectReason::behind_camera:

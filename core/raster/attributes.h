@@ -25,6 +25,8 @@ struct AttributeLayout {
   bool flat_light = false;      ///< once for each triangle
   bool mapped_normal = false;   ///< the normal map turns it
   bool relief = false;          ///< parallax mapping moves the texture coordinates
+  bool light_maps = false;      ///< maps of highlights or ambient light change the material at each pixel
+  bool reflection_map = false;  ///< a picture shows what the surface reflects
   bool shading_normal = false;  ///< some consumer needs a normal at each pixel
 };
 

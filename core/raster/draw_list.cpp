@@ -99,8 +99,7 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
       if (sphere) {
         Mesh mesh = tessellate_sphere(*sphere, seen_from);
         const Material& material = scene.materials->at(sphere->material);
-        if (material.texture >= 0 || material.normal_map >= 0 || material.height_map >= 0)
-          add_world_map_uvs(mesh, sphere->centre);
+        if (needs_uv(material)) add_world_map_uvs(mesh, sphere->centre);
         meshes.add(std::make_shared<const Mesh>(std::move(mesh)));
       } else if (solid) {
         meshes.add(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));

@@ -56,6 +56,7 @@ class TriangleDrawer {
     recorder_.count(Counter::fragments);
     if (target_.wants(Channel::overdraw) && step_.is_first()) ++target_.frame().overdraw.at(column, row);
     const Fragment<Real> fragment = make_fragment(pass_, setup_, column, row, values);
+    if (is_cut_out(pass_, setup_, fragment, recorder_)) return report_cut_out(values);
     Real depth = 0;
     Real stored = 0;
     auto verdict = FragmentEvent::Depth::off;
@@ -76,6 +77,14 @@ class TriangleDrawer {
     else
       pass_on(fragment, depth);
     recorder_.end();
+  }
+  void report_cut_out(const std::array<std::int64_t, 3>& values) {
+    recorder_.event([&] {
+      RejectEvent event = not_covered_event(pass_, setup_, values);
+      event.reason = RejectReason::cut_out;
+      event.detail.clear();
+      return event;
+    });
   }
 
   /// Shades and writes what deferred shading kept of a pixel.
@@ -188,6 +197,7 @@ class TriangleDrawer {
       if constexpr (Recorder::records) recorder_.event([&] { return not_covered_event(pass_, setup_, middle); });
       return;
     }
+    if (is_cut_out(pass_, setup_, fragment, recorder_)) return report_cut_out(middle);
     recorder_.count(Counter::fragments);
     recorder_.count(Counter::subsamples, static_cast<std::uint64_t>(covered));
     recorder_.count(Counter::depth_failures, static_cast<std::uint64_t>(covered - passed));
@@ -329,7 +339,7 @@ class TriangleDrawer {
     BatchTexture how;
     how.texture = packed_texture();
     how.filter = pass_.settings.texture_filter;
-    how.wrap = pass_.settings.texture_wrap;
+    how.wrap = wrap_of((*pass_.textures)[static_cast<std::size_t>(setup_.surface->material.texture)], pass_.settings);
     how.uv = setup_.surface->layout.uv;
     how.mip_bias = static_cast<float>(pass_.settings.mip_bias);
     const auto stride = static_cast<std::size_t>(setup_.surface->layout.count);

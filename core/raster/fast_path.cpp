@@ -32,6 +32,8 @@ std::string_view no_batches(const Settings& s, const SceneTraits& t, Channel cha
   if (t.attenuated && s.attenuation) return "SIMD knows no attenuation";
   if (maps_shadows(s, t)) return "SIMD knows no shadow maps and no stencil";
   if (s.environment != Environment::none && t.reflective) return "SIMD knows no environment maps";
+  if (s.textures && t.opacity_maps) return "SIMD cuts nothing out by opacity maps";
+  if (s.textures && t.reflection_maps && s.reflection_depth > 0) return "SIMD knows no reflection maps";
   if (s.anisotropy > 1) return "SIMD needs anisotropy = 1";
   return "";
 }

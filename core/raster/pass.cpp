@@ -13,7 +13,10 @@ std::shared_ptr<const Textures> mip_chains(const Scene& scene, TextureFilter fil
   const MipLevels which = levels ? MipLevels::all : MipLevels::finest_only;
   return prepared.get<Textures>(Key("raster-textures").add(scene.textures.revision()).add(which), [&] {
     Textures chains;
-    for (const Texture& texture : *scene.textures) chains.push_back(make_mip_chain(texture.texels, which));
+    for (const Texture& texture : *scene.textures) {
+      chains.push_back(make_mip_chain(texture.texels, which));
+      chains.back().clamped = texture.clamped;
+    }
     return chains;
   });
 }
@@ -29,7 +32,7 @@ std::shared_ptr<const std::vector<PackedTexture>> pack_textures(const Scene& sce
                       .add(settings.texture_wrap);
   return prepared.get<std::vector<PackedTexture>>(key, [&] {
     std::vector<PackedTexture> packed;
-    for (const MipChain& chain : chains) packed.push_back(pack_texture(chain, settings.texture_wrap));
+    for (const MipChain& chain : chains) packed.push_back(pack_texture(chain, wrap_of(chain, settings)));
     return packed;
   });
 }
@@ -68,8 +71,8 @@ Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& setti
       surface.layout = make_layout(settings, needs, material, *object.mesh, channels);
       surface.material = shading_material<Real>(material);
       pass.surfaces.push_back(surface);
-      textured = textured || surface.layout.tangents != AttributeLayout::absent ||
-                 (settings.textures && surface.layout.uv != AttributeLayout::absent && material.texture >= 0);
+      textured = textured || surface.layout.tangents != AttributeLayout::absent || surface.layout.reflection_map ||
+                 (settings.textures && surface.layout.uv != AttributeLayout::absent && needs_uv(material));
     }
   }
   pass.path = rasterized_fast_path(settings, prepared_traits(scene, prepared), channels);

@@ -110,6 +110,11 @@ inline double facing_sense(const Pass<Real>& pass, const DrawObject& object) {
   return object.mirrored ? -pass.camera_space.handedness : pass.camera_space.handedness;
 }
 
+/// What lies beyond the borders of a texture.
+inline TextureWrap wrap_of(const MipChain& chain, const Settings& settings) {
+  return chain.clamped ? TextureWrap::clamp : settings.texture_wrap;
+}
+
 template <class Real>
 Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,
                      Prepared& prepared);

@@ -12,6 +12,7 @@
 #include "raster/shadow/shadowed_light.h"
 #include "shade/normal_mapping.h"
 #include "shade/parallax_mapping.h"
+#include "shade/reflection_map.h"
 
 namespace ps::raster {
 
@@ -74,7 +75,7 @@ template <class Real>
 FragmentLookup<Real> fragment_lookup(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
                                      const Fragment<Real>& fragment, int index, const Vec2<Real>& uv_of_surface) {
   const MipChain& chain = (*pass.textures)[static_cast<std::size_t>(index)];
-  FragmentLookup<Real> how{chain, {pass.settings.texture_filter, pass.settings.texture_wrap, 0}, {}};
+  FragmentLookup<Real> how{chain, {pass.settings.texture_filter, wrap_of(chain, pass.settings), 0}, {}};
   if (how.lookup.filter == TextureFilter::trilinear || how.lookup.filter == TextureFilter::mipmap) {
     const TextureDerivatives<Real> derivatives = uv_derivatives(pass, setup, fragment, uv_of_surface, *chain.base);
     const Real bias = static_cast<Real>(pass.settings.mip_bias);
@@ -90,7 +91,7 @@ FragmentLookup<Real> fragment_lookup(const Pass<Real>& pass, const TriangleSetup
 template <class Real, class Recorder>
 TextureSample<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
                                  const Fragment<Real>& fragment, int index, const TexturePlace<Real>& place,
-                                 Recorder& recorder) {
+                                 Recorder& recorder, TextureUse use = TextureUse::surface) {
   const FragmentLookup<Real> how = fragment_lookup(pass, setup, fragment, index, place.of_surface);
   const TextureSample<Real> sample = how.read(place.uv);
   recorder.count(Counter::texel_reads, static_cast<std::uint64_t>(sample.texels));
@@ -100,6 +101,7 @@ TextureSample<Real> read_texture(const Pass<Real>& pass, const TriangleSetup<Rea
     event.uv = Vec2d(place.uv);
     event.level = static_cast<double>(how.footprint.taps > 1 ? how.footprint.level : how.lookup.level);
     event.result = Vec3d(how.read(place.uv, &event.texels).colour);
+    event.use = use;
     return event;
   });
   return sample;
@@ -191,6 +193,57 @@ Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>
   return {};
 }
 
+/// The surface as its maps of light make it at the fragment (MTL: map_Ks, map_Ka). Only Phong shading computes light
+/// where they are read.
+template <class Real, class Recorder>
+Surface<Real> surface_at(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                         const TexturePlace<Real>& place, Recorder& recorder) {
+  Surface<Real> own = *setup.surface;
+  ShadingMaterial<Real>& material = own.material;
+  if (material.specular_map >= 0)
+    *material.specular_colour *=
+        read_texture(pass, setup, fragment, material.specular_map, place, recorder, TextureUse::highlight).colour;
+  if (material.ambient_map >= 0)
+    *material.ambient_colour *=
+        read_texture(pass, setup, fragment, material.ambient_map, place, recorder, TextureUse::ambient).colour;
+  return own;
+}
+
+/// Whether the opacity map (MTL: map_d) leaves less than half of the surface at the fragment: fragments are there or
+/// not, since the rasterizer mixes no colours by transparency.
+template <class Real, class Recorder>
+bool is_cut_out(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                Recorder& recorder) {
+  const Surface<Real>& surface = *setup.surface;
+  if (surface.material.opacity_map < 0 || !pass.settings.textures || surface.layout.uv == AttributeLayout::absent)
+    return false;
+  TexturePlace<Real> place;
+  place.uv = place.of_surface = {interpolate(pass, setup, fragment, surface.layout.uv),
+                                 interpolate(pass, setup, fragment, surface.layout.uv + 1)};
+  const int map = surface.material.opacity_map;
+  return read_texture(pass, setup, fragment, map, place, recorder, TextureUse::opacity).colour.x < Real(0.5);
+}
+
+/// The fragment's colour mixed with what the material's picture of its surroundings (MTL: refl) shows in the mirrored
+/// direction of view, as mirror_environment() does with a picture of the scene.
+template <class Real, class Recorder>
+Vec3<Real> reflect_picture(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
+                           const Vec3<Real>& normal, const Vec3<Real>& local, std::optional<int> only_light,
+                           Recorder& recorder) {
+  const ShadingMaterial<Real>& material = setup.surface->material;
+  const Real reflective = material.reflective;
+  if (only_light.value_or(0) != 0) return local * (1 - reflective);  // the rest came with the first light
+  const Vec3<Real> to_eye = pass.to_eye(interpolate3(pass, setup, fragment, setup.surface->layout.position));
+  const Image<Vec3f>& picture = *(*pass.textures)[static_cast<std::size_t>(material.reflection_map)].base;
+  const Vec3<Real> reflected = read_reflection_map(picture, material.reflection_map, material.surroundings,
+                                                   mirror(to_eye, normal), pass.settings.texture_filter, recorder);
+  const Vec3<Real> result = local * (1 - reflective) + reflected * reflective;
+  recorder.event([&] {
+    return ReflectionEvent{static_cast<double>(reflective), Vec3d(local), Vec3d(reflected), Vec3d(result)};
+  });
+  return result;
+}
+
 /// The colour that a fragment has of its own (CGFS ch. 13 and 14).
 template <class Real, class Recorder>
 ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
@@ -222,10 +275,20 @@ ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Rea
   }
   shaded.colour = colour;
   if (!layout.lit) return shaded;
-  const Lighting<Real> lighting =
-      pass.has_shadows()
-          ? shadowed_light(pass, geometry, setup, fragment, normal, shaded.shadow_mask, recorder, only_light)
-          : light_fragment(pass, geometry, setup, fragment, normal, recorder, only_light);
+  const auto light_on = [&](const TriangleSetup<Real>& lit) {
+    return pass.has_shadows()
+               ? shadowed_light(pass, geometry, lit, fragment, normal, shaded.shadow_mask, recorder, only_light)
+               : light_fragment(pass, geometry, lit, fragment, normal, recorder, only_light);
+  };
+  Lighting<Real> lighting;
+  if (layout.light_maps) {
+    const Surface<Real> own = surface_at(pass, setup, fragment, place, recorder);
+    TriangleSetup<Real> lit = setup;
+    lit.surface = &own;
+    lighting = light_on(lit);
+  } else {
+    lighting = light_on(setup);
+  }
   shaded.colour = colour * lighting.light + lighting.extra;
   recorder.event([&] {
     ShadeEvent event;
@@ -245,7 +308,9 @@ ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry
                                     const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,
                                     Recorder& recorder, std::optional<int> only_light = {}) {
   ShadedFragment<Real> shaded = own_colour(pass, geometry, setup, fragment, recorder, only_light);
-  if (pass.environment)
+  if (setup.surface->layout.reflection_map)
+    shaded.colour = reflect_picture(pass, setup, fragment, shaded.normal, shaded.colour, only_light, recorder);
+  else if (pass.environment)
     shaded.colour = mirror_environment(pass, setup, fragment, shaded.normal, shaded.colour, only_light, recorder);
   return shaded;
 }

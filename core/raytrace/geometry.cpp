@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <glm/matrix.hpp>
+
 #include "base/stop.h"
 
 namespace ps {
@@ -136,6 +138,14 @@ void add_steps(const CsgNode& node, TracedGeometry<Real>& geometry, std::uint32_
 }
 
 template <class Real>
+std::int32_t add_place(const PartPlace& place, TracedGeometry<Real>& geometry) {
+  if (place.is_identity()) return -1;
+  geometry.places.push_back(
+      {Mat3<Real>(inverse(place.linear)), Mat3<Real>(place.linear), Vec3<Real>(place.translation)});
+  return static_cast<std::int32_t>(geometry.places.size()) - 1;
+}
+
+template <class Real>
 void add_solid(std::int32_t object, const CsgNode& root, Sides sides, TracedGeometry<Real>& geometry) {
   TracedSolid solid;
   solid.first_form = static_cast<std::uint32_t>(geometry.forms.size());
@@ -149,7 +159,8 @@ void add_solid(std::int32_t object, const CsgNode& root, Sides sides, TracedGeom
                               Vec3<Real>(frame.centre),
                               {Vec3<Real>(frame.axes[0]), Vec3<Real>(frame.axes[1]), Vec3<Real>(frame.axes[2])},
                               Vec3<Real>(frame.half),
-                              part->material});
+                              part->material,
+                              add_place(part->place, geometry)});
   }
   solid.forms = static_cast<std::uint32_t>(geometry.forms.size()) - solid.first_form;
   solid.first_step = static_cast<std::uint32_t>(geometry.steps.size());

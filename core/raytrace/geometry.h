@@ -23,6 +23,18 @@ struct TracedSphere {
   Real radius = 1;
 };
 
+/// The inverse of a PartPlace, which takes a ray into a part's own space; t stays what it is.
+template <class Real>
+struct TracedPlace {
+  Mat3<Real> to_part{Real(1)};
+  Mat3<Real> to_world{Real(1)};
+  Vec3<Real> translation{0};
+
+  Vec3<Real> point(const Vec3<Real>& world) const { return to_part * (world - translation); }
+  /// Normals go by the inverse transpose, so that they stay normals under unequal scale and point outwards still.
+  Vec3<Real> normal_to_world(const Vec3<Real>& normal) const { return normal * to_part; }
+};
+
 /// A FormFrame in the renderer's precision.
 template <class Real>
 struct TracedForm {
@@ -31,6 +43,7 @@ struct TracedForm {
   std::array<Vec3<Real>, 3> axes{};
   Vec3<Real> half{1, 1, 1};
   std::uint32_t material = 0;  ///< index into Scene::materials
+  std::int32_t place = -1;     ///< index into TracedGeometry::places; -1: the form lies in the world
 };
 
 /// One step of evaluating a CSG tree on a stack: push a part, or join the two topmost values.
@@ -59,6 +72,13 @@ struct Primitive {
   bool mirrored = false;       ///< a triangle whose front is the side from which its corners run clockwise
 };
 
+/// Does a ray in this direction, if it meets the triangle, come from behind?
+template <class Real>
+inline bool sees_back(const Vec3<Real>& direction, const Primitive& primitive, const TracedTriangle<Real>& triangle) {
+  const Real along = dot(cross(triangle.b - triangle.a, triangle.c - triangle.a), direction);
+  return primitive.mirrored ? along <= 0 : along >= 0;
+}
+
 /// Consecutive numbers of primitives, from `first` to the next range.
 struct NumberRange {
   enum class Kind : std::uint32_t { primitive, instance };
@@ -81,6 +101,7 @@ struct TracedGeometry {
   std::vector<TracedTriangle<Real>> triangles;
   std::vector<TriangleAttributes<Real>> attributes;
   std::vector<TracedForm<Real>> forms;
+  std::vector<TracedPlace<Real>> places;  ///< of parts that do not lie in the world
   std::vector<TracedSolid> solids;
   std::vector<Box<Real>> solid_boxes;  ///< one for each of `solids`
   std::vector<CsgStep> steps;
@@ -92,8 +113,8 @@ struct TracedGeometry {
   Real reach = 0;                          ///< the largest absolute coordinate of any bounded primitive's box
 
   std::size_t heap_bytes() const {
-    return owned_bytes(primitives, instances, numbers, spheres, triangles, attributes, forms, solids, solid_boxes,
-                       steps, unbounded, bounded) +
+    return owned_bytes(primitives, instances, numbers, spheres, triangles, attributes, forms, places, solids,
+                       solid_boxes, steps, unbounded, bounded) +
            meshes.capacity() * sizeof meshes[0];
   }
 };

@@ -173,8 +173,8 @@ class Intersector {
       const TracedTriangle<Real>& triangle = geometry_.triangles[primitive.shape];
       const TriangleVerdict verdict = triangle_result(query, candidate.primitive, triangle).verdict;
       if (verdict != TriangleVerdict::outside && verdict != TriangleVerdict::parallel) return false;
-      if (query.ray.passes_transparent && inputs_.materials[primitive.material].transparency > 0) return false;
-      if (primitive.front_only && sees_back(query.ray, primitive, triangle)) return false;
+      if (query.ray.passes_transparent && inputs_.materials[primitive.material].passes_light()) return false;
+      if (primitive.front_only && sees_back(query.ray.direction, primitive, triangle)) return false;
       if (judge(query.ray, candidate.t, candidate.primitive, best) != TestOutcome::accepted) return false;
       recorder_.count(Counter::edge_rays);
       best = {candidate.primitive, candidate.t, candidate.weights, 0};
@@ -301,7 +301,7 @@ class Intersector {
   }
 
   bool test(const Query& query, std::uint32_t index, const Primitive& primitive, Hit<Real>& best) const {
-    if (query.ray.passes_transparent && inputs_.materials[primitive.material].transparency > 0) return false;
+    if (query.ray.passes_transparent && inputs_.materials[primitive.material].passes_light()) return false;
     switch (primitive.kind) {
     case PrimitiveKind::sphere:
       return test_sphere(query, index, primitive, best);
@@ -385,7 +385,7 @@ class Intersector {
     TestOutcome outcome = TestOutcome::missed;
     switch (result.verdict) {
     case TriangleVerdict::inside:
-      if (primitive.front_only && sees_back(query.ray, primitive, triangle))
+      if (primitive.front_only && sees_back(query.ray.direction, primitive, triangle))
         outcome = TestOutcome::back_side;
       else
         outcome = judge(query.ray, result.t, index, best);
@@ -405,16 +405,16 @@ class Intersector {
     return outcome == TestOutcome::accepted;
   }
 
-  static bool sees_back(const Ray<Real>& ray, const Primitive& primitive, const TracedTriangle<Real>& triangle) {
-    const Real along = dot(cross(triangle.b - triangle.a, triangle.c - triangle.a), ray.direction);
-    return primitive.mirrored ? along <= 0 : along >= 0;
-  }
-
   LineSpan<Real> span_of(const Query& query, std::uint32_t index, const TracedSolid& solid, std::size_t part) const {
     const Ray<Real>& ray = query.ray;
     const bool starts = index == ray.start && detail_part(ray.start_detail) == part;
-    return form_line(ray.origin, ray.direction, query.a, geometry_.forms[solid.first_form + part],
-                     inputs_.settings.sphere_test, starts ? detail_face(ray.start_detail) : no_face);
+    const TracedForm<Real>& form = geometry_.forms[solid.first_form + part];
+    const int face = starts ? detail_face(ray.start_detail) : no_face;
+    if (form.place < 0) return form_line(ray.origin, ray.direction, query.a, form, inputs_.settings.sphere_test, face);
+    const TracedPlace<Real>& place = geometry_.places[static_cast<std::size_t>(form.place)];
+    const Vec3<Real> direction = place.to_part * ray.direction;
+    return form_line(place.point(ray.origin), direction, dot(direction, direction), form, inputs_.settings.sphere_test,
+                     face);
   }
 
   /// A form on its own has up to two crossings, of which flat ones keep only the finite one.

@@ -94,7 +94,10 @@ inline std::optional<TangentFrame<Real>> tangents_of(const Surface<Real>& surfac
   case PrimitiveKind::solid: {
     const TracedSolid& solid = geometry.solids[primitive.shape];
     const TracedForm<Real>& form = geometry.forms[solid.first_form + detail_part(surface.detail)];
-    return of_form(form, detail_face(surface.detail), surface.point - form.centre);
+    if (form.place < 0) return of_form(form, detail_face(surface.detail), surface.point - form.centre);
+    const TracedPlace<Real>& place = geometry.places[static_cast<std::size_t>(form.place)];
+    const TangentFrame<Real> own = of_form(form, detail_face(surface.detail), place.point(surface.point) - form.centre);
+    return TangentFrame<Real>{place.to_world * own.along_u, place.to_world * own.upwards};
   }
   }
   return {};

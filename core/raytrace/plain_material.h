@@ -10,7 +10,7 @@ namespace ps {
 inline bool has_plain_light(const ShadingMaterial<float>& material) {
   const bool highlight = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
   return highlight && material.texture < 0 && material.normal_map < 0 && !material.ambient_colour &&
-         !material.specular_colour;
+         !material.specular_colour && !material.varies() && material.reflection_map < 0;
 }
 
 }  // namespace ps

@@ -132,8 +132,10 @@ inline Surface<Real> solid_surface(const Ray<Real>& ray, const Hit<Real>& hit, c
   surface.detail = hit.detail;
   surface.material = form.material;
   surface.point = ray.origin + ray.direction * hit.t;
-  const Vec3<Real> p = surface.point - form.centre;
+  const TracedPlace<Real>* place = form.place < 0 ? nullptr : &geometry.places[static_cast<std::size_t>(form.place)];
+  const Vec3<Real> p = (place ? place->point(surface.point) : surface.point) - form.centre;
   surface.geometric_normal = form_normal(form, face, p);
+  if (place) surface.geometric_normal = normalised(place->normal_to_world(surface.geometric_normal));
   const bool flat = solid.steps == 0 && (form.kind == FormKind::plane || form.kind == FormKind::rectangle);
   if (flat ? dot(ray.direction, surface.geometric_normal) > 0 : detail_turned(hit.detail))
     surface.geometric_normal = -surface.geometric_normal;

@@ -50,7 +50,7 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   if (uses_bvh<Real>(settings)) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
   inputs.simple = simple_accelerators<Real>(scene, *inputs.geometry, settings, prepared);
   for (const Material& material : *scene.materials)
-    inputs.any_transparent = inputs.any_transparent || material.transparency > 0;
+    inputs.any_transparent = inputs.any_transparent || material.transparency > 0 || material.opacity_map >= 0;
   inputs.path = traced_fast_path(settings, prepared_traits(scene, prepared), channels);
   if constexpr (std::is_same_v<Real, float>) {
     const bool everything = settings.accelerator == Accelerator::none;
@@ -66,7 +66,10 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
   }
   inputs.materials = shading_materials<Real>(*scene.materials);
   inputs.lights = shading_lights<Real>(*scene.lights, settings.light_shown);
-  for (const Texture& texture : *scene.textures) inputs.textures.push_back(texture.texels);
+  for (const Texture& texture : *scene.textures) {
+    inputs.textures.push_back(texture.texels);
+    inputs.wraps.push_back(texture.clamped ? TextureWrap::clamp : settings.texture_wrap);
+  }
   inputs.background = Vec3<Real>(scene.background);
   inputs.settings = settings;
   inputs.viewport = make_viewport<Real>(view, settings);

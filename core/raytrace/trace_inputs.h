@@ -37,6 +37,7 @@ struct TraceInputs {
   std::vector<ShadingMaterial<Real>> materials;
   std::vector<ShadingLight<Real>> lights;
   std::vector<std::shared_ptr<const Image<Vec3f>>> textures;
+  std::vector<TextureWrap> wraps;  ///< of each texture
   bool any_transparent = false;
   std::vector<EyeBody> eye_bodies;
   FastPath path;  ///< what may draw the picture

@@ -11,6 +11,7 @@
 #include "shade/fresnel.h"
 #include "shade/illumination.h"
 #include "shade/parallax_mapping.h"
+#include "shade/reflection_map.h"
 
 namespace ps {
 
@@ -215,7 +216,8 @@ class Tracer {
 
   Vec3<Real> shade(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
                    const Medium<Real>& medium, TracedPixel<Real>* first) const {
-    const ShadingMaterial<Real>& material = inputs_.materials[surface.material];
+    std::optional<ShadingMaterial<Real>> own;
+    const ShadingMaterial<Real>& material = material_at(surface, own);
     const Vec3<Real> local = local_colour(ray, surface, material, first);
     const Real reflective = material.reflective;
     if (depth >= inputs_.settings.reflection_depth) return local;
@@ -230,7 +232,7 @@ class Tracer {
     if (through > 0) return see_through(ray, surface, material, local, depth, share, medium);
     if (!(reflective > 0)) return local;
 
-    const Vec3<Real> reflected = mirrored_colour(ray, surface, depth, share * reflective, medium);
+    const Vec3<Real> reflected = mirrored_colour(ray, surface, material, depth, share * reflective, medium);
     const Vec3<Real> result = local * (Real(1) - reflective) + reflected * reflective;
     recorder_.event([&] {
       return ReflectionEvent{static_cast<double>(reflective), Vec3d(local), Vec3d(reflected), Vec3d(result)};
@@ -238,10 +240,16 @@ class Tracer {
     return result;
   }
 
-  Vec3<Real> mirrored_colour(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
-                             const Medium<Real>& medium) const {
-    const Ray<Real> reflected = leaving_ray(surface, mirrored_direction(surface, -ray.direction, inputs_),
-                                            std::numeric_limits<Real>::infinity(), inputs_.reflection_epsilon, inputs_);
+  /// What the scene, or the material's picture of its surroundings, shows in the mirrored direction.
+  Vec3<Real> mirrored_colour(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
+                             int depth, Real share, const Medium<Real>& medium) const {
+    const Vec3<Real> direction = mirrored_direction(surface, -ray.direction, inputs_);
+    if (material.reflection_map >= 0 && inputs_.settings.textures)
+      return read_reflection_map(*inputs_.textures[static_cast<std::size_t>(material.reflection_map)],
+                                 material.reflection_map, material.surroundings, direction,
+                                 inputs_.settings.texture_filter, recorder_);
+    const Ray<Real> reflected =
+        leaving_ray(surface, direction, std::numeric_limits<Real>::infinity(), inputs_.reflection_epsilon, inputs_);
     recorder_.count(Counter::reflection_rays);
     return trace(reflected, RayKind::reflection, depth + 1, share, medium, nullptr);
   }
@@ -287,7 +295,7 @@ class Tracer {
       fresnel = fresnel_share(bent->cos_incident, bent->cos_refracted, n1, n2);
     const Shares shares = shares_of(material, fresnel, share);
     Vec3<Real> mirrored(0), refracted(0);
-    if (shares.mirrored > 0) mirrored = mirrored_colour(ray, surface, depth, share * shares.mirrored, medium);
+    if (shares.mirrored > 0) mirrored = mirrored_colour(ray, surface, material, depth, share * shares.mirrored, medium);
     if (shares.refracted > 0 && bent) {
       const Ray<Real> through = leaving_ray(surface, bent->direction, std::numeric_limits<Real>::infinity(),
                                             inputs_.reflection_epsilon, inputs_);
@@ -361,7 +369,7 @@ class Tracer {
     if (!shift) return;
     const Image<Vec3f>& heights = *inputs_.textures[static_cast<std::size_t>(material.height_map)];
     const bool nearest = inputs_.settings.texture_filter == TextureFilter::nearest;
-    const TextureWrap wrap = inputs_.settings.texture_wrap;
+    const TextureWrap wrap = inputs_.wraps[static_cast<std::size_t>(material.height_map)];
     const auto depth_at = [&](const Vec2<Real>& at) {
       recorder_.count(Counter::texel_reads, nearest ? 1 : 4);
       return Real(1) - (nearest ? sample_nearest(heights, at, wrap) : sample_bilinear(heights, at, wrap)).x;
@@ -386,17 +394,33 @@ class Tracer {
   }
 
   /// Rays have no footprint, so they read the finest level of a texture.
-  Vec3<Real> read_finest(int texture, const Vec2<Real>& uv) const {
+  Vec3<Real> read_finest(int texture, const Vec2<Real>& uv, TextureUse use = TextureUse::surface) const {
     const Image<Vec3f>& image = *inputs_.textures[static_cast<std::size_t>(texture)];
-    const TextureWrap wrap = inputs_.settings.texture_wrap;
+    const TextureWrap wrap = inputs_.wraps[static_cast<std::size_t>(texture)];
     const bool nearest = inputs_.settings.texture_filter == TextureFilter::nearest;
     std::vector<Texel> texels;
     const TexelNotes notes = Recorder::records ? &texels : nullptr;
     const Vec3<Real> texel =
         nearest ? sample_nearest(image, uv, wrap, 0, notes) : sample_bilinear(image, uv, wrap, 0, notes);
     recorder_.count(Counter::texel_reads, nearest ? 1 : 4);
-    recorder_.event([&] { return TextureEvent{texture, Vec2d(uv), 0, std::move(texels), Vec3d(texel)}; });
+    recorder_.event([&] { return TextureEvent{texture, Vec2d(uv), 0, std::move(texels), Vec3d(texel), use}; });
     return texel;
+  }
+
+  /// The material as its maps make it at the point (MTL: map_Ks, map_Ka, map_d); `own` keeps what differs.
+  const ShadingMaterial<Real>& material_at(const Surface<Real>& surface,
+                                           std::optional<ShadingMaterial<Real>>& own) const {
+    const ShadingMaterial<Real>& material = inputs_.materials[surface.material];
+    if (!material.varies() || !inputs_.settings.textures || !surface.has_uv) return material;
+    own = material;
+    if (material.specular_map >= 0 && inputs_.settings.lighting)
+      *own->specular_colour *= read_finest(material.specular_map, surface.uv, TextureUse::highlight);
+    if (material.ambient_map >= 0 && inputs_.settings.lighting)
+      *own->ambient_colour *= read_finest(material.ambient_map, surface.uv, TextureUse::ambient);
+    if (material.opacity_map >= 0)
+      own->transparency =
+          1 - (1 - material.transparency) * read_finest(material.opacity_map, surface.uv, TextureUse::opacity).x;
+    return *own;
   }
 
   Vec3<Real> textured_colour(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const {

@@ -37,9 +37,15 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
                    "The rasterizer leaves out objects made by CSG: their surface is only known ray by ray, not as "
                    "triangles. Set renderer = ray-tracer to see them."});
   if (traits.transparent)
-    all.push_back({LeftOutKind::effect, "shows glass opaque",
-                   "The rasterizer shows transparent surfaces opaque: it follows no light through them. Set renderer = "
-                   "ray-tracer to see through them."});
+    all.push_back(
+        {LeftOutKind::effect, "shows glass opaque",
+         "The rasterizer shows transparent surfaces opaque, or cuts them out where an opacity map is below 1/2: it "
+         "follows no light through them. Set renderer = ray-tracer to see through them."});
+  if (traits.light_maps && settings.textures && settings.lighting && settings.shading != Shading::phong)
+    all.push_back(
+        {LeftOutKind::effect, "leaves out maps of highlights",
+         "The rasterizer reads maps of highlights and ambient light where it computes the light, so per vertex "
+         "or triangle it leaves them out. Set shading = phong to see them."});
   if (asks_for_shadows(traits, settings) && settings.shadows == Shadows::traced)
     all.push_back(
         {LeftOutKind::effect, "leaves out shadows",
@@ -59,7 +65,7 @@ struct ListingGap {
   std::string_view what, remedy;
 };
 
-std::vector<LeftOut> left_out_by_listing(const SceneTraits& traits, const Settings& settings) {
+std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& settings) {
   const Listing& listing = *listing_of(settings, traits).listing;
   const ListingDraws& draws = listing.draws;
   const bool shows_space = draws.spheres || draws.models;
@@ -110,7 +116,7 @@ std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& setting
   case Renderer::rasterizer:
     return left_out_by_fragments(traits, settings);
   case Renderer::textbook:
-    return left_out_by_listing(traits, settings);
+    return gaps_of_listing(traits, settings);
   }
   return {};
 }

@@ -80,6 +80,19 @@ FormBox common(const FormBox& a, const FormBox& b) {
   return box;
 }
 
+/// Around the corners of the box where the map takes them.
+FormBox moved_box(const FormBox& box, const PartPlace& place) {
+  if (place.is_identity() || !is_bounded(box)) return box;
+  FormBox result;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d p{(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
+                  (corner & 4 ? box.high : box.low).z};
+    const Vec3d moved = place.linear * p + place.translation;
+    result = corner == 0 ? FormBox{moved, moved} : joined(result, {moved, moved});
+  }
+  return result;
+}
+
 }  // namespace
 
 FormFrame form_frame(const Form& form) {
@@ -112,7 +125,7 @@ FormBox form_box(const FormFrame& frame) {
 }
 
 FormBox csg_box(const CsgNode& node) {
-  if (node.children.empty()) return form_box(form_frame(node.part.form));
+  if (node.children.empty()) return moved_box(form_box(form_frame(node.part.form)), node.part.place);
   FormBox box = csg_box(node.children.front());
   for (std::size_t i = 1; i < node.children.size(); ++i) {
     switch (node.operation) {

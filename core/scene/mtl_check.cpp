@@ -19,20 +19,14 @@ constexpr std::array<std::string_view, 3> drawn_colours{"Ka", "Kd", "Ks"};
 struct NotDrawn {
   std::string_view word, meaning;
 };
-constexpr std::array<NotDrawn, 25> not_drawn{{{"Ke", "surfaces do not glow"},
+constexpr std::array<NotDrawn, 19> not_drawn{{{"Ke", "surfaces do not glow"},
                                               {"Tf", "light is not tinted on its way through"},
                                               {"Kt", "light is not tinted on its way through"},
-                                              {"map_Ka", "ambient light takes the colour of map_Kd"},
-                                              {"map_Ks", "highlights take Ks alone"},
                                               {"map_Ns", "highlights take Ns alone"},
-                                              {"map_d", "the surface is as opaque as d says, everywhere"},
-                                              {"map_Tr", "the surface is as opaque as d says, everywhere"},
                                               {"map_Disp", "the surface is smooth"},
                                               {"map_disp", "the surface is smooth"},
                                               {"disp", "the surface is smooth"},
                                               {"decal", "the surface goes without it"},
-                                              {"refl", "reflections show the scene itself"},
-                                              {"map_refl", "reflections show the scene itself"},
                                               {"map_Ke", "surfaces do not glow"},
                                               {"map_Pr", "roughness comes from Ns"},
                                               {"map_Pm", "metals take Kd and Ks"},
@@ -48,6 +42,10 @@ constexpr std::array<NotDrawn, 25> not_drawn{{{"Ke", "surfaces do not glow"},
 /// Statements without any influence on a picture made here.
 constexpr std::array<std::string_view, 3> harmless{"sharpness", "map_aat", "map_Kd_filter"};
 
+/// Statements that name a picture which is drawn, besides those of relief.
+constexpr std::array<std::string_view, 7> drawn_maps{"map_Kd", "map_Ks", "map_Ka",  "map_d",
+                                                     "map_Tr", "refl",   "map_refl"};
+
 /// One statement or another, as exporters like; all name a picture of the surface's relief.
 constexpr std::array<std::string_view, 4> reliefs{"norm", "map_Bump", "map_bump", "bump"};
 
@@ -57,7 +55,8 @@ bool is_one_of(std::string_view word, const auto& list) {
 
 std::vector<std::string_view> mtl_words() {
   std::vector<std::string_view> words(drawn_colours.begin(), drawn_colours.end());
-  for (const char* word : {"newmtl", "Ns", "Ni", "d", "Tr", "illum", "map_Kd"}) words.push_back(word);
+  for (const char* word : {"newmtl", "Ns", "Ni", "d", "Tr", "illum"}) words.push_back(word);
+  words.insert(words.end(), drawn_maps.begin(), drawn_maps.end());
   words.insert(words.end(), reliefs.begin(), reliefs.end());
   for (const NotDrawn& statement : not_drawn) words.push_back(statement.word);
   return words;
@@ -96,12 +95,12 @@ class MtlChecker {
     const auto ignored =
         std::find_if(not_drawn.begin(), not_drawn.end(), [&](const NotDrawn& s) { return s.word == word; });
     const bool is_drawn = is_one_of(word, drawn_colours) || word == "Ns" || word == "Ni" || word == "d" ||
-                          word == "Tr" || word == "illum" || word == "map_Kd" || is_one_of(word, reliefs);
+                          word == "Tr" || word == "illum" || is_one_of(word, drawn_maps) || is_one_of(word, reliefs);
     if (!is_drawn && ignored == not_drawn.end()) return unknown(line, word);
     if (facts_ == nullptr) line.fail(fmt::format("'{}' before any material", word), "'newmtl NAME' first");
     if (ignored != not_drawn.end()) return leave_out(line, *ignored);
-    if (word == "map_Kd") {
-      facts_->diffuse_map = texture(line, word);
+    if (is_one_of(word, drawn_maps)) {
+      drawn_map(line, word);
     } else if (is_one_of(word, reliefs)) {
       const MtlTexture map = texture(line, word);
       if (word == "norm" || !facts_->relief_map) facts_->relief_map = map;  // directions say more than heights
@@ -161,20 +160,27 @@ class MtlChecker {
 
   MtlTexture texture(ObjLine& line, const std::string& word) {
     const MtlTexture map = read_mtl_texture(line);
-    if (map.scale != Vec3d{1, 1, 1}) warn_option(line, word, "-s");
-    if (map.offset != Vec3d{0, 0, 0}) warn_option(line, word, "-o");
-    if (map.turbulence) warn_option(line, word, "-t");
-    if (map.base != 0 || map.gain != 1) warn_option(line, word, "-mm");
-    if (map.clamped) warn_option(line, word, "-clamp");
+    if (map.turbulence) note("-t", line.number(), fmt::format("the option -t of {} is not drawn", word));
     return map;
+  }
+
+  void drawn_map(ObjLine& line, const std::string& word) {
+    MtlTexture map = texture(line, word);
+    if (word == "refl" || word == "map_refl") return facts_->reflections.push_back(std::move(map));
+    if (word == "map_Tr") {  // transparency: the opposite
+      map.base = 1 - map.base;
+      map.gain = -map.gain;
+    }
+    (word == "map_Kd"   ? facts_->diffuse_map
+     : word == "map_Ks" ? facts_->specular_map
+     : word == "map_Ka" ? facts_->ambient_map
+                        : facts_->opacity_map) = std::move(map);
   }
 
   void leave_out(ObjLine& line, const NotDrawn& statement) {
     const std::string word(statement.word);
     if (is_map(word)) {
-      const MtlTexture map = texture(line, word);
-      // Exporters name one picture twice; then nothing is lost.
-      if (word == "map_Ka" && (!facts_->diffuse_map || facts_->diffuse_map->name == map.name)) return;
+      texture(line, word);
     } else {
       bool neutral = true;
       for (int count = 0; count < 3; ++count) {
@@ -185,10 +191,6 @@ class MtlChecker {
       if (neutral) return;
     }
     note(word, line.number(), fmt::format("'{}' is not drawn: {}", word, statement.meaning));
-  }
-
-  void warn_option(const ObjLine& line, const std::string& word, const std::string& option) {
-    note(option, line.number(), fmt::format("the option {} of {} is not drawn", option, word));
   }
 
   /// What only the whole file shows.
@@ -206,9 +208,29 @@ class MtlChecker {
         if (facts.dissolve == 0.0)
           note("invisible", opacity.line, fmt::format("'{}' makes the material invisible", opacity.d ? "d 0" : "Tr 1"));
       }
+      place_maps(facts);
+      if (!facts.reflections.empty() && facts.specular.value_or(Vec3d{0, 0, 0}) == Vec3d{0, 0, 0})
+        note("dull", facts.reflections.front().line,
+             fmt::format("'refl' of '{}' is not drawn: the surface reflects as much as Ks says, which is nothing",
+                         name));
       if (facts.diffuse_map && facts.diffuse == Vec3d{0, 0, 0})
         note("hidden", facts.diffuse_map->line,
              fmt::format("'Kd 0 0 0' of '{}' hides the picture of map_Kd: texels are multiplied by Kd", name));
+    }
+  }
+
+  /// A surface has one set of texture coordinates: the first of its pictures says where they lie.
+  void place_maps(MtlFacts& facts) {
+    bool is_first = true;
+    for (const auto* map :
+         {&facts.diffuse_map, &facts.specular_map, &facts.ambient_map, &facts.opacity_map, &facts.relief_map}) {
+      if (!*map) continue;
+      const UvPlacement own{Vec2d((*map)->scale), Vec2d((*map)->offset)};
+      if (is_first) facts.placement = own;
+      if (own != facts.placement)
+        note("placement", (*map)->line,
+             "the options -s and -o of a material's first picture hold for all of them; others here are not drawn");
+      is_first = false;
     }
   }
 

@@ -9,6 +9,12 @@
 
 namespace ps {
 
+/// Where a picture lies on a surface: (u, v) with v from the bottom becomes scale * (u, v) + offset.
+struct UvPlacement {
+  Vec2d scale{1, 1}, offset{0, 0};
+  bool operator==(const UvPlacement&) const = default;
+};
+
 /// What a material file says about one material; what it leaves out is absent.
 struct MtlFacts {
   std::optional<Vec3d> diffuse, specular, ambient;  ///< Kd, Ks, Ka
@@ -18,6 +24,9 @@ struct MtlFacts {
   std::optional<double> refraction_index;
   std::optional<MtlTexture> diffuse_map;
   std::optional<MtlTexture> relief_map;  ///< norm, map_Bump or bump: directions, or heights in grey
+  std::optional<MtlTexture> specular_map, ambient_map, opacity_map;
+  std::vector<MtlTexture> reflections;  ///< refl: a sphere, or faces of a cube
+  UvPlacement placement;                ///< -s and -o of its pictures, which share their texture coordinates
 };
 
 /// What check_mtl found in a material file. Of two materials of one name the first counts.

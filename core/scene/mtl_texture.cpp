@@ -44,7 +44,7 @@ constexpr std::array<std::pair<std::string_view, ReflectionPart>, 7> reflection_
      {"cube_left", ReflectionPart::left},
      {"cube_right", ReflectionPart::right}}};
 
-const MapOption* find_option(std::string_view word) {
+const MapOption* find_map_option(std::string_view word) {
   const auto* found = std::find_if(map_options.begin(), map_options.end(),
                                    [&](const MapOption& option) { return option.word == word; });
   return found == map_options.end() ? nullptr : found;
@@ -56,7 +56,7 @@ ReflectionPart part_named(std::string_view word) {
   return ReflectionPart::none;
 }
 
-bool fits(const MapOption& option, std::string_view word) {
+bool fits_option(const MapOption& option, std::string_view word) {
   switch (option.takes) {
   case Takes::numbers:
     return parse_number(word).has_value();
@@ -85,7 +85,7 @@ const char* expected_by(const MapOption& option) {
 }
 
 /// Puts the values of one option into place. Numbers that are left out stay as they are.
-void take(const MapOption& option, const std::vector<std::string>& values, MtlTexture& map) {
+void take_values(const MapOption& option, const std::vector<std::string>& values, MtlTexture& map) {
   const auto number = [&](std::size_t i) { return parse_number(values[i]).value_or(0); };
   const auto vector = [&](Vec3d start) {
     for (std::size_t i = 0; i < values.size(); ++i) start[static_cast<int>(i)] = number(i);
@@ -108,10 +108,10 @@ void read_values(ObjLine& line, const MapOption& option, MtlTexture& map) {
   std::vector<std::string> values;
   for (int i = 0; i < option.most; ++i) {
     ObjLine ahead = line;
-    if (i >= option.least && !fits(option, ahead.next())) break;
+    if (i >= option.least && !fits_option(option, ahead.next())) break;
     if (option.takes == Takes::numbers) {
       line.require_number();
-    } else if (!fits(option, line.next())) {
+    } else if (!fits_option(option, line.next())) {
       line.fail(line.shown(), expected_by(option));
     }
     values.emplace_back(line.word());
@@ -119,17 +119,17 @@ void read_values(ObjLine& line, const MapOption& option, MtlTexture& map) {
   constexpr double most_bump = 1e6;
   if (option.word == "-bm" && std::abs(parse_number(values[0]).value_or(0)) > most_bump)
     line.fail(line.shown(), "a number from -1e6 to 1e6");
-  take(option, values, map);
+  take_values(option, values, map);
 }
 
 /// Whether nothing but whole options follows.
 bool only_options(ObjLine line) {
   for (std::string_view word = line.next(); !word.empty(); word = line.next()) {
-    const MapOption* option = find_option(word);
+    const MapOption* option = find_map_option(word);
     if (option == nullptr) return false;
     for (int i = 0; i < option->most; ++i) {
       ObjLine ahead = line;
-      const bool good = fits(*option, ahead.next());
+      const bool good = fits_option(*option, ahead.next());
       if (!good && i < option->least) return false;
       if (!good) break;
       line = ahead;
@@ -144,7 +144,7 @@ void read_options(ObjLine& line, MtlTexture& map) {
     const std::string_view word = ahead.next();
     if (word.empty() || word.front() != '-') return;
     line.next();
-    const MapOption* option = find_option(word);
+    const MapOption* option = find_map_option(word);
     if (option == nullptr) line.fail(line.shown(), "an option of a texture, such as -s 1 1 1, or a file name");
     read_values(line, *option, map);
   }

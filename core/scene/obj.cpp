@@ -33,9 +33,9 @@ std::string trimmed(std::string_view text) {
 /// Takes what tinyobjloader finds, statement by statement.
 class ModelBuilder {
  public:
-  ModelBuilder(ObjModel& model, const ObjSummary& summary, std::map<std::string, std::uint32_t> by_name)
+  ModelBuilder(ObjModel& model, const ObjSummary& summary, ObjMaterials materials)
       : model_(model), smoothing_(summary.smoothing), without_material_(summary.without_material),
-        by_name_(std::move(by_name)) {
+        materials_(std::move(materials)) {
     model.mesh.positions.reserve(summary.positions);
     model.mesh.normals.reserve(summary.normals);
     model.mesh.uvs.reserve(summary.uvs);
@@ -66,6 +66,7 @@ class ModelBuilder {
     PS_ASSERT(errors.empty(), "obj_check leaves tinyobjloader nothing to complain about");
     cut_polygons();
     drop_incomplete_normals();
+    place_uvs();
     if (!groups_.empty()) add_smooth_normals(model_.mesh, groups_);
   }
 
@@ -163,12 +164,30 @@ class ModelBuilder {
     }
   }
 
+  /// Moves the texture coordinates of each triangle as its material's pictures lie. They count v from the bottom.
+  void place_uvs() {
+    if (materials_.placements.empty()) return;
+    std::map<std::pair<std::uint32_t, std::int32_t>, std::int32_t> placed;
+    for (MeshTriangle& triangle : model_.mesh.triangles) {
+      const auto placement = materials_.placements.find(model_.mesh.materials[triangle.material]);
+      if (placement == materials_.placements.end() || triangle.uv[0] < 0) continue;
+      const auto& [scale, offset] = placement->second;
+      for (std::int32_t& uv : triangle.uv) {
+        const auto [known, is_new] =
+            placed.try_emplace({placement->first, uv}, static_cast<std::int32_t>(model_.mesh.uvs.size()));
+        const Vec2d old = model_.mesh.uvs[static_cast<std::size_t>(uv)];
+        if (is_new) model_.mesh.uvs.emplace_back(scale.x * old.x + offset.x, 1 - (scale.y * (1 - old.y) + offset.y));
+        uv = known->second;
+      }
+    }
+  }
+
   void use_material(const std::string& name) {
     const auto [slot, is_new] = slots_.try_emplace(name, static_cast<std::uint32_t>(slots_.size()));
     slot_ = slot->second;
     if (!is_new) return;
-    const auto known = by_name_.find(name);
-    if (known != by_name_.end()) {
+    const auto known = materials_.by_name.find(name);
+    if (known != materials_.by_name.end()) {
       model_.mesh.materials.push_back(known->second);
       return;
     }
@@ -189,7 +208,7 @@ class ModelBuilder {
   std::size_t next_end_ = 0;
   std::size_t faces_ = 0;
   std::vector<std::uint32_t> groups_;  ///< smoothing group of each triangle; empty if there is none
-  std::map<std::string, std::uint32_t> by_name_;
+  ObjMaterials materials_;
   std::map<std::string, std::uint32_t> slots_;
   std::optional<std::uint32_t> slot_;
   std::vector<Corner> corners_;
@@ -205,9 +224,9 @@ ObjModel parse_obj(std::string text, const fs::path& path) {
   const ObjSummary summary = check_obj(text, path.string());
   model.files.push_back(path.string());
   model.warnings = summary.notes;
-  auto by_name = load_obj_materials(path, summary.material_files, model);
+  auto materials = load_obj_materials(path, summary.material_files, model);
   for (const ObjReference& used : summary.used_materials) {
-    if (by_name.count(used.name) > 0) continue;
+    if (materials.by_name.count(used.name) > 0) continue;
     constexpr std::size_t most_warnings = 20;
     if (model.warnings.size() < most_warnings)
       model.warnings.push_back(
@@ -215,7 +234,7 @@ ObjModel parse_obj(std::string text, const fs::path& path) {
   }
   model.mesh.name = path.stem().string();
   model.mesh.source = path.string();
-  ModelBuilder(model, summary, std::move(by_name)).read(text);
+  ModelBuilder(model, summary, std::move(materials)).read(text);
   return model;
 }
 

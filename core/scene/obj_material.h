@@ -3,19 +3,25 @@
 #include <map>
 #include <string>
 
+#include "scene/mtl_check.h"
 #include "scene/obj.h"
 #include "scene/obj_check.h"
 
 namespace ps {
 
+/// Indices into ObjModel::materials.
+struct ObjMaterials {
+  std::map<std::string, std::uint32_t> by_name;
+  std::map<std::uint32_t, UvPlacement> placements;  ///< of those whose pictures do not lie as the model says
+};
+
 /// Reads the material files that an OBJ file names, in its order, into model.materials, model.textures, model.files and
-/// model.warnings. Returns the index of each material by name; the first of two with one name counts. Throws InputError
+/// model.warnings. The first of two with one name counts. Throws InputError
 /// for a file with errors in it; one that is missing is a warning, as models often come without theirs.
-std::map<std::string, std::uint32_t> load_obj_materials(const std::filesystem::path& obj,
-                                                        const std::vector<ObjReference>& files, ObjModel& model);
+ObjMaterials load_obj_materials(const std::filesystem::path& obj, const std::vector<ObjReference>& files,
+                                ObjModel& model);
 
 /// The same for the text of one material file; textures are looked for beside `path`.
-std::map<std::string, std::uint32_t> parse_obj_materials(std::string text, const std::filesystem::path& path,
-                                                         ObjModel& model);
+ObjMaterials parse_obj_materials(std::string text, const std::filesystem::path& path, ObjModel& model);
 
 }  // namespace ps

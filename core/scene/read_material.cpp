@@ -1,19 +1,16 @@
-#include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
-#include "image/file.h"
-#include "image/height_map.h"
-#include "scene/picture_fault.h"
 #include "scene/scene_draft.h"
-#include "scene/texture_generator.h"
 
 namespace ps {
 
 const std::vector<std::string_view>& surface_keys() {
-  static const std::vector<std::string_view> keys{"color",          "specular",      "reflective",   "texture",
-                                                  "specular_color", "ambient_color", "transparency", "refraction_index",
-                                                  "normal_map",     "height_map",    "relief_depth"};
+  static const std::vector<std::string_view> keys{
+      "color",        "specular",    "reflective",       "texture",     "specular_color", "ambient_color",
+      "transparency", "normal_map",  "refraction_index", "height_map",  "relief_depth",   "specular_map",
+      "ambient_map",  "opacity_map", "reflection_map",   "surroundings"};
   return keys;
 }
 
@@ -35,24 +32,6 @@ auto find_named(const SceneSource& source, const SceneTerm& term, const Map& map
   return found->second;
 }
 
-template <class Map>
-void require_new_name(const SceneSource& source, const SceneTerm& term, const Map& map, std::string_view what) {
-  if (map.count(source.values.name(term)) > 0)
-    source.values.fail(term, fmt::format("a name that no other {} has", what));
-}
-
-/// A picture that cannot be read is a fault of the line that names it.
-Image<Vec3f> read_picture(const SceneSource& source, const SceneTerm& term, const std::filesystem::path& path,
-                          std::size_t most_pixels) {
-  try {
-    return load_image(path, {.most_pixels = static_cast<std::int64_t>(most_pixels)});
-  } catch (const InputError& error) {
-    source.values.fail_at(term.line, term.column,
-                          fmt::format("the picture '{}' ({})", path.string(), picture_fault(path, error)),
-                          "one that can be read");
-  }
-}
-
 }  // namespace
 
 Material read_surface(const SceneSource& source, const SceneFields& fields, Material base, const SceneDraft& draft) {
@@ -63,12 +42,20 @@ Material read_surface(const SceneSource& source, const SceneFields& fields, Mate
   if (const auto* term = fields.find("transparency")) base.transparency = values.in_range(*term, 0, 1);
   if (const auto* term = fields.find("refraction_index"))
     base.refraction_index = values.in_range(*term, min_refraction_index, max_refraction_index);
-  if (const auto* term = fields.find("texture"))
-    base.texture = find_named(source, *term, draft.texture_index, "texture");
-  if (const auto* term = fields.find("normal_map"))
-    base.normal_map = find_named(source, *term, draft.texture_index, "texture");
-  if (const auto* term = fields.find("height_map"))
-    base.height_map = find_named(source, *term, draft.texture_index, "texture");
+  const std::array<std::pair<std::string_view, int*>, 7> maps{{{"texture", &base.texture},
+                                                               {"normal_map", &base.normal_map},
+                                                               {"height_map", &base.height_map},
+                                                               {"specular_map", &base.specular_map},
+                                                               {"ambient_map", &base.ambient_map},
+                                                               {"opacity_map", &base.opacity_map},
+                                                               {"reflection_map", &base.reflection_map}}};
+  for (const auto& [key, map] : maps)
+    if (const auto* term = fields.find(key)) *map = find_named(source, *term, draft.texture_index, "texture");
+  if (const auto* term = fields.find("surroundings")) {
+    const std::string name = values.name(*term);
+    if (name != "sphere" && name != "cube") values.fail(*term, "sphere or cube");
+    base.surroundings = name == "cube" ? Surroundings::cube : Surroundings::sphere;
+  }
   if (const auto* term = fields.find("relief_depth")) base.relief_depth = values.in_range(*term, 0, 1);
   if (const auto* term = fields.find("specular_color")) base.specular_colour = values.colour(*term);
   if (const auto* term = fields.find("ambient_color")) base.ambient_colour = values.colour(*term);
@@ -92,45 +79,12 @@ std::uint32_t material_for(const SceneSource& source, const SceneFields& fields,
 void read_material(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneFields fields(source.values, entry, joined_keys({"name"}, surface_keys()));
   const SceneTerm& name = fields.require("name");
-  require_new_name(source, name, draft.material_index, "material");
+  if (draft.material_index.count(source.values.name(name)) > 0)
+    source.values.fail(name, "a name that no other material has");
   Material material = read_surface(source, fields, {}, draft);
   material.name = source.values.name(name);
   draft.material_index[material.name] = static_cast<std::uint32_t>(draft.materials.size());
   draft.materials.push_back(std::move(material));
-}
-
-void read_texture(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
-  const SceneValues& values = source.values;
-  const SceneFields fields(values, entry, {"name", "file", "heights", "generator", "size"});
-  const SceneTerm& name = fields.require("name");
-  require_new_name(source, name, draft.texture_index, "texture");
-  Texture texture;
-  texture.name = values.name(name);
-  if (const SceneTerm* file = fields.find("file")) {
-    fields.forbid({"generator", "size"}, "only one of 'file' and 'generator'");
-    const auto path = (source.folder / values.name(*file, "a file name")).lexically_normal();
-    texture.path = path.string();
-    draft.scene.files.push_back(texture.path);
-    Image<Vec3f> texels = read_picture(source, *file, path, max_scene_texels - draft.texels);
-    if (const SceneTerm* heights = fields.find("heights")) {
-      texture.generator = heights_generator(values.positive(*heights));
-      texels = normals_from_heights(texels, values.positive(*heights));
-    }
-    texture.texels = std::make_shared<const Image<Vec3f>>(std::move(texels));
-    charge_texels(source, entry, texture.texels->pixels().size(), draft);
-  } else {
-    fields.forbid({"heights"}, "a 'file' beside 'heights'");
-    const SceneTerm& generator = fields.require("generator");
-    texture.generator = values.name(generator);
-    const auto known = texture_generators();
-    if (std::find(known.begin(), known.end(), texture.generator) == known.end())
-      values.fail(generator, fmt::format("one of {}", fmt::join(known, ", ")));
-    const int size = fields.find("size") != nullptr ? values.whole(*fields.find("size"), 1, 4096) : 256;
-    charge_texels(source, entry, static_cast<std::size_t>(size) * static_cast<std::size_t>(size), draft);
-    texture.texels = std::make_shared<const Image<Vec3f>>(generate_texture(texture.generator, size));
-  }
-  draft.texture_index[texture.name] = static_cast<int>(draft.textures.size());
-  draft.textures.push_back(std::move(texture));
 }
 
 }  // namespace ps

@@ -96,9 +96,9 @@ class ModelReader {
       material.name = fmt::format("{}/{}", mesh_.name, material.name.empty() ? "plain" : material.name);
       while (!draft_.material_index.emplace(material.name, static_cast<std::uint32_t>(draft_.materials.size())).second)
         material.name += "'";
-      if (material.texture >= 0) material.texture += first_texture;
-      if (material.normal_map >= 0) material.normal_map += first_texture;
-      if (material.height_map >= 0) material.height_map += first_texture;
+      for (int* map : {&material.texture, &material.normal_map, &material.height_map, &material.specular_map,
+                       &material.ambient_map, &material.opacity_map, &material.reflection_map})
+        if (*map >= 0) *map += first_texture;
       draft_.materials.push_back(std::move(material));
     }
     for (std::uint32_t& slot : mesh_.materials) slot += first_material;
@@ -175,8 +175,8 @@ class ModelReader {
 
   void add(const MeshTriangle& triangle, const SceneTerm& term) {
     const Material& material = draft_.materials[mesh_.materials[triangle.material]];
-    const bool textured = material.texture >= 0 || material.normal_map >= 0 || material.height_map >= 0;
-    if (textured && triangle.uv[0] < 0) values_.fail(term, "texture coordinates, since the model has a texture");
+    if (needs_uv(material) && triangle.uv[0] < 0)
+      values_.fail(term, "texture coordinates, since the model has a texture");
     mesh_.triangles.push_back(triangle);
   }
 

@@ -58,6 +58,16 @@ Transform placed(const SceneSource& source, const SceneEntry& entry, const Scene
   return transform;
 }
 
+}  // namespace
+
+PartPlace read_part_place(const SceneSource& source, const SceneFields& fields) {
+  const Transform t = read_transform(source, fields);
+  const Mat3d& r = t.rotation;
+  return {Mat3d(r[0] * t.scale.x, r[1] * t.scale.y, r[2] * t.scale.z), t.translation};
+}
+
+namespace {
+
 /// The surface keys of an instance change its model's material; a model with several must be given one whole.
 Material base_material(const SceneSource& source, const SceneFields& fields, const Mesh& mesh,
                        const SceneDraft& draft) {
@@ -126,7 +136,17 @@ void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   if (entry.value.kind != SceneTerm::Kind::block) source.values.fail(entry.value, "'{' after 'group'");
   if (draft.group_depth >= deepest)
     source.values.fail_at(entry.line, entry.column, "a group", fmt::format("at most {} nested groups", deepest));
-  const auto is_member = [](const SceneEntry& child) { return child.key == "instance" || child.key == "group"; };
+  const auto is_operation = [](const SceneEntry& child) {
+    return child.key == "union" || child.key == "intersection" || child.key == "difference";
+  };
+  const auto is_member = [&](const SceneEntry& child) {
+    return child.key == "instance" || child.key == "group" || is_operation(child);
+  };
+  for (const SceneEntry& child : entry.value.entries)
+    for (const std::string_view solid : {"sphere", "plane", "rectangle", "box", "cylinder"})
+      if (child.key == solid)
+        source.values.fail_at(child.line, child.column, fmt::format("'{}' inside 'group'", solid),
+                              "instance, group, union, intersection or difference; a body on its own has no transform");
   SceneEntry own = entry;
   std::erase_if(own.value.entries, is_member);
   const SceneFields fields(source.values, own, {"position", "transform"});
@@ -137,7 +157,7 @@ void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   ++draft.group_depth;
   for (const SceneEntry& child : entry.value.entries) {
     if (!is_member(child)) continue;
-    (child.key == "group" ? read_group : read_instance)(source, child, draft);
+    (child.key == "group" ? read_group : is_operation(child) ? read_csg : read_instance)(source, child, draft);
   }
   --draft.group_depth;
   draft.group = around;

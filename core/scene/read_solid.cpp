@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/matrix.hpp>
 
 #include "base/check.h"
 #include "math/unit.h"
@@ -53,43 +54,83 @@ Solid read_part(const SceneSource& source, const SceneFields& fields, SceneDraft
 
 bool is_operation(std::string_view key) { return key == "union" || key == "intersection" || key == "difference"; }
 bool is_part(std::string_view key) {
-  return key == "sphere" || key == "plane" || key == "box" || key == "cylinder" || is_operation(key);
+  return key == "sphere" || key == "plane" || key == "box" || key == "cylinder" || key == "group" || is_operation(key);
 }
 
 class CsgReader {
  public:
-  CsgReader(const SceneSource& source, SceneDraft& draft) : source_(source), draft_(draft) {}
+  CsgReader(const SceneSource& source, const SceneEntry& root, SceneDraft& draft)
+      : source_(source), root_(root), draft_(draft) {}
 
-  CsgNode node(const SceneEntry& entry) {
-    if (is_operation(entry.key)) return combination(entry);
+  /// `around`: the transforms of the groups and operations around the block.
+  CsgNode node(const SceneEntry& entry, const PartPlace& around) {
+    if (is_operation(entry.key) || entry.key == "group") return combination(entry, around);
     if (++parts_ > max_csg_parts)
       source_.values.fail_at(entry.line, entry.column, "one part more",
                              fmt::format("at most {} parts in one object", max_csg_parts));
     const SceneFields fields(source_.values, entry,
-                             joined_keys(joined_keys({"material"}, form_keys(entry.key)), surface_keys()));
+                             joined_keys(joined_keys({"material", "transform"}, form_keys(entry.key)), surface_keys()));
     CsgNode part;
     part.part = read_part(source_, fields, draft_);
+    part.part.place = around.after(read_part_place(source_, fields));
+    require_invertible(entry, part.part.place);
     return part;
   }
 
-  CsgNode combination(const SceneEntry& entry) {
+  /// An operation, or a group, which is the union of what it holds and may hold a single part.
+  CsgNode combination(const SceneEntry& entry, const PartPlace& around) {
+    if (entry.value.kind != SceneTerm::Kind::block)
+      source_.values.fail(entry.value, fmt::format("'{{' after '{}'", entry.key));
+    const bool is_group = entry.key == "group";
     CsgNode node;
-    node.operation = entry.key == "union"          ? CsgOperation::union_of
-                     : entry.key == "intersection" ? CsgOperation::intersection
-                                                   : CsgOperation::difference;
+    node.operation = entry.key == "intersection" ? CsgOperation::intersection
+                     : entry.key == "difference" ? CsgOperation::difference
+                                                 : CsgOperation::union_of;
     for (const SceneEntry& child : entry.value.entries) {
       if (child.key == "rectangle")
         source_.values.fail_at(child.line, child.column, "a rectangle", "a solid body: a rectangle has no inside");
-      if (is_part(child.key)) node.children.push_back(this->node(child));
+      if (child.key == "instance")
+        source_.values.fail_at(child.line, child.column, fmt::format("an instance inside '{}'", entry.key),
+                               "a solid body: a model of triangles may have no inside");
     }
-    if (node.children.size() < 2)
-      source_.values.fail_at(entry.line, entry.column, fmt::format("{} parts", node.children.size()),
-                             "two or more of sphere, box, cylinder, plane, union, intersection and difference");
+    const PartPlace place = around.after(place_of(entry));
+    for (const SceneEntry& child : entry.value.entries)
+      if (is_part(child.key)) node.children.push_back(this->node(child, place));
+    const std::size_t least = is_group ? 1 : 2;
+    if (node.children.size() < least)
+      source_.values.fail_at(
+          entry.line, entry.column, fmt::format("'{}' with {} parts", entry.key, node.children.size()),
+          fmt::format("{} or more of sphere, box, cylinder, plane, group, union, intersection and difference",
+                      is_group ? "one" : "two"));
+    if (is_group && node.children.size() == 1) return std::move(node.children.front());
     return node;
   }
 
  private:
+  /// What is not a part is checked as in any other block.
+  PartPlace place_of(const SceneEntry& entry) const {
+    SceneEntry own = entry;
+    std::erase_if(own.value.entries, [](const SceneEntry& child) { return is_part(child.key); });
+    const SceneFields fields(source_.values, own, {"name", "position", "transform"});
+    if (&entry != &root_) fields.forbid({"name"}, "a name of the whole object alone");
+    return read_part_place(source_, fields);
+  }
+
+  /// Factors multiply, so even numbers that are allowed one by one may end beyond all bounds.
+  void require_invertible(const SceneEntry& entry, const PartPlace& place) const {
+    constexpr double largest = 1e9;
+    double reach = 0;
+    const Mat3d back = inverse(place.linear);
+    for (int axis = 0; axis < 3; ++axis)
+      for (const Vec3d& v : {place.linear[axis], back[axis]})
+        for (int i = 0; i < 3; ++i) reach = std::abs(v[i]) <= largest ? std::max(reach, std::abs(v[i])) : largest * 2;
+    if (!(reach <= largest))
+      source_.values.fail_at(entry.line, entry.column, "transforms whose product is too large, too small or flat",
+                             fmt::format("scales from {:g} to {:g} in all", 1 / largest, largest));
+  }
+
   const SceneSource& source_;
+  const SceneEntry& root_;
   SceneDraft& draft_;
   std::size_t parts_ = 0;
 };
@@ -117,11 +158,10 @@ void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
 
 void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   if (entry.value.kind != SceneTerm::Kind::block) source.values.fail(entry.value, "'{' after the operation");
-  Csg csg{CsgReader(source, draft).node(entry)};
-  // What is not a part is checked as in any other block: only the name of the whole remains.
+  Csg csg{CsgReader(source, entry, draft).node(entry, {draft.group.linear, draft.group.translation})};
   SceneEntry rest = entry;
   std::erase_if(rest.value.entries, [](const SceneEntry& child) { return is_part(child.key); });
-  const SceneFields fields(source.values, rest, {"name"});
+  const SceneFields fields(source.values, rest, {"name", "position", "transform"});
   add_object(source, fields, {{}, std::move(csg)}, draft);
 }
 

@@ -18,9 +18,14 @@ void note_material(const Material& material, SceneTraits& traits) {
   traits.textures = traits.textures || material.texture >= 0;
   traits.normal_maps = traits.normal_maps || material.normal_map >= 0;
   traits.height_maps = traits.height_maps || material.height_map >= 0;
-  traits.transparent = traits.transparent || material.transparency >= least_transparency;
-  traits.any_transparency = traits.any_transparency || material.transparency > 0;
-  traits.tinted = traits.tinted || material.ambient_colour || material.specular_colour;
+  const bool light_maps = material.specular_map >= 0 || material.ambient_map >= 0;
+  traits.light_maps = traits.light_maps || light_maps;
+  traits.opacity_maps = traits.opacity_maps || material.opacity_map >= 0;
+  traits.reflection_maps = traits.reflection_maps || (material.reflection_map >= 0 && material.reflective > 0);
+  traits.textures = traits.textures || light_maps || material.opacity_map >= 0 || material.reflection_map >= 0;
+  traits.transparent = traits.transparent || material.transparency >= least_transparency || material.opacity_map >= 0;
+  traits.any_transparency = traits.any_transparency || material.transparency > 0 || material.opacity_map >= 0;
+  traits.tinted = traits.tinted || material.ambient_colour || material.specular_colour || light_maps;
   const bool usual = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
   traits.odd_highlights = traits.odd_highlights || !usual;
 }

@@ -63,7 +63,10 @@ struct SceneTraits {
   bool attenuated = false;  ///< a point light that grows weaker with distance in a way of its own
   bool point_lights = false;
   bool several_lights = false;
-  bool patches = false;  ///< curved models that can be cut into triangles anew
+  bool patches = false;     ///< curved models that can be cut into triangles anew
+  bool light_maps = false;  ///< pictures of highlights or of ambient light
+  bool opacity_maps = false;
+  bool reflection_maps = false;  ///< on a surface that reflects
   bool canvas_items = false;
   bool canvas_triangles = false;
   bool tinted = false;            ///< a surface whose ambient light or highlight has a colour of its own

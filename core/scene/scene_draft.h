@@ -50,8 +50,8 @@ void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft&
 void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
-/// A group of instances and groups with a transform of its own: a hierarchical model (CGFS ch. 10; LAB 7). It leaves
-/// only instances behind, each with the product of the transforms around it.
+/// A group of instances, operations of CSG and groups with a transform of its own: a hierarchical model (CGFS ch. 10;
+/// LAB 7). It leaves only what it holds behind, each with the product of the transforms around it.
 void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_material(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
@@ -62,7 +62,12 @@ void read_settings(const SceneSource& source, const SceneEntry& entry, SceneDraf
 void read_line(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 /// Vertices with three coordinates make a triangle in space, with two one on the canvas.
 void read_any_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+/// A convex polygon on the canvas (LAB 4), kept as triangles around its first corner; its outline follows as lines.
+void read_polygon(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_canvas_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+
+/// The `position` and `transform` of a block within CSG.
+PartPlace read_part_place(const SceneSource& source, const SceneFields& fields);
 
 /// Adds an object with the name that its block gives, if any.
 void add_object(const SceneSource& source, const SceneFields& fields, Object object, SceneDraft& draft);

@@ -20,25 +20,17 @@ struct BlockReader {
   ReadBlock read;
   bool once;
 };
-constexpr std::array<BlockReader, 19> blocks{{{"sphere", read_sphere, false},
-                                              {"light", read_light, false},
-                                              {"camera", read_camera, true},
-                                              {"material", read_material, false},
-                                              {"texture", read_texture, false},
-                                              {"model", read_model, false},
-                                              {"instance", read_instance, false},
-                                              {"group", read_group, false},
-                                              {"line", read_line, false},
-                                              {"triangle", read_any_triangle, false},
-                                              {"plane", read_solid, false},
-                                              {"rectangle", read_solid, false},
-                                              {"box", read_solid, false},
-                                              {"cylinder", read_solid, false},
-                                              {"union", read_csg, false},
-                                              {"intersection", read_csg, false},
-                                              {"difference", read_csg, false},
-                                              {"settings", read_settings, true},
-                                              {"include", read_include, false}}};
+constexpr std::array<BlockReader, 20> blocks{
+    {{"sphere", read_sphere, false},     {"light", read_light, false},
+     {"camera", read_camera, true},      {"material", read_material, false},
+     {"texture", read_texture, false},   {"model", read_model, false},
+     {"instance", read_instance, false}, {"group", read_group, false},
+     {"line", read_line, false},         {"triangle", read_any_triangle, false},
+     {"polygon", read_polygon, false},   {"plane", read_solid, false},
+     {"rectangle", read_solid, false},   {"box", read_solid, false},
+     {"cylinder", read_solid, false},    {"union", read_csg, false},
+     {"intersection", read_csg, false},  {"difference", read_csg, false},
+     {"settings", read_settings, true},  {"include", read_include, false}}};
 
 struct AssignmentReader {
   std::string_view key;

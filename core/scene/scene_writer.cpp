@@ -130,8 +130,14 @@ class SceneWriter {
   void texture(std::size_t index) {
     const Texture& texture = scene_.textures->at(index);
     line("\ntexture {{\n    name = {}", scene_name(textures_[index]));
-    if (!texture.path.empty()) {
+    if (!texture.faces.empty()) {
+      std::string faces;
+      for (const std::string& face : texture.faces)
+        faces += fmt::format("{}{}", faces.empty() ? "" : ", ", face.empty() ? "none" : file_name(face));
+      line("    cube = [{}]", faces);
+    } else if (!texture.path.empty()) {
       line("    file = {}", file_name(texture.path));
+      if (texture.channel != TextureChannel::colour) line("    channel = {}", texture_channel_name(texture.channel));
       if (const auto steepness = heights_steepness(texture.generator))
         line("    heights = {}", scene_number(*steepness));
     } else if (!texture.generator.empty()) {
@@ -139,6 +145,9 @@ class SceneWriter {
     } else {
       throw InputError(fmt::format("the texture '{}' exists only in memory and cannot be saved", texture.name));
     }
+    if (texture.base != 0 || texture.gain != 1)
+      line("    levels = ({}, {})", scene_number(texture.base), scene_number(texture.gain));
+    if (texture.clamped) line("    clamp = on");
     line("}}");
   }
 
@@ -165,16 +174,22 @@ class SceneWriter {
     }
   }
 
+  void map(std::string_view key, int texture) {
+    if (texture >= 0) line("    {} = {}", key, scene_name(textures_.at(static_cast<std::size_t>(texture))));
+  }
+
   void surface(const Material& material) {
     line("    color = {}", scene_colour(material.colour));
     if (material.specular) line("    specular = {}", scene_number(*material.specular));
     if (material.reflective != 0) line("    reflective = {}", scene_number(material.reflective));
-    if (material.texture >= 0)
-      line("    texture = {}", scene_name(textures_.at(static_cast<std::size_t>(material.texture))));
-    if (material.normal_map >= 0)
-      line("    normal_map = {}", scene_name(textures_.at(static_cast<std::size_t>(material.normal_map))));
-    if (material.height_map >= 0)
-      line("    height_map = {}", scene_name(textures_.at(static_cast<std::size_t>(material.height_map))));
+    map("texture", material.texture);
+    map("normal_map", material.normal_map);
+    map("height_map", material.height_map);
+    map("specular_map", material.specular_map);
+    map("ambient_map", material.ambient_map);
+    map("opacity_map", material.opacity_map);
+    map("reflection_map", material.reflection_map);
+    if (material.surroundings == Surroundings::cube) line("    surroundings = cube");
     if (material.relief_depth != Material().relief_depth)
       line("    relief_depth = {}", scene_number(material.relief_depth));
     if (material.specular_colour) line("    specular_color = {}", scene_colour(*material.specular_colour));
@@ -294,6 +309,9 @@ class SceneWriter {
     for (const CsgNode& child : node.children) csg_node(child, indent + "    ");
     if (part) {
       text_ += form_lines(node.part.form, indent + "    ");
+      if (const PartPlace& place = node.part.place; !place.is_identity())
+        line("{0}    transform {{\n{0}        rotation = {1}\n{0}        translation = {2}\n{0}    }}", indent,
+             scene_rotation(place.linear), scene_vec(place.translation));
       line("{}    material = {}", indent, scene_name(materials_[node.part.material]));
     }
     line("{}}}", indent);

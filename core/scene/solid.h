@@ -50,11 +50,24 @@ using Form = std::variant<Ball, Plane, Rectangle, Brick, Cylinder>;
 /// with two sides can be seen from within.
 enum class Sides { two, front };
 
+/// Where a part of a CSG tree lies: `linear` * p + `translation`, any affine map that can be inverted (CGPP ex. 15.7b).
+struct PartPlace {
+  Mat3d linear{1.0};
+  Vec3d translation{0, 0, 0};
+  bool operator==(const PartPlace&) const = default;
+  bool is_identity() const { return *this == PartPlace{}; }
+  /// This map after `inner`.
+  PartPlace after(const PartPlace& inner) const {
+    return {linear * inner.linear, linear * inner.translation + translation};
+  }
+};
+
 /// A form with its surface.
 struct Solid {
   Form form;
   std::uint32_t material = 0;  ///< index into Scene::materials
   Sides sides = Sides::two;
+  PartPlace place{};  ///< of the form; only parts of CSG trees have one
   bool operator==(const Solid&) const = default;
 };
 

@@ -32,7 +32,17 @@ struct ShadingMaterial {
   int texture = -1;
   int normal_map = -1;
   int height_map = -1;
+  int specular_map = -1;
+  int ambient_map = -1;
+  int opacity_map = -1;
+  int reflection_map = -1;
+  Surroundings surroundings = Surroundings::sphere;
   Real relief_depth = 0;
+
+  /// Shadow rays pass what is transparent anywhere.
+  bool passes_light() const { return transparency > 0 || opacity_map >= 0; }
+  /// Whether maps decide about its light or opacity from point to point.
+  bool varies() const { return specular_map >= 0 || ambient_map >= 0 || opacity_map >= 0; }
 };
 
 template <class Real>
@@ -55,6 +65,14 @@ inline ShadingMaterial<Real> shading_material(const Material& material) {
   result.texture = material.texture;
   result.normal_map = material.normal_map;
   result.height_map = material.height_map;
+  result.specular_map = material.specular_map;
+  result.ambient_map = material.ambient_map;
+  result.opacity_map = material.opacity_map;
+  result.reflection_map = material.reflection_map;
+  result.surroundings = material.surroundings;
+  const Vec3<Real> white(1);
+  if (material.specular_map >= 0 && !material.specular_colour) result.specular_colour = white;
+  if (material.ambient_map >= 0 && !material.ambient_colour) result.ambient_colour = white;
   result.relief_depth = static_cast<Real>(material.relief_depth);
   return result;
 }

@@ -129,7 +129,17 @@ void add_solids(unsigned seed, Geometry& geometry) {
     if (random.chance(0.3))
       geometry.objects.push_back(
           {"solid", Solid{form(random, kind), random.below(6), random.chance(0.5) ? Sides::two : Sides::front}});
-  if (random.chance(0.3)) geometry.objects.push_back({"csg", Csg{csg_tree(random, 2)}});
+  if (!random.chance(0.3)) return;
+  Csg csg{csg_tree(random, 2)};
+  Random placing(seed + 104729);  // of its own, so that all else stays as it was
+  for (Solid* part : csg_parts(csg.root)) {
+    if (!placing.chance(0.3)) continue;
+    const Mat3d turn = rotation(placing);
+    part->place.linear = Mat3d(turn[0] * placing.between(0.5, 2), turn[1] * placing.between(0.5, 2),
+                               turn[2] * placing.between(-2, -0.5));
+    part->place.translation = placing.point(-0.5, 0.5);
+  }
+  geometry.objects.push_back({"csg", std::move(csg)});
 }
 
 }  // namespace

@@ -99,6 +99,26 @@ TEST(Cgpp, TheFrontAloneCastsNoShadowFromBehind) {
   EXPECT_GT(ground, 11000) << "lit and shadowed ground of the test before";
 }
 
+// CGPP 15.7's indexed meshes are the same triangles, and light adds up: 31 is 3.1 times 10.
+TEST(Cgpp, TheIndexedSceneIsTheGroundUnderALightOfPower31) {
+  const Scene indexed = load_scene("cgpp/ground-by-hardware"), plain = load_scene("cgpp/ground");
+  EXPECT_EQ(indexed.lights->at(0).intensity, 31);
+  EXPECT_EQ(settings_for(indexed).renderer, Renderer::rasterizer);
+  const Frame bright = traced(indexed, settings_for(indexed), Channel::ids);
+  const Frame dim = traced(plain, settings_for(plain), Channel::ids);
+  int green = 0;
+  for (int y = 0; y < dim.height(); ++y)
+    for (int x = 0; x < dim.width(); ++x) {
+      const int object = dim.ids.at(x, y).object;
+      ASSERT_EQ(bright.ids.at(x, y).object, object < 0 ? -1 : object / 2) << x << ", " << y;
+      const Vec3f expected = dim.colour.at(x, y) * (object < 0 ? 1.0f : 3.1f);
+      ASSERT_LT(glm::length(bright.colour.at(x, y) - expected), 2e-5f * glm::length(expected) + 1e-7f)
+          << x << ", " << y;
+      green += object == 0;
+    }
+  EXPECT_GT(green, 10000);
+}
+
 TEST(Cgpp, FourTriangleTestsSeeTheSameTeapot) {
   const Scene scene = load_scene("cgpp/teapot");
   Settings settings = settings_for(scene);

@@ -66,6 +66,8 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
       return says(PartingCause::clipping, text, {"clipping", "near", "far"});
     case RejectReason::zero_area:
       return says(PartingCause::coverage, text, {"subpixel-bits", "edge-arithmetic"});
+    case RejectReason::cut_out:
+      return says(PartingCause::texture, text, {"textures"});
     case RejectReason::not_covered:
       break;
     }

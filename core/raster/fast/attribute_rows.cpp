@@ -49,7 +49,7 @@ FastSurface fast_surface(const Pass<float>& pass, const Surface<float>& surface)
     how.textured = true;
     shading.texture.texture = packed_texture(pass, surface);
     shading.texture.filter = pass.settings.texture_filter;
-    shading.texture.wrap = pass.settings.texture_wrap;
+    shading.texture.wrap = wrap_of((*pass.textures)[static_cast<std::size_t>(surface.material.texture)], pass.settings);
     shading.texture.mip_bias = static_cast<float>(pass.settings.mip_bias);
     shading.texture.uv = uv;
     shading.steps_at = take(0);

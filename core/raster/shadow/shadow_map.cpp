@@ -123,7 +123,10 @@ bool uses_shadow_maps(const Settings& settings, const Scene& scene) {
 }
 
 bool throws_shadow(const Scene& scene, const Object& object) {
-  const auto dense = [&](std::uint32_t material) { return !(scene.materials->at(material).transparency > 0); };
+  const auto dense = [&](std::uint32_t material) {
+    const Material& of_part = scene.materials->at(material);
+    return !(of_part.transparency > 0) && of_part.opacity_map < 0;
+  };
   if (const auto* sphere = std::get_if<Sphere>(&object.shape)) return dense(sphere->material);
   if (const auto* solid = std::get_if<Solid>(&object.shape)) return dense(solid->material);
   const auto* instance = std::get_if<Instance>(&object.shape);

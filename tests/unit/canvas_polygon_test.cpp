@@ -1,0 +1,121 @@
+// Convex polygons of any number of corners on the canvas (LAB 4), against half planes and the lab's own rows.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/check.h"
+#include "options/scene_settings.h"
+#include "raster/polygon_rows.h"
+#include "render/render.h"
+#include "scene/scene_file.h"
+
+namespace ps {
+namespace {
+
+constexpr int size = 40;
+
+Frame drawn(const std::string& text) {
+  const Scene scene = parse_scene("background = black\n" + text, "polygon.scene", ".");
+  Settings settings = settings_for(scene);
+  settings.renderer = Renderer::rasterizer;
+  Prepared prepared;
+  Progress progress;
+  RenderRequest request;
+  request.channels = Channel::overdraw;
+  return render(scene, {scene.camera, size, size}, settings, request, prepared, progress);
+}
+
+std::string list_of(const std::vector<Vec2d>& points) {
+  std::string list;
+  for (const Vec2d& p : points)
+    list += (list.empty() ? "(" : ", (") + std::to_string(p.x) + ", " + std::to_string(p.y) + ")";
+  return "[" + list + "]";
+}
+
+/// Corners on an ellipse, so convex; the angles keep the edges off all pixel centres.
+std::vector<Vec2d> on_ellipse(int corners, double direction) {
+  std::vector<Vec2d> points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = direction * 6.2831853 * (i + 0.137) / corners;
+    points.emplace_back(17.31 * std::cos(angle), 11.87 * std::sin(angle));
+  }
+  return points;
+}
+
+TEST(CanvasPolygon, CoversEachPixelOfItsInsideOnce) {
+  for (const int corners : {3, 4, 5, 8, 31})
+    for (const double direction : {1.0, -1.0}) {
+      const auto points = on_ellipse(corners, direction);
+      const Frame frame = drawn("polygon { vertices = " + list_of(points) + " color = red blend = additive }");
+      int inside = 0;
+      for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+          const Vec2d p{x + 0.5 - size / 2, size / 2 - y - 0.5};
+          double least = 1e9;
+          for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec2d a = points[i], b = points[(i + 1) % points.size()], e = b - a;
+            least = std::min(least, direction * (e.x * (p.y - a.y) - e.y * (p.x - a.x)) / std::hypot(e.x, e.y));
+          }
+          if (std::abs(least) < 0.01) continue;  // corners are snapped to 1/256 pixel
+          inside += least > 0;
+          EXPECT_EQ(frame.overdraw.at(x, y), least > 0 ? 1u : 0u) << corners << " at " << x << ", " << y;
+          EXPECT_NEAR(frame.colour.at(x, y).x, least > 0 ? 1 : 0, 1e-6);
+        }
+      EXPECT_GT(inside, corners == 3 ? 200 : 350);
+    }
+}
+
+// The lab's rows hold every pixel that the polygon covers: they take edges as inside.
+TEST(CanvasPolygon, LiesWithinTheRowsOfTheLab) {
+  const std::vector<Vec2i> corners{{-15, -3}, {-6, -14}, {12, -10}, {16, 4}, {2, 15}};
+  std::vector<Vec2d> points(corners.begin(), corners.end());
+  const Frame frame =
+      drawn("settings { sample-position = corner }\npolygon { vertices = " + list_of(points) + " color = red }");
+  int covered = 0, in_rows = 0;
+  std::map<int, raster::PolygonRow> rows;
+  for (const raster::PolygonRow& row : raster::polygon_rows(corners)) {
+    rows[row.y] = row;
+    in_rows += row.right - row.left + 1;
+  }
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      if (frame.overdraw.at(x, y) == 0) continue;
+      ++covered;
+      const int column = x - size / 2, height = size / 2 - 1 - y;  // the book's names of the pixel
+      const auto row = rows.find(height);
+      ASSERT_NE(row, rows.end()) << height;
+      EXPECT_GE(column, row->second.left) << height;
+      EXPECT_LE(column, row->second.right) << height;
+    }
+  EXPECT_GT(covered, 500);
+  EXPECT_LE(covered, in_rows);
+  EXPECT_LT(in_rows - covered, 80) << "the border alone";
+}
+
+TEST(CanvasPolygon, ColoursOfItsCornersAndItsOutline) {
+  const Frame frame = drawn("polygon { vertices = [(-15, -15), (15, -15), (15, 15), (-15, 15)]\n"
+                            "  colors = [red, red, blue, blue] h = [1, 1, 0.5, 0.5] outline = white }");
+  const Vec3f middle = frame.colour.at(size / 2, size / 2);  // at y = -0.5, so 14.5 / 30 of the way up
+  EXPECT_NEAR(middle.x, 1 - 14.5 / 30, 1e-5);
+  EXPECT_NEAR(middle.z, 0.5 * 14.5 / 30, 1e-5);
+  EXPECT_EQ(frame.colour.at(size / 2, size / 2 + 14), Vec3f(1));
+}
+
+TEST(CanvasPolygon, RefusesWhatIsNotConvex) {
+  const auto refused = [](const std::string& vertices) {
+    try {
+      parse_scene("\npolygon { vertices = " + vertices + " }", "p.scene", ".");
+    } catch (const InputError& error) {
+      return error.place().line == 2 && error.place().column == 22;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused("[(0, 0), (10, 0), (5, 2), (0, 10)]")) << "a dent";
+  EXPECT_TRUE(refused("[(0, 10), (6, -8), (-10, 3), (10, 3), (-6, -8)]")) << "a star, which goes round twice";
+  EXPECT_TRUE(refused("[(0, 0), (1, 1), (2, 2)]")) << "a line";
+  EXPECT_TRUE(refused("[(0, 0), (1, 1)]"));
+  EXPECT_FALSE(refused("[(0, 0), (5, 0), (10, 0), (10, 10)]")) << "a corner on an edge is no dent";
+}
+
+}  // namespace
+}  // namespace ps
