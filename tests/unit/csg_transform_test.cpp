@@ -27,8 +27,9 @@ struct Seen {
   Frame frame;
   Settings settings;
 };
-Frame seen(const Scene& scene, Precision precision) {
+Frame seen(const Scene& scene, Precision precision, Accelerator accelerator = Accelerator::none) {
   Settings settings;
+  settings.accelerator = accelerator;
   settings.precision = precision;
   Prepared prepared;
   Progress progress;
@@ -80,6 +81,21 @@ TEST(CsgTransform, AStretchedBallIsAnEllipsoid) {
       }
     EXPECT_GT(hits, 80);
   }
+}
+
+// Boxes around the whole, the parts' own maps included, keep no ray away.
+TEST(CsgTransform, AcceleratorsHoldAllOfAPlacedPart) {
+  const Scene scene = scene_of(
+      "union { sphere { center = (0, 0, 0) radius = 0.2 transform { scale = (6, 1, 1) translation = (0, 0.3, 4) } }\n"
+      "  sphere { center = (0, 0, 0) radius = 0.2 transform { translation = (0, -1, 4) } } }\n"
+      "triangle { vertices = [(-9, -9, 9), (-9, -8, 9), (-8, -9, 9)] color = white }");
+  const Frame all = seen(scene, Precision::float64);
+  int hits = 0;
+  for (const PixelId& id : all.ids.pixels()) hits += id.object == 0;
+  EXPECT_GT(hits, 50);
+  for (const Accelerator accelerator :
+       {Accelerator::bvh, Accelerator::box, Accelerator::bounding_spheres, Accelerator::octree, Accelerator::two_level})
+    EXPECT_TRUE(seen(scene, Precision::float64, accelerator).ids == all.ids) << static_cast<int>(accelerator);
 }
 
 // A sheared box with a bore, made by nested groups, against the half spaces of its six faces in the world.

@@ -133,6 +133,32 @@ TEST(SurfaceMaps, OpacityMapLetsRaysThroughAndCutsFragmentsOut) {
   expect_everywhere(glass, {ways[0], ways[1]}, [](double, double) { return Vec3d(0.25, 0, 0.75); });
 }
 
+// As all that is transparent: a panel beside the view, between the light and the middle of the wall.
+TEST(SurfaceMaps, WhatHasAnOpacityMapCastsNoShadow) {
+  const test::ModelFolder folder;
+  folder.write("t.pgm", "P2 1 1 255 255\n");
+  const auto middle = [&](const std::string& map, const std::string& way) {
+    const Scene scene = parse_scene(
+        "viewport_size = 2 x 1\nprojection_plane_d = 1\ntexture { name = t file = t.pgm }\n"
+        "material { name = m " +
+            map +
+            " }\n"
+            "model { name = panel material = m vertices = [(-4, -1, 2), (-4, 1, 2), (-2.2, 1, 2), (-2.2, -1, 2)]\n"
+            "  uvs = [(0, 1), (0, 0), (1, 0), (1, 1)]\n"
+            "  triangles { 0 = { vertices = [0, 1, 2] uvs = [0, 1, 2] } 1 = { vertices = [0, 2, 3] uvs = [0, 2, 3] } } "
+            "}\n"
+            "instance { model = panel }\n"
+            "triangle { vertices = [(-9, -9, 4), (0, 20, 4), (9, -9, 4)] color = white }\n"
+            "light { type = point intensity = 1 position = (-6, 0, 0) }\n",
+        "panel.scene", folder.path().string());
+    return draw(scene, way).colour.at(width / 2, height / 2).x;
+  };
+  for (const std::string way : {"renderer=ray-tracer", "renderer=rasterizer shadows=map"}) {
+    EXPECT_EQ(middle("", way), 0) << way;
+    EXPECT_GT(middle("opacity_map = t", way), 0.3f) << way;
+  }
+}
+
 TEST(SurfaceMaps, TexturesOffLeavesThemOut) {
   const test::ModelFolder folder;
   folder.write("t.pgm", "P2 1 1 255 0\n");
