@@ -408,13 +408,8 @@ class Intersector {
   LineSpan<Real> span_of(const Query& query, std::uint32_t index, const TracedSolid& solid, std::size_t part) const {
     const Ray<Real>& ray = query.ray;
     const bool starts = index == ray.start && detail_part(ray.start_detail) == part;
-    const TracedForm<Real>& form = geometry_.forms[solid.first_form + part];
-    const int face = starts ? detail_face(ray.start_detail) : no_face;
-    if (form.place < 0) return form_line(ray.origin, ray.direction, query.a, form, inputs_.settings.sphere_test, face);
-    const TracedPlace<Real>& place = geometry_.places[static_cast<std::size_t>(form.place)];
-    const Vec3<Real> direction = place.to_part * ray.direction;
-    return form_line(place.point(ray.origin), direction, dot(direction, direction), form, inputs_.settings.sphere_test,
-                     face);
+    return part_line(geometry_, geometry_.forms[solid.first_form + part], ray.origin, ray.direction, query.a,
+                     inputs_.settings.sphere_test, starts ? detail_face(ray.start_detail) : no_face);
   }
 
   /// A form on its own has up to two crossings, of which flat ones keep only the finite one.

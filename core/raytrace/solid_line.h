@@ -159,4 +159,15 @@ inline LineSpan<Real> form_line(const Vec3<Real>& origin, const Vec3<Real>& dire
   return {};
 }
 
+/// The same for a part of a CSG tree, in its own space where it has one; t stays what it is.
+template <class Real>
+inline LineSpan<Real> part_line(const TracedGeometry<Real>& geometry, const TracedForm<Real>& form,
+                                const Vec3<Real>& origin, const Vec3<Real>& direction, Real a, SphereTest sphere_test,
+                                int start) {
+  if (form.place < 0) return form_line(origin, direction, a, form, sphere_test, start);
+  const TracedPlace<Real>& place = geometry.places[static_cast<std::size_t>(form.place)];
+  const Vec3<Real> own = place.to_part * direction;
+  return form_line(place.point(origin), own, dot(own, own), form, sphere_test, start);
+}
+
 }  // namespace ps

@@ -86,8 +86,8 @@ TEST(CsgTransform, AStretchedBallIsAnEllipsoid) {
 // Boxes around the whole, the parts' own maps included, keep no ray away.
 TEST(CsgTransform, AcceleratorsHoldAllOfAPlacedPart) {
   const Scene scene = scene_of(
-      "union { sphere { center = (0, 0, 0) radius = 0.2 transform { scale = (6, 1, 1) translation = (0, 0.3, 4) } }\n"
-      "  sphere { center = (0, 0, 0) radius = 0.2 transform { translation = (0, -1, 4) } } }\n"
+      "union { sphere { center = (0, 5, 9) radius = 0.2 transform { scale = (6, 1, 1) translation = (0, -4.7, -5) } }\n"
+      "  sphere { center = (0, 5, 9) radius = 0.2 transform { translation = (0, -6, -5) } } }\n"
       "triangle { vertices = [(-9, -9, 9), (-9, -8, 9), (-8, -9, 9)] color = white }");
   const Frame all = seen(scene, Precision::float64);
   int hits = 0;
