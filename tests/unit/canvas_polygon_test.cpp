@@ -12,7 +12,7 @@
 namespace ps {
 namespace {
 
-constexpr int size = 40;
+constexpr int polygon_side = 40;
 
 Frame drawn(const std::string& text) {
   const Scene scene = parse_scene("background = black\n" + text, "polygon.scene", ".");
@@ -22,7 +22,7 @@ Frame drawn(const std::string& text) {
   Progress progress;
   RenderRequest request;
   request.channels = Channel::overdraw;
-  return render(scene, {scene.camera, size, size}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, polygon_side, polygon_side}, settings, request, prepared, progress);
 }
 
 std::string list_of(const std::vector<Vec2d>& points) {
@@ -48,9 +48,9 @@ TEST(CanvasPolygon, CoversEachPixelOfItsInsideOnce) {
       const auto points = on_ellipse(corners, direction);
       const Frame frame = drawn("polygon { vertices = " + list_of(points) + " color = red blend = additive }");
       int inside = 0;
-      for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-          const Vec2d p{x + 0.5 - size / 2, size / 2 - y - 0.5};
+      for (int y = 0; y < polygon_side; ++y)
+        for (int x = 0; x < polygon_side; ++x) {
+          const Vec2d p{x + 0.5 - polygon_side / 2, polygon_side / 2 - y - 0.5};
           double least = 1e9;
           for (std::size_t i = 0; i < points.size(); ++i) {
             const Vec2d a = points[i], b = points[(i + 1) % points.size()], e = b - a;
@@ -77,11 +77,11 @@ TEST(CanvasPolygon, LiesWithinTheRowsOfTheLab) {
     rows[row.y] = row;
     in_rows += row.right - row.left + 1;
   }
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
+  for (int y = 0; y < polygon_side; ++y)
+    for (int x = 0; x < polygon_side; ++x) {
       if (frame.overdraw.at(x, y) == 0) continue;
       ++covered;
-      const int column = x - size / 2, height = size / 2 - 1 - y;  // the book's names of the pixel
+      const int column = x - polygon_side / 2, height = polygon_side / 2 - 1 - y;  // the book's names of the pixel
       const auto row = rows.find(height);
       ASSERT_NE(row, rows.end()) << height;
       EXPECT_GE(column, row->second.left) << height;
@@ -95,10 +95,10 @@ TEST(CanvasPolygon, LiesWithinTheRowsOfTheLab) {
 TEST(CanvasPolygon, ColoursOfItsCornersAndItsOutline) {
   const Frame frame = drawn("polygon { vertices = [(-15, -15), (15, -15), (15, 15), (-15, 15)]\n"
                             "  colors = [red, red, blue, blue] h = [1, 1, 0.5, 0.5] outline = white }");
-  const Vec3f middle = frame.colour.at(size / 2, size / 2);  // at y = -0.5, so 14.5 / 30 of the way up
+  const Vec3f middle = frame.colour.at(polygon_side / 2, polygon_side / 2);  // at y = -0.5, so 14.5 / 30 of the way up
   EXPECT_NEAR(middle.x, 1 - 14.5 / 30, 1e-5);
   EXPECT_NEAR(middle.z, 0.5 * 14.5 / 30, 1e-5);
-  EXPECT_EQ(frame.colour.at(size / 2, size / 2 + 14), Vec3f(1));
+  EXPECT_EQ(frame.colour.at(polygon_side / 2, polygon_side / 2 + 14), Vec3f(1));
 }
 
 TEST(CanvasPolygon, RefusesWhatIsNotConvex) {

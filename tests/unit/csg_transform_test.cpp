@@ -17,7 +17,7 @@
 namespace ps {
 namespace {
 
-constexpr int size = 48;
+constexpr int placed_side = 48;
 constexpr const char* head = "viewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = black\n"
                              "light { type = ambient intensity = 1 }\n";
 
@@ -35,11 +35,11 @@ Frame seen(const Scene& scene, Precision precision, Accelerator accelerator = Ac
   Progress progress;
   RenderRequest request;
   request.channels = Channel::depth | Channel::normal | Channel::ids;
-  return render(scene, {scene.camera, size, size}, settings, request, prepared, progress);
+  return render(scene, {scene.camera, placed_side, placed_side}, settings, request, prepared, progress);
 }
 
 /// Direction of the eye ray through a pixel's centre, with z = 1, so that t is the depth.
-Vec3d eye_direction(int x, int y) { return {(x + 0.5) / size - 0.5, 0.5 - (y + 0.5) / size, 1}; }
+Vec3d eye_direction(int x, int y) { return {(x + 0.5) / placed_side - 0.5, 0.5 - (y + 0.5) / placed_side, 1}; }
 
 struct Meeting {
   double t;
@@ -69,8 +69,8 @@ TEST(CsgTransform, AStretchedBallIsAnEllipsoid) {
     const Frame frame = seen(scene, precision);
     const double tolerance = precision == Precision::float64 ? 1e-7 : 2e-4;  // channels are floats
     int hits = 0;
-    for (int y = 0; y < size; ++y)
-      for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < placed_side; ++y)
+      for (int x = 0; x < placed_side; ++x) {
         const auto expected = meet_ellipsoid(linear * 0.5, centre, eye_direction(x, y));
         ASSERT_EQ(frame.ids.at(x, y).object >= 0, expected.has_value()) << x << ", " << y;
         if (!expected) continue;
@@ -120,8 +120,8 @@ TEST(CsgTransform, NestedGroupsMultiplyAndCutFacesHaveTheirNormals) {
   const Frame got = seen(boxes, Precision::float64);
   const Frame want = seen(scene_of("intersection { " + planes + "}"), Precision::float64);
   int hits = 0, differ = 0;
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
+  for (int y = 0; y < placed_side; ++y)
+    for (int x = 0; x < placed_side; ++x) {
       const bool hit = got.ids.at(x, y).object >= 0;
       hits += hit;
       differ += hit != (want.ids.at(x, y).object >= 0);
@@ -139,15 +139,15 @@ TEST(CsgTransform, ASubtractedPartIsTurned) {
                                "  cylinder { from = (0, 0, -1) to = (0, 0, 1) radius = 0.3 color = green\n"
                                "    transform { scale = (-2, 1, 1) translation = (0, 0, 3) } } }");
   const Frame frame = seen(scene, Precision::float64);
-  const int y = size / 2, x = size / 2;
+  const int y = placed_side / 2, x = placed_side / 2;
   // The bottom of the bore is its cap at z = 4, which faces the camera.
   EXPECT_EQ(frame.ids.at(x, y).triangle, 1);
   EXPECT_NEAR(frame.depth.at(x, y), 4, 1e-6);
   EXPECT_LT(glm::length(frame.normal.at(x, y) - Vec3f(0, 0, -1)), 1e-6f);
   // Its side is an elliptic cylinder (x / 0.6)^2 + (y / 0.3)^2 = 1 whose normals, turned, point to the axis.
   int sides = 0;
-  for (int row = 0; row < size; ++row)
-    for (int column = 0; column < size; ++column) {
+  for (int row = 0; row < placed_side; ++row)
+    for (int column = 0; column < placed_side; ++column) {
       if (frame.ids.at(column, row).triangle != 1 || std::abs(frame.normal.at(column, row).z) > 0.5f) continue;
       const Vec3d p = eye_direction(column, row) * static_cast<double>(frame.depth.at(column, row));
       EXPECT_NEAR(p.x * p.x / 0.36 + p.y * p.y / 0.09, 1, 1e-5);
@@ -167,7 +167,7 @@ TEST(CsgTransform, OperationsLieInGroupsOfModels) {
   const Frame b = seen(scene_of("difference { transform { scale = (1, 0.5, 1) translation = (0, 0, 4) } " + parts),
                        Precision::float64);
   EXPECT_TRUE(a.depth == b.depth);
-  EXPECT_NEAR(a.depth.at(size / 2, size / 2), 3.5, 1e-2) << "the bottom of the dent";
+  EXPECT_NEAR(a.depth.at(placed_side / 2, placed_side / 2), 3.5, 1e-2) << "the bottom of the dent";
 }
 
 TEST(CsgTransform, IsWrittenAndReadAgain) {
