@@ -14,7 +14,8 @@ namespace {
 /// its header promises.
 thread_local std::size_t largest_block = 0;
 
-void* limited_malloc(std::size_t size) { return size <= largest_block ? std::malloc(size) : nullptr; }
+/// Zeros: the decoder of JPEG reads tables that a damaged file does not define.
+void* limited_malloc(std::size_t size) { return size <= largest_block ? std::calloc(1, size) : nullptr; }
 void* limited_realloc(void* block, std::size_t size) {
   return size <= largest_block ? std::realloc(block, size) : nullptr;
 }

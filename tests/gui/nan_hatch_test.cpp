@@ -18,13 +18,13 @@ TEST(NanHatch, CoversThePixelsThatAreNotANumber) {
   const auto folder = ps::fresh_output_folder("gui-nan-hatch");
   const std::string scene = (folder / "nan.scene").string(), shot = (folder / "nan.png").string(),
                     sound = (folder / "sound.png").string();
+  const std::string picture = std::filesystem::absolute("tests/corpus/pfm/special.pfm").string();
   const auto result =
-      ps::test::play("write " + scene +
-                         " \"sphere { center = (0, 0, 3) radius = 1 color = (255, 0, 0) }\\nlight { type = point "
-                         "intensity = 1 position = (0, 0, 0) attenuation = (1e-50, 0, 0) }\\n\"\n"
-                         "open " +
+      ps::test::play("write " + scene + " \"texture { name = nan file = \\\"" + picture +
+                         "\\\" }\\nsphere { center = (0, 0, 3) radius = 1 texture = nan }\\n"
+                         "light { type = ambient intensity = 1 }\\n\"\nopen " +
                          scene + "\nwait idle\nscreenshot " + shot +
-                         "\nset precision=double\nset-b precision=double\nwait idle\nscreenshot " + sound + "\nquit\n",
+                         "\nset textures=off\nset-b textures=off\nwait idle\nscreenshot " + sound + "\nquit\n",
                      folder, "1024x768");
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_GT(magenta_pixels(shot), 5000);  // the discs of A and B, less the black lines

@@ -179,7 +179,7 @@ TEST(Studies, StabilityIsPausedStoppedAndTakenUpByTheNextStart) {
                           "expect stability/shown srgb-averaging\n";
   const auto first = folder / "first.script", second = folder / "second.script";
   write_file(first, begin + one +
-                        "click stability/all\nwait until stability/status contains \" of 66 \"\n"
+                        "click stability/all\nwait until stability/status contains \" of 67 \"\n"
                         "click stability/pause\nexpect stability/paused on\nexpect stability/pause \"Go on\"\n"
                         "wait idle\nexpect stability/status contains \"Paused after\"\n"
                         "click stability/pause\nexpect stability/paused off\n"

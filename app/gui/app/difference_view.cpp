@@ -68,7 +68,6 @@ void difference_number(Session& session, PicturesState& state, const Area& row) 
                               state.difference_metric};
     state.meter->request(request);
   }
-  state.meter->take_news();
   ImGui::SetCursorScreenPos({row.min.x, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
   std::vector<Choice> choices;
   for (const ErrorMetricRow& metric : error_metrics())

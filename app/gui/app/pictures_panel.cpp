@@ -262,6 +262,9 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area) {
   state.areas = {};
   state.notes = {};
   state.hover.reset();
+  // Only the difference asks for its number; one that comes after it was left must not keep the window from resting.
+  state.meter->rest();
+  state.meter->take_news();
   switch (session.document().compare) {
   case CompareMode::side_by_side: {
     const auto parts = halves(area, state.pictures[0].size());
