@@ -311,7 +311,7 @@ void trace_packets(const PacketScene& scene, const TileRect& tile, const TileRec
         first = find_nearest(scene, rays, active, count);
       }
       const V3 result = trace(scene, rays, active, first, count);
-      const M nan = hn::Or(hn::Or(hn::Ne(result.x, result.x), hn::Ne(result.y, result.y)), hn::Ne(result.z, result.z));
+      const M nan = hn::Or(hn::Or(hn::IsNaN(result.x), hn::IsNaN(result.y)), hn::IsNaN(result.z));
       count.nan_pixels += hn::CountTrue(d, hn::And(active, nan));
       store_lanes(result, first, stored);
       store(scene, stored, x, y, width, frame);

@@ -85,7 +85,8 @@ HWY_INLINE void shade_by_surface(ResolveTask& task, Fragments& fragments, M seen
   }
 }
 
-HWY_INLINE M is_nan(const V3& c) { return hn::Or(hn::Or(hn::Ne(c.x, c.x), hn::Ne(c.y, c.y)), hn::Ne(c.z, c.z)); }
+/// Not by Ne(c, c), which is false for NaN on AVX2 and AVX-512.
+HWY_INLINE M is_nan(const V3& c) { return hn::Or(hn::Or(hn::IsNaN(c.x), hn::IsNaN(c.y)), hn::IsNaN(c.z)); }
 
 /// Which lanes show triangle `id`, and whether all others show nothing.
 struct Alone {
