@@ -53,7 +53,7 @@ Outcome read_permalink(std::string_view bytes) {
 /// Times are sensible, and a point's picture and times belong to it.
 Outcome read_log_of_chart(std::string_view bytes) {
   static const ChartFolder folder;
-  write_file_atomically(folder.path() / "runs.jsonl", std::string(bytes));
+  write_file_atomically(folder.path() / "runs.jsonl", std::string(bytes), Durability::quick);
   return read_or_refuse([&] {
     const Chart chart = read_chart_log(folder.path());
     for (const ChartPoint& point : chart.points)

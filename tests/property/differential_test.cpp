@@ -1,6 +1,7 @@
 // Random scenes under random options, drawn again in every way that may not change a bit: on each SIMD target, with
-// more threads, with another accelerator, in part, and pixel by pixel by the inspector. A quarter of the scenes hold
-// extreme numbers. PIXELSCOPE_TEST_SEED repeats a run, PIXELSCOPE_FUZZ_SECONDS lengthens it; `tests/run --fuzz` does.
+// more threads, with another accelerator, in part, and pixel by pixel by the inspector. PIXELSCOPE_TEST_SEED repeats a
+// run, PIXELSCOPE_FUZZ_SECONDS lengthens it; `tests/run --fuzz` does. Then a quarter of the scenes hold extreme
+// numbers, of which a few take minutes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -95,9 +96,11 @@ Settings random_settings(const Scene& scene, Random& random) {
   return settings;
 }
 
-std::optional<Subject> random_subject(Random& random) {
+enum class Numbers { moderate, extreme_too };
+
+std::optional<Subject> random_subject(Random& random, Numbers numbers) {
   Subject subject;
-  if (below(random, 4) == 0) {
+  if (numbers == Numbers::extreme_too && below(random, 4) == 0) {
     auto hostile = test::hostile_scene(random);
     if (!hostile) return {};
     subject.scene = std::move(hostile->scene);
@@ -167,7 +170,7 @@ TEST(Differential, FindsAPlantedDifference) {
   Random random(1);
   int found = 0;
   for (int i = 0; i < 10; ++i) {
-    const auto subject = random_subject(random);
+    const auto subject = random_subject(random, Numbers::moderate);
     if (!subject) continue;
     Settings other = subject->settings;
     other.sample_position =
@@ -187,14 +190,19 @@ TEST(Differential, EveryWayToDrawAPictureGivesTheSameBits) {
   int pictures = 0, refused = 0;
   const auto start = std::chrono::steady_clock::now();
   while (pictures < 5 || std::chrono::steady_clock::now() - start < time) {
-    const auto subject = random_subject(random);
+    const auto subject = random_subject(random, seconds ? Numbers::extreme_too : Numbers::moderate);
     if (!subject) {
       ++refused;
       continue;
     }
     ++pictures;
-    ASSERT_EQ(fault_of(*subject, random), "")
-        << "PIXELSCOPE_TEST_SEED=" << seed << ", picture " << pictures << ": " << subject->words;
+    std::string fault;
+    try {
+      fault = fault_of(*subject, random);
+    } catch (const InputError&) {  // numbers that cannot be drawn, such as a camera's axes in one plane
+      ++refused;
+    }
+    ASSERT_EQ(fault, "") << "PIXELSCOPE_TEST_SEED=" << seed << ", picture " << pictures << ": " << subject->words;
   }
   std::cout << "PIXELSCOPE_TEST_SEED=" << seed << ": " << pictures << " scenes, " << refused << " refused\n";
 }
