@@ -74,7 +74,7 @@ std::vector<Option> reflection_rows() {
            .help = {"How light is shared between what a boundary mirrors and what it lets through.",
                     "CGFS ch. 5; Fresnel's equations",
                     "Fixed shares miss that glass mirrors more the flatter one looks at it. Fresnel traces two rays at "
-                    "each boundary. In both, what is transparent throws no shadow at all: shadow rays pass it straight "
+                    "each boundary. In both, what is transparent casts no shadow at all: shadow rays pass it straight "
                     "and unweakened, since the book says nothing of its shadow and the true one is bent light "
                     "(caustics), which no straight ray finds."},
            .truth = exactly("transparency=fresnel"),

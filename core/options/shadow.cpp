@@ -153,7 +153,7 @@ std::vector<Option> shadow_rows() {
            .label = "Volume length",
            .help = {"How far shadow volumes reach from what throws the shadow; 0 = without end.",
                     "CGFS ch. 15; Everitt and Kilgard 2002",
-                    "Beyond its volume's end an object throws no shadow. A short volume covers fewer pixels, which is "
+                    "Beyond its volume's end an object casts no shadow. A short volume covers fewer pixels, which is "
                     "why programs shorten them."},
            .truth = exactly("volume-length=0"),
            .inactive = needs_stencil},

@@ -18,7 +18,7 @@ struct Material {
   double reflective = 0;                 ///< share of reflected light, 0..1
   std::optional<Vec3d> specular_colour;  ///< absent: the highlight takes `colour`, as in the book's equation
   std::optional<Vec3d> ambient_colour;   ///< absent: ambient light takes `colour`
-  double transparency = 0;               ///< share of light that comes through, 0..1; throws no shadow if above 0
+  double transparency = 0;               ///< share of light that comes through, 0..1; casts no shadow if above 0
   double refraction_index = 1;           ///< of what is inside (CGFS ch. 5); vacuum has 1
   int texture = -1;  ///< index into Scene::textures; its texels are multiplied by `colour`; -1 = none
   int normal_map =

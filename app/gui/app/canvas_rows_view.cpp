@@ -14,8 +14,8 @@ namespace {
 
 void update_rows(const Session& session, Side side, CanvasRowsState& state) {
   const auto story = session.story(side);
-  if (story == state.told || !story) return;
-  state.told = story;
+  if (story == state.shown || !story) return;
+  state.shown = story;
   Progress progress;
   state.triangles = canvas_rows(session.scene(), session.view(), session.settings(side), story->pixel, progress);
 }
@@ -55,7 +55,7 @@ void canvas_rows_view(const Session& session, Side side, CanvasRowsState& state,
     const FontScope font(Face::mono);
     ImGui::PushID(triangle.item);
     ImGui::Text("canvas item %d", triangle.item);
-    rows_table(triangle, state.told->pixel.y);
+    rows_table(triangle, state.shown->pixel.y);
     ImGui::PopID();
     for (const CanvasRow& row : triangle.rows)
       values().publish(fmt::format("{}/rows/{}", name, count++),

@@ -10,7 +10,7 @@ namespace ps::gui {
 
 /// The rows on show, and the story that they belong to.
 struct CanvasRowsState {
-  std::shared_ptr<const PixelStory> told;
+  std::shared_ptr<const PixelStory> shown;
   std::vector<CanvasTriangleRows> triangles;
 };
 

@@ -12,7 +12,7 @@
 namespace ps::raster {
 namespace {
 
-constexpr double near_limit = 1e-3;  // world units in front of a light; nothing nearer throws a shadow
+constexpr double near_limit = 1e-3;  // world units in front of a light; nothing nearer casts a shadow
 constexpr double dwarfing = 30;      // an object so much larger than all smaller ones together is a ground
 constexpr double margin_texels = 2;  // outlines stay clear of the square's border
 
