@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "base/stop.h"
 
@@ -144,7 +145,8 @@ Octree<Real> build_octree(const Box<Real>& box, std::uint32_t primitives, const 
                           std::span<const std::uint32_t> coincident) {
   if (primitives == 0) return {};
   const Places places(primitives, coincident);
-  if (auto octree = OctreeBuilder<Real>(options, places, overlaps, Sharing::first_come).build(box)) return *octree;
+  if (auto octree = OctreeBuilder<Real>(options, places, overlaps, Sharing::first_come).build(box))
+    return std::move(*octree);
   return *OctreeBuilder<Real>(options, places, overlaps, Sharing::by_count).build(box);
 }
 

@@ -164,10 +164,14 @@ template <class Real>
 inline LineSpan<Real> part_line(const TracedGeometry<Real>& geometry, const TracedForm<Real>& form,
                                 const Vec3<Real>& origin, const Vec3<Real>& direction, Real a, SphereTest sphere_test,
                                 int start) {
-  if (form.place < 0) return form_line(origin, direction, a, form, sphere_test, start);
-  const TracedPlace<Real>& place = geometry.places[static_cast<std::size_t>(form.place)];
-  const Vec3<Real> own = place.to_part * direction;
-  return form_line(place.point(origin), own, dot(own, own), form, sphere_test, start);
+  Vec3<Real> own_origin = origin, own_direction = direction;
+  if (form.place >= 0) {
+    const TracedPlace<Real>& place = geometry.places[static_cast<std::size_t>(form.place)];
+    own_origin = place.point(origin);
+    own_direction = place.to_part * direction;
+    a = dot(own_direction, own_direction);
+  }
+  return form_line(own_origin, own_direction, a, form, sphere_test, start);
 }
 
 }  // namespace ps

@@ -183,17 +183,16 @@ class Tracer {
     pixel.colour = colour_of(pixel.ray, hit, 0, Real(1), media.innermost(), &pixel);
   }
 
-  /// The colour that comes back along `ray` after `depth` bounces. `first` notes what the eye ray found.
-  Vec3<Real> trace(const Ray<Real>& ray, RayKind kind, int depth, Real share, const Medium<Real>& medium,
-                   TracedPixel<Real>* first) const {
+  /// The colour that comes back along `ray` after `depth` bounces, one at least.
+  Vec3<Real> trace(const Ray<Real>& ray, RayKind kind, int depth, Real share, const Medium<Real>& medium) const {
     recorder_.begin([&] { return ray_event(ray, kind, depth, share); });
     const Hit<Real> hit = intersector_.nearest(ray);
-    const Vec3<Real> colour = colour_of(ray, hit, depth, share, medium, first);
+    const Vec3<Real> colour = colour_of(ray, hit, depth, share, medium, nullptr);
     recorder_.end();
     return colour;
   }
 
-  /// The colour that comes back along `ray` from `hit`, or from the background.
+  /// The colour that comes back along `ray` from `hit`, or from the background. `first` notes what the eye ray found.
   Vec3<Real> colour_of(const Ray<Real>& ray, const Hit<Real>& hit, int depth, Real share, const Medium<Real>& medium,
                        TracedPixel<Real>* first) const {
     Vec3<Real> colour = inputs_.background;
@@ -216,8 +215,15 @@ class Tracer {
 
   Vec3<Real> shade(const Ray<Real>& ray, const Surface<Real>& surface, int depth, Real share,
                    const Medium<Real>& medium, TracedPixel<Real>* first) const {
-    std::optional<ShadingMaterial<Real>> own;
-    const ShadingMaterial<Real>& material = material_at(surface, own);
+    const ShadingMaterial<Real>& material = inputs_.materials[surface.material];
+    if (material.varies() && inputs_.settings.textures && surface.has_uv)
+      return shade_as(ray, surface, varied_material(surface, material), depth, share, medium, first);
+    return shade_as(ray, surface, material, depth, share, medium, first);
+  }
+
+  /// shade() of a surface of this material.
+  Vec3<Real> shade_as(const Ray<Real>& ray, const Surface<Real>& surface, const ShadingMaterial<Real>& material,
+                      int depth, Real share, const Medium<Real>& medium, TracedPixel<Real>* first) const {
     const Vec3<Real> local = local_colour(ray, surface, material, first);
     const Real reflective = material.reflective;
     if (depth >= inputs_.settings.reflection_depth) return local;
@@ -251,7 +257,7 @@ class Tracer {
     const Ray<Real> reflected =
         leaving_ray(surface, direction, std::numeric_limits<Real>::infinity(), inputs_.reflection_epsilon, inputs_);
     recorder_.count(Counter::reflection_rays);
-    return trace(reflected, RayKind::reflection, depth + 1, share, medium, nullptr);
+    return trace(reflected, RayKind::reflection, depth + 1, share, medium);
   }
 
   /// How the light of a transparent surface is shared out: what it is, mirrors and lets through.
@@ -300,8 +306,8 @@ class Tracer {
       const Ray<Real> through = leaving_ray(surface, bent->direction, std::numeric_limits<Real>::infinity(),
                                             inputs_.reflection_epsilon, inputs_);
       recorder_.count(Counter::refraction_rays);
-      refracted = trace(through, RayKind::refraction, depth + 1, share * shares.refracted,
-                        is_flat(surface) ? medium : beyond, nullptr);
+      refracted =
+          trace(through, RayKind::refraction, depth + 1, share * shares.refracted, is_flat(surface) ? medium : beyond);
     }
     const Vec3<Real> result = local * shares.own + mirrored * shares.mirrored + refracted * shares.refracted;
     recorder_.event([&] {
@@ -407,20 +413,17 @@ class Tracer {
     return texel;
   }
 
-  /// The material as its maps make it at the point (MTL: map_Ks, map_Ka, map_d); `own` keeps what differs.
-  const ShadingMaterial<Real>& material_at(const Surface<Real>& surface,
-                                           std::optional<ShadingMaterial<Real>>& own) const {
-    const ShadingMaterial<Real>& material = inputs_.materials[surface.material];
-    if (!material.varies() || !inputs_.settings.textures || !surface.has_uv) return material;
-    own = material;
+  /// A material as its maps make it at the point (MTL: map_Ks, map_Ka, map_d).
+  ShadingMaterial<Real> varied_material(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const {
+    ShadingMaterial<Real> own = material;
     if (material.specular_map >= 0 && inputs_.settings.lighting)
-      *own->specular_colour *= read_finest(material.specular_map, surface.uv, TextureUse::highlight);
+      *own.specular_colour *= read_finest(material.specular_map, surface.uv, TextureUse::highlight);
     if (material.ambient_map >= 0 && inputs_.settings.lighting)
-      *own->ambient_colour *= read_finest(material.ambient_map, surface.uv, TextureUse::ambient);
+      *own.ambient_colour *= read_finest(material.ambient_map, surface.uv, TextureUse::ambient);
     if (material.opacity_map >= 0)
-      own->transparency =
+      own.transparency =
           1 - (1 - material.transparency) * read_finest(material.opacity_map, surface.uv, TextureUse::opacity).x;
-    return *own;
+    return own;
   }
 
   Vec3<Real> textured_colour(const Surface<Real>& surface, const ShadingMaterial<Real>& material) const {
