@@ -24,7 +24,8 @@ std::string processor_name() {
 }  // namespace
 
 Machine this_machine() {
-  return {std::string(version()), processor_name(), std::string(simd_name(hwy::SupportedTargets())),
+  static const std::string processor = processor_name();  // asks the system, and every export names it
+  return {std::string(version()), processor, std::string(simd_name(hwy::SupportedTargets())),
           resolve_threads(ParallelOptions{})};
 }
 

@@ -94,13 +94,13 @@ Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& n
 }
 
 Image<Vec3f> load_alpha(const std::filesystem::path& path, const LoadOptions& options) {
-  const Image<Vec3f> colours = load_image(path, options);  // all that can be wrong with the file
   const auto format = format_of(path);
-  if (format != Format::png && format != Format::tga) return {colours.width(), colours.height(), Vec3f(1)};
+  if (!format) fail_extension(path, known_extensions);
   const std::string bytes = read_whole_file(path);
-  const bool short_palette = format == Format::png && check_png(bytes, path.string()).palette_entries > 0;
-  return stb_decode_alpha(short_palette ? png_with_padded_palette(bytes, 0) : bytes, path.string(),
-                          options.most_pixels);
+  const Image<Vec3f> colours = decode_image(bytes, path, options);  // all that can be wrong with the file
+  if (format != Format::png && format != Format::tga) return {colours.width(), colours.height(), Vec3f(1)};
+  const bool palette = format == Format::png && check_png(bytes, path.string()).palette_entries > 0;
+  return stb_decode_alpha(palette ? png_with_padded_palette(bytes, 0) : bytes, path.string(), options.most_pixels);
 }
 
 Image<Rgb8> load_levels(const std::filesystem::path& path) { return display_image(load_image(path)); }

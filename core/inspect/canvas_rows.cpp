@@ -71,7 +71,9 @@ std::vector<CanvasTriangleRows> canvas_rows(const Scene& scene, const View& view
     }
     if (!near) continue;
     const auto [top, bottom] = std::minmax({rows.corners[0].y, rows.corners[1].y, rows.corners[2].y});
-    if (pixel.y < top - 1 || pixel.y > bottom + 1) continue;  // neither rule goes a whole pixel farther
+    const auto [left, right] = std::minmax({rows.corners[0].x, rows.corners[1].x, rows.corners[2].x});
+    // Neither rule goes a whole pixel farther.
+    if (pixel.y < top - 1 || pixel.y > bottom + 1 || pixel.x < left - 1 || pixel.x > right + 1) continue;
     const auto filled = filled_spans(scene, *triangle, view, settings, progress);
     const auto outlined = raster::polygon_rows(rows.corners);
     for (int y = std::max(top - 1, 0); y <= std::min(bottom + 1, view.height - 1); ++y) {

@@ -33,9 +33,10 @@ void by_level(std::size_t nodes, Children&& children, Visit&& visit) {
   }
 }
 
-/// All nodes of a tree, level by level, with what they list.
+/// The first nodes of a tree, level by level, and the counts of all.
 class TreeNodes {
  public:
+  explicit TreeNodes(std::size_t most) : most_(most) {}
   std::vector<DrawnNode> list;
   SpaceTree counts;
 
@@ -64,7 +65,7 @@ class TreeNodes {
     };
     by_level(spheres.nodes.size(), children, [&](std::uint32_t i, int level) {
       const SphereNode& node = spheres.nodes[i];
-      list.push_back({static_cast<int>(i), level, node.centre - node.radius, node.centre + node.radius, node.radius});
+      add_node({static_cast<int>(i), level, node.centre - node.radius, node.centre + node.radius, node.radius});
     });
     counts.entries += spheres.order.size();
   }
@@ -72,18 +73,25 @@ class TreeNodes {
   void add(const TwoLevel<Real>& trees, const TracedGeometry<Real>& geometry) {
     add(trees.top);
     for (std::size_t i = 0; i < geometry.instances.size(); ++i)
-      list.push_back({static_cast<int>(trees.top.nodes.size() + i), trees.top_levels, geometry.instances[i].box.low,
-                      geometry.instances[i].box.high, 0});
+      add_node({static_cast<int>(trees.top.nodes.size() + i), trees.top_levels, geometry.instances[i].box.low,
+                geometry.instances[i].box.high, 0});
   }
   template <class Real>
   void box(std::uint32_t number, int level, const Box<Real>& around) {
-    list.push_back({static_cast<int>(number), level, Vec3d(around.low), Vec3d(around.high), 0});
+    add_node({static_cast<int>(number), level, Vec3d(around.low), Vec3d(around.high), 0});
   }
+
+ private:
+  void add_node(const DrawnNode& node) {
+    ++counts.nodes;
+    if (list.size() < most_) list.push_back(node);
+  }
+  std::size_t most_;
 };
 
 template <class Real>
-TreeNodes nodes_of_tree(const Scene& scene, const Settings& settings, Prepared& prepared) {
-  TreeNodes nodes;
+TreeNodes nodes_of_tree(const Scene& scene, const Settings& settings, Prepared& prepared, std::size_t most) {
+  TreeNodes nodes(most);
   const auto geometry = traced_geometry<Real>(scene, settings, prepared);
   const auto simple = simple_accelerators<Real>(scene, *geometry, settings, prepared);
   nodes.counts.primitives = bounded_count(*geometry);
@@ -95,7 +103,6 @@ TreeNodes nodes_of_tree(const Scene& scene, const Settings& settings, Prepared& 
     nodes.box(0, 0, simple.box->box);
     nodes.counts.entries = simple.box->primitives.size();
   }
-  nodes.counts.nodes = nodes.list.size();
   return nodes;
 }
 
@@ -104,8 +111,9 @@ TreeNodes nodes_of_tree(const Scene& scene, const Settings& settings, Prepared& 
 SpaceTree add_tree(const Scene& scene, const Settings& settings, const PixelStory* story, Prepared& prepared,
                    SpaceModel& model, std::size_t most) {
   if (settings.renderer != Renderer::ray_tracer) return {};
-  const TreeNodes nodes = settings.precision == Precision::float64 ? nodes_of_tree<double>(scene, settings, prepared)
-                                                                   : nodes_of_tree<float>(scene, settings, prepared);
+  const TreeNodes nodes = settings.precision == Precision::float64
+                              ? nodes_of_tree<double>(scene, settings, prepared, most)
+                              : nodes_of_tree<float>(scene, settings, prepared, most);
   std::set<int> asked;
   if (story)
     for (const Event& event : story->events)
