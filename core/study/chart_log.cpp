@@ -15,7 +15,6 @@ namespace ps {
 namespace {
 
 constexpr const char* log_name = "runs.jsonl";
-constexpr const char* lock_name = "runs.lock";
 
 [[noreturn]] void refuse_other_chart(const std::filesystem::path& folder) {
   throw InputError(folder.string() + ": holds another chart; choose another folder or empty this one");
@@ -119,13 +118,7 @@ class LogReader {
 std::string picture_name(const ChartPoint& point) { return fmt::format("picture-{}.png", point.number); }
 
 ChartLog::ChartLog(const std::filesystem::path& folder, Chart& chart, const Image<Rgb8>& reference) : folder_(folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder)) throw InputError(folder.string() + ": cannot be made a folder");
-  lock_ = FileLock::try_lock(folder / lock_name);
-  if (!lock_)
-    throw InputError(folder.string() +
-                     ": another program is measuring a chart there; wait until it ends, or choose another folder");
+  lock_ = lock_log_folder(folder, "measuring a chart");
   const auto path = folder / log_name;
   std::string kept = chart_head_json(chart).dump() + "\n";
   if (std::filesystem::exists(path)) kept += take_up(path, chart);

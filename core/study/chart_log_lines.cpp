@@ -77,11 +77,7 @@ ChartJson chart_picture_json(const ChartPoint& point) {
   ChartJson json{{"picture", point.number},         {"label", point.what.label},
                  {"settings", point.what.settings}, {"comparison", comparison_json(point.comparison)},
                  {"memory_mb", point.memory_mb},    {"prepare_ms", point.prepare_ms}};
-  std::vector<std::string> all;
-  for (const Option& option : option_table())
-    if (option.get(point.what.value) != option.default_value())
-      all.push_back(fmt::format("{}={}", option.key, option_text(option, point.what.value)));
-  json["all-settings"] = all;
+  json["all-settings"] = changed_options(point.what.value);
   for (std::size_t i = 0; i < counter_count; ++i)
     if (point.counters.values[i] > 0)
       json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = point.counters.values[i];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -80,6 +81,15 @@ std::filesystem::path keep_aside(const std::filesystem::path& path, const std::v
   for (const std::string& line : lines) kept += line + "\n";
   write_file_atomically(aside, kept);
   return aside;
+}
+
+FileLock lock_log_folder(const std::filesystem::path& folder, std::string_view doing) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder)) throw InputError(folder.string() + ": cannot be made a folder");
+  if (auto lock = FileLock::try_lock(folder / "runs.lock")) return std::move(*lock);
+  throw InputError(fmt::format("{}: another program is {} there; wait until it ends, or choose another folder",
+                               folder.string(), doing));
 }
 
 double json_number(const nlohmann::ordered_json& object, const char* key, double low, double high) {

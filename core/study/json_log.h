@@ -1,9 +1,12 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
+
+#include "base/file_lock.h"
 
 namespace ps {
 
@@ -40,6 +43,10 @@ std::string damage_text(const std::filesystem::path& path, const DamagedLine& li
 /// kept; the name of that file. Throws InputError if it cannot be written.
 std::filesystem::path keep_aside(const std::filesystem::path& path, const std::vector<std::string>& lines,
                                  const std::string& ending);
+
+/// Makes the folder of a log if it is missing, and keeps other programs out of it as long as the lock lives. Throws
+/// InputError where that fails; `doing` is what another program does there: "measuring a chart".
+FileLock lock_log_folder(const std::filesystem::path& folder, std::string_view doing);
 
 /// Throws InputError "found KEY = ..., expected ..." unless the object holds a number from `low` to `high` there.
 double json_number(const nlohmann::ordered_json& object, const char* key, double low, double high);

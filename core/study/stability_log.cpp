@@ -91,25 +91,28 @@ StabilityFound read_stability_log(const StabilityRequest& request) {
   const JsonLog log = read_json_log(path);
   const bool ours = !log.lines.empty() && log.lines.front().json == stability_head(request);
   StabilityReader reader;
+  const auto lose = [&](const std::string& text) {
+    found.unread.push_back(text);
+    reader.lose_line();
+  };
   auto damaged = log.damaged.begin();
+  const auto lose_damaged_before = [&](int number) {
+    for (; damaged != log.damaged.end() && damaged->number < number; ++damaged) lose(damaged->text);
+  };
   for (std::size_t i = 0; i < log.lines.size(); ++i) {
     const JsonLogLine& line = log.lines[i];
-    for (; damaged != log.damaged.end() && damaged->number < line.number; ++damaged) {
-      found.unread.push_back(damaged->text);
-      reader.lose_line();
+    lose_damaged_before(line.number);
+    if (!ours) {
+      lose(line.text);
+      continue;
     }
     try {
-      if (!ours) throw InputError("found a line of another study");
       if (i > 0) reader.take(line.json);
     } catch (const std::exception&) {  // InputError and what nlohmann throws
-      found.unread.push_back(line.text);
-      reader.lose_line();
+      lose(line.text);
     }
   }
-  for (; damaged != log.damaged.end(); ++damaged) {
-    found.unread.push_back(damaged->text);
-    reader.lose_line();
-  }
+  lose_damaged_before(std::numeric_limits<int>::max());
   found.experiments = std::move(reader).experiments();
   return found;
 }
@@ -121,14 +124,7 @@ std::vector<MeasuredExperiment> read_stability(const StabilityRequest& request) 
 }
 
 StabilityLog::StabilityLog(const StabilityRequest& request) : path_(stability_log_path(request)) {
-  std::error_code error;
-  std::filesystem::create_directories(request.folder, error);
-  if (!std::filesystem::is_directory(request.folder))
-    throw InputError(request.folder.string() + ": cannot be made a folder");
-  lock_ = FileLock::try_lock(request.folder / "runs.lock");
-  if (!lock_)
-    throw InputError(request.folder.string() +
-                     ": another program is measuring there; wait until it ends, or choose another folder");
+  lock_ = lock_log_folder(request.folder, "measuring");
   const auto [kept, unread] = read_stability_log(request);
   if (!unread.empty()) keep_aside(path_, unread, ".damaged");
   write_file_atomically(path_, stability_head(request).dump() + "\n");  // without what is damaged or was done twice

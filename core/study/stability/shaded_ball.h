@@ -7,6 +7,12 @@
 
 namespace ps::stability {
 
+/// How a ball of triangles is cut along meridians and parallels.
+struct BallCut {
+  int slices, stacks;
+  double triangles() const { return 2.0 * slices * (stacks - 1); }
+};
+
 /// Balls of radius 1 that fill a picture 200 px wide, seen from 100 radii away, under directional lights. The program
 /// draws them: triangles with the rasterizer and the smooth ball with the ray tracer. Lights shine from anywhere in
 /// front, so that the highlight lies on the visible side.

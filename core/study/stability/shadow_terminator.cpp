@@ -3,15 +3,10 @@
 #include <memory>
 
 #include "scene/generate/uv_sphere.h"
-#include "study/stability/support.h"
+#include "study/stability/shaded_ball.h"
 
 namespace ps::stability {
 namespace {
-
-struct TerminatorCut {
-  int slices, stacks;
-  double triangles() const { return 2.0 * slices * (stacks - 1); }
-};
 
 constexpr int terminator_lights = 20;  // each has a bit of the shadow channel
 
@@ -66,7 +61,7 @@ bool enters(const Vec3d& from, const Vec3d& direction, double inside) {
   return dot(closest, closest) < inside * inside;
 }
 
-TerminatorShares terminator_shares(const TerminatorCut& cut, const StabilityRun& run) {
+TerminatorShares terminator_shares(const BallCut& cut, const StabilityRun& run) {
   const Mesh mesh = make_uv_sphere({cut.slices, cut.stacks});
   const Scene scene = terminator_scene(mesh, run.seed);
   const int side = run.side(200, 100);
@@ -98,8 +93,7 @@ TerminatorShares terminator_shares(const TerminatorCut& cut, const StabilityRun&
 /// ray starts into the mesh. The program has no cure of its own; Hanika's is computed at the pixels that are dark.
 std::vector<StabilityRow> measure_terminator(const StabilityRun& run) {
   Rows rows(run);
-  for (const TerminatorCut& cut :
-       {TerminatorCut{12, 6}, TerminatorCut{20, 10}, TerminatorCut{64, 32}, TerminatorCut{256, 128}}) {
+  for (const BallCut& cut : {BallCut{12, 6}, BallCut{20, 10}, BallCut{64, 32}, BallCut{256, 128}}) {
     const TerminatorShares shares = terminator_shares(cut, run);
     rows.push_back({cut.triangles(), "ball with smooth normals", shares.dark, shares.still_dark,
                     "% of pixels lit by their normal that are dark"});

@@ -10,16 +10,12 @@ namespace {
 
 Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
 
-struct Cut {
-  int slices, stacks;
-  double triangles() const { return 2.0 * slices * (stacks - 1); }
-};
-
 std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
   const Settings gouraud{.shading = Shading::gouraud}, phong{}, flat{.shading = Shading::flat};
   const BallErrors errors(50, run);
   Rows rows(run);
-  for (const Cut& cut : {Cut{8, 4}, Cut{20, 10}, Cut{32, 16}, Cut{64, 32}, Cut{128, 64}, Cut{256, 128}}) {
+  for (const BallCut& cut :
+       {BallCut{8, 4}, BallCut{20, 10}, BallCut{32, 16}, BallCut{64, 32}, BallCut{128, 64}, BallCut{256, 128}}) {
     const Mesh mesh = make_uv_sphere({cut.slices, cut.stacks});
     // What coarse balls keep of a peak differs from light to light by as much as its mean.
     const int lights = 20 * (cut.slices <= 32 ? run.count(5, 2) : 1);
