@@ -17,20 +17,20 @@ Blend read_blend(const SceneSource& source, const SceneFields& fields) {
   source.values.fail(*term, "replace, additive or subtractive");
 }
 
-/// The values of a list, one for each corner.
-const std::vector<SceneTerm>& each_corner(const SceneSource& source, const SceneTerm& term, std::size_t corners) {
-  if (!term.is_list() || term.items.size() != corners)
-    source.values.fail(term, fmt::format("{} values, one for each corner", corners));
+/// The values of a list, one for each vertex.
+const std::vector<SceneTerm>& each_vertex(const SceneSource& source, const SceneTerm& term, std::size_t vertices) {
+  if (!term.is_list() || term.items.size() != vertices)
+    source.values.fail(term, fmt::format("{} values, one for each vertex", vertices));
   return term.items;
 }
 
-/// Twice the area of a triangle, above 0 where its corners go round from +x to +y.
-double corner_turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
+/// Twice the area of a triangle, above 0 where its vertices go round from +x to +y.
+double vertex_turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Whether all corners turn the same way, and the polygon goes round once only: then the triangles around its first
-/// corner do so, too.
+/// Whether the edges turn the same way at all vertices, and the polygon goes round once only: then the triangles around
+/// its first vertex do so, too.
 bool is_convex(const std::vector<Vec2d>& points) {
   bool left = false, right = false;
   const auto note = [&](double turned) {
@@ -39,8 +39,8 @@ bool is_convex(const std::vector<Vec2d>& points) {
   };
   const std::size_t count = points.size();
   for (std::size_t i = 0; i < count; ++i) {
-    note(corner_turn(points[i], points[(i + 1) % count], points[(i + 2) % count]));
-    if (i > 0 && i + 1 < count) note(corner_turn(points[0], points[i], points[i + 1]));
+    note(vertex_turn(points[i], points[(i + 1) % count], points[(i + 2) % count]));
+    if (i > 0 && i + 1 < count) note(vertex_turn(points[0], points[i], points[i + 1]));
   }
   return left != right;
 }
@@ -80,27 +80,27 @@ void read_canvas_triangle(const SceneSource& source, const SceneEntry& entry, Sc
 }
 
 void read_polygon(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
-  constexpr std::size_t most_corners = 1000;
+  constexpr std::size_t most_vertices = 1000;
   const SceneValues& values = source.values;
   const SceneFields fields(values, entry, {"vertices", "color", "colors", "h", "filled", "outline", "blend"});
   const SceneTerm& vertices = fields.require("vertices");
-  if (!vertices.is_list() || vertices.items.size() < 3 || vertices.items.size() > most_corners)
-    values.fail(vertices, fmt::format("a list of 3 to {} corners such as (10, 5)", most_corners));
+  if (!vertices.is_list() || vertices.items.size() < 3 || vertices.items.size() > most_vertices)
+    values.fail(vertices, fmt::format("a list of 3 to {} vertices such as (10, 5)", most_vertices));
   const std::size_t count = vertices.items.size();
   std::vector<Vec2d> points;
   for (const SceneTerm& term : vertices.items) points.push_back(values.vec2(term));
-  if (!is_convex(points)) values.fail(vertices, "the corners of a convex polygon, in order around it");
+  if (!is_convex(points)) values.fail(vertices, "the vertices of a convex polygon, in order around it");
   std::vector<Vec3d> colours(count, Vec3d{0, 0, 0});
   std::vector<double> h(count, 1.0);
   if (const auto* term = fields.find("color")) {
     fields.forbid({"colors"}, "only one of 'color' and 'colors'");
     colours.assign(count, values.colour(*term));
   } else if (const auto* each = fields.find("colors")) {
-    const auto& terms = each_corner(source, *each, count);
+    const auto& terms = each_vertex(source, *each, count);
     for (std::size_t i = 0; i < count; ++i) colours[i] = values.colour(terms[i]);
   }
   if (const auto* each = fields.find("h")) {
-    const auto& terms = each_corner(source, *each, count);
+    const auto& terms = each_vertex(source, *each, count);
     for (std::size_t i = 0; i < count; ++i) h[i] = values.number(terms[i]);
   }
   const Blend blend = read_blend(source, fields);
@@ -115,7 +115,7 @@ void read_polygon(const SceneSource& source, const SceneEntry& entry, SceneDraft
         piece.h[k] = h[corners[k]];
       }
       piece.blend = blend;
-      if (corner_turn(piece.points[0], piece.points[1], piece.points[2]) != 0) draft.canvas_items.emplace_back(piece);
+      if (vertex_turn(piece.points[0], piece.points[1], piece.points[2]) != 0) draft.canvas_items.emplace_back(piece);
     }
   const SceneTerm* outline = fields.find("outline");
   if (outline == nullptr) return;

@@ -31,7 +31,6 @@ class TextureReader {
     texture_.name = values_.name(fields_.require("name"));
     if (const SceneTerm* clamp = fields_.find("clamp")) texture_.clamped = values_.on_off(*clamp);
     Image<Vec3f> texels = pictured();
-    charge_texels(source_, entry_, texels.pixels().size(), draft_);
     texture_.texels = std::make_shared<const Image<Vec3f>>(std::move(texels));
     return std::move(texture_);
   }
@@ -58,6 +57,7 @@ class TextureReader {
       texture_.generator = heights_generator(values_.positive(*heights));
       texels = normals_from_heights(texels, values_.positive(*heights));
     }
+    charge_texels(source_, entry_, texels.pixels().size(), draft_);
     return texels;
   }
 
@@ -72,7 +72,6 @@ class TextureReader {
     const std::int64_t texels = cube_cross_texels(faces);
     if (texels == 0) values_.fail(cube, "at least one file");
     charge_texels(source_, entry_, static_cast<std::size_t>(texels), draft_);
-    draft_.texels -= static_cast<std::size_t>(texels);  // read() counts what was made
     return cube_cross(faces);
   }
 
@@ -85,7 +84,6 @@ class TextureReader {
     const int size = fields_.find("size") != nullptr ? values_.whole(*fields_.find("size"), 1, 4096) : 256;
     const std::size_t texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
     charge_texels(source_, entry_, texels, draft_);
-    draft_.texels -= texels;  // read() counts what was made
     return generate_texture(texture_.generator, size);
   }
 
