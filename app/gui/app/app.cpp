@@ -102,14 +102,15 @@ App::App(Shell& shell, const AppOptions& options, Document document)
       studies_([&shell] { shell.wake(); }, options.remember), autosave_(autosave_folder(options)) {
   pictures_.meter = std::make_unique<DifferenceMeter>([&shell] { shell.wake(); });
   const bool nothing_asked = options.scene.empty() && options.permalink.empty() && options.lesson.empty();
-  auto left_behind = nothing_asked ? restored() : std::optional<Document>();  // else it waits for another start
+  std::vector<Message> words;  // start() clears what was said before it
+  auto left_behind = nothing_asked ? restored(words) : std::optional<Document>();  // else it waits for another start
   offers_first_look_ = nothing_asked && !left_behind && shell.remembers() && shell.remembered(first_look_key).empty();
   if (left_behind)
     document = std::move(*left_behind);
   else if (nothing_linked(options))
     read_layout(shell.remembered(layout_key), document.layout);
   session_.start(std::move(document));
-  for (const Message& message : restored_words_) session_.say(message.kind, message.text);
+  for (const Message& message : words) session_.say(message.kind, message.text);
   if (!options.lesson.empty()) go_to_step(session_, options.lesson, 0);
   space_.save = [this] { files_.ask(FilePurpose::save_space, "space.svg"); };
   microscope_.save = [this] { files_.ask(FilePurpose::save_microscope, "pixel.svg"); };

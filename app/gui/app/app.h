@@ -108,7 +108,7 @@ class App final : public Content {
   /// The object that is seen at a place of the window, else that of the picked pixel; -1 = none.
   int object_at(ImVec2 place);
   // restore.cpp
-  std::optional<Document> restored();
+  std::optional<Document> restored(std::vector<Message>& words);
   // app.cpp
   void close_on_escape();
   void layout(const Area& area);
@@ -149,7 +149,6 @@ class App final : public Content {
   bool offers_first_look_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
   Autosave autosave_;
-  std::vector<Message> restored_words_;  ///< what is to be said about it
   bool flying_now_ = false;
   double last_draw_ = 0;
 };

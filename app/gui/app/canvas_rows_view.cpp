@@ -12,12 +12,25 @@
 namespace ps::gui {
 namespace {
 
-void update_rows(const Session& session, Side side, CanvasRowsState& state) {
+/// The rows for scripts to read.
+void publish_rows(const std::vector<CanvasTriangleRows>& triangles, const std::string& name) {
+  for (std::size_t i = 0; values().find(fmt::format("{}/rows/{}", name, i)); ++i)
+    values().withdraw(fmt::format("{}/rows/{}", name, i));
+  std::size_t count = 0;
+  for (const CanvasTriangleRows& triangle : triangles)
+    for (const CanvasRow& row : triangle.rows)
+      values().publish(fmt::format("{}/rows/{}", name, count++),
+                       fmt::format("{}: {} {}", row.y, span_text(row.outlined), span_text(row.filled)));
+  values().publish(name + "/rows", static_cast<double>(count));
+}
+
+void update_rows(const Session& session, Side side, CanvasRowsState& state, const std::string& name) {
   const auto story = session.story(side);
   if (story == state.shown || !story) return;
   state.shown = story;
   Progress progress;
   state.triangles = canvas_rows(session.scene(), session.view(), session.settings(side), story->pixel, progress);
+  publish_rows(state.triangles, name);
 }
 
 void rows_table(const CanvasTriangleRows& triangle, int pixel_row) {
@@ -49,19 +62,14 @@ bool has_canvas_rows(const Session& session) {
 }
 
 void canvas_rows_view(const Session& session, Side side, CanvasRowsState& state, const std::string& name) {
-  update_rows(session, side, state);
-  std::size_t count = 0;
+  update_rows(session, side, state, name);
   for (const CanvasTriangleRows& triangle : state.triangles) {
     const FontScope font(Face::mono);
     ImGui::PushID(triangle.item);
     ImGui::Text("canvas item %d", triangle.item);
     rows_table(triangle, state.shown->pixel.y);
     ImGui::PopID();
-    for (const CanvasRow& row : triangle.rows)
-      values().publish(fmt::format("{}/rows/{}", name, count++),
-                       fmt::format("{}: {} {}", row.y, span_text(row.outlined), span_text(row.filled)));
   }
-  values().publish(name + "/rows", static_cast<double>(count));
   if (state.triangles.empty()) ImGui::TextUnformatted("No triangle of the canvas is at this pixel.");
 }
 

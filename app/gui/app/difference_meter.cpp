@@ -6,26 +6,24 @@
 #include <fmt/format.h>
 
 namespace ps::gui {
-namespace {
 
 bool same_difference(const DifferenceRequest& a, const DifferenceRequest& b) {
-  return a.versions == b.versions && a.region == b.region && a.metric == b.metric;
+  return a.versions == b.versions && a.region == b.region;
 }
-
-}  // namespace
 
 DifferenceMeter::DifferenceMeter(std::function<void()> wake)
     : LatestResult(
           [](const DifferenceRequest& request, Progress&) {
             const auto& [a, b] = *request.pictures;
-            const ErrorOptions options{request.metric, ErrorValues::display, request.region};
-            return MeasuredDifference{request, error_of(compare_pictures({a, {}}, {b, {}}, options), request.metric)};
+            return MeasuredDifference{request, compare_pictures(a, b, {.region = request.region})};
           },
           same_difference, std::move(wake)) {}
 
-std::shared_ptr<const std::array<Image<Rgb8>, 2>>
+std::shared_ptr<const std::array<MeasuredPicture, 2>>
 DifferenceMeter::copies(const Image<Rgb8>& a, const Image<Rgb8>& b, const std::array<std::uint64_t, 2>& versions) {
-  if (!copies_ || copied_ != versions) copies_ = std::make_shared<const std::array<Image<Rgb8>, 2>>(std::array{a, b});
+  if (!copies_ || copied_ != versions)
+    copies_ = std::make_shared<const std::array<MeasuredPicture, 2>>(
+        std::array{MeasuredPicture{a, {}}, MeasuredPicture{b, {}}});
   copied_ = versions;
   return copies_;
 }

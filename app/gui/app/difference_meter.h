@@ -14,16 +14,17 @@ namespace ps::gui {
 
 /// Two pictures of display levels that are to be compared.
 struct DifferenceRequest {
-  std::shared_ptr<const std::array<Image<Rgb8>, 2>> pictures;
+  std::shared_ptr<const std::array<MeasuredPicture, 2>> pictures;
   std::array<std::uint64_t, 2> versions{};  ///< which pictures these are
   std::optional<TileRect> region;           ///< the only pixels that count; absent = all
-  ErrorMetric metric = ErrorMetric::rmse;
 };
+/// Whether two requests are for the same pictures and pixels.
+bool same_difference(const DifferenceRequest& a, const DifferenceRequest& b);
 
-/// How far B is from A by one metric.
+/// How far B is from A, by every metric.
 struct MeasuredDifference {
   DifferenceRequest request;
-  double error = 0;  ///< PSNR of equal pictures is infinite
+  Comparison comparison;
 };
 
 /// Measures in the background: FLIP and SSIM take far longer than a frame.
@@ -31,11 +32,11 @@ class DifferenceMeter : public LatestResult<DifferenceRequest, MeasuredDifferenc
  public:
   explicit DifferenceMeter(std::function<void()> wake);
   /// Copies that the background may read while the window goes on; new ones only where the versions are.
-  std::shared_ptr<const std::array<Image<Rgb8>, 2>> copies(const Image<Rgb8>& a, const Image<Rgb8>& b,
-                                                           const std::array<std::uint64_t, 2>& versions);
+  std::shared_ptr<const std::array<MeasuredPicture, 2>> copies(const Image<Rgb8>& a, const Image<Rgb8>& b,
+                                                               const std::array<std::uint64_t, 2>& versions);
 
  private:
-  std::shared_ptr<const std::array<Image<Rgb8>, 2>> copies_;
+  std::shared_ptr<const std::array<MeasuredPicture, 2>> copies_;
   std::array<std::uint64_t, 2> copied_{};
 };
 

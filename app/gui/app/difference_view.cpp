@@ -10,10 +10,14 @@ namespace {
 
 constexpr double metric_width = 120, number_room = 330;  // at scale 1
 
-void make_difference(Session& session, PicturesState& state) {
-  if (!state.difference_stale) return;
+bool comparable(const PicturesState& state) {
   const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
-  if (a.empty() || a.width() != b.width() || a.height() != b.height()) return;
+  return !a.empty() && a.width() == b.width() && a.height() == b.height();
+}
+
+void make_difference(Session& session, PicturesState& state) {
+  if (!state.difference_stale || !comparable(state)) return;
+  const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
   state.identical = a == b;
   state.difference.levels = difference_picture(a, b, {session.document().difference_gain, state.difference_mode});
   state.difference.upload({{0, 0, a.width(), a.height()}});
@@ -62,11 +66,9 @@ void difference_tools(Session& session, PicturesState& state, const Area& row) {
 
 /// How large the difference is, as one number: the metric, and its value as soon as it is measured.
 void difference_number(Session& session, PicturesState& state, const Area& row) {
-  const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
-  if (!session.busy() && !a.empty() && a.width() == b.width() && a.height() == b.height()) {
-    DifferenceRequest request{state.meter->copies(a, b, state.versions), state.versions, session.region(),
-                              state.difference_metric};
-    state.meter->request(request);
+  if (!session.busy() && comparable(state)) {
+    const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
+    state.meter->request({state.meter->copies(a, b, state.versions), state.versions, session.region()});
   }
   ImGui::SetCursorScreenPos({row.min.x, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
   std::vector<Choice> choices;
@@ -78,10 +80,10 @@ void difference_number(Session& session, PicturesState& state, const Area& row) 
   ImGui::SameLine(0, px(8));
   ImGui::AlignTextToFramePadding();
   const auto measured = state.meter->result();
-  const bool known = measured && measured->request.versions == state.versions &&
-                     measured->request.metric == state.difference_metric &&
-                     measured->request.region == session.region();
-  std::string text = known ? difference_text(measured->request.metric, measured->error) : "measuring ...";
+  const bool known = measured && same_difference(measured->request, {{}, state.versions, session.region()});
+  std::string text =
+      known ? difference_text(state.difference_metric, error_of(measured->comparison, state.difference_metric))
+            : "measuring ...";
   if (known && measured->request.region) text += ", in the rectangle";
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {row.max.x, row.max.y}, true);

@@ -24,9 +24,9 @@ void App::drop(const std::string& path, std::optional<WindowPoint> at) {
   // A picture that carries a permalink opens what it shows.
   if (!session_.has_scene() || !is_picture_file(path)) return session_.open(path);
   try {
-    if (permalink_in_file(path)) return session_.open(path);
-  } catch (const InputError&) {
-    return session_.open(path);  // says what is wrong with it
+    if (const auto link = permalink_in_file(path)) return session_.open_permalink(*link);
+  } catch (const InputError& error) {
+    return session_.say(Message::Kind::error, error.what());
   }
   const ImVec2 place = at ? ImVec2{at->x, at->y} : ImGui::GetIO().MousePos;
   ask_about_picture(session_, dropped_, path, object_at(place));

@@ -25,10 +25,8 @@ void put_on(Session& session, const DroppedPicture& state) {
   const std::string path = fmt::format("object.{}", state.object);
   bool done = false;
   session.edit(fmt::format("texture of {}: {}", name, state.file.filename().string()), [&](Document& document) {
-    Document changed = document;  // all or nothing
-    edit_scene(changed, {path + ".texture", scene_name(std::filesystem::absolute(state.file).string())});
-    if (state.plain) edit_scene(changed, {path + ".color", "white"});
-    document = std::move(changed);
+    edit_scene(document, {path + ".texture", scene_name(std::filesystem::absolute(state.file).string())});
+    if (state.plain) edit_scene(document, {path + ".color", "white"});
     done = true;
   });
   if (done)

@@ -126,7 +126,8 @@ void App::publish() {
     pictures_.difference_hash = picture_hash(pictures_.difference.levels);
   out.publish("difference/levels", fmt::format("{:016x}", pictures_.difference_hash));
   const auto measured = pictures_.meter->result();
-  out.publish("difference/measured", measured ? fmt::format("{}", measured->error) : "none");
+  out.publish("difference/measured",
+              measured ? fmt::format("{}", error_of(measured->comparison, pictures_.difference_metric)) : "none");
   const Document& document = session_.document();
   out.publish("scene", document.scene_name);
   out.publish("loading", session_.loading() ? session_.loading_name() : "none");
