@@ -9,6 +9,7 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 #include "scene/world.h"
+#include "support/all_accelerators.h"
 
 namespace {
 
@@ -84,9 +85,7 @@ void expect_as_by_hand(const Settings& settings, const std::string& what) {
 }
 
 TEST(MirroredInstance, RaysSeeItsFrontsInEveryAccelerator) {
-  for (const Accelerator accelerator :
-       {Accelerator::none, Accelerator::bvh, Accelerator::bounding_spheres, Accelerator::box, Accelerator::octree,
-        Accelerator::two_level, Accelerator::embree})
+  for (const Accelerator accelerator : test::all_accelerators())
     for (const Simd simd : {Simd::automatic, Simd::off}) {
       Settings settings;
       settings.accelerator = accelerator;

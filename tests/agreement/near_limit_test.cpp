@@ -3,6 +3,7 @@
 
 #include "render/render.h"
 #include "scene/scene_file.h"
+#include "support/all_accelerators.h"
 
 namespace {
 
@@ -42,9 +43,7 @@ void expect_closed_limits(const Settings& settings, const std::string& what) {
 }
 
 TEST(NearLimit, IsClosedForRays) {
-  for (const Accelerator accelerator :
-       {Accelerator::none, Accelerator::bvh, Accelerator::bounding_spheres, Accelerator::box, Accelerator::octree,
-        Accelerator::two_level, Accelerator::embree})
+  for (const Accelerator accelerator : test::all_accelerators())
     for (const Simd simd : {Simd::automatic, Simd::off}) {
       Settings settings;
       settings.accelerator = accelerator;

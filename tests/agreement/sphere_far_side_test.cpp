@@ -79,7 +79,7 @@ TEST(SphereFarSide, CastsStencilShadowsThatFinerTrianglesDoNotMakeWorse) {
   }
 }
 
-/// Six times the volume that the triangles enclose, and whether each edge is shared by two of them in opposite senses.
+/// The volume that the triangles enclose, and whether each edge is shared by two of them in opposite senses.
 struct Enclosed {
   double volume = 0;
   bool closed = true;

@@ -50,7 +50,7 @@ Outcome read_permalink(std::string_view bytes) {
   });
 }
 
-/// Times are sensible, and a point's picture and times belong to it.
+/// Times are durations.
 Outcome read_log_of_chart(std::string_view bytes) {
   static const ChartFolder folder;
   write_file_atomically(folder.path() / "runs.jsonl", std::string(bytes), Durability::quick);

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "gui/program.h"
+#include "support/environment.h"
 #include "support/golden.h"
 
 namespace {
@@ -84,10 +85,8 @@ class Monkey {
 };
 
 TEST(Monkey, RandomEventsLeaveTheWindowInOrder) {
-  const char* wish = std::getenv("PIXELSCOPE_TEST_SEED");
-  const unsigned seed = wish ? static_cast<unsigned>(std::strtoul(wish, nullptr, 10)) : std::random_device{}();
-  const char* length = std::getenv("PIXELSCOPE_MONKEY_COMMANDS");
-  const int commands = length ? std::atoi(length) : 300;
+  const unsigned seed = ps::test::test_seed();
+  const int commands = static_cast<int>(ps::test::number_from("PIXELSCOPE_MONKEY_COMMANDS", 300));
   const auto folder = std::filesystem::absolute(ps::fresh_output_folder("gui-monkey"));
   Monkey monkey(seed);
   std::string script = "wait idle\n";

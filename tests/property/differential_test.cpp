@@ -16,6 +16,7 @@
 #include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/environment.h"
 #include "support/hostile_scene.h"
 #include "support/random_scene.h"
 #include "support/random_settings.h"
@@ -182,26 +183,26 @@ TEST(Differential, FindsAPlantedDifference) {
 }
 
 TEST(Differential, EveryWayToDrawAPictureGivesTheSameBits) {
-  const char* wish = std::getenv("PIXELSCOPE_TEST_SEED");
-  const unsigned seed = wish ? static_cast<unsigned>(std::strtoul(wish, nullptr, 10)) : std::random_device{}();
-  const char* seconds = std::getenv("PIXELSCOPE_FUZZ_SECONDS");
-  const std::chrono::duration<double> time(seconds ? std::strtod(seconds, nullptr) : 4);
+  const unsigned seed = test::test_seed();
+  const bool longer = std::getenv("PIXELSCOPE_FUZZ_SECONDS") != nullptr;
+  const std::chrono::duration<double> time(test::number_from("PIXELSCOPE_FUZZ_SECONDS", 4));
   Random random(seed);
   int pictures = 0, refused = 0;
   const auto start = std::chrono::steady_clock::now();
   while (pictures < 5 || std::chrono::steady_clock::now() - start < time) {
-    const auto subject = random_subject(random, seconds ? Numbers::extreme_too : Numbers::moderate);
+    const auto subject = random_subject(random, longer ? Numbers::extreme_too : Numbers::moderate);
     if (!subject) {
       ++refused;
       continue;
     }
-    ++pictures;
     std::string fault;
     try {
       fault = fault_of(*subject, random);
     } catch (const InputError&) {  // numbers that cannot be drawn, such as a camera's axes in one plane
       ++refused;
+      continue;
     }
+    ++pictures;
     ASSERT_EQ(fault, "") << "PIXELSCOPE_TEST_SEED=" << seed << ", picture " << pictures << ": " << subject->words;
   }
   std::cout << "PIXELSCOPE_TEST_SEED=" << seed << ": " << pictures << " scenes, " << refused << " refused\n";

@@ -11,6 +11,7 @@
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/environment.h"
 #include "support/random_scene.h"
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
@@ -214,8 +215,7 @@ void set_at_random(const Option& option, Settings& settings, std::mt19937& rando
 
 /// Every option may take part, those that send a picture to the clear path too: who decides that must know all of them.
 TEST(FastFrame, DrawsEveryScene) {
-  const char* wish = std::getenv("PIXELSCOPE_TEST_SEED");
-  const unsigned seed = wish ? static_cast<unsigned>(std::atoi(wish)) : 20261121;
+  const unsigned seed = test::test_seed(20261121);
   RecordProperty("seed", std::to_string(seed));
   SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
   std::mt19937 random(seed);

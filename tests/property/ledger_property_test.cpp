@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include "options/option.h"
@@ -14,6 +13,7 @@
 #include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/environment.h"
 #include "support/random_settings.h"
 #include "support/trials.h"
 
@@ -82,8 +82,7 @@ std::string fault_of_story(const PixelStory& story, const Frame& frame, const Se
 }
 
 TEST(Ledger, AddsUpToThePictureEverywhere) {
-  const char* wish = std::getenv("PIXELSCOPE_TEST_SEED");  // another seed tries other pixels and options
-  const unsigned seed = wish ? static_cast<unsigned>(std::atoi(wish)) : 20261121;
+  const unsigned seed = test::test_seed(20261121);  // another seed tries other pixels and options
   Random random(seed);
   int pixels = 0, parents = 0, lit = 0;
   std::vector<std::string> faults;

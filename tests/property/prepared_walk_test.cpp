@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 
 #include "options/option.h"
@@ -8,6 +7,7 @@
 #include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/environment.h"
 #include "support/random_scene.h"
 #include "support/random_settings.h"
 #include "support/same_bits.h"
@@ -73,8 +73,7 @@ Frame frame(const Scene& scene, const View& view, const Settings& settings, Prep
 // The metamorphic test of Prepared: whatever was rendered before, a picture made with what is kept from it equals one
 // made from nothing. A product whose key leaves out something that it reads fails here.
 TEST(Prepared, KeepsNothingStaleOnRandomWalks) {
-  const char* wish = std::getenv("PIXELSCOPE_TEST_SEED");
-  const unsigned seed = wish ? static_cast<unsigned>(std::atoi(wish)) : std::random_device{}();
+  const unsigned seed = test::test_seed();
   RecordProperty("seed", std::to_string(seed));
   SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
   Random random(seed);

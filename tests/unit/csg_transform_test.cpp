@@ -9,7 +9,6 @@
 
 #include "base/check.h"
 #include "render/render.h"
-#include "render/viewport.h"
 #include "scene/rotation.h"
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
@@ -23,10 +22,6 @@ constexpr const char* head = "viewport_size = 1 x 1\nprojection_plane_d = 1\nbac
 
 Scene scene_of(const std::string& text) { return parse_scene(head + text, "csg.scene", "."); }
 
-struct Seen {
-  Frame frame;
-  Settings settings;
-};
 Frame seen(const Scene& scene, Precision precision, Accelerator accelerator = Accelerator::none) {
   Settings settings;
   settings.accelerator = accelerator;

@@ -13,16 +13,12 @@
 #include "fuzz/mend_png.h"
 #include "fuzz/mutate.h"
 #include "fuzz/targets.h"
+#include "support/environment.h"
 
 namespace {
 
 using ps::fuzz::Outcome;
 using ps::fuzz::Target;
-
-double number_from(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
-}
 
 std::vector<std::string> kept_files(const Target& target) {
   std::vector<std::filesystem::path> paths;
@@ -39,8 +35,8 @@ class Fuzz : public testing::TestWithParam<Target> {};
 
 TEST_P(Fuzz, KeptFilesAndChangesOfThemAreReadOrRefused) {
   const Target& target = GetParam();
-  const auto seed = static_cast<std::uint64_t>(number_from("PIXELSCOPE_TEST_SEED", std::random_device{}()));
-  const std::chrono::duration<double> time(number_from("PIXELSCOPE_FUZZ_SECONDS", 1));
+  const auto seed = ps::test::test_seed();
+  const std::chrono::duration<double> time(ps::test::number_from("PIXELSCOPE_FUZZ_SECONDS", 1));
   const std::vector<std::string> files = kept_files(target);
   ASSERT_GE(files.size(), 5U);
   std::mt19937_64 random(seed);

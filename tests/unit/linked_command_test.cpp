@@ -96,7 +96,9 @@ TEST(LinkedCommand, StoriesAndStudies) {
   const std::string link = "scene=cgfs/reflections&size=60x40&pixel=20,30&a.reflection-depth=1&sweep=gamma%3d1,2";
   const std::vector<std::string> explicit_story{"inspect", "cgfs/reflections",  "--size", "60x40", "--pixel", "20,30",
                                                 "--set",   "reflection-depth=1"};
-  EXPECT_EQ(run_cli({"inspect", "--permalink", link}).out, run_cli(explicit_story).out);
+  const auto story = run_cli(explicit_story);
+  ASSERT_EQ(story.status, 0) << story.err;
+  EXPECT_EQ(run_cli({"inspect", "--permalink", link}).out, story.out);
   const auto elsewhere = run_cli({"inspect", "--permalink", link, "--pixel", "1,2"});
   EXPECT_TRUE(elsewhere.out.starts_with("pixel (1, 2)")) << elsewhere.out;
   const auto features = [](const std::vector<std::string>& command) {
