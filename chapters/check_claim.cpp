@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "claim.h"
+#include "frame/display_frame.h"
 #include "image/metrics.h"
 #include "options/option.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 
 namespace ps {

@@ -6,8 +6,8 @@
 #include "claim.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "inspect/number_text.h"
 #include "lesson.h"
+#include "record/value_text.h"
 
 namespace ps::cli {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "base/check.h"
 #include "document/number_list.h"
-#include "inspect/number_text.h"
 #include "inspect/vertex_chain.h"
+#include "record/value_text.h"
 
 namespace ps::cli {
 namespace {

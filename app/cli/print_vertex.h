@@ -2,7 +2,7 @@
 #include <string>
 
 #include "document/document.h"
-#include "inspect/story.h"
+#include "record/story.h"
 
 namespace ps::cli {
 

@@ -1,11 +1,11 @@
 #include <array>
 #include <cmath>
 
-#include "inspect/watch.h"
+#include "options/listing.h"
+#include "record/watch.h"
 #include "textbook/book_canvas.h"
 #include "textbook/book_math.h"
 #include "textbook/book_scene.h"
-#include "textbook/listing.h"
 
 namespace ps {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "accel/slab.h"
 #include "base/memory_size.h"
-#include "inspect/recorder.h"
+#include "record/recorder.h"
 
 namespace ps {
 

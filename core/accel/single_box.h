@@ -4,7 +4,7 @@
 
 #include "accel/candidate_ray.h"
 #include "base/memory_size.h"
-#include "inspect/recorder.h"
+#include "record/recorder.h"
 
 namespace ps {
 

@@ -23,6 +23,14 @@ std::string processor_name() {
 
 }  // namespace
 
+bool has_embree() {
+#ifdef PIXELSCOPE_EMBREE
+  return true;
+#else
+  return false;
+#endif
+}
+
 Machine this_machine() {
   static const std::string processor = processor_name();  // asks the system, and every export names it
   return {std::string(version()), processor, std::string(simd_name(hwy::SupportedTargets())),

@@ -15,6 +15,9 @@ struct Machine {
 
 Machine this_machine();
 
+/// Was this program built with Embree (Intel's ray tracing kernels)?
+bool has_embree();
+
 /// The best instruction set that Pixelscope has code for among `targets` (bits of hwy::SupportedTargets()), as its
 /// maker calls it: "AVX-512", "AVX2" or "SSE4"; "none" without any.
 std::string_view simd_name(std::int64_t targets);

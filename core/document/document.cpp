@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "frame/region.h"
 #include "options/scene_settings.h"
-#include "render/region.h"
 
 namespace ps {
 namespace {
@@ -29,7 +29,7 @@ Document open_document(const std::string& scene_name, Scene scene) {
   document.scene_name = scene_name;
   document.a.settings = document.b.settings = settings_for(scene);
   const bool named = std::any_of(scene.settings.begin(), scene.settings.end(),
-                                 [](const auto& setting) { return setting.first == "renderer"; });
+                                 [](const SceneSetting& setting) { return setting.key == "renderer"; });
   const bool flat = scene.geometry->objects.empty() && !scene.canvas_items->empty();
   if (!named) {
     document.a.settings.renderer = flat ? Renderer::rasterizer : Renderer::ray_tracer;
@@ -42,6 +42,7 @@ Document open_document(const std::string& scene_name, Scene scene) {
 }
 
 void attach_scene(Document& document, Scene scene) {
+  static_cast<void>(settings_for(scene));  // bad settings are refused before anything changes
   if (document.pin) pinned_scene(*document.pin, scene);
   document.scene = edited_scene(scene, document.edits);
   document.base = std::move(scene);

@@ -9,9 +9,9 @@
 #include "document/pin.h"
 #include "document/scene_edits.h"
 #include "document/story_view.h"
+#include "frame/view.h"
 #include "options/settings.h"
 #include "render/channel_picture.h"
-#include "render/view.h"
 #include "scene/scene.h"
 
 namespace ps {
@@ -88,7 +88,7 @@ Document open_document(const std::string& scene_name, Scene scene);
 
 /// Puts a loaded scene under a document that knows only its name, and applies the document's edits. What of the
 /// rectangle that limits rendering lies outside the picture is cut off. Throws InputError when an edit or the pin does
-/// not fit the scene.
+/// not fit the scene, or for a setting of the scene that does not exist.
 void attach_scene(Document& document, Scene scene);
 
 /// Adds an edit, in place of an earlier one of the same path, and applies it. Throws InputError, and leaves the

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "document/scene_edits.h"
+#include "frame/view.h"
 #include "options/settings.h"
-#include "render/view.h"
 #include "scene/scene.h"
 
 namespace ps {

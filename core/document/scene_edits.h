@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "render/view.h"
+#include "frame/view.h"
 #include "scene/scene.h"
 
 namespace ps {

@@ -92,10 +92,6 @@ std::uint64_t count_nan(const Image<Pixel>& linear) {
 
 }  // namespace
 
-DisplayTransform display_transform(const Settings& settings) {
-  return {settings.exposure, settings.gamma, settings.colour_depth};
-}
-
 Rgb8 display_pixel(const Vec3d& linear, const DisplayTransform& transform) {
   const Highest highest = highest_levels(transform.depth);
   if (transform.gamma == 1) {

@@ -1,7 +1,7 @@
 #pragma once
+#include "image/colour_depth.h"
 #include "image/image.h"
 #include "math/vec.h"
-#include "options/settings.h"
 
 namespace ps {
 
@@ -13,7 +13,6 @@ struct DisplayTransform {
   ColourDepth depth = ColourDepth::bits24;
   bool operator==(const DisplayTransform&) const = default;
 };
-DisplayTransform display_transform(const Settings& settings);
 
 /// The display levels of one colour. With 16 or 15 bits the colour is quantised to 5-6-5 or 5-5-5 bits and expanded
 /// back to 8, so that the bands show. Every picture and the inspector get their levels from here.

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "image/mip_chain.h"
-#include "inspect/events.h"
-#include "options/settings.h"
+#include "image/texel.h"
+#include "image/texture_choices.h"
 
 namespace ps {
 

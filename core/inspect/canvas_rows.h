@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "frame/view.h"
 #include "options/settings.h"
-#include "render/view.h"
 #include "scene/scene.h"
 
 namespace ps {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "inspect/light_words.h"
-#include "inspect/names.h"
-#include "inspect/number_text.h"
-#include "inspect/reason_text.h"
-#include "inspect/write_mixing.h"
+#include "record/value_text.h"
+#include "render/story/light_words.h"
+#include "render/story/names.h"
+#include "render/story/reason_text.h"
+#include "render/story/write_mixing.h"
 
 namespace ps {
 namespace {

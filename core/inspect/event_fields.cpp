@@ -1,6 +1,6 @@
 #include "inspect/event_fields.h"
 
-#include "inspect/reason_text.h"
+#include "render/story/reason_text.h"
 
 namespace ps {
 namespace {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "inspect/events.h"
+#include "record/events.h"
 
 namespace ps {
 

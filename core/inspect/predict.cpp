@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "base/check.h"
-#include "inspect/names.h"
 #include "inspect/vertex_chain.h"
+#include "render/story/names.h"
 
 namespace ps {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "inspect/story.h"
+#include "record/story.h"
 #include "scene/scene.h"
 
 /// Predict, then reveal: a question about a pixel whose story is not told yet, and how good the answer was.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "inspect/story_tree.h"
+#include "render/story/story_tree.h"
 
 namespace ps {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "inspect/story.h"
+#include "record/story.h"
 
 namespace ps {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "inspect/names.h"
 #include "inspect/space_parts.h"
+#include "render/story/names.h"
 
 namespace ps {
 namespace {

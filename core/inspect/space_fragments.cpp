@@ -1,9 +1,9 @@
 // The events of a rasterizer's story in space.
 #include <cmath>
 
-#include "inspect/names.h"
 #include "inspect/space_parts.h"
-#include "inspect/story_tree.h"
+#include "render/story/names.h"
+#include "render/story/story_tree.h"
 
 namespace ps {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
-#include "render/viewport.h"
+#include "frame/viewport.h"
 #include "scene/camera.h"
 
 namespace ps {
 
-/// The picture on its projection plane in world space, with the renderers' own mapping (render/viewport.h).
+/// The picture on its projection plane in world space, with the renderers' own mapping (frame/viewport.h).
 class SpaceImage {
  public:
   SpaceImage(const View& view, const Settings& settings)

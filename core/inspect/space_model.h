@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "inspect/story.h"
-#include "render/view.h"
+#include "frame/view.h"
+#include "record/story.h"
 #include "scene/scene.h"
 
 namespace ps {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "render/viewport.h"
+#include "frame/viewport.h"
 
 namespace ps {
 namespace {

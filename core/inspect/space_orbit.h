@@ -1,6 +1,6 @@
 #pragma once
+#include "frame/view.h"
 #include "inspect/space_model.h"
-#include "render/view.h"
 
 namespace ps {
 

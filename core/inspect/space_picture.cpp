@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/display_frame.h"
+#include "frame/display_frame.h"
 
 namespace ps {
 namespace {

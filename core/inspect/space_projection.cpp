@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/viewport.h"
+#include "frame/viewport.h"
 
 namespace ps {
 namespace {

@@ -2,9 +2,9 @@
 #include <optional>
 #include <vector>
 
+#include "frame/view.h"
 #include "image/image.h"
 #include "raster/projection.h"
-#include "render/view.h"
 
 namespace ps {
 

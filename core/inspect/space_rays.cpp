@@ -5,11 +5,11 @@
 #include <map>
 #include <numbers>
 
-#include "inspect/names.h"
-#include "inspect/number_text.h"
 #include "inspect/space_parts.h"
-#include "inspect/story_tree.h"
 #include "math/portable.h"
+#include "record/value_text.h"
+#include "render/story/names.h"
+#include "render/story/story_tree.h"
 #include "scene/world.h"
 
 namespace ps {

@@ -1,11 +1,11 @@
 // What the rasterizer's shadow methods look like from outside: silhouettes and volumes, and what shadow maps cover.
 #include <algorithm>
 
-#include "inspect/names.h"
 #include "inspect/space_parts.h"
 #include "raster/shadow/cube_face.h"
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/shadow_volume.h"
+#include "render/story/names.h"
 
 namespace ps {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "inspect/space_model.h"
-#include "inspect/story_tree.h"
+#include "render/story/story_tree.h"
 
 namespace ps {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
 
+#include "frame/prepared.h"
 #include "inspect/space_model.h"
-#include "render/prepared.h"
 
 namespace ps {
 

@@ -2,9 +2,9 @@
 
 #include "inspect/describe.h"
 #include "inspect/event_fields.h"
-#include "inspect/names.h"
-#include "inspect/number_text.h"
 #include "inspect/story_markdown.h"
+#include "record/value_text.h"
+#include "render/story/names.h"
 
 namespace ps {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "inspect/describe.h"
 #include "inspect/event_fields.h"
-#include "inspect/names.h"
 #include "math/conventions.h"
 #include "options/option.h"
 #include "render/provenance_json.h"
+#include "render/story/names.h"
 #include "textbook/trace_listing.h"
 
 namespace ps {

@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-#include "inspect/story.h"
+#include "frame/view.h"
+#include "record/story.h"
 #include "render/provenance.h"
-#include "render/view.h"
 #include "scene/scene.h"
 
 namespace ps {

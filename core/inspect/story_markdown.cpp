@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "inspect/describe.h"
-#include "inspect/number_text.h"
 #include "math/conventions.h"
+#include "record/value_text.h"
 
 namespace ps {
 namespace {

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
+#include "frame/view.h"
 #include "inspect/space_model.h"
-#include "inspect/story.h"
-#include "render/view.h"
+#include "record/story.h"
 #include "scene/scene.h"
 
 /// The way of one vertex through the spaces: model, world, camera, clip, viewport, canvas (CGFS ch. 9 to 11).

@@ -1,5 +1,5 @@
+#include "options/listing.h"
 #include "options/rows.h"
-#include "textbook/listing.h"
 
 namespace ps::rows {
 namespace {

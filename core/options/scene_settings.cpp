@@ -1,19 +1,42 @@
 #include "options/scene_settings.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/check.h"
+#include "base/spelling.h"
 #include "options/option.h"
 
 namespace ps {
+namespace {
+
+/// A scene that was not read from a file has its name alone.
+SourcePlace place_in(const Scene& scene, const SourcePlace& place) {
+  return place.line > 0 ? place : SourcePlace{"scene " + scene.name, 0, 0};
+}
+
+[[noreturn]] void fail_unknown(const SceneSetting& setting, const Scene& scene) {
+  std::vector<std::string_view> known;
+  for (const Option& option : option_table()) known.push_back(option.key);
+  const std::string_view similar = similar_word(setting.key, known);
+  throw InputError(place_in(scene, setting.key_place),
+                   fmt::format("unknown key '{}' in settings", setting.key.substr(0, 60)),
+                   similar.empty() ? fmt::format("one of {}", fmt::join(known, " ")) : fmt::format("'{}'", similar));
+}
+
+}  // namespace
 
 Settings settings_for(const Scene& scene) {
   Settings settings;
-  for (const auto& [key, value] : scene.settings) {
+  for (const SceneSetting& setting : scene.settings) {
+    const Option* option = find_option(setting.key);
+    if (!option) fail_unknown(setting, scene);
     try {
-      parse_assignment(fmt::format("{}={}", key, value), settings);
+      parse_option(*option, setting.value, settings);
     } catch (const InputError& error) {
-      throw InputError("scene " + scene.name + ": " + error.what());
+      throw InputError(place_in(scene, setting.value_place), error.found(), error.expected());
     }
   }
   return settings;

@@ -1,4 +1,7 @@
 #pragma once
+#include "image/colour_depth.h"
+#include "image/texture_choices.h"
+#include "scene/normal_transform.h"
 
 namespace ps {
 
@@ -29,11 +32,8 @@ enum class Draw { filled, wireframe, points };
 enum class LineAlgorithm { general, y_of_x, x_of_y, interpolate, bresenham };
 enum class Shading { phong, gouraud, flat };
 enum class Normals { vertex, triangle };
-enum class NormalTransform { inverse_transpose, model };
 enum class Highlight { phong, blinn_phong };
 enum class Interpolation { perspective, affine };
-enum class TextureFilter { trilinear, mipmap, bilinear, nearest };
-enum class TextureWrap { repeat, clamp, mirror };
 enum class Parallax { off, offset, limited, steep, occlusion };
 enum class Patches { as_made, projected_error };
 enum class LightPasses { one, many };
@@ -50,7 +50,6 @@ enum class Precision { float32, float64 };
 enum class Simd { automatic, off, sse4, avx2, avx512 };
 enum class Illumination { book, radiometric };
 enum class TransparencyShare { fixed, fresnel };
-enum class ColourDepth { bits24, bits16, bits15 };
 
 /// Every technique that can be chosen, as a plain value. Each member has one row in the option table
 /// (options/option.h), which holds its key, label, range and help; the defaults stand here and nowhere else.

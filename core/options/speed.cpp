@@ -1,5 +1,5 @@
+#include "base/machine.h"
 #include "options/rows.h"
-#include "raytrace/embree_triangles.h"
 
 namespace ps::rows {
 namespace {
@@ -52,7 +52,7 @@ Option accelerator_row() {
         "Intel's kernels, for triangles in float. Rays within rounding of an edge may find the neighbour, and are "
         "counted. Its nodes cannot be told.",
         needs_single}});
-  if (!EmbreeTriangles::available()) option.choices.pop_back();
+  if (!has_embree()) option.choices.pop_back();
   option.maximum = static_cast<double>(option.choices.size()) - 1;
   return option;
 }

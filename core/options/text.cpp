@@ -6,8 +6,8 @@
 #include "base/check.h"
 #include "base/number_text.h"
 #include "base/spelling.h"
+#include "options/listing.h"
 #include "options/option.h"
-#include "textbook/listing.h"
 
 namespace ps {
 namespace {
@@ -30,8 +30,8 @@ std::string allowed_values(const Option& option) {
 }
 
 [[noreturn]] void reject(const Option& option, std::string_view text) {
-  throw InputError(
-      fmt::format("option {}: found '{}', expected {}", option.key, shown_start(text), allowed_values(option)));
+  throw InputError({fmt::format("option {}", option.key), 0, 0}, fmt::format("'{}'", shown_start(text)),
+                   allowed_values(option));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "frame/frame.h"
 #include "options/settings.h"
-#include "render/frame.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"

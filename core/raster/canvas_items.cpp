@@ -4,10 +4,10 @@
 #include <array>
 
 #include "image/mixing.h"
-#include "inspect/recorder.h"
 #include "raster/fragment_event.h"
 #include "raster/guard_band.h"
 #include "raster/lines/walk_line.h"
+#include "record/recorder.h"
 
 namespace ps::raster {
 namespace {

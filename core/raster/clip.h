@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "inspect/events.h"
 #include "math/vec.h"
 #include "options/settings.h"
 #include "raster/projection.h"
+#include "record/events.h"
 
 namespace ps::raster {
 

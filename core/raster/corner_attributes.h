@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "inspect/recorder.h"
 #include "raster/pass.h"
+#include "record/recorder.h"
 
 namespace ps::raster {
 

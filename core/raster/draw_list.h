@@ -3,11 +3,11 @@
 #include <memory>
 #include <vector>
 
+#include "frame/prepared.h"
+#include "frame/view.h"
+#include "frame/viewport.h"
 #include "math/vec.h"
 #include "raster/mesh_corners.h"
-#include "render/prepared.h"
-#include "render/view.h"
-#include "render/viewport.h"
 #include "scene/scene.h"
 
 namespace ps::raster {

@@ -1,4 +1,5 @@
-#include "render/fast_path.h"
+#include "frame/fast_kernels.h"
+#include "raster/renderer.h"
 
 #include "raster/coverage/choice.h"
 #include "raster/draw_stage.h"

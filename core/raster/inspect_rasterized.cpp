@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <set>
 
+#include "frame/display_frame.h"
 #include "image/display.h"
-#include "inspect/finish_story.h"
 #include "raster/canvas_items.h"
 #include "raster/coverage/of_triangle.h"
 #include "raster/coverage/walk.h"
 #include "raster/draw_primitives.h"
 #include "raster/fragment_event.h"
 #include "raster/near_pixel.h"
+#include "raster/renderer.h"
 #include "raster/shadow/fragment_shadows.h"
-#include "render/render.h"
 
 namespace ps {
 namespace {
@@ -165,7 +165,6 @@ PixelStory tell(const Scene& scene, const View& view, const Settings& settings, 
   recorder.event([&] { return PixelEvent{story.linear, story.display}; });
   story.counters = recorder.counters;
   story.events = recorder.take();
-  finish_story(story, scene, settings);
   return story;
 }
 

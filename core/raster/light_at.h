@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "inspect/recorder.h"
 #include "raster/pass.h"
+#include "record/recorder.h"
 #include "shade/illumination.h"
 
 namespace ps::raster {

@@ -1,6 +1,7 @@
 #include "raster/pass.h"
 
 #include "raster/multisample.h"
+#include "raster/renderer.h"
 
 namespace ps::raster {
 namespace {

@@ -3,6 +3,9 @@
 #include <vector>
 
 #include "base/block_store.h"
+#include "frame/fast_kernels.h"
+#include "frame/frame.h"
+#include "frame/prepared.h"
 #include "image/mip_chain.h"
 #include "raster/attributes.h"
 #include "raster/clip.h"
@@ -16,9 +19,6 @@
 #include "raster/shade_batch.h"
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/stencil.h"
-#include "render/fast_path.h"
-#include "render/frame.h"
-#include "render/prepared.h"
 #include "scene/scene.h"
 #include "shade/shading_inputs.h"
 

@@ -1,6 +1,6 @@
 #pragma once
+#include "frame/viewport.h"
 #include "math/vec.h"
-#include "render/viewport.h"
 #include "scene/camera.h"
 
 namespace ps::raster {

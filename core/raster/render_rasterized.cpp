@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include "base/timer.h"
-#include "inspect/recorder.h"
+#include "frame/display_frame.h"
+#include "frame/region.h"
 #include "raster/canvas_items.h"
 #include "raster/draw_primitives.h"
 #include "raster/fast/fast_frame.h"
+#include "raster/renderer.h"
 #include "raster/shadow/fragment_shadows.h"
 #include "raster/shadow/map_picture.h"
-#include "render/display_frame.h"
-#include "render/region.h"
-#include "render/render.h"
+#include "record/recorder.h"
 
 namespace ps {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/counters.h"
-#include "inspect/events.h"
 #include "raster/edge_function.h"
+#include "record/events.h"
 
 namespace ps::raster {
 

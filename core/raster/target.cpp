@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "render/eye_directions.h"
+#include "frame/eye_directions.h"
 
 namespace ps::raster {
 namespace {

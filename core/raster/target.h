@@ -2,12 +2,12 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "frame/frame.h"
 #include "raster/bins.h"
 #include "raster/depth_test.h"
 #include "raster/draw_stage.h"
 #include "raster/multisample.h"
 #include "raster/shade_fragment.h"
-#include "render/frame.h"
 
 namespace ps::raster {
 

@@ -2,6 +2,7 @@
 #include "accel/bounding_spheres.h"
 #include "accel/octree.h"
 #include "accel/single_box.h"
+#include "base/machine.h"
 #include "raytrace/embree_triangles.h"
 #include "raytrace/two_level.h"
 
@@ -10,7 +11,7 @@ namespace ps {
 /// Whether the tree of boxes serves: by choice, or in place of Embree, which has no double and may not be there.
 template <class Real>
 bool uses_bvh(const Settings& settings) {
-  const bool embree = std::is_same_v<Real, float> && EmbreeTriangles::available();
+  const bool embree = std::is_same_v<Real, float> && has_embree();
   return settings.accelerator == Accelerator::bvh || (settings.accelerator == Accelerator::embree && !embree);
 }
 

@@ -54,8 +54,6 @@ bool count_bytes(void* total, ssize_t bytes, bool) {
 
 }  // namespace
 
-bool EmbreeTriangles::available() { return true; }
-
 EmbreeTriangles::EmbreeTriangles(const TracedGeometry<float>& geometry) : content_(std::make_unique<Content>()) {
   Content& my = *content_;
   my.device = rtcNewDevice("threads=1");  // more would build another tree each time, and count other tests
@@ -130,7 +128,6 @@ void EmbreeTriangles::search(const Ray<float>& ray, float limit, bool any, const
 namespace ps {
 
 struct EmbreeTriangles::Content {};
-bool EmbreeTriangles::available() { return false; }
 EmbreeTriangles::EmbreeTriangles(const TracedGeometry<float>&) { throw InputError("Embree is not compiled in"); }
 EmbreeTriangles::~EmbreeTriangles() = default;
 std::size_t EmbreeTriangles::heap_bytes() const { return 0; }

@@ -14,12 +14,12 @@ struct EmbreeCandidate {
   std::array<float, 3> weights{};
 };
 
-/// The scene's triangles in Intel's ray tracing kernels, as production renderers use them. Optional: see available().
-/// Embree decides with its own arithmetic which triangles a ray meets; nodes that it visits cannot be told.
+/// The scene's triangles in Intel's ray tracing kernels, as production renderers use them. Optional: see has_embree()
+/// in base/machine.h. Embree decides with its own arithmetic which triangles a ray meets; nodes that it visits cannot
+/// be told.
 class EmbreeTriangles {
  public:
   /// Is Embree compiled in?
-  static bool available();
 
   /// Throws InputError if Embree cannot be used.
   explicit EmbreeTriangles(const TracedGeometry<float>& geometry);

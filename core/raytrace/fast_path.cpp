@@ -1,4 +1,5 @@
-#include "render/fast_path.h"
+#include "frame/fast_kernels.h"
+#include "raytrace/renderer.h"
 
 #include "accel/bvh.h"
 #include "options/simd_choice.h"

@@ -8,10 +8,10 @@
 #include "accel/box.h"
 #include "accel/bvh.h"
 #include "accel/wide_bvh.h"
+#include "frame/frame.h"
+#include "frame/prepared.h"
 #include "options/settings.h"
 #include "raytrace/placed_instance.h"
-#include "render/frame.h"
-#include "render/prepared.h"
 #include "scene/form_frame.h"
 #include "scene/scene.h"
 

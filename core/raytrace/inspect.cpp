@@ -1,10 +1,10 @@
 #include <algorithm>
 
+#include "frame/display_frame.h"
 #include "image/display.h"
-#include "inspect/finish_story.h"
+#include "raytrace/renderer.h"
 #include "raytrace/sampling/compare.h"
 #include "raytrace/sampling/tile_rays.h"
-#include "render/render.h"
 
 namespace ps {
 namespace {
@@ -116,7 +116,6 @@ PixelStory inspect_in(const Scene& scene, const View& view, const Settings& sett
   recorder.event([&] { return PixelEvent{story.linear, story.display}; });
   story.events = recorder.take();
   story.counters = recorder.counters;
-  finish_story(story, scene, settings);
   return story;
 }
 

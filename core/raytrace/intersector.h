@@ -4,13 +4,13 @@
 #include <span>
 
 #include "accel/none.h"
-#include "inspect/recorder.h"
 #include "raytrace/csg.h"
 #include "raytrace/sphere_robust.h"
 #include "raytrace/trace_inputs.h"
 #include "raytrace/triangle_moeller_trumbore.h"
 #include "raytrace/triangle_plane.h"
 #include "raytrace/triangle_watertight.h"
+#include "record/recorder.h"
 
 namespace ps {
 

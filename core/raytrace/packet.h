@@ -6,8 +6,8 @@
 
 #include "base/counters.h"
 #include "base/parallel.h"
+#include "frame/frame.h"
 #include "raytrace/trace_inputs.h"
-#include "render/frame.h"
 
 namespace ps {
 

@@ -2,9 +2,9 @@
 #include <span>
 #include <vector>
 
-#include "inspect/recorder.h"
 #include "raytrace/shade_hits.h"
 #include "raytrace/tracer.h"
+#include "record/recorder.h"
 
 namespace ps {
 

@@ -1,13 +1,13 @@
+#include "raytrace/renderer.h"
 #include "base/timer.h"
+#include "frame/display_frame.h"
+#include "frame/region.h"
 #include "raytrace/packet.h"
 #include "raytrace/packet_shader.h"
 #include "raytrace/sampling/packet_many.h"
 #include "raytrace/sampling/subdivide.h"
 #include "raytrace/sampling/tile_rays.h"
 #include "raytrace/store_pixel.h"
-#include "render/display_frame.h"
-#include "render/region.h"
-#include "render/render.h"
 
 namespace ps {
 namespace {

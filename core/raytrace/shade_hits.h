@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "frame/frame.h"
 #include "raytrace/trace_inputs.h"
-#include "render/frame.h"
 
 namespace ps {
 

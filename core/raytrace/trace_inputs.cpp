@@ -4,6 +4,7 @@
 
 #include "math/unit.h"
 #include "raytrace/eye_bodies.h"
+#include "raytrace/renderer.h"
 
 namespace ps {
 namespace {

@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "frame/fast_kernels.h"
+#include "frame/viewport.h"
 #include "raytrace/accelerators.h"
 #include "raytrace/geometry.h"
 #include "raytrace/wide_packet.h"
 #include "raytrace/wide_search.h"
-#include "render/fast_path.h"
-#include "render/viewport.h"
 #include "shade/shading_inputs.h"
 
 namespace ps {

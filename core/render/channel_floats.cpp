@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "frame/display_frame.h"
 #include "render/channel_value.h"
-#include "render/display_frame.h"
 
 namespace ps {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "frame/display_frame.h"
 #include "image/heat_colour.h"
 #include "render/channel_value.h"
-#include "render/display_frame.h"
 #include "render/precision_channels.h"
 
 namespace ps {

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "frame/frame.h"
 #include "options/settings.h"
-#include "render/frame.h"
 
 namespace ps {
 

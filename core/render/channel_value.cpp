@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "render/display_frame.h"
+#include "frame/display_frame.h"
 
 namespace ps {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "render/display_frame.h"
+#include "frame/display_frame.h"
 #include "render/precision_channels.h"
 
 namespace ps {

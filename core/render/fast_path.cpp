@@ -1,35 +1,11 @@
 #include "render/fast_path.h"
 
-#include "options/simd_choice.h"
+#include "render/renderer_table.h"
 
 namespace ps {
 
 FastPath fast_path(const Settings& settings, const SceneTraits& traits, Channel channels) {
-  switch (settings.renderer) {
-  case Renderer::ray_tracer:
-    return traced_fast_path(settings, traits, channels);
-  case Renderer::rasterizer:
-    return rasterized_fast_path(settings, traits, channels);
-  case Renderer::textbook:
-    return {Machinery::clear, SurfaceShading::single, "a listing runs line by line"};
-  }
-  return {};
-}
-
-std::string_view no_simd_reason(const Settings& settings) {
-  if (settings.precision != Precision::float32) return "needs precision = float";
-  if (settings.simd == Simd::off) return "simd = off";
-  if (!widest_simd(settings.simd)) return "this processor has no SSE4";
-  return "";
-}
-
-SceneTraits prepared_traits(const Scene& scene, Prepared& prepared) {
-  const Key key = Key("scene traits")
-                      .add(scene.geometry.revision())
-                      .add(scene.lights.revision())
-                      .add(scene.materials.revision())
-                      .add(scene.canvas_items.revision());
-  return *prepared.get<SceneTraits>(key, [&] { return scene_traits(scene); });
+  return renderer_row(settings.renderer).fast_path(settings, traits, channels);
 }
 
 }  // namespace ps

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/machine.h"
+#include "frame/machinery.h"
 #include "image/file.h"
 #include "options/settings.h"
-#include "render/machinery.h"
 
 namespace ps {
 

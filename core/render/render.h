@@ -1,10 +1,10 @@
 #pragma once
 #include "base/progress.h"
-#include "inspect/story.h"
+#include "frame/frame.h"
+#include "frame/prepared.h"
+#include "frame/view.h"
 #include "options/settings.h"
-#include "render/frame.h"
-#include "render/prepared.h"
-#include "render/view.h"
+#include "record/story.h"
 #include "scene/scene.h"
 
 namespace ps {
@@ -21,19 +21,5 @@ Frame render(const Scene& scene, const View& view, const Settings& settings);
 /// Repeats the work of the renderer for one pixel (array position) and reports it. The pixel must lie in the view.
 PixelStory inspect(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
                    Progress& progress);
-
-/// The renderers behind the two functions above; each lives in its own folder.
-Frame render_traced(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
-                    Prepared& prepared, Progress& progress);
-Frame render_rasterized(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
-                        Prepared& prepared, Progress& progress);
-Frame render_textbook(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
-                      Prepared& prepared, Progress& progress);
-PixelStory inspect_traced(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
-                          Prepared& prepared, Progress& progress);
-PixelStory inspect_rasterized(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
-                              Prepared& prepared, Progress& progress);
-PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
-                            Prepared& prepared, Progress& progress);
 
 }  // namespace ps

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/check.h"
 #include "scene/camera.h"
 #include "scene/canvas_item.h"
 #include "scene/light.h"
@@ -19,6 +20,13 @@ namespace ps {
 struct Geometry {
   std::vector<std::shared_ptr<const Mesh>> meshes;
   std::vector<Object> objects;
+};
+
+/// A setting that a scene file asks for, unchecked: scene/ does not know the options (see options/scene_settings.h).
+struct SceneSetting {
+  std::string key, value;
+  SourcePlace key_place{}, value_place{};  ///< where they are in their file
+  bool operator==(const SceneSetting& other) const { return key == other.key && value == other.value; }
 };
 
 /// Everything that is drawn, as an immutable value whose unchanged parts are shared between copies. World coordinates
@@ -37,7 +45,7 @@ struct Scene {
   Part<std::vector<Texture>> textures;
   Part<std::vector<CanvasItem>> canvas_items;
   /// Option settings that the scene file asks for, as key and value, in the file's order.
-  std::vector<std::pair<std::string, std::string>> settings;
+  std::vector<SceneSetting> settings;
   /// The pixel worth a first click at the canvas size, or (-1, -1).
   Vec2i telling_pixel{-1, -1};
   /// The files that it was read from: the scene itself, then those it includes, models, materials and textures.

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "options/option.h"
 #include "scene/finish_draft.h"
 #include "scene/scene_draft.h"
 
@@ -128,21 +127,14 @@ void read_include(const SceneSource& source, const SceneEntry& entry, SceneDraft
 
 void read_settings(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   std::vector<std::string_view> keys;
-  for (const Option& option : option_table()) keys.push_back(option.key);
+  for (const SceneEntry& setting : entry.value.entries)
+    if (!setting.key.empty()) keys.push_back(setting.key);
   const SceneFields fields(source.values, entry, keys);
-  Settings checked;
-  for (const SceneEntry& setting : entry.value.entries) {
-    const std::string text = source.values.name(setting.value, "a value");
-    const Option& option = *find_option(setting.key);
-    try {
-      parse_option(option, text, checked);
-    } catch (const InputError& error) {
-      const std::string message = error.what();
-      const auto expected = message.find("expected ");
-      source.values.fail(setting.value, expected == std::string::npos ? message : message.substr(expected + 9));
-    }
-    draft.scene.settings.emplace_back(setting.key, text);
-  }
+  const auto place = [&](int line, int column) { return SourcePlace{source.values.file(), line, column}; };
+  for (const SceneEntry& setting : entry.value.entries)
+    draft.scene.settings.push_back({setting.key, source.values.name(setting.value, "a value"),
+                                    place(setting.line, setting.column),
+                                    place(setting.value.line, setting.value.column)});
 }
 
 Scene parse_scene(std::string_view text, const std::string& file, const std::filesystem::path& folder) {

@@ -100,7 +100,7 @@ class SceneWriter {
       line("telling_pixel = ({}, {})", scene_.telling_pixel.x, scene_.telling_pixel.y);
     if (scene_.settings.empty()) return;
     line("\nsettings {{");
-    for (const auto& [key, value] : scene_.settings) line("    {} = {}", key, value);
+    for (const SceneSetting& setting : scene_.settings) line("    {} = {}", setting.key, setting.value);
     line("}}");
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "options/settings.h"
+#include "scene/normal_transform.h"
 #include "scene/object.h"
 
 namespace ps {

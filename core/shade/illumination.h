@@ -6,11 +6,11 @@
 #include <optional>
 #include <span>
 
-#include "inspect/events.h"
-#include "inspect/recorder.h"
 #include "math/power.h"
 #include "math/vec.h"
 #include "options/settings.h"
+#include "record/events.h"
+#include "record/recorder.h"
 #include "shade/shading_inputs.h"
 
 namespace ps {

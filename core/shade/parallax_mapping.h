@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "inspect/events.h"
 #include "math/vec.h"
 #include "options/settings.h"
+#include "record/events.h"
 #include "shade/normal_mapping.h"
 
 namespace ps {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "image/texture_sampling.h"
-#include "inspect/events.h"
-#include "inspect/recorder.h"
+#include "record/events.h"
+#include "record/recorder.h"
 #include "scene/material.h"
 #include "scene/uv_maps.h"
 

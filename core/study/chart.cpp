@@ -7,9 +7,9 @@
 
 #include "base/check.h"
 #include "base/memory_size.h"
+#include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "study/chart_log.h"
 #include "study/counted_work.h"
 #include "study/pareto.h"

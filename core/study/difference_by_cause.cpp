@@ -7,8 +7,8 @@
 #include <numeric>
 #include <random>
 
+#include "frame/display_frame.h"
 #include "options/option.h"
-#include "render/display_frame.h"
 
 namespace ps {
 namespace {

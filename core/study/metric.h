@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "base/parallel.h"
+#include "frame/frame.h"
 #include "image/metrics.h"
 #include "options/settings.h"
-#include "render/frame.h"
 
 namespace ps {
 

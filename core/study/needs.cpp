@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "frame/display_frame.h"
 #include "options/option.h"
-#include "render/display_frame.h"
 #include "study/reference.h"
 #include "study/same_machinery.h"
 #include "study/timing.h"

@@ -7,10 +7,11 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "frame/display_frame.h"
+#include "frame/viewport.h"
 #include "image/display.h"
 #include "image/file.h"
 #include "options/robust_rays.h"
-#include "render/viewport.h"
 
 namespace ps {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "base/check.h"
+#include "frame/display_frame.h"
 #include "options/option.h"
-#include "render/display_frame.h"
 
 namespace ps {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "frame/view.h"
 #include "options/settings.h"
-#include "render/view.h"
 #include "scene/scene.h"
 #include "textbook/unmirrored.h"
 

@@ -4,14 +4,13 @@
 #include <set>
 
 #include "base/timer.h"
+#include "frame/display_frame.h"
+#include "frame/empty_frame.h"
+#include "frame/region.h"
 #include "image/display.h"
-#include "raytrace/store_pixel.h"
-#include "render/display_frame.h"
-#include "render/left_out.h"
-#include "render/region.h"
-#include "render/render.h"
 #include "textbook/book_canvas.h"
 #include "textbook/book_scene.h"
+#include "textbook/renderer.h"
 #include "textbook/tell_listing.h"
 #include "textbook/trace_listing.h"
 
@@ -79,7 +78,6 @@ PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings
   story.verdict = lines.empty() ? fmt::format("no line of the listing of {} reached this pixel", listing.source)
                                 : fmt::format("the listing of {} gave this pixel its colour: {} values on {} lines",
                                               listing.source, trace->watches.size(), lines.size());
-  story.verdict += left_out_words(scene_traits(scene), settings);
   story.events = tell_listing(book_scene(scene, view, settings), *trace);
   story.events.push_back({-1, EventData(PixelEvent{story.linear, story.display})});
   story.ledger.push_back({0, fmt::format("as the listing of {} computes it", listing.source), story.linear,

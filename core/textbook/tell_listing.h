@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "inspect/events.h"
+#include "record/events.h"
 #include "textbook/book_scene.h"
 #include "textbook/trace_listing.h"
 

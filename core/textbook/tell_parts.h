@@ -1,5 +1,5 @@
 #pragma once
-#include "inspect/recorder.h"
+#include "record/recorder.h"
 #include "textbook/book_scene.h"
 #include "textbook/watch_reader.h"
 

@@ -2,11 +2,11 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "inspect/watch.h"
+#include "frame/view.h"
+#include "options/listing.h"
 #include "options/settings.h"
-#include "render/view.h"
+#include "record/watch.h"
 #include "scene/scene.h"
-#include "textbook/listing.h"
 
 namespace ps {
 

@@ -2,11 +2,11 @@
 // on sheets that overlap in known orders (CGPP 15.8.3), and the picture stays what it was.
 #include <gtest/gtest.h>
 
+#include "frame/display_frame.h"
 #include "image/display.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "raster/multisample.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "document/document.h"
+#include "frame/display_frame.h"
 #include "image/display.h"
 #include "inspect/parting/align_stories.h"
 #include "inspect/parting/parting.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"

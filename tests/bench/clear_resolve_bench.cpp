@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "bench/bench.h"
+#include "frame/display_frame.h"
 #include "image/display.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 
 namespace ps::bench {

@@ -11,6 +11,7 @@
 #include "bench/meshes.h"
 #include "image/metrics.h"
 #include "options/scene_settings.h"
+#include "raytrace/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "study/same_machinery.h"

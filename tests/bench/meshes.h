@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "render/view.h"
+#include "frame/view.h"
 #include "scene/scene.h"
 
 namespace ps::bench {

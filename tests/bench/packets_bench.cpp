@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bench/bench.h"
+#include "raytrace/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
 

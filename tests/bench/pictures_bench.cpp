@@ -4,6 +4,7 @@
 
 #include "bench/bench.h"
 #include "options/option.h"
+#include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
 
@@ -21,8 +22,7 @@ Job picture_job(const std::string& name, Renderer renderer) {
   const auto picture = std::make_shared<Picture>();
   picture->scene = load_scene(name);
   picture->view = {picture->scene.camera, 1280, 720};
-  for (const auto& [key, value] : picture->scene.settings)
-    parse_assignment(fmt::format("{}={}", key, value), picture->settings);
+  picture->settings = settings_for(picture->scene);
   picture->settings.renderer = renderer;
   Job job;
   job.ours = [picture] {

@@ -8,8 +8,8 @@
 #include <mutex>
 
 #include "bench/bench.h"
+#include "frame/display_frame.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 

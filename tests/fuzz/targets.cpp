@@ -1,4 +1,5 @@
 #include "fuzz/targets.h"
+#include "options/scene_settings.h"
 
 #include <array>
 #include <cmath>
@@ -46,6 +47,7 @@ void check_materials(const std::vector<Material>& materials, std::size_t texture
 Outcome scene(std::string_view bytes) {
   return read_or_refuse([&] {
     const Scene first = parse_scene(bytes, "fuzz.scene", folder);
+    static_cast<void>(settings_for(first));  // a scene with bad settings is never written
     for (const auto& mesh : first.geometry->meshes) check_mesh(*mesh, first.materials->size());
     check_materials(*first.materials, first.textures->size());
     const std::string text = write_scene(first, folder);

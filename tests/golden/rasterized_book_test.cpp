@@ -10,6 +10,7 @@
 
 #include "image/display.h"
 #include "image/file.h"
+#include "raster/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/golden.h"

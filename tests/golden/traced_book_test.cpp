@@ -5,6 +5,7 @@
 
 #include "image/display.h"
 #include "image/file.h"
+#include "raytrace/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/golden.h"

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "frame/display_frame.h"
 #include "gui/program.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/golden.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/viewport.h"
+#include "frame/viewport.h"
 
 namespace ps::gui {
 namespace {

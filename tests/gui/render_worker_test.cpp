@@ -6,10 +6,10 @@
 #include <condition_variable>
 #include <thread>
 
+#include "frame/display_frame.h"
 #include "gui/app/inspect_worker.h"
 #include "gui/app/render_worker.h"
 #include "options/option.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 

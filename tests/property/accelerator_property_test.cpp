@@ -9,8 +9,10 @@
 #include <random>
 
 #include "accel/triangle_box.h"
+#include "base/machine.h"
 #include "options/scene_settings.h"
 #include "raytrace/intersector.h"
+#include "raytrace/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
@@ -249,7 +251,7 @@ double distance_to_border(const Ray<float>& ray, const TracedTriangle<float>& tr
 /// Embree has its own arithmetic, so at an edge it may take the neighbour, or let the ray through where ours does not,
 /// or the other way round; nowhere else.
 TEST(Accelerators, EmbreeFindsAnotherTriangleOnlyWithinFourUlpOfAnEdge) {
-  if (!EmbreeTriangles::available()) GTEST_SKIP() << "Embree is not compiled in";
+  if (!has_embree()) GTEST_SKIP() << "Embree is not compiled in";
   int differing = 0, rays_in_all = 0, only_ours = 0, only_embree = 0;
   std::uint64_t counted = 0;
   for (const Place& place : places) {

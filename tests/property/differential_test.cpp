@@ -12,8 +12,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "frame/display_frame.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/environment.h"

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "frame/display_frame.h"
 #include "image/display.h"
 #include "options/option.h"
 #include "options/scene_settings.h"

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <random>
 
+#include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/environment.h"

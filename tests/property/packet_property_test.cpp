@@ -5,6 +5,7 @@
 #include <random>
 
 #include "raytrace/packet.h"
+#include "raytrace/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/random_scene.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "study/difference_by_cause.h"

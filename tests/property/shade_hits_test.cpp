@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "options/option.h"
+#include "raytrace/renderer.h"
 #include "raytrace/shade_hits.h"
 #include "render/render.h"
 #include "scene/load.h"

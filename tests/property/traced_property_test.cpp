@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "image/display.h"
+#include "raytrace/renderer.h"
 #include "render/render.h"
 #include "support/random_scene.h"
 #include "support/same_bits.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/paths.h"
+#include "frame/display_frame.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "frame/frame.h"
 #include "options/option.h"
-#include "render/frame.h"
 #include "scene/scene.h"
 
 namespace ps::test {

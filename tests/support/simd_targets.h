@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "frame/frame.h"
 #include "hwy/targets.h"
 #include "options/simd_choice.h"
-#include "render/frame.h"
 
 namespace ps::test {
 

@@ -1,6 +1,6 @@
 #include "support/stories.h"
 
-#include "inspect/recorder.h"
+#include "record/recorder.h"
 
 namespace ps::test {
 namespace {

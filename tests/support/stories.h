@@ -1,5 +1,5 @@
 #pragma once
-#include "inspect/story.h"
+#include "record/story.h"
 #include "scene/scene.h"
 
 namespace ps::test {

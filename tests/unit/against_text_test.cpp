@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "inspect/number_text.h"
+#include "record/value_text.h"
 
 namespace {
 

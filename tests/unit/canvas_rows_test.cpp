@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/read_file.h"
+#include "frame/display_frame.h"
 #include "inspect/canvas_rows.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/run_cli.h"

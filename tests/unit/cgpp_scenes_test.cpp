@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "options/scene_settings.h"
+#include "raytrace/renderer.h"
 #include "raytrace/tracer.h"
 #include "render/render.h"
 #include "scene/load.h"

@@ -5,8 +5,8 @@
 #include <limits>
 #include <set>
 
+#include "frame/display_frame.h"
 #include "image/heat_colour.h"
-#include "render/display_frame.h"
 
 namespace {
 

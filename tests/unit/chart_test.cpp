@@ -8,12 +8,12 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "frame/display_frame.h"
 #include "image/display.h"
 #include "image/file.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "options/simd_choice.h"
-#include "render/display_frame.h"
 #include "scene/load.h"
 #include "study/chart_files.h"
 #include "support/run_cli.h"

@@ -9,9 +9,9 @@
 #include "accel/triangle_box.h"
 #include "base/parallel.h"
 #include "base/stop.h"
+#include "frame/prepared.h"
 #include "raytrace/accelerators.h"
 #include "raytrace/trace_inputs.h"
-#include "render/prepared.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 

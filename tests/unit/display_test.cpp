@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
+#include "frame/display_frame.h"
 #include "image/mixing.h"
-#include "render/display_frame.h"
 
 namespace {
 

@@ -88,7 +88,7 @@ TEST(SceneSettings, UnknownOnesNameTheScene) {
     FAIL() << "accepted an unknown setting";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "scene test/spheres: unknown option 'reflection-dept'; did you mean 'reflection-depth'?");
+                 "scene test/spheres: found unknown key 'reflection-dept' in settings, expected 'reflection-depth'");
   }
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "inspect/describe.h"
-#include "inspect/story_tree.h"
 #include "render/render.h"
+#include "render/story/story_tree.h"
 #include "scene/scene_file.h"
 
 namespace {

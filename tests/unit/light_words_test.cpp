@@ -1,5 +1,5 @@
 // What is said of a light at a point, in the story as in the sum, against what the equation of light gives there.
-#include "inspect/light_words.h"
+#include "render/story/light_words.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/run_cli.h"

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "frame/display_frame.h"
 #include "image/metrics.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "scene/load.h"
 #include "study/reference.h"
 #include "support/trials.h"

@@ -6,9 +6,10 @@
 #include <set>
 
 #include "base/check.h"
+#include "base/machine.h"
+#include "options/listing.h"
 #include "options/option.h"
 #include "raytrace/embree_triangles.h"
-#include "textbook/listing.h"
 
 namespace ps {
 namespace {
@@ -52,7 +53,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"self-hit", up_to(SelfHit::normal_bump)},
       {"shadow-rays", up_to(ShadowRays::useful)},
       {"epsilon-unit", up_to(EpsilonUnit::distance)},
-      {"accelerator", EmbreeTriangles::available() ? up_to(Accelerator::embree) : up_to(Accelerator::two_level)},
+      {"accelerator", has_embree() ? up_to(Accelerator::embree) : up_to(Accelerator::two_level)},
       {"slab-test", up_to(SlabTest::naive)},
       {"triangle-test", up_to(TriangleTest::cross_products)},
       {"sphere-test", up_to(SphereTest::quadratic)},
@@ -199,7 +200,7 @@ TEST(OptionTable, AValueThatCannotActSaysWhy) {
   settings.renderer = Renderer::textbook;
   EXPECT_TRUE(inactive_reason(accelerator, settings, traits));
   settings.renderer = Renderer::ray_tracer;
-  if (!EmbreeTriangles::available()) return;
+  if (!has_embree()) return;
   settings.accelerator = Accelerator::embree;
   EXPECT_TRUE(inactive_value_reason(accelerator, settings, traits));
   EXPECT_FALSE(inactive_reason(slab_test, settings, traits)) << "the tree of boxes serves";

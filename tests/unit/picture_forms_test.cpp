@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "base/atomic_file.h"
+#include "frame/display_frame.h"
 #include "image/file.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/run_cli.h"

@@ -1,4 +1,4 @@
-#include "render/prepared.h"
+#include "frame/prepared.h"
 
 #include <memory>
 

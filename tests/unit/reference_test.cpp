@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/check.h"
+#include "frame/display_frame.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 

@@ -6,9 +6,10 @@
 #include <iostream>
 #include <numbers>
 
-#include "inspect/story_tree.h"
+#include "raytrace/renderer.h"
 #include "raytrace/tracer.h"
 #include "render/render.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
 #include "shade/fresnel.h"

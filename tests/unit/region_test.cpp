@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "frame/region.h"
 #include "render/channel_picture.h"
-#include "render/region.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -1,9 +1,9 @@
 // One click on a pixel of several samples: the story must give the picture's number, and tell it in samples.
 #include <gtest/gtest.h>
 
-#include "inspect/story_tree.h"
-#include "render/display_frame.h"
+#include "frame/display_frame.h"
 #include "render/render.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "raytrace/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"

@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "base/check.h"
+#include "options/scene_settings.h"
 #include "scene/scene_file.h"
 
 namespace {
@@ -21,7 +22,7 @@ class SceneErrors : public testing::TestWithParam<BadScene> {};
 TEST_P(SceneErrors, NamePlaceFoundAndExpected) {
   const BadScene& bad = GetParam();
   try {
-    ps::parse_scene(bad.text, "bad.scene", ".");
+    ps::settings_for(ps::parse_scene(bad.text, "bad.scene", "."));
     FAIL() << "was accepted";
   } catch (const ps::InputError& error) {
     EXPECT_EQ(error.place().file, "bad.scene");

@@ -4,8 +4,8 @@
 
 #include "base/available_memory.h"
 #include "base/check.h"
+#include "frame/prepared.h"
 #include "raster/shadow/shadow_map.h"
-#include "render/prepared.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 

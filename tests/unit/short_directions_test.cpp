@@ -5,9 +5,9 @@
 #include <string>
 
 #include "base/check.h"
+#include "frame/prepared.h"
 #include "math/unit.h"
 #include "raster/tessellate_solid.h"
-#include "render/prepared.h"
 #include "render/render.h"
 #include "scene/edit.h"
 #include "scene/form_frame.h"

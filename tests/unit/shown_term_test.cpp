@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "inspect/story_tree.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 
 namespace ps {

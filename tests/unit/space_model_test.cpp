@@ -8,8 +8,8 @@
 #include <random>
 
 #include "inspect/space_parts.h"
-#include "inspect/story_tree.h"
 #include "render/render.h"
+#include "render/story/story_tree.h"
 #include "scene/load.h"
 
 namespace ps {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "inspect/space_orbit.h"
+#include "raster/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "inspect/describe.h"
-#include "inspect/finish_story.h"
-#include "inspect/names.h"
-#include "inspect/recorder.h"
 #include "inspect/story_json.h"
+#include "record/recorder.h"
+#include "render/story/finish_story.h"
+#include "render/story/names.h"
 #include "support/stories.h"
 
 namespace ps {

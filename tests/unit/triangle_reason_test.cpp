@@ -1,7 +1,7 @@
 // Why a triangle that a ray's line meets is no hit: the reason in words against the number beside it.
 #include <gtest/gtest.h>
 
-#include "inspect/events.h"
+#include "record/events.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -1,5 +1,5 @@
 // Where samples lie on the viewport, against positions worked out from the book's and CGPP's formulas.
-#include "render/viewport.h"
+#include "frame/viewport.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "inspect/watch.h"
+#include "record/watch.h"
 
 #include <gtest/gtest.h>
 

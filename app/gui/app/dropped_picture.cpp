@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gui/widgets/widgets.h"
-#include "inspect/names.h"
+#include "render/story/names.h"
 #include "scene/object_surface.h"
 #include "scene/scene_text.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <imgui.h>
 
-#include "inspect/events.h"
+#include "record/events.h"
 
 namespace ps::gui {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "inspect/events.h"
+#include "record/events.h"
 #include "scene/scene.h"
 
 namespace ps::gui {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "inspect/names.h"
-#include "render/viewport.h"
+#include "frame/viewport.h"
+#include "render/story/names.h"
 
 namespace ps::gui {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "gui/app/newest_job.h"
 #include "gui/app/render_worker.h"
-#include "inspect/story.h"
+#include "record/story.h"
 
 namespace ps::gui {
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "gui/app/pin_view.h"
-#include "inspect/story.h"
+#include "record/story.h"
 
 namespace ps::gui {
 

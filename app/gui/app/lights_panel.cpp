@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "gui/widgets/widgets.h"
-#include "inspect/names.h"
-#include "inspect/number_text.h"
+#include "record/value_text.h"
+#include "render/story/names.h"
 
 namespace ps::gui {
 

@@ -11,7 +11,7 @@
 #include "gui/widgets/draw.h"
 #include "inspect/microscope/micro_svg.h"
 #include "inspect/microscope/told_triangle.h"
-#include "inspect/number_text.h"
+#include "record/value_text.h"
 
 namespace ps::gui {
 namespace {

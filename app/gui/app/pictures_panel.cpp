@@ -9,8 +9,8 @@
 #include "gui/app/handles_view.h"
 #include "gui/app/picture_frame.h"
 #include "gui/widgets/widgets.h"
-#include "inspect/names.h"
 #include "render/left_out.h"
+#include "render/story/names.h"
 
 namespace ps::gui {
 void picture_handles(Session& session, PicturesState& state, Side side, const Area& area, const Area& clip,

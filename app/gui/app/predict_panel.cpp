@@ -7,8 +7,8 @@
 
 #include "gui/app/lesson_panel.h"
 #include "gui/widgets/draw.h"
-#include "inspect/names.h"
 #include "lesson.h"
+#include "render/story/names.h"
 
 namespace ps::gui {
 namespace {

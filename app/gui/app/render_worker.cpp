@@ -5,8 +5,8 @@
 
 #include "base/failure_text.h"
 #include "base/timer.h"
+#include "frame/display_frame.h"
 #include "options/option.h"
-#include "render/display_frame.h"
 
 namespace ps::gui {
 namespace {

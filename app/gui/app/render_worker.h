@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "frame/frame.h"
+#include "frame/prepared.h"
+#include "frame/view.h"
 #include "gui/app/newest_job.h"
 #include "image/image.h"
 #include "options/settings.h"
 #include "render/channel_picture.h"
-#include "render/frame.h"
-#include "render/prepared.h"
 #include "render/render.h"
-#include "render/view.h"
 #include "scene/scene.h"
 
 namespace ps::gui {

@@ -7,9 +7,9 @@
 
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
-#include "inspect/names.h"
 #include "math/conventions.h"
 #include "render/channel_picture.h"
+#include "render/story/names.h"
 
 namespace ps::gui {
 namespace {

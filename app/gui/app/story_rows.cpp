@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "inspect/describe.h"
-#include "inspect/light_words.h"
-#include "inspect/names.h"
-#include "inspect/number_text.h"
-#include "inspect/reason_text.h"
+#include "record/value_text.h"
+#include "render/story/light_words.h"
+#include "render/story/names.h"
+#include "render/story/reason_text.h"
 
 namespace ps::gui {
 namespace {

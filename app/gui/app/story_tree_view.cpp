@@ -11,7 +11,7 @@
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "inspect/describe.h"
-#include "inspect/number_text.h"
+#include "record/value_text.h"
 
 namespace ps::gui {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/check.h"
-#include "render/display_frame.h"
+#include "frame/display_frame.h"
 #include "render/render.h"
 
 namespace ps::gui {

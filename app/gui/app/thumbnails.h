@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "document/document.h"
+#include "frame/prepared.h"
 #include "gui/app/newest_job.h"
 #include "gui/platform/texture.h"
-#include "render/prepared.h"
 
 namespace ps::gui {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "gui/widgets/draw.h"
-#include "inspect/number_text.h"
+#include "record/value_text.h"
 
 namespace ps::gui {
 namespace {

@@ -1,6 +1,6 @@
 #include "inspect/microscope/enlarge.h"
 
-#include "render/viewport.h"
+#include "frame/viewport.h"
 
 namespace ps {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
+#include "frame/view.h"
 #include "options/settings.h"
-#include "render/view.h"
 #include "scene/canvas_item.h"
 
 namespace ps {

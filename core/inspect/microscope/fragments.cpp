@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "inspect/microscope/texels.h"
-#include "inspect/names.h"
 #include "raster/bins.h"
 #include "raster/coverage/of_triangle.h"
 #include "raster/coverage/walk.h"
@@ -14,6 +13,7 @@
 #include "raster/multisample.h"
 #include "raster/near_pixel.h"
 #include "raster/shade_fragment.h"
+#include "render/story/names.h"
 
 namespace ps {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "image/svg.h"
-#include "inspect/number_text.h"
+#include "record/value_text.h"
 
 namespace ps {
 namespace {

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "base/timer.h"
+#include "frame/display_frame.h"
+#include "frame/viewport.h"
 #include "image/mip_chain.h"
 #include "inspect/microscope/enlarge.h"
 #include "inspect/microscope/fragments.h"
 #include "inspect/microscope/texels.h"
-#include "inspect/names.h"
-#include "inspect/story_tree.h"
-#include "render/display_frame.h"
 #include "render/render.h"
-#include "render/viewport.h"
+#include "render/story/names.h"
+#include "render/story/story_tree.h"
 
 namespace ps {
 namespace {

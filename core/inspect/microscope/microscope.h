@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "frame/prepared.h"
+#include "frame/view.h"
 #include "image/image.h"
-#include "inspect/story.h"
-#include "render/prepared.h"
-#include "render/view.h"
+#include "record/story.h"
 #include "scene/scene.h"
 
 namespace ps {

@@ -1,6 +1,6 @@
 #pragma once
 #include "inspect/microscope/microscope.h"
-#include "inspect/story.h"
+#include "record/story.h"
 
 namespace ps {
 

@@ -2,7 +2,7 @@
 #include <span>
 
 #include "inspect/microscope/drawing.h"
-#include "inspect/number_text.h"
+#include "record/value_text.h"
 
 namespace ps {
 namespace {

@@ -8,7 +8,7 @@
 #include "inspect/parting/align_parts.h"
 #include "inspect/parting/fragment_fate.h"
 #include "inspect/parting/sighting.h"
-#include "inspect/story_tree.h"
+#include "render/story/story_tree.h"
 
 namespace ps::parting {
 namespace {

@@ -8,7 +8,7 @@
 #include "inspect/describe.h"
 #include "inspect/event_fields.h"
 #include "inspect/parting/align_parts.h"
-#include "inspect/reason_text.h"
+#include "render/story/reason_text.h"
 #include "textbook/tell_listing.h"
 
 namespace ps {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "inspect/story.h"
+#include "record/story.h"
 #include "scene/scene.h"
 
 namespace ps {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "inspect/number_text.h"
 #include "inspect/parting/parting_parts.h"
-#include "inspect/story_tree.h"
+#include "record/value_text.h"
+#include "render/story/story_tree.h"
 #include "textbook/tell_listing.h"
 
 namespace ps {

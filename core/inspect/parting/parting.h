@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "inspect/story.h"
+#include "record/story.h"
 #include "scene/scene.h"
 
 namespace ps {

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inspect/names.h"
-#include "inspect/number_text.h"
 #include "inspect/parting/fragment_fate.h"
 #include "inspect/parting/parting_parts.h"
-#include "inspect/reason_text.h"
+#include "record/value_text.h"
+#include "render/story/names.h"
+#include "render/story/reason_text.h"
 #include "scene/scene.h"
 
 namespace ps::parting {

@@ -1,8 +1,8 @@
-#include "inspect/names.h"
-#include "inspect/number_text.h"
 #include "inspect/parting/fragment_fate.h"
 #include "inspect/parting/parting_parts.h"
-#include "inspect/story_tree.h"
+#include "record/value_text.h"
+#include "render/story/names.h"
+#include "render/story/story_tree.h"
 
 namespace ps::parting {
 namespace {

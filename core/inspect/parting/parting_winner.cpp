@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "inspect/names.h"
-#include "inspect/number_text.h"
 #include "inspect/parting/parting_parts.h"
+#include "record/value_text.h"
+#include "render/story/names.h"
 
 namespace ps::parting {
 namespace {

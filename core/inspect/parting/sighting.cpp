@@ -1,6 +1,6 @@
 #include "inspect/parting/sighting.h"
 
-#include "inspect/story_tree.h"
+#include "render/story/story_tree.h"
 
 namespace ps {
 namespace {

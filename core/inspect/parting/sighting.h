@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "inspect/story.h"
+#include "record/story.h"
 
 namespace ps {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "inspect/events.h"
 #include "raster/coverage/walk.h"
+#include "record/events.h"
 
 namespace ps::raster {
 

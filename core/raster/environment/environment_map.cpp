@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "options/option.h"
+#include "raster/renderer.h"
 #include "raster/shadow/map_picture.h"
 #include "raster/shadow/shadow_map.h"
-#include "render/render.h"
 
 namespace ps::raster {
 namespace {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "frame/prepared.h"
 #include "image/image.h"
 #include "options/settings.h"
-#include "render/prepared.h"
 #include "scene/scene.h"
 
 namespace ps::raster {

@@ -1,4 +1,5 @@
 #include "raster/fast/resolve.h"
+#include "frame/display_frame.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,8 +3,8 @@
 #include <limits>
 #include <numbers>
 
-#include "inspect/recorder.h"
 #include "raster/shadow/shadow_map.h"
+#include "record/recorder.h"
 
 namespace ps::raster {
 

@@ -7,7 +7,7 @@
 #include "base/available_memory.h"
 #include "math/unit.h"
 #include "raster/draw_list.h"
-#include "render/render.h"
+#include "raster/renderer.h"
 
 namespace ps::raster {
 namespace {

@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "frame/prepared.h"
 #include "image/image.h"
 #include "options/settings.h"
 #include "raster/draw_list.h"
 #include "raster/shadow/cube_face.h"
-#include "render/prepared.h"
 #include "scene/scene.h"
 
 namespace ps::raster {

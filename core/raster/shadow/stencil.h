@@ -4,11 +4,11 @@
 
 #include "base/counters.h"
 #include "base/parallel.h"
+#include "frame/prepared.h"
+#include "frame/view.h"
 #include "image/image.h"
-#include "inspect/shadow_events.h"
 #include "options/settings.h"
-#include "render/prepared.h"
-#include "render/view.h"
+#include "record/shadow_events.h"
 #include "scene/scene.h"
 
 namespace ps::raster {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "inspect/events.h"
 #include "math/vec.h"
+#include "record/events.h"
 
 namespace ps {
 

@@ -1,6 +1,6 @@
 #include "raytrace/sampling/subdivide.h"
 
-#include "render/display_frame.h"
+#include "frame/display_frame.h"
 
 namespace ps {
 

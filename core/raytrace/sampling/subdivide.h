@@ -4,7 +4,6 @@
 #include "raytrace/sampling/compare.h"
 #include "raytrace/sampling/plan.h"
 #include "raytrace/trace_inputs.h"
-#include "render/render.h"
 
 namespace ps {
 

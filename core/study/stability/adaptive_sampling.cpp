@@ -6,8 +6,8 @@
 
 #include "base/counters.h"
 #include "image/metrics.h"
-#include "inspect/recorder.h"
 #include "raytrace/tracer.h"
+#include "record/recorder.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 

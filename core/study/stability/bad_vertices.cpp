@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "accel/bvh.h"
-#include "inspect/recorder.h"
 #include "raytrace/triangle_watertight.h"
+#include "record/recorder.h"
 #include "study/stability/half_tree.h"
 #include "study/stability/support.h"
 

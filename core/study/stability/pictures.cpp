@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "render/display_frame.h"
+#include "frame/display_frame.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "render/view.h"
+#include "frame/view.h"
 #include "scene/scene.h"
 #include "study/stability/experiment.h"
 

@@ -1,8 +1,8 @@
 #include <array>
 
+#include "frame/display_frame.h"
 #include "image/metrics.h"
 #include "options/scene_settings.h"
-#include "render/display_frame.h"
 #include "scene/load.h"
 #include "study/stability/support.h"
 

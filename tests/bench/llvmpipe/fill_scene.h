@@ -1,5 +1,5 @@
 #pragma once
-#include "render/view.h"
+#include "frame/view.h"
 #include "scene/scene.h"
 
 namespace ps::bench {

@@ -1,7 +1,7 @@
 #pragma once
 #include "bench/llvmpipe/gl_context.h"
+#include "frame/view.h"
 #include "options/settings.h"
-#include "render/view.h"
 #include "scene/scene.h"
 
 namespace ps::bench {

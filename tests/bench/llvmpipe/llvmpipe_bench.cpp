@@ -8,8 +8,8 @@
 #include "bench/llvmpipe/fill_scene.h"
 #include "bench/llvmpipe/gl_scene.h"
 #include "bench/meshes.h"
+#include "frame/display_frame.h"
 #include "image/display.h"
-#include "render/display_frame.h"
 #include "render/render.h"
 
 namespace ps::bench {

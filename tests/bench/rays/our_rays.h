@@ -3,8 +3,8 @@
 #include <span>
 
 #include "bench/rays/ray_set.h"
+#include "frame/prepared.h"
 #include "options/settings.h"
-#include "render/prepared.h"
 #include "scene/scene.h"
 
 namespace ps::bench {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "render/viewport.h"
+#include "frame/viewport.h"
 
 namespace ps::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/view.h"
+#include "frame/view.h"
 #include "scene/mesh.h"
 
 namespace ps::bench {

@@ -1,0 +1,47 @@
+#include "frame/prepared.h"
+
+#include <algorithm>
+
+namespace ps {
+namespace {
+
+/// A and B, each with a coarse and a fine picture, may need different versions of one product.
+constexpr int versions_kept = 4;
+
+}  // namespace
+
+std::shared_ptr<const void> Prepared::find(const Key& key) {
+  const std::lock_guard lock(mutex_);
+  const auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.key == key; });
+  if (entry == entries_.end()) return nullptr;
+  entries_.splice(entries_.begin(), entries_, entry);
+  return entry->value;
+}
+
+void Prepared::keep(const Key& key, std::shared_ptr<const void> value, std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  entries_.push_front({key, std::move(value), bytes});
+  int versions = 0;
+  for (auto entry = entries_.begin(); entry != entries_.end();) {
+    const bool same_product = entry->key.product() == key.product();
+    if (same_product) ++versions;
+    if (same_product && versions > versions_kept)
+      entry = entries_.erase(entry);
+    else
+      ++entry;
+  }
+}
+
+std::size_t Prepared::bytes() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t sum = 0;
+  for (const Entry& entry : entries_) sum += entry.bytes;
+  return sum;
+}
+
+void Prepared::clear() {
+  const std::lock_guard lock(mutex_);
+  entries_.clear();
+}
+
+}  // namespace ps

@@ -1,0 +1,51 @@
+#include "raster/renderer.h"
+
+namespace ps {
+namespace {
+
+bool fragments_show_objects(const SceneTraits& traits, const Settings&) {
+  return traits.spheres || traits.triangles || traits.solids || traits.canvas_items;
+}
+
+std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Settings& settings) {
+  std::vector<LeftOut> all;
+  if (traits.csg)
+    all.push_back({LeftOutKind::objects, "leaves out CSG",
+                   "The rasterizer leaves out objects made by CSG: their surface is only known ray by ray, not as "
+                   "triangles. Set renderer = ray-tracer to see them."});
+  if (traits.transparent)
+    all.push_back(
+        {LeftOutKind::effect, "shows glass opaque",
+         "The rasterizer shows transparent surfaces opaque, or cuts them out where an opacity map is below 1/2: it "
+         "follows no light through them. Set renderer = ray-tracer to see through them."});
+  if (traits.light_maps && settings.textures && settings.lighting && settings.shading != Shading::phong)
+    all.push_back(
+        {LeftOutKind::effect, "leaves out maps of highlights",
+         "The rasterizer reads maps of highlights and ambient light where it computes the light, so per vertex "
+         "or triangle it leaves them out. Set shading = phong to see them."});
+  if (asks_for_shadows(traits, settings) && settings.shadows == Shadows::traced)
+    all.push_back(
+        {LeftOutKind::effect, "leaves out shadows",
+         "The rasterizer has no shadow rays, so shadows = traced leaves the shadows out. Set shadows = map or "
+         "stencil-depth-fail to see them."});
+  if (asks_for_reflections(traits, settings) && settings.environment == Environment::none)
+    all.push_back({LeftOutKind::effect, "leaves out reflections",
+                   "The rasterizer follows no reflected rays, so it leaves reflections out. Set environment = cube-map "
+                   "to see them."});
+  return all;
+}
+
+}  // namespace
+
+RendererRow rasterizer_row() {
+  return {.renderer = Renderer::rasterizer,
+          .draws_fragments = true,
+          .render = render_rasterized,
+          .inspect = inspect_rasterized,
+          .fast_path = rasterized_fast_path,
+          .left_out = left_out_by_fragments,
+          .shows_objects = fragments_show_objects,
+          .subject = [](const SceneTraits&, const Settings&) { return std::string("the rasterizer"); }};
+}
+
+}  // namespace ps

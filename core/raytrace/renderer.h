@@ -1,0 +1,16 @@
+#pragma once
+#include "record/renderer_row.h"
+
+namespace ps {
+
+/// The ray tracer (CGFS part I).
+RendererRow ray_tracer_row();
+
+/// What the row holds, for those who want this renderer alone.
+Frame render_traced(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                    Prepared& prepared, Progress& progress);
+PixelStory inspect_traced(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
+                          Prepared& prepared, Progress& progress);
+FastPath traced_fast_path(const Settings& settings, const SceneTraits& traits, Channel channels);
+
+}  // namespace ps

@@ -1,0 +1,37 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "frame/frame.h"
+#include "frame/left_out.h"
+#include "frame/prepared.h"
+#include "frame/view.h"
+#include "record/story.h"
+
+namespace ps {
+
+/// A renderer, as everything above the renderers knows it: one row of the table in render/renderer_table.h. All
+/// functions are there.
+struct RendererRow {
+  Renderer renderer = Renderer::ray_tracer;
+  bool sends_rays = false;       ///< it asks for each pixel which surface its ray meets
+  bool draws_fragments = false;  ///< it asks for each triangle which pixels it covers
+
+  /// The picture; see render() in render/render.h. Of the channels it fills those that it can.
+  Frame (*render)(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                  Prepared& prepared, Progress& progress) = nullptr;
+  /// Events, colour, levels and counters of one pixel; verdict and ledger only where they are not made of the events.
+  PixelStory (*inspect)(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
+                        Progress& progress) = nullptr;
+  /// Which machinery draws a whole picture, and why nothing faster.
+  FastPath (*fast_path)(const Settings& settings, const SceneTraits& traits, Channel channels) = nullptr;
+  /// What it cannot show of such a scene, with the reason and what shows it.
+  std::vector<LeftOut> (*left_out)(const SceneTraits& traits, const Settings& settings) = nullptr;
+  /// Does it show any object of such a scene?
+  bool (*shows_objects)(const SceneTraits& traits, const Settings& settings) = nullptr;
+  /// Its name as the subject of a sentence: "the ray tracer".
+  std::string (*subject)(const SceneTraits& traits, const Settings& settings) = nullptr;
+};
+
+}  // namespace ps

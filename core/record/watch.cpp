@@ -1,0 +1,68 @@
+#include "record/watch.h"
+
+#include "record/value_text.h"
+
+namespace ps {
+
+std::string watch_text(const WatchValue& value) {
+  struct Text {
+    std::string operator()(bool v) const { return v ? "true" : "false"; }
+    std::string operator()(std::int64_t v) const { return std::to_string(v); }
+    std::string operator()(double v) const { return number_text(v); }
+    std::string operator()(const Vec2d& v) const { return vector_text(v); }
+    std::string operator()(const Vec3d& v) const { return vector_text(v); }
+    std::string operator()(const std::string& v) const { return v; }
+  };
+  return std::visit(Text{}, value);
+}
+
+WatchCollector::WatchCollector(std::optional<Vec2i> pixel) : outer_(detail::watch_collector), pixel_(pixel) {
+  detail::watch_collector = this;
+}
+
+WatchCollector::~WatchCollector() { detail::watch_collector = outer_; }
+
+void WatchCollector::add(int line, std::string_view name, WatchValue value) {
+  if (silent_ > 0) return;
+  if (watches_.size() < limit && (open_.empty() || open_.back().instance >= 0))
+    watches_.push_back({line, name, std::move(value), innermost()});
+  else
+    ++dropped_;
+}
+
+void WatchCollector::open(int line, std::string_view name, WatchValue value, WatchKeep keep) {
+  if (silent_ > 0) return;
+  const bool kept = instances_.size() < limit && (open_.empty() || open_.back().instance >= 0);
+  const int index = kept ? static_cast<int>(instances_.size()) : -1;
+  open_.push_back({keep, false, watches_.size(), instances_.size(), index});
+  if (!kept) return;
+  const int parent = open_.size() > 1 ? open_[open_.size() - 2].instance : -1;
+  instances_.push_back({line, name, std::move(value), parent});
+}
+
+void WatchCollector::close() {
+  if (silent_ > 0) return;
+  const Open last = open_.back();
+  open_.pop_back();
+  if (last.keep == WatchKeep::always || last.reached) return;
+  if (last.watches < watches_.size()) watches_.resize(last.watches);
+  if (last.instances < instances_.size()) instances_.resize(last.instances);
+}
+
+void WatchCollector::open_pixel(int line, int x, int y) {
+  if (silent_ > 0 || (pixel_ && (pixel_->x != x || pixel_->y != y))) {
+    ++silent_;
+    return;
+  }
+  open(line, "pixel", Vec2d(x, y), WatchKeep::always);
+  for (Open& open : open_) open.reached = true;
+}
+
+void WatchCollector::close_pixel() {
+  if (silent_ > 0)
+    --silent_;
+  else
+    close();
+}
+
+}  // namespace ps

@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "record/story.h"
+
+namespace ps {
+
+/// What happens to the finished sum on its way to the screen (exposure, clamping, gamma, rounding to the colour depth),
+/// as ledger lines of level 0 whose value is zero: they tell, they add nothing.
+std::vector<LedgerLine> display_lines(const PixelStory& story, const Settings& settings);
+
+}  // namespace ps

@@ -1,0 +1,249 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "record/value_text.h"
+#include "render/story/display_lines.h"
+#include "render/story/finish_story.h"
+#include "render/story/light_terms.h"
+#include "render/story/names.h"
+#include "render/story/story_tree.h"
+#include "render/story/write_mixing.h"
+
+namespace ps {
+namespace {
+
+using Lines = std::vector<LedgerLine>;
+
+void append(Lines& lines, Lines more) {
+  for (LedgerLine& line : more) lines.push_back(std::move(line));
+}
+
+void add_ray(const PixelStory& story, const Scene& scene, int ray, double share, int level, Lines& lines);
+
+void add_rays_of_kind(const PixelStory& story, const Scene& scene, int ray, RayKind kind, double share, int level,
+                      Lines& lines) {
+  for (const int child : events_of_ray<RayEvent>(story.events, ray))
+    if (event_as<RayEvent>(story.events, child).kind == kind) add_ray(story, scene, child, share, level, lines);
+}
+
+/// A transparent surface: its own colour, what it mirrors and what comes through, each by its share (CGFS ch. 5).
+void add_boundary(const PixelStory& story, const Scene& scene, int ray, int index, const ShadingEvents& shading,
+                  double share, int level, Lines& lines) {
+  const auto& event = event_as<RefractionEvent>(story.events, index);
+  const std::string name = primitive_name(scene, shading.id);
+  if (event.own_share > 0) {
+    lines.push_back({level, fmt::format("{}: {} of its own colour", name, number_text(event.own_share)),
+                     share * event.own_share * event.local, shading.shade});
+    append(lines, light_terms(story, scene, shading, share * event.own_share, level + 1));
+  }
+  if (event.mirrored_share > 0) {
+    lines.push_back({level,
+                     fmt::format("{}: {} of what it mirrors{}", name, number_text(event.mirrored_share),
+                                 event.total ? " (total internal reflection)" : ""),
+                     share * event.mirrored_share * event.mirrored, index});
+    add_rays_of_kind(story, scene, ray, RayKind::reflection, share * event.mirrored_share, level + 1, lines);
+  }
+  if (event.refracted_share > 0) {
+    lines.push_back({level, fmt::format("{}: {} of what comes through", name, number_text(event.refracted_share)),
+                     share * event.refracted_share * event.refracted, index});
+    add_rays_of_kind(story, scene, ray, RayKind::refraction, share * event.refracted_share, level + 1, lines);
+  }
+}
+
+/// What ray `ray` returns, as it reaches the pixel: local colour * (1 - r) + reflected colour * r (CGFS ch. 4), the
+/// second term unfolded ray by ray.
+void add_ray(const PixelStory& story, const Scene& scene, int ray, double share, int level, Lines& lines) {
+  const auto& events = story.events;
+  const auto hits = events_of_ray<HitEvent>(events, ray);
+  const auto shades = events_of_ray<ShadeEvent>(events, ray);
+  if (hits.empty() || shades.empty()) {
+    for (const int miss : events_of_ray<MissEvent>(events, ray))
+      lines.push_back({level, fmt::format("background{}", share == 1 ? "" : " x " + number_text(share)),
+                       share * event_as<MissEvent>(events, miss).background, miss});
+    return;
+  }
+  const ShadingEvents shading{shades.back(), events_of_ray<LightEvent>(events, ray),
+                              event_as<HitEvent>(events, hits.back()).id};
+  const Vec3d local = event_as<ShadeEvent>(events, shading.shade).local;
+  const std::string name = primitive_name(scene, shading.id);
+  const auto boundaries = events_of_ray<RefractionEvent>(events, ray);
+  if (!boundaries.empty()) return add_boundary(story, scene, ray, boundaries.back(), shading, share, level, lines);
+  const auto mirrors = events_of_ray<ReflectionEvent>(events, ray);
+  if (mirrors.empty()) {
+    lines.push_back({level, fmt::format("{}: its own colour", name), share * local, shading.shade});
+    append(lines, light_terms(story, scene, shading, share, level + 1));
+    return;
+  }
+  const auto& mirror = event_as<ReflectionEvent>(events, mirrors.back());
+  const double own = 1 - mirror.reflective;
+  lines.push_back(
+      {level, fmt::format("{}: {} of its own colour", name, number_text(own)), share * own * local, shading.shade});
+  append(lines, light_terms(story, scene, shading, share * own, level + 1));
+  lines.push_back({level, fmt::format("{}: {} of what it mirrors", name, number_text(mirror.reflective)),
+                   share * mirror.reflective * mirror.reflected, mirrors.back()});
+  add_rays_of_kind(story, scene, ray, RayKind::reflection, share * mirror.reflective, level + 1, lines);
+}
+
+/// How the colour that write `index` brought was made, by what the kernel reported since its fragment began, scaled by
+/// `share`.
+Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, double share, int level) {
+  ShadingEvents shading;
+  int mirror = -1;
+  shading.id = event_as<WriteEvent>(story.events, index).id;
+  for (int i = index - 1; i >= 0; --i) {
+    const EventData& data = story.events[static_cast<std::size_t>(i)].data;
+    if (std::holds_alternative<FragmentEvent>(data) || std::holds_alternative<WriteEvent>(data)) break;
+    if (std::holds_alternative<ShadeEvent>(data) && shading.shade < 0) shading.shade = i;
+    if (std::holds_alternative<ReflectionEvent>(data) && mirror < 0) mirror = i;
+    if (std::holds_alternative<LightEvent>(data)) shading.lights.insert(shading.lights.begin(), i);
+  }
+  if (mirror < 0) return shading.shade < 0 ? Lines{} : light_terms(story, scene, shading, share, level);
+  const auto& event = event_as<ReflectionEvent>(story.events, mirror);
+  const double own = 1 - event.reflective;
+  Lines lines{{level, fmt::format("{} of its own colour", number_text(own)), share * own * event.local, mirror}};
+  if (shading.shade >= 0) append(lines, light_terms(story, scene, shading, share * own, level + 1));
+  lines.push_back({level, fmt::format("{} of what its cube map shows", number_text(event.reflective)),
+                   share * event.reflective * event.reflected, mirror});
+  return lines;
+}
+
+/// The numbers of the samples that write `index` reached, with multisampling: the kernel tells them beside it.
+const CoverageEvent* written_samples(const PixelStory& story, int index) {
+  const int parent = story.events[static_cast<std::size_t>(index)].parent;
+  const FragmentEvent* fragment =
+      parent < 0 ? nullptr : std::get_if<FragmentEvent>(&story.events[static_cast<std::size_t>(parent)].data);
+  if (!fragment || fragment->samples < 2) return nullptr;
+  for (int i = index - 1; i > parent; --i)
+    if (const auto* coverage = std::get_if<CoverageEvent>(&story.events[static_cast<std::size_t>(i)].data))
+      return coverage;
+  return nullptr;
+}
+
+/// The samples of a pixel that is drawn with multisampling, and which write each of them shows.
+class SampleOwners {
+ public:
+  void write(const CoverageEvent& samples, int index) {
+    if (owners_.empty()) owners_.assign(static_cast<std::size_t>(samples.tests), background);
+    for (const double sample : samples.values) owners_.at(static_cast<std::size_t>(sample)) = index;
+  }
+  /// The pixel as the mean of its samples, those of one write told together.
+  Lines lines(const PixelStory& story, const Scene& scene) const {
+    Lines lines;
+    std::vector<int> order(owners_);
+    std::sort(order.begin(), order.end());
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    for (const int owner : order) {
+      const auto count = std::count(owners_.begin(), owners_.end(), owner);
+      const double share = static_cast<double>(count) / static_cast<double>(owners_.size());
+      const std::string of = fmt::format("on {} of {} samples", count, owners_.size());
+      if (owner == background) {
+        lines.push_back({0, "background " + of, share * scene.background, -1});
+        continue;
+      }
+      const auto& write = event_as<WriteEvent>(story.events, owner);
+      lines.push_back(
+          {0, fmt::format("{}: its colour {}", primitive_name(scene, write.id), of), share * write.shaded, owner});
+      append(lines, shading_of_write(story, scene, owner, share, 1));
+    }
+    return lines;
+  }
+
+ private:
+  static constexpr int background = -1;
+  std::vector<int> owners_;  // the write that each sample shows
+};
+
+void add_write(const PixelStory& story, const Scene& scene, int index, Lines& lines) {
+  const auto& write = event_as<WriteEvent>(story.events, index);
+  const std::string name = write.id.object >= 0 ? primitive_name(scene, write.id) : "shape on the canvas";
+  switch (mixing_of(write)) {
+  case Mixing::replaces:
+    lines.clear();
+    lines.push_back({0, fmt::format("{}: its colour", name), write.shaded, index});
+    append(lines, shading_of_write(story, scene, index, 1, 1));
+    return;
+  case Mixing::adds:
+    if (lines.empty()) lines.push_back({0, "background", write.before, index});
+    lines.push_back({0, fmt::format("{}: adds its colour", name), write.shaded, index});
+    return;
+  case Mixing::filters:
+    lines.clear();
+    lines.push_back({0,
+                     fmt::format("{}: {} taken out of {}", name, vector_text(write.shaded), vector_text(write.before)),
+                     write.after, index});
+    return;
+  }
+}
+
+/// A line for what rounding does to a sum of `lines` (level 0) that should be `total`: the kernel adds in its own
+/// precision.
+void add_rounding(Lines& lines, const Vec3d& total, int event) {
+  Vec3d sum{0, 0, 0};
+  for (const LedgerLine& line : lines)
+    if (line.level == 0) sum += line.value;
+  if (sum != total) lines.push_back({0, "rounding of the sum", total - sum, event});
+}
+
+/// The pixel as the mean of its samples (CGFS ch. 5), those with a story of their own unfolded.
+Lines sample_lines(const PixelStory& story, const Scene& scene, const std::vector<int>& samples) {
+  Lines lines;
+  for (const int index : samples) {
+    const auto& sample = event_as<SampleEvent>(story.events, index);
+    lines.push_back({0,
+                     fmt::format("sample {} of {} at {}: {} of {}", sample.index + 1, sample.count,
+                                 vector_text(sample.position), number_text(sample.weight), vector_text(sample.colour)),
+                     sample.weight * sample.colour, index});
+    for (int i = index + 1; i < static_cast<int>(story.events.size()); ++i) {
+      const Event& event = story.events[static_cast<std::size_t>(i)];
+      if (event.parent == index && std::holds_alternative<RayEvent>(event.data))
+        add_ray(story, scene, i, sample.weight, 1, lines);
+      if (event.parent < index) break;
+    }
+  }
+  return lines;
+}
+
+Lines fragment_lines(const PixelStory& story, const Scene& scene) {
+  Lines lines;
+  bool written = false;
+  SampleOwners samples;
+  for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
+    const EventData& data = story.events[static_cast<std::size_t>(i)].data;
+    if (std::holds_alternative<WriteEvent>(data)) {
+      if (const CoverageEvent* reached = written_samples(story, i)) {
+        samples.write(*reached, i);
+        lines = samples.lines(story, scene);
+      } else {
+        add_write(story, scene, i, lines);
+      }
+      written = true;
+    }
+    if (const auto* line = std::get_if<LineEvent>(&data)) {
+      lines = {{0, line->id.object >= 0 ? fmt::format("edge of {}", primitive_name(scene, line->id)) : "line",
+                line->colour, i}};
+      written = true;
+    }
+  }
+  if (!written) lines.push_back({0, "background", story.linear, -1});
+  return lines;
+}
+
+}  // namespace
+
+std::vector<LedgerLine> story_ledger(const PixelStory& story, const Scene& scene, const Settings& settings) {
+  Lines lines;
+  const int eye = eye_ray(story.events);
+  if (const auto samples = events_of_ray<SampleEvent>(story.events, -1); !samples.empty())
+    lines = sample_lines(story, scene, samples);
+  else if (eye >= 0)
+    add_ray(story, scene, eye, 1, 0, lines);
+  else
+    lines = fragment_lines(story, scene);
+  add_rounding(lines, story.linear, static_cast<int>(story.events.size()) - 1);
+  append(lines, display_lines(story, settings));
+  return lines;
+}
+
+}  // namespace ps

@@ -1,0 +1,103 @@
+#include "render/story/light_terms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "record/value_text.h"
+#include "render/story/light_words.h"
+#include "render/story/names.h"
+#include "render/story/story_tree.h"
+
+namespace ps {
+namespace {
+
+constexpr Vec3d black{0, 0, 0};
+
+/// The colours that the terms of the illumination equation multiply.
+struct SurfaceColours {
+  Vec3d diffuse{0, 0, 0}, ambient{0, 0, 0}, specular{0, 0, 0};
+};
+
+SurfaceColours surface_colours(const Scene& scene, const PixelId& id, const Vec3d& textured) {
+  SurfaceColours colours{textured, textured, textured};
+  if (id.object < 0 || static_cast<std::size_t>(id.object) >= scene.geometry->objects.size()) return colours;
+  const Material& material = material_of(scene, id.object, std::max(id.triangle, 0));
+  colours.ambient = material.ambient_colour.value_or(textured);
+  colours.specular = material.specular_colour.value_or(textured);
+  return colours;
+}
+
+std::string share_prefix(double share) { return share == 1 ? "" : number_text(share) + " x "; }
+
+/// "0.49 x red light x (1, 0, 0)" without the factors that are white.
+std::string product_text(double share, double intensity, const Vec3d& light, const Vec3d& surface) {
+  const std::string coloured = light == Vec3d{1, 1, 1} ? "" : " x " + vector_text(light);
+  return fmt::format("{}{}{} x {}", share_prefix(share), number_text(intensity), coloured, vector_text(surface));
+}
+
+std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& scene, const SurfaceColours& colours,
+                                       int index, double share, int level) {
+  const auto& light = event_as<LightEvent>(story.events, index);
+  const std::string name = light_name(scene, light.light);
+  const bool known = light.light >= 0 && static_cast<std::size_t>(light.light) < scene.lights->size();
+  const Vec3d tint = known ? (*scene.lights)[static_cast<std::size_t>(light.light)].colour : Vec3d{1, 1, 1};
+  const auto line = [&](std::string_view term, double intensity, const Vec3d& surface) {
+    const std::string product = product_text(share, intensity, tint, surface);
+    return LedgerLine{level, fmt::format("{}{}: {}", name, term, product), share * intensity * tint * surface, index};
+  };
+  std::vector<LedgerLine> lines;
+  if (light.kind == LightKind::ambient) {
+    if (!adds_nothing(light.diffuse)) lines.push_back(line("", light.diffuse, colours.ambient));
+  } else {
+    if (!adds_nothing(light.diffuse)) lines.push_back(line(" diffuse", light.diffuse, colours.diffuse));
+    if (!adds_nothing(light.specular)) lines.push_back(line(" specular", light.specular, colours.specular));
+  }
+  if (lines.empty())
+    lines.push_back(
+        {level, fmt::format("{}: {}", name, light_effect_text(scene, light, LightWords::whole)), black, index});
+  return lines;
+}
+
+/// Terms are computed in double from numbers that the kernel rounded; they agree to float precision.
+bool adds_up(const std::vector<LedgerLine>& lines, const Vec3d& total) {
+  Vec3d sum = black;
+  double scale = 0;
+  for (const LedgerLine& line : lines) {
+    sum += line.value;
+    scale += std::abs(line.value.x) + std::abs(line.value.y) + std::abs(line.value.z);
+  }
+  const Vec3d rest = sum - total;
+  return std::abs(rest.x) + std::abs(rest.y) + std::abs(rest.z) <= 1e-5 * std::max(scale, 1e-3);
+}
+
+std::vector<LedgerLine> all_light_at_once(const PixelStory& story, const ShadingEvents& shading, double share,
+                                          int level) {
+  const auto& shade = event_as<ShadeEvent>(story.events, shading.shade);
+  std::vector<LedgerLine> lines;
+  const Vec3d product = shade.local - shade.extra;
+  const std::string light = shade.light == Vec3d{1, 1, 1} ? "" : vector_text(shade.light) + " of light x ";
+  lines.push_back({level, fmt::format("{}{}surface colour {}", share_prefix(share), light, vector_text(shade.surface)),
+                   share * product, shading.shade});
+  if (shade.extra != black)
+    lines.push_back(
+        {level, share_prefix(share) + "light with a colour of its own", share * shade.extra, shading.shade});
+  return lines;
+}
+
+}  // namespace
+
+std::vector<LedgerLine> light_terms(const PixelStory& story, const Scene& scene, const ShadingEvents& shading,
+                                    double share, int level) {
+  const auto& shade = event_as<ShadeEvent>(story.events, shading.shade);
+  const SurfaceColours colours = surface_colours(scene, shading.id, shade.surface);
+  std::vector<LedgerLine> lines;
+  for (const int index : shading.lights)
+    for (LedgerLine& line : terms_of_light(story, scene, colours, index, share, level))
+      lines.push_back(std::move(line));
+  if (!lines.empty() && adds_up(lines, share * shade.local)) return lines;
+  return all_light_at_once(story, shading, share, level);
+}
+
+}  // namespace ps

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "frame/frame.h"
+#include "scene/scene.h"
+
+namespace ps {
+
+/// How stories and tables speak of things in a scene. Objects and lights are counted from 1 as people do, each kind by
+/// itself; triangles keep their index in the model's list, which is also the number that the triangle picture shows.
+
+/// "sphere 2 (green)", "cube 1", or the object's own name where the scene file gives one. `object` is an index into
+/// Geometry::objects; one that the scene does not have is named by its number.
+std::string object_name(const Scene& scene, int object);
+/// The object, or "triangle 7 of cube 1" where it is made of triangles. The object alone for an id without a
+/// triangle; "nothing" for an empty id.
+std::string primitive_name(const Scene& scene, const PixelId& id);
+/// "light 2 (point)"; `light` is an index into Scene::lights.
+std::string light_name(const Scene& scene, int light);
+
+}  // namespace ps

@@ -1,0 +1,218 @@
+#include "render/story/reason_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace ps {
+
+std::string_view outcome_text(TestOutcome outcome) {
+  switch (outcome) {
+  case TestOutcome::accepted:
+    return "hit, the nearest so far";
+  case TestOutcome::missed:
+    return "missed";
+  case TestOutcome::before_range:
+    return "hit too near: before the ray's range";
+  case TestOutcome::beyond_range:
+    return "hit too far: beyond the ray's range";
+  case TestOutcome::farther:
+    return "hit, but a nearer one is known";
+  case TestOutcome::tie_lost:
+    return "hit at the same t as one with a lower index";
+  case TestOutcome::back_side:
+    return "seen from behind, and it has only a front";
+  case TestOutcome::parallel:
+    return "missed: the ray is parallel to its plane";
+  case TestOutcome::degenerate:
+    return "skipped: it has no area";
+  }
+  return "";
+}
+
+std::string_view outcome_key(TestOutcome outcome) {
+  switch (outcome) {
+  case TestOutcome::accepted:
+    return "accepted";
+  case TestOutcome::missed:
+    return "missed";
+  case TestOutcome::before_range:
+    return "before-range";
+  case TestOutcome::beyond_range:
+    return "beyond-range";
+  case TestOutcome::farther:
+    return "farther";
+  case TestOutcome::back_side:
+    return "back-side";
+  case TestOutcome::tie_lost:
+    return "tie-lost";
+  case TestOutcome::parallel:
+    return "parallel";
+  case TestOutcome::degenerate:
+    return "degenerate";
+  }
+  return "";
+}
+
+std::string_view reject_reason_text(RejectReason reason) {
+  switch (reason) {
+  case RejectReason::outside_view:
+    return "the whole object lies outside the view";
+  case RejectReason::clipped_near:
+    return "clipped: nearer than the near plane";
+  case RejectReason::clipped_side:
+    return "clipped: outside a side of the view";
+  case RejectReason::clipped_far:
+    return "clipped: beyond the far plane";
+  case RejectReason::back_face:
+    return "culled: it turns its back to the camera";
+  case RejectReason::zero_area:
+    return "dropped: it has no area";
+  case RejectReason::cut_out:
+    return "cut out: its opacity map is below 1/2 here";
+  case RejectReason::not_covered:
+    return "near, but does not cover the pixel";
+  case RejectReason::behind_camera:
+    return "cannot be projected: a corner lies behind the camera and clipping is off";
+  }
+  return "";
+}
+
+std::string_view reject_reason_key(RejectReason reason) {
+  switch (reason) {
+  case RejectReason::outside_view:
+    return "outside-view";
+  case RejectReason::clipped_near:
+    return "clipped-near";
+  case RejectReason::clipped_side:
+    return "clipped-side";
+  case RejectReason::clipped_far:
+    return "clipped-far";
+  case RejectReason::back_face:
+    return "back-face";
+  case RejectReason::zero_area:
+    return "zero-area";
+  case RejectReason::cut_out:
+    return "cut-out";
+  case RejectReason::not_covered:
+    return "not-covered";
+  case RejectReason::behind_camera:
+    return "behind-camera";
+  }
+  return "";
+}
+
+std::string_view texture_use_key(TextureUse use) {
+  switch (use) {
+  case TextureUse::surface:
+    return "surface";
+  case TextureUse::highlight:
+    return "highlight";
+  case TextureUse::ambient:
+    return "ambient";
+  case TextureUse::opacity:
+    return "opacity";
+  case TextureUse::reflection:
+    return "reflection";
+  }
+  return "";
+}
+
+std::string_view ray_kind_key(RayKind kind) {
+  switch (kind) {
+  case RayKind::eye:
+    return "eye";
+  case RayKind::shadow:
+    return "shadow";
+  case RayKind::reflection:
+    return "reflection";
+  case RayKind::refraction:
+    return "refraction";
+  }
+  return "";
+}
+
+std::string_view light_kind_key(LightKind kind) {
+  switch (kind) {
+  case LightKind::ambient:
+    return "ambient";
+  case LightKind::point:
+    return "point";
+  case LightKind::directional:
+    return "directional";
+  }
+  return "";
+}
+
+std::string_view depth_verdict_key(FragmentEvent::Depth depth) {
+  switch (depth) {
+  case FragmentEvent::Depth::passed:
+    return "passed";
+  case FragmentEvent::Depth::failed:
+    return "failed";
+  case FragmentEvent::Depth::off:
+    return "off";
+  }
+  return "";
+}
+
+std::string_view coverage_key(Coverage strategy) {
+  switch (strategy) {
+  case Coverage::edge_function:
+    return "edge-function";
+  case Coverage::ray_test:
+    return "ray-test";
+  case Coverage::bounding_box:
+    return "bounding-box";
+  case Coverage::barycentric:
+    return "barycentric";
+  case Coverage::hoisted:
+    return "hoisted";
+  case Coverage::scanline:
+    return "scanline";
+  case Coverage::hierarchical:
+    return "hierarchical";
+  case Coverage::tiled:
+    return "tiled";
+  case Coverage::micropolygon:
+    return "micropolygon";
+  }
+  return "";
+}
+
+std::string reject_count_text(RejectReason reason, std::size_t count) {
+  const bool one = count == 1;
+  const std::string_view triangles = one ? "triangle" : "triangles";
+  switch (reason) {
+  case RejectReason::outside_view:
+    return fmt::format("{} {} outside the view", count, triangles);
+  case RejectReason::clipped_near:
+    return fmt::format("{} {} nearer than the near plane", count, triangles);
+  case RejectReason::clipped_side:
+    return fmt::format("{} {} beyond a side of the view", count, triangles);
+  case RejectReason::clipped_far:
+    return fmt::format("{} {} beyond the far plane", count, triangles);
+  case RejectReason::back_face:
+    return fmt::format("{} back {} culled", count, one ? "face" : "faces");
+  case RejectReason::zero_area:
+    return fmt::format("{} {} without area", count, triangles);
+  case RejectReason::cut_out:
+    return fmt::format("{} {} cut out by an opacity map", count, triangles);
+  case RejectReason::not_covered:
+    return fmt::format("{} {} near by {} not cover the pixel", count, triangles, one ? "does" : "do");
+  case RejectReason::behind_camera:
+    return fmt::format("{} {} behind the camera", count, triangles);
+  }
+  return {};
+}
+
+std::string behind_camera_text(const FragmentEvent& fragment) {
+  if (fragment.id.object < 0) return {};  // drawn on the canvas, where nothing has a depth
+  const auto behind =
+      std::count_if(fragment.corner_depth.begin(), fragment.corner_depth.end(), [](double z) { return !(z > 0); });
+  if (behind == 0) return {};
+  if (behind == 3) return "all its corners lie behind the camera";
+  return behind == 1 ? "one of its corners lies behind the camera" : "two of its corners lie behind the camera";
+}
+
+}  // namespace ps

@@ -1,0 +1,76 @@
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "options/listing.h"
+#include "textbook/renderer.h"
+
+namespace ps {
+namespace {
+
+const Listing& chosen_listing(const SceneTraits& traits, const Settings& settings) {
+  return *listing_of(settings, traits).listing;
+}
+
+bool listing_shows_objects(const SceneTraits& traits, const Settings& settings) {
+  const ListingDraws& draws = chosen_listing(traits, settings).draws;
+  return (traits.spheres && draws.spheres) || (traits.triangles && draws.models) ||
+         (traits.canvas_items && draws.canvas_lines);
+}
+
+/// What each kind of thing is called, whether the scene has it and the listing shows it, and what to set to see it.
+struct ListingGap {
+  LeftOutKind kind;
+  bool missing;
+  std::string_view what, remedy;
+};
+
+std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& settings) {
+  const Listing& listing = chosen_listing(traits, settings);
+  const ListingDraws& draws = listing.draws;
+  const bool shows_space = draws.spheres || draws.models;
+  constexpr auto objects = LeftOutKind::objects;
+  constexpr auto effect = LeftOutKind::effect;
+  constexpr std::string_view in_space = "renderer = ray-tracer", on_canvas = "renderer = rasterizer";
+  const ListingGap gaps[] = {
+      {objects, traits.spheres && !draws.spheres, "spheres", in_space},
+      {objects, traits.triangles && !draws.models, "models made of triangles", in_space},
+      {objects, traits.solids, "planes, rectangles, boxes and cylinders", in_space},
+      {objects, traits.csg, "CSG", in_space},
+      {objects, traits.canvas_items && !draws.canvas_lines, "what is drawn on the canvas", on_canvas},
+      {objects, traits.canvas_triangles && draws.canvas_lines && !draws.canvas_triangles, "triangles on the canvas",
+       on_canvas},
+      {effect, shows_space && settings.lighting && settings.draw == Draw::filled && !draws.light, "light", in_space},
+      {effect, shows_space && draws.light && asks_for_shadows(traits, settings) && !draws.shadows, "shadows", in_space},
+      {effect, shows_space && asks_for_reflections(traits, settings) && !draws.reflections, "reflections", in_space},
+      {effect, shows_space && traits.textures && !draws.textures, "textures", in_space},
+      {effect, shows_space && traits.transparent, "transparency", in_space}};
+  std::vector<LeftOut> all;
+  for (const ListingGap& gap : gaps) {
+    if (!gap.missing) continue;
+    all.push_back(
+        {gap.kind, fmt::format("leaves out {}", gap.what),
+         fmt::format("The listing of {} leaves out {}; {} shows that.", listing.source, gap.what, gap.remedy)});
+  }
+  return all;
+}
+
+FastPath textbook_path(const Settings&, const SceneTraits&, Channel) {
+  return {Machinery::clear, SurfaceShading::single, "a listing runs line by line"};
+}
+
+}  // namespace
+
+RendererRow textbook_row() {
+  return {.renderer = Renderer::textbook,
+          .render = render_textbook,
+          .inspect = inspect_textbook,
+          .fast_path = textbook_path,
+          .left_out = gaps_of_listing,
+          .shows_objects = listing_shows_objects,
+          .subject = [](const SceneTraits& traits, const Settings& settings) {
+            return fmt::format("the listing of {}", chosen_listing(traits, settings).source);
+          }};
+}
+
+}  // namespace ps
