@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Which part may use which other, and which library. The headers of libraries all lie in /usr/include, so not linking one
-# is not enough.
+# Which part may use which library, and that core/ uses nothing above it (layers.sh holds the order within). The headers
+# of libraries all lie in /usr/include, so not linking one is not enough.
 set -euo pipefail
 shopt -s globstar nullglob
 export LC_ALL=C
@@ -39,36 +39,6 @@ forbid 'What libc++ 14 lacks, in core/ or chapters/' \
   "$(includes '(format|source_location|stop_token|syncstream|stacktrace|expected|generator)>')|std::(jthread|stop_token|source_location|format|views|ranges::views)\\b" \
   "$library"
 
-# The layers of core/, lowest first: folders of one line do not include each other, and none includes a later line.
-layers='
-base math
-image
-scene
-options
-frame
-record
-shade accel
-raytrace raster textbook hardware
-render
-inspect
-document
-study
-'
-# base and math are one layer that may use itself: a vector is printed, a check compares numbers.
-upwards=$(grep -nHP '^\s*#\s*include\s*"' core/**/*.{h,cpp} | sed -nE 's|^(core/([a-z]+)/[^:]*:[0-9]+):[^"]*"(([a-z]+)/[^"]*)".*|\1 \2 \4 \3|p' |
-  awk -v layers="$layers" '
-    BEGIN {
-      lines = split(layers, line, "\n")
-      for (i = 1; i <= lines; ++i) { names = split(line[i], name, " "); for (j = 1; j <= names; ++j) rank[name[j]] = i }
-    }
-    !($2 in rank) { print $1 ": the folder " $2 " is in no layer"; next }
-    $3 in rank && $2 != $3 && rank[$3] >= rank[$2] && !(rank[$2] == rank["base"] && rank[$3] == rank["base"]) {
-      print $1 ": " $2 " includes " $4
-    }')
-if [[ -n $upwards ]]; then
-  printf 'Includes that point upwards:\n%s\n' "$upwards"
-  status=1
-fi
 forbid 'app/ or tests/ in core/ or chapters/' "$(includes '(app|gui|cli|tests|support)/')" "$library"
 forbid 'chapters/ in core/' "$(includes 'chapters/')" '^core/'
 

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# The layers of core/ (core/layers.txt, lowest first): folders of one line do not include each other, and none includes
+# a later line. core/layers.svg, the picture of all includes between folders, must be of these sources;
+# tests/meta/layers.sh --write draws it.
+set -euo pipefail
+shopt -s globstar nullglob
+export LC_ALL=C
+layers=core/layers.txt picture=core/layers.svg
+
+# Each include of another folder: PLACE FOLDER INCLUDED-FOLDER HEADER.
+includes() {
+  grep -nHP '^\s*#\s*include\s*"[a-z]+/' core/**/*.{h,cpp} |
+    sed -nE 's|^(core/([a-z]+)/[^:]*:[0-9]+):[^"]*"(([a-z]+)/[^"]*)".*|\1 \2 \4 \3|p' | awk '$2 != $3'
+}
+
+# base and math are one layer that may use itself: checks print vectors, and vectors are checked.
+upwards=$(includes | awk '
+  FNR == NR { for (i = 1; i <= NF; ++i) rank[$i] = FNR; next }
+  !($2 in rank) { print $1 ": the folder " $2 " is in no layer of core/layers.txt"; next }
+  $3 in rank && rank[$3] >= rank[$2] && rank[$2] > 1 { print $1 ": " $2 " includes " $4 }' "$layers" -)
+if [[ -n $upwards ]]; then
+  printf 'Includes that do not point to a lower layer:\n%s\n' "$upwards"
+  exit 1
+fi
+
+# One name a row, the highest layer on top; an arc for each folder that includes another: on the right where
+# no way through third folders leads there, on the left and pale where one does.
+draw() {
+  awk '
+    # side: 1 = right, 0 = left
+    function arc(from, to, side,  x, r) {
+      x = side ? right : left
+      r = (y[to] - y[from]) / 2
+      printf "    <path d=\"M%d %dA%.1f %.1f 0 0 %d %d %d\"/>\n", x, y[from], 14 + r * 0.62, r, side, x, y[to]
+    }
+    function arcs(implied, colour,  i, j, k, by_way, a, b) {
+      print "  <g fill=\"none\" stroke=\"" colour "\" stroke-width=\"" (implied ? 1 : 1.6) "\">"
+      for (i = 1; i <= folders; ++i)
+        for (j = i + 1; j <= folders; ++j) {
+          a = folder[i]; b = folder[j]; by_way = 0
+          for (k = i + 1; k < j; ++k) if (reach[a, folder[k]] && reach[folder[k], b]) by_way = 1
+          if (((a, b) in edge) && by_way == implied) arc(a, b, !implied)
+        }
+      print "  </g>"
+    }
+    FNR == NR { row[++rows] = $0; next }
+    { edge[$2, $3] = 1; known[$2] = known[$3] = 1 }
+    END {
+      left = 330; right = 470; at = 30
+      for (i = rows; i >= 1; --i) {
+        names = split(row[i], name, " "); first = at
+        for (j = names; j >= 1; --j) if (name[j] in known) { folder[++folders] = name[j]; y[name[j]] = at; at += 30 }
+        if (at > first) { band_y[++bands] = first - 17; band_h[bands] = at - first + 4; at += 12 }
+      }
+      print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" height=\"" at "\" viewBox=\"0 0 800 " at "\">"
+      print "  <title>Which folder of core/ includes which: every arc leads down</title>"
+      print "  <rect width=\"800\" height=\"" at "\" fill=\"#ffffff\"/>"
+      for (i = 1; i <= bands; ++i)
+        printf "  <rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"#eef1f5\"/>\n",
+               left, band_y[i], right - left, band_h[i]
+      for (i = 1; i <= folders; ++i)
+        for (j = i + 1; j <= folders; ++j) reach[folder[i], folder[j]] = (folder[i], folder[j]) in edge
+      for (k = 1; k <= folders; ++k)
+        for (i = 1; i < k; ++i)
+          for (j = k + 1; j <= folders; ++j)
+            if (reach[folder[i], folder[k]] && reach[folder[k], folder[j]]) reach[folder[i], folder[j]] = 1
+      arcs(1, "#b9c2cf")
+      arcs(0, "#2c5f9e")
+      print "  <g font-family=\"sans-serif\" font-size=\"16\" text-anchor=\"middle\" fill=\"#1a1a1a\">"
+      for (i = 1; i <= folders; ++i)
+        printf "    <text x=\"%d\" y=\"%d\">%s</text>\n", (left + right) / 2, y[folder[i]] + 5, folder[i]
+      print "  </g>"
+      print "</svg>"
+    }' "$layers" <(includes | sort -u -k2,3)
+}
+
+drawn=$(draw)
+if [[ ${1:-} == --write ]]; then
+  echo "$drawn" >"$picture"
+elif ! cmp -s "$picture" - <<<"$drawn"; then
+  echo "$picture is not of these sources: draw it again with tests/meta/layers.sh --write"
+  exit 1
+fi
