@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "frame/fast_kernels.h"
 #include "obj_corpus.h"
 #include "options/option.h"
 #include "render/fast_path.h"
