@@ -6,7 +6,6 @@
 #include <iostream>
 #include <numbers>
 
-#include "raytrace/renderer.h"
 #include "raytrace/tracer.h"
 #include "render/render.h"
 #include "render/story/story_tree.h"
@@ -53,7 +52,7 @@ TEST(Refraction, FresnelAtNormalAndBrewsterAngleAndGrazing) {
 PixelStory story_at(const Scene& scene, const Settings& settings, int width, int height, Vec2i pixel) {
   Prepared prepared;
   Progress progress;
-  return inspect_traced(scene, View{scene.camera, width, height}, settings, pixel, prepared, progress);
+  return inspect(scene, View{scene.camera, width, height}, settings, pixel, prepared, progress);
 }
 
 /// The sum of the lines of one level, and that each line is the sum of those below it.
