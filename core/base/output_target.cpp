@@ -31,7 +31,7 @@ std::optional<fs::path> behind_links(const fs::path& path) {
   std::error_code error;
   fs::path at = path;
   for (int links = 0; fs::is_symlink(at, error); ++links) {
-    if (links == most_links) refuse_output(path, "is a link that leads in a circle");
+    if (links == most_links) refuse_output(path, "is a symbolic link that points to itself through other links");
     if (fs::weakly_canonical(folder_of(at), error).string().starts_with("/proc/")) return {};
     const fs::path next = fs::read_symlink(at, error);
     if (error) refuse_output(path, reason_of(error.value()));

@@ -64,7 +64,7 @@ FragmentEvent fragment_event(const Pass<Real>& pass, const TriangleSetup<Real>& 
 inline std::string losing_edge(const TriangleEdges& edges, const std::array<std::int64_t, 3>& values) {
   for (std::size_t i = 0; i < 3; ++i)
     if (values[i] <= edges.threshold[i])
-      return values[i] == 0 ? "on edge " + std::to_string(i) + ", which does not own its points"
+      return values[i] == 0 ? "on edge " + std::to_string(i) + ", which does not own its samples"
                             : "edge " + std::to_string(i);
   return {};
 }

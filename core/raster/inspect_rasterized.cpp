@@ -87,7 +87,7 @@ class PixelWalk {
       RejectEvent event;
       event.id = {surface.object, edge.triangle};
       event.reason = RejectReason::not_covered;
-      event.detail = pass_.settings.draw == Draw::points ? "no corner lies in it" : "no edge passes through it";
+      event.detail = pass_.settings.draw == Draw::points ? "no vertex lies in it" : "no edge passes through it";
       name_by_object(surface.sphere, event);
       return event;
     });

@@ -473,13 +473,13 @@ class Intersector {
     TriangleTestEvent event;
     event.id = id;
     event.outcome = outcome;
-    if (own_surface) event.rejected_by = "the ray starts on it";
+    if (own_surface) event.rejected_by = "the ray's origin lies on it";
     if (own_surface || result.verdict == TriangleVerdict::parallel) return event;
     // Behind its start the ray does not need the guard: that is before its range by itself.
     if (result.verdict == TriangleVerdict::guarded && result.t >= 0)
       event.rejected_by = "t is within its rounding error of 0";
     if (outcome == TestOutcome::missed)
-      event.rejected_by = "weight of corner " + std::to_string(result.corner + 1) + " is negative";
+      event.rejected_by = "weight of vertex " + std::to_string(result.corner + 1) + " is negative";
     const auto& w = result.weights;
     event.weights = {static_cast<double>(w[0]), static_cast<double>(w[1]), static_cast<double>(w[2])};
     event.t = static_cast<double>(result.t);

@@ -194,7 +194,7 @@ ChannelPicture make_picture(const Frame& frame, ShownChannel channel, const Sett
                     const Vec3f w = frame.barycentric.at(x, y);
                     return unit_levels(w.x, w.y, w.z);
                   }),
-            keys({{{255, 0, 0}, "corner 0"}, {{0, 255, 0}, "corner 1"}, {{0, 0, 255}, "corner 2"}})};
+            keys({{{255, 0, 0}, "vertex 0"}, {{0, 255, 0}, "vertex 1"}, {{0, 0, 255}, "vertex 2"}})};
   case ShownChannel::uv:
     return {paint(frame,
                   [&](int x, int y) {

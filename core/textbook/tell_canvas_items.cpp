@@ -43,7 +43,7 @@ class CanvasTeller {
   }
 
   const CanvasTriangle* triangle_of(int pixel) const {
-    const int triangle = reader_.around(pixel, "triangle with corner");
+    const int triangle = reader_.around(pixel, "triangle with vertex");
     if (triangle < 0) return nullptr;
     const CanvasTriangle* found = nullptr;
     for (const CanvasItem& item : *book_.scene.canvas_items)

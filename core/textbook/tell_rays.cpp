@@ -33,7 +33,7 @@ class RayTeller {
   }
 
  private:
-  static constexpr std::string_view bounces = "ray with bounces left";
+  static constexpr std::string_view bounces = "remaining bounces";
 
   struct Found {
     int sphere = -1;  ///< index into the book's spheres

@@ -295,7 +295,7 @@ TEST(SurfaceMaps, FastPathsDeclineWithTheirReason) {
   EXPECT_EQ(reason(&SceneTraits::reflection_maps), "SIMD knows no reflection maps");
   settings.shading = Shading::gouraud;
   traits.light_maps = true;
-  EXPECT_EQ(left_out_words(traits, settings), "; the rasterizer leaves out maps of highlights");
+  EXPECT_EQ(left_out_words(traits, settings), "; the rasterizer leaves out specular maps");
 }
 
 // ---- Clamping and placing

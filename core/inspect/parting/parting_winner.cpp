@@ -34,7 +34,7 @@ std::optional<Parting> part_at_place(const Comparison& c, const Sighting& a, con
                                         number_text(*depth_a), number_text(*depth_b));
   if (differs(c, "sample-position"))
     return Parting{PartingCause::eye_ray, where + because(c, {"sample-position"}) + ".", a.seen, b.seen};
-  return Parting{PartingCause::coverage, where + ": the listing drops the fractions of the corners' places.", a.seen,
+  return Parting{PartingCause::coverage, where + ": the listing truncates vertex positions to whole pixels.", a.seen,
                  b.seen};
 }
 
@@ -56,7 +56,7 @@ std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, con
                                         number_text(*depth_a), number_text(*depth_b));
   if (root_a && root_b && *root_a != *root_b)
     return Parting{PartingCause::other_root,
-                   fmt::format("Both hit {}, the {} takes the nearer root, the other the farther one{}.", where,
+                   fmt::format("Both hit {}; the {} takes the nearer root, the other the farther root{}.", where,
                                *root_a < *root_b ? "ray of A" : "ray of B", because(c, {"near", "sphere-test"})),
                    a.seen, b.seen};
   if (differs(c, "precision"))
