@@ -79,7 +79,7 @@ TEST(StoryRows, EveryEventIsInExactlyOneRow) {
 
 TEST(StoryRows, AShadowRayNamesItsLight) {
   const auto events = ray_with({{0, RayEvent{.kind = RayKind::shadow}}, test(TestOutcome::missed, 1), light(1)});
-  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "shadow ray to light 2: way is free (1 test)");
+  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "shadow ray to light 2: not blocked (1 test)");
 }
 
 TEST(StoryRows, ALightThatAddsNothingIsNotTold) {
@@ -106,9 +106,9 @@ TEST(StoryRows, AStencilSaysItsCountAndTheFacesBelow) {
   }
   const auto events = ray_with({{0, stencil}});
   EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1),
-            "stencil of light 2: 3 of 4 shadow volume faces count, 1 in all: in shadow");
+            "stencil of light 2: 3 of 4 shadow volume faces are counted, sum 1: in shadow");
   EXPECT_EQ(short_description(events[1], Scene{}),
-            "stencil of light 2: 3 of 4 shadow volume faces count, 1 in all: in shadow")
+            "stencil of light 2: 3 of 4 shadow volume faces are counted, sum 1: in shadow")
       << "which the space view writes over its foot";
   const auto lines = row_details(events[1], Scene{});
   ASSERT_EQ(lines.size(), 3u) << "one for each face that counts";

@@ -164,7 +164,7 @@ void App::view_menu() {
   items({"predict"});
   menu_action(actions, "reset-view");
   menu_action(actions, "fly");
-  tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on carry it around the scene.",
+  tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on move it around the scene.",
                       actions.key_text("turn-left"), actions.key_text("turn-up"), actions.key_text("orbit-left"),
                       actions.key_text("orbit-up")));
   ImGui::Separator();
@@ -222,7 +222,7 @@ constexpr std::array modes{
     Mode{CompareMode::side_by_side, "side-by-side", "A | B", "Both pictures side by side."},
     Mode{CompareMode::split, "split", "Split",
          "One picture: A on the left of a divider that you drag, B on the right (X)."},
-    Mode{CompareMode::difference, "difference", "Difference", "What parts B from A, enlarged by a gain (D)."}};
+    Mode{CompareMode::difference, "difference", "Difference", "The difference B - A, multiplied by a gain (D)."}};
 }  // namespace
 
 float App::compare_buttons_width() const {

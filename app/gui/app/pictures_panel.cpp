@@ -51,8 +51,8 @@ struct Split {
 void nothing_drawn(Session& session, Side side, const Area& area) {
   if (session.scene().geometry->objects.empty() && !session.traits().canvas_items) {
     draw_notice(*ImGui::GetWindowDrawList(), area,
-                "There is nothing in this scene: every pixel is background. Drop a .scene or .obj file here, or choose "
-                "one from the Scene menu.");
+                "This scene is empty: every pixel is background. Drop a .scene or .obj file here, or choose one from "
+                "the Scene menu.");
     return;
   }
   if (!session.renderer(side).result() || !leaves_out_all(session.traits(), session.settings(side))) return;

@@ -121,7 +121,7 @@ std::string ray_text(const std::vector<Event>& events, const std::vector<int>& e
     if (next < static_cast<int>(events.size()) && at(events, next).parent == at(events, index).parent)
       if (const auto* light = std::get_if<LightEvent>(&at(events, next).data))
         name += fmt::format(" to light {}", light->light + 1);
-    return fmt::format("{}: {} ({})", name, accepted ? "meets " + primitive_name(scene, *accepted) : "way is free",
+    return fmt::format("{}: {} ({})", name, accepted ? "meets " + primitive_name(scene, *accepted) : "not blocked",
                        work);
   }
   return {};

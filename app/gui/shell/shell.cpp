@@ -160,17 +160,17 @@ void Shell::Impl::add_actions(Shell& shell) {
                  palette.open();
                }});
   actions.add({.name = "larger-type",
-               .label = "Larger type",
+               .label = "Larger text",
                .group = "Window",
                .keys = "Ctrl++ Ctrl+= Ctrl+KeypadPlus",
                .run = [zoom] { zoom(1.125); }});
   actions.add({.name = "smaller-type",
-               .label = "Smaller type",
+               .label = "Smaller text",
                .group = "Window",
                .keys = "Ctrl+- Ctrl+KeypadMinus",
                .run = [zoom] { zoom(1 / 1.125); }});
   actions.add(
-      {.name = "standard-type", .label = "Standard type size", .group = "Window", .keys = "Ctrl+0", .run = [zoom] {
+      {.name = "standard-type", .label = "Standard text size", .group = "Window", .keys = "Ctrl+0", .run = [zoom] {
          zoom(0);
        }});
   actions.add({.name = "dark-theme",

@@ -121,7 +121,7 @@ void run_buttons(StabilityTabState& state) {
       state.study.set_paused(!paused);
     ImGui::SameLine(0, px(3));
     if (button("cancel", "Stop", Emphasis::plain,
-               {.tooltip = "What is measured is kept; the study can be resumed.", .width = px(50)}))
+               {.tooltip = "Measured rows are kept; the study can be resumed.", .width = px(50)}))
       state.study.cancel();
     return;
   }
@@ -317,7 +317,7 @@ bool laboratory(StabilityTabState& state, bool filled) {
   }
   run_buttons(state);
   same_line_if_room(button_width("Fill"), px(8));
-  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Gives this the whole window (Esc)."});
+  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
   progress_line(state);
   if (wide) {
     ImGui::BeginChild("list", {px(list_width), 0});

@@ -95,7 +95,7 @@ std::optional<std::string> details(Session& session, const UnsafeSide& state, Si
     if (button("safe", fmt::format("Set {}", unsafe.safe), Emphasis::primary)) make_safe(session, side, unsafe);
   }
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextUnformatted("Measured in a small picture against the same in double.");
+  ImGui::TextUnformatted("Measured on a small picture against a rendering in double.");
   ImGui::PopStyleColor();
   if (wanted) ImGui::CloseCurrentPopup();
   return wanted;
