@@ -56,7 +56,7 @@ std::span<const ShownChannelRow> shown_channels() { return rows; }
 
 const ShownChannelRow& shown_channel(ShownChannel channel) {
   const ShownChannelRow& row = rows.at(static_cast<std::size_t>(channel));
-  PS_ASSERT(row.channel == channel, "rows stand in the order of the enum");
+  PS_ASSERT(row.channel == channel, "rows are in the order of the enum");
   return row;
 }
 

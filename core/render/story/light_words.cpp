@@ -28,7 +28,7 @@ std::string light_effect_text(const Scene& scene, const LightEvent& light, Light
     return adds_nothing(light.diffuse) ? "emits no light" : fmt::format("{} everywhere", number_text(light.diffuse));
   if (light.below_horizon) {
     // The book's highlight does not ask which way the surface faces.
-    if (!adds_nothing(light.specular)) return "the surface faces away, no diffuse" + highlight_text(light);
+    if (!adds_nothing(light.specular)) return "surface faces away, no diffuse" + highlight_text(light);
     return whole ? "adds nothing: the surface faces away from it" : "surface faces away";
   }
   if (light.blocker) return "blocked by " + primitive_name(scene, *light.blocker);

@@ -62,7 +62,7 @@ std::string samples_verdict(const PixelStory& story, const Scene& scene, const s
     text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", count,
                         object < 0 ? "background" : object_name(scene, object));
   }
-  const std::string which = told < samples.size() ? fmt::format(", of which the first {} are listed", told) : "";
+  const std::string which = told < samples.size() ? fmt::format(", of which the first {} are shown", told) : "";
   const bool subdivided = !events_of_ray<CompareEvent>(events, -1).empty();
   return fmt::format("mean of {}{}: {}{}", plural(samples.size(), "sample", "samples"), which, text,
                      subdivided ? "; subdivided, since a neighbour differs" : "");

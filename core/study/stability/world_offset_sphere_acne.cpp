@@ -93,7 +93,7 @@ const StabilityExperiment world_offset_sphere_acne{
     .naive = "ignore hits up to epsilon",
     .robust = "bounded offset, no epsilon",
     .explanation = "A point far from the origin is rounded to a coarser grid, so it lies farther off its surface. An "
-                   "epsilon that served near the origin is soon smaller than that.",
+                   "epsilon that is enough near the origin is soon smaller than that.",
     .safe = "Up to 10 units for 0.001.",
     .window = {nowhere, 10},
     .measure = measure,
