@@ -12,8 +12,8 @@ namespace {
 /// 3,200 triangles.
 ClosedSphere small_sphere() { return closed_sphere(33, 50, 2, {0, 0, 0}); }
 
-/// Percentages of rays from the middle that leave a sphere of which so many vertices are NaN, other than through its
-/// holes, by the form in which the boxes are taken.
+/// Percentages of rays from the centre that leave a sphere with this number of NaN vertices other than through its
+/// holes, for each form of the boxes.
 struct Escaping {
   double new_first = 0, accumulated_first = 0, fmin = 0;
 };

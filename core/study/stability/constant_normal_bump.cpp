@@ -117,8 +117,8 @@ Rates rates_at(double distance, const StabilityRun& run) {
   return rates;
 }
 
-/// The rays that the bound does not save from plain Moeller-Trumbore all leave a dozen of 40,000 hits, so their share
-/// takes ten times as many to tell. Percent.
+/// The rays that the bound does not save from plain Moeller-Trumbore all leave a dozen of 40,000 hits, so measuring
+/// their share takes ten times as many rays. Percent.
 double bound_alone(double distance, const StabilityRun& run) {
   double rays = 0, met_again = 0;
   const auto nothing = [](const Met&) {};

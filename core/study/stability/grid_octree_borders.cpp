@@ -69,7 +69,7 @@ struct KnownRay {
   double t;
 };
 
-/// The rays that meet something, of so many from all around; every primitive was tested.
+/// The rays that hit something, of this number from all directions; every primitive was tested.
 std::vector<KnownRay> known_rays(const Scene& scene, Random& random, const StabilityRun& run) {
   Prepared prepared;
   Silent silent;

@@ -92,7 +92,7 @@ class Judge {
 };
 
 /// Three bars 2.7 x 0.3 around a point 4 before the camera, each nearer at one end, where it lies over the next bar,
-/// and farther at the other, where it lies under the one before. Each is made of so many pieces of two triangles.
+/// and farther at the other, where it lies under the one before. Each is made of `pieces` quads of two triangles.
 Sheets bars(int pieces) {
   Sheets sheets;
   for (int k = 0; k < 3; ++k) {

@@ -29,8 +29,8 @@ Settings with_epsilon(double epsilon) {
 
 constexpr std::uint32_t not_counted = ~0u;
 
-/// Which lights are blocked where the ball is seen and faces the light, by more than this cosine, as the numbers there
-/// tell it.
+/// Which lights are blocked where the ball is seen and faces the light, by more than this cosine, computed from the
+/// numbers there.
 Image<std::uint32_t> dark_pixels(double distance, const Settings& settings, double least_cosine,
                                  const StabilityRun& run) {
   const Vec3d light_from_centre(2, 2, -3);
