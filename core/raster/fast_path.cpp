@@ -48,7 +48,7 @@ std::string_view no_plain_surfaces(const Settings& s, const SceneTraits& t) {
   return "";
 }
 
-/// Why triangles come one after the other; empty if whole tiles are drawn at once.
+/// Why triangles are drawn one after the other; empty if whole tiles are drawn at once.
 std::string_view no_whole_frame(const Settings& s, const SceneTraits& t) {
   if (s.visibility != Visibility::depth_buffer) return "whole tiles need visibility = depth-buffer";
   if (s.depth_value != DepthValue::inverse_z) return "whole tiles need depth-value = inverse-z";

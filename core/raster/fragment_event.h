@@ -25,7 +25,7 @@ PixelId event_id(const TriangleSetup<Real>& setup) {
   return {setup.surface->object, setup.surface->sphere ? 0 : setup.triangle->triangle};
 }
 
-/// The same for a triangle that drew nothing, with its number among those that stand for the sphere as a detail.
+/// The same for a triangle that drew nothing, with its index among the sphere's triangles as a detail.
 inline void name_by_object(bool sphere, RejectEvent& event) {
   if (!sphere) return;
   event.detail += (event.detail.empty() ? "" : ", ") + ("its triangle " + std::to_string(event.id.triangle));

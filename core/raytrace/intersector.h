@@ -156,9 +156,9 @@ class Intersector {
     if (simple.octree) for_each_candidate(*simple.octree, candidate, best.t, visit, recorder_);
   }
 
-  /// What is not a triangle first, in its own tree. Where our test accepts a triangle that Embree offers, it tells t
-  /// and weights. Where ours sees the ray pass by, Embree decides, or the ray could slip through between the two; such
-  /// hits are counted.
+  /// Primitives other than triangles first, in their own tree. If our test accepts a triangle that Embree offers, it
+  /// provides t and weights. Where ours sees the ray pass by, Embree decides, or the ray could slip through between the
+  /// two; such hits are counted.
   template <class Visit>
   void search_embree(const Query& query, Visit&& visit, bool any, Hit<Real>& best) const {
     const EmbreeGeometry& embree = *inputs_.simple.embree;
@@ -246,7 +246,7 @@ class Intersector {
     }
   }
 
-  /// For each ray of a packet the nearest primitive that is no triangle.
+  /// For each ray of a packet the nearest primitive that is not a triangle.
   void nearest_others(std::span<const Ray<Real>> rays, const WidePacket& packet, std::span<Hit<Real>> hits) const {
     const Bvh<float>& others = inputs_.wide->others;
     unsigned perhaps = others.nodes.empty() ? 0u : inputs_.packet_searches.meets(others.nodes[0].box, packet);
@@ -258,7 +258,7 @@ class Intersector {
     }
   }
 
-  /// The nearest primitive that is no triangle.
+  /// The nearest primitive that is not a triangle.
   Hit<Real> nearest_other(const Ray<Real>& ray) const {
     Hit<Real> best;
     best.t = ray.t_max;
