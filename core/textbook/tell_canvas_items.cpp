@@ -54,7 +54,7 @@ class CanvasTeller {
     return found;
   }
 
-  /// Which of the three sides it is the listing does not say: told as the first.
+  /// The listing does not say which of the three edges it is: it is reported as the first.
   void tell_outline(int pixel) {
     const CanvasTriangle* triangle = triangle_of(pixel);
     if (!triangle || !triangle->outline) return;

@@ -138,7 +138,7 @@ class TriangleTeller {
     recorder_.event([&] { return event; });
   }
 
-  /// Where the light was worked out: at the pixel, at the corners from below, or once for the triangle.
+  /// Where the lighting was evaluated: at the pixel, at the vertices from below, or once for the triangle.
   std::vector<int> lit_at(int pixel, int triangle) const {
     if (!reader_.below(pixel, "light").empty()) return {pixel};
     if (auto corners = reader_.below(triangle, "vertex, from below");

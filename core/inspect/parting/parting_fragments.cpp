@@ -11,7 +11,7 @@
 namespace ps::parting {
 namespace {
 
-/// Depths that a stored depth of few bits, or the rounding of two interpolations, cannot tell apart.
+/// Depths that are equal within the rounding of two interpolations or of the stored bits.
 bool nearly_tied(const FragmentEvent& fragment) {
   const double size = std::max(std::abs(fragment.depth_stored), std::abs(fragment.depth_new));
   return std::abs(fragment.depth_stored - fragment.depth_new) <= 1e-4 * size;
@@ -21,7 +21,7 @@ bool through_an_edge(const std::array<double, 3>& edges) {
   return std::any_of(edges.begin(), edges.end(), [](double e) { return e == 0; });
 }
 
-/// A listing tells only of triangles that reach the pixel: why it has nothing of the one that won in the other story.
+/// A listing reports only triangles that reach the pixel: why it lacks the triangle that won in the other story.
 template <class Says>
 Parting left_out_by_listing(const Comparison& c, const Sighting& winner, const StorySide& won, const Says& says,
                             std::string_view letter) {

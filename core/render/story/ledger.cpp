@@ -28,7 +28,7 @@ void add_rays_of_kind(const PixelStory& story, const Scene& scene, int ray, RayK
     if (event_as<RayEvent>(story.events, child).kind == kind) add_ray(story, scene, child, share, level, lines);
 }
 
-/// A transparent surface: its own colour, what it mirrors and what comes through, each by its share (CGFS ch. 5).
+/// A transparent surface: local, reflected and transmitted colour, each times its share (CGFS ch. 5).
 void add_boundary(const PixelStory& story, const Scene& scene, int ray, int index, const ShadingEvents& shading,
                   double share, int level, Lines& lines) {
   const auto& event = event_as<RefractionEvent>(story.events, index);
@@ -109,7 +109,7 @@ Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, d
   return lines;
 }
 
-/// The numbers of the samples that write `index` reached, with multisampling: the kernel tells them beside it.
+/// The numbers of the samples that write `index` reached, with multisampling: the kernel reports them with it.
 const CoverageEvent* written_samples(const PixelStory& story, int index) {
   const int parent = story.events[static_cast<std::size_t>(index)].parent;
   const FragmentEvent* fragment =
@@ -128,7 +128,7 @@ class SampleOwners {
     if (owners_.empty()) owners_.assign(static_cast<std::size_t>(samples.tests), background);
     for (const double sample : samples.values) owners_.at(static_cast<std::size_t>(sample)) = index;
   }
-  /// The pixel as the mean of its samples, those of one write told together.
+  /// The pixel as the mean of its samples, with one line for all samples of a write.
   Lines lines(const PixelStory& story, const Scene& scene) const {
     Lines lines;
     std::vector<int> order(owners_);

@@ -36,7 +36,7 @@ void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, con
                        std::vector<std::string>& parts) {
   for (const int index : events_of_ray<LightEvent>(story.events, ray)) {
     const auto& light = event_as<LightEvent>(story.events, index);
-    if (light.below_horizon)  // said first: such a surface shades itself, which is no news
+    if (light.below_horizon)  // reported first: such a surface always blocks its own light
       parts.push_back(fmt::format("it faces away from light {}", light.light + 1));
     else if (light.blocker && *light.blocker == hit)
       parts.push_back(fmt::format("light {} is blocked by the surface itself", light.light + 1));
@@ -45,7 +45,7 @@ void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, con
   }
 }
 
-/// "16 samples: 9 see sphere 1 (red), 7 background", for as many as tell what they saw.
+/// "mean of 16 samples: 9 of sphere 1 (red), 7 of background", for those samples whose rays are recorded.
 std::string samples_verdict(const PixelStory& story, const Scene& scene, const std::vector<int>& samples) {
   const auto& events = story.events;
   std::map<int, std::size_t> seen;  // by object; -1 = background
@@ -145,7 +145,7 @@ void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vect
   if (depth_off) parts.push_back("the depth test is off");
 }
 
-/// Which lights the seen surface does not see, or sees in part.
+/// Which lights are blocked at the visible surface, wholly or in part.
 void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts) {
   std::map<int, double> current, seen;  // share by light
   for (const Event& event : story.events) {
