@@ -94,7 +94,7 @@ int run_stability(const StabilityArguments& arguments) {
       write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
                             csv_with_provenance(stability_csv(measured.rows), made));
     print_rows(find_stability_experiment(measured.key), measured.rows);
-    require_printed();  // or nobody would see what takes minutes to measure
+    require_printed();  // measuring takes minutes, and its progress should be visible
   });
   return 0;
 }

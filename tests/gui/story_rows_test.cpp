@@ -112,8 +112,8 @@ TEST(StoryRows, AStencilSaysItsCountAndTheFacesBelow) {
       << "which the space view writes over its foot";
   const auto lines = row_details(events[1], Scene{});
   ASSERT_EQ(lines.size(), 3u) << "one for each face that counts";
-  EXPECT_EQ(lines[0], "+1 where the line of sight enters the shadow of object 1 at its lit face");
-  EXPECT_EQ(lines[2], "-1 where the line of sight leaves the shadow of object 1 at its lit face");
+  EXPECT_EQ(lines[0], "+1 where the line of sight enters the shadow volume of object 1 at its lit face");
+  EXPECT_EQ(lines[2], "-1 where the line of sight leaves the shadow volume of object 1 at its lit face");
   EXPECT_TRUE(row_details(events[0], Scene{}).empty());
 }
 

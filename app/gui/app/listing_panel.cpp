@@ -150,7 +150,7 @@ struct Columns {
 };
 
 Columns columns_for(const std::vector<ListingRow>& rows, float room) {
-  std::size_t longest = 0;  // of the lines that tell something; the others may go on below the values
+  std::size_t longest = 0;  // of the lines that have values; the others may continue below the values
   for (const ListingRow& row : rows)
     if (tells(row)) longest = std::max(longest, row.text.size());
   Columns columns;
@@ -200,7 +200,7 @@ struct Step {
   int by = 0;
 };
 
-/// `reveal`: the first line that tells something comes into view.
+/// `reveal`: scrolls to the first line that has values.
 std::optional<Step> code(const std::vector<ListingRow>& rows, const ImVec4& ink, bool reveal) {
   std::optional<Step> step;
   const auto first = std::find_if(rows.begin(), rows.end(), tells);

@@ -45,7 +45,7 @@ std::size_t description_room() {
   return room < fewest ? 0 : std::min(most, static_cast<std::size_t>(room));
 }
 
-/// The first sentence, in at most so many letters; the tooltip has all.
+/// The first sentence, cut at a maximum length; the tooltip has all.
 std::string first_sentence(const std::string& text, std::size_t most) {
   std::string sentence = text.substr(0, sentence_end(text));
   if (const auto part = sentence.find_last_of(":;", most); sentence.size() > most && part != std::string::npos) {

@@ -121,7 +121,7 @@ bool toolbar(Session& session, MicroscopePanelState& state, bool filled) {
   return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (Esc)."});
 }
 
-/// How many samples see what, so that a pixel of 64 samples is told in a few words.
+/// How many samples see which object: a summary for pixels with many samples.
 void samples_text(const Microscope& microscope) {
   std::map<std::string, int> seen;
   for (const MicroSample& sample : microscope.samples()) ++seen[sample.seen];

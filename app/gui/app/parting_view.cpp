@@ -45,7 +45,7 @@ std::string text_of(const PixelStory& story, int event, const Scene& scene) {
   return event < 0 ? std::string() : describe(story.events[static_cast<std::size_t>(event)], scene);
 }
 
-/// What one side tells of a step, behind its letter.
+/// The text of a step on one side, after the side's letter.
 struct Words {
   std::string lines;
   Side side = Side::a;

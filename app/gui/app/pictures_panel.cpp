@@ -145,7 +145,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   if (status.state == RenderState::done && !split) nothing_drawn(session, shown_side, area);
 }
 
-/// What picture_input() drags; here it is drawn and told to scripts.
+/// What picture_input() drags; here it is drawn and published to scripts.
 void divider(const Area& area, float at, double share) {
   controls().record("pictures/divider", {at - px(divider_reach), area.min.y}, {at + px(divider_reach), area.max.y},
                     short_number(share));

@@ -127,12 +127,12 @@ void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const Pixel
   ImGui::PopTextWrapPos();
 }
 
-/// What is selected in a story is shown in space and under the microscope, so it must be the one that these tell.
+/// The selected event is shown in space and in the microscope, so it must belong to the story that these show.
 void tell(Session& session, Side side) {
   if (session.document().picked != side) session.navigate([&](Document& document) { document.picked = side; });
 }
 
-/// One of the two stories when both are told: the sum first, since that is what is compared.
+/// One of the two stories when both are shown: the sum first, because it is what users compare.
 void short_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story) {
   const std::size_t index = index_of(side);
   const std::string name = prefix(side);

@@ -305,7 +305,7 @@ bool Session::take_loaded() {
 void Session::take_up(Document document, Reason reason) {
   switch (reason) {
   case Reason::open:
-  case Reason::permalink:  // tells how the window is divided, too
+  case Reason::permalink:  // stores how the window is divided, too
     if (has_scene() && reason == Reason::open) {
       document.layout = document_.layout;
       document.story = carried_over(document_.story, false);

@@ -134,7 +134,7 @@ void speed_choice(SpacePanelState& state) {
     state.play.per_second = speeds[static_cast<std::size_t>(index)];
 }
 
-/// Leaves out rays that nobody could see in the pixel; which share counts as nothing is set under "Show".
+/// Hides rays with an invisible contribution to the pixel; the threshold is set under "Show".
 void hide_negligible(SpacePanelState& state) {
   same_line_if_room(button_width("Main rays"), px(2));
   const bool hidden = state.least_contribution > 0;

@@ -27,7 +27,7 @@ struct SpaceGroupRow {
   SpaceGroup group;
   std::string_view key, label, help;
   bool shown;      ///< at first
-  SpaceKind like;  ///< whose colour stands for it in the legend
+  SpaceKind like;  ///< whose colour represents it in the legend
 };
 inline constexpr std::array space_groups{
     SpaceGroupRow{SpaceGroup::camera, "camera", "Camera and image", "The eye, and the picture where it is projected.",

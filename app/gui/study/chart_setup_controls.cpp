@@ -53,7 +53,7 @@ bool value_buttons(SweepAxis& axis) {
   return changed;
 }
 
-/// Numbers are typed. What cannot be read leaves the values as they are and is told below.
+/// Numbers are typed. Invalid text leaves the values unchanged and is reported below.
 void typed_values(SweepAxis& axis, std::string& text) {
   const std::string id = "##" + full_name("values");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);

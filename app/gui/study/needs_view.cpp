@@ -65,7 +65,7 @@ std::string changes_text(const Settings& from, const Settings& to) {
   return fmt::format("{}", fmt::join(settings_difference(from, to), ", "));
 }
 
-/// A share of the time, or that it cannot be told from noise.
+/// A fraction of the time, or "within noise".
 void time_cell(const FeatureShare& share) {
   if (needs_time_told(share)) return bar_cell("time", share.cost_share, percent(share.cost_share));
   const std::string text = "within noise";

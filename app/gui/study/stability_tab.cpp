@@ -203,7 +203,7 @@ std::vector<std::string> series_of(const std::vector<StabilityRow>& rows) {
   return names;
 }
 
-/// The series that was chosen, or the one that tells most of the rows that have arrived.
+/// The chosen series, or the default series of the rows that have arrived.
 std::string shown_series(const StabilityTabState& state, const std::vector<StabilityRow>& rows) {
   const bool chosen =
       std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.series == state.series; });
