@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # words.pl RULES FILE...: what in the texts that users read breaks the rules of plain English. For each finding one line
-# FILE:LINE: what was found. In .h and .cpp files these texts are the string literals, neighbouring ones joined; in all
-# other files everything but code. Exit status 1 if something was found.
+# FILE:LINE: what was found. In .h and .cpp files these texts are the string literals, neighbouring ones joined; in scenes
+# title and description; in all other files everything but code. Exit status 1 if something was found.
 use strict;
 use warnings;
 
@@ -119,11 +119,22 @@ sub check_page {
   check_sentences($file, $start, $text);
 }
 
+# Title and description; the rest is for the program.
+sub check_scene {
+  my ($file, $scene) = @_;
+  my $number = 0;
+  for my $line (split /\n/, $scene) {
+    ++$number;
+    check_text($file, $number, $2) if $line =~ /^\s*(title|description)\s*=\s*"(.*)"/;
+  }
+}
+
 for my $file (@files) {
   open my $in, '<', $file or die "$file: cannot be read\n";
   local $/;
   my $content = <$in>;
   if ($file =~ /\.(h|cpp)$/) { check_source($file, $content) }
+  elsif ($file =~ /\.scene$/) { check_scene($file, $content) }
   else { check_page($file, $content) }
 }
 exit $found;
