@@ -72,7 +72,8 @@ std::vector<Option> shading_rows() {
       integer<&Settings::light_shown>(
           {.key = "light-shown",
            .label = "Light shown",
-           .help = {"Shows the contribution of one light, by its number; 0 shows all.", "CGFS ch. 15; CGPP 15.7.2.3",
+           .help = {"Shows the contribution of one light. 0 shows all lights, 1 shows light 0.",
+                    "CGFS ch. 15; CGPP 15.7.2.3",
                     "The pictures of the single lights add up to the full one, unless a colour is clamped."},
            .truth = exactly("light-shown=0"),
            .inactive = needs_several_lights},

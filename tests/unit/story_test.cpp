@@ -41,7 +41,7 @@ bool has_term(const PixelStory& story, int level, const std::string& start, cons
 TEST(RayStory, VerdictNamesWinnerBlockerAndBounces) {
   PixelStory story = test::mirrored_story();
   finish_story(story, test::book_spheres(), Settings{});
-  EXPECT_EQ(story.verdict, "sphere 1 (red) won at t = 2.312; light 2 is blocked by sphere 3; 1 bounce");
+  EXPECT_EQ(story.verdict, "sphere 0 (red) won at t = 2.312; light 1 is blocked by sphere 2; 1 bounce");
 }
 
 // All numbers of the hand-made story are sums of powers of two, so the ledger must be exact.
@@ -49,14 +49,14 @@ TEST(RayStory, LedgerAddsUpOnEveryLevel) {
   PixelStory story = test::mirrored_story();
   finish_story(story, test::book_spheres(), Settings{});
   expect_sums(story);
-  EXPECT_TRUE(has_term(story, 0, "sphere 1 (red): 0.75 x local colour", {0.328125, 0, 0}));
-  EXPECT_TRUE(has_term(story, 0, "sphere 1 (red): 0.25 x reflected colour", {0, 0, 0.0625}));
-  EXPECT_TRUE(has_term(story, 1, "light 1 (ambient)", {0.1875, 0, 0}));
-  EXPECT_TRUE(has_term(story, 1, "light 2 (point): blocked by sphere 3", {0, 0, 0}));
-  EXPECT_TRUE(has_term(story, 1, "light 3 (directional) diffuse", {0.09375, 0, 0}));
-  EXPECT_TRUE(has_term(story, 1, "light 3 (directional) specular", {0.046875, 0, 0}));
-  EXPECT_TRUE(has_term(story, 1, "sphere 2 (blue): local colour", {0, 0, 0.0625}));
-  EXPECT_TRUE(has_term(story, 2, "light 1 (ambient)", {0, 0, 0.0625}));
+  EXPECT_TRUE(has_term(story, 0, "sphere 0 (red): 0.75 x local colour", {0.328125, 0, 0}));
+  EXPECT_TRUE(has_term(story, 0, "sphere 0 (red): 0.25 x reflected colour", {0, 0, 0.0625}));
+  EXPECT_TRUE(has_term(story, 1, "light 0 (ambient)", {0.1875, 0, 0}));
+  EXPECT_TRUE(has_term(story, 1, "light 1 (point): blocked by sphere 2", {0, 0, 0}));
+  EXPECT_TRUE(has_term(story, 1, "light 2 (directional) diffuse", {0.09375, 0, 0}));
+  EXPECT_TRUE(has_term(story, 1, "light 2 (directional) specular", {0.046875, 0, 0}));
+  EXPECT_TRUE(has_term(story, 1, "sphere 1 (blue): local colour", {0, 0, 0.0625}));
+  EXPECT_TRUE(has_term(story, 2, "light 0 (ambient)", {0, 0, 0.0625}));
 }
 
 TEST(RayStory, TermsThatDoNotAddUpBecomeOneLine) {
@@ -66,7 +66,7 @@ TEST(RayStory, TermsThatDoNotAddUpBecomeOneLine) {
       if (light->light == 2) light->diffuse = 0.9;
   finish_story(story, test::book_spheres(), Settings{});
   expect_sums(story);
-  EXPECT_FALSE(has_term(story, 1, "light 1 (ambient)", {0.1875, 0, 0}));
+  EXPECT_FALSE(has_term(story, 1, "light 0 (ambient)", {0.1875, 0, 0}));
 }
 
 TEST(RayStory, MissTellsOfTheBackground) {
@@ -151,7 +151,7 @@ TEST(FragmentStory, VerdictCountsWhatLost) {
   PixelStory story = fragment_story();
   finish_story(story, cube_scene(), Settings{});
   EXPECT_EQ(story.verdict,
-            "triangle 7 of cube 1 won; 1 earlier colour was painted over; 2 fragments failed the depth test; "
+            "triangle 7 of cube 0 won; 1 earlier colour was painted over; 2 fragments failed the depth test; "
             "1 back face culled");
 }
 
@@ -159,9 +159,9 @@ TEST(FragmentStory, LedgerShowsTheLastWriteAlone) {
   PixelStory story = fragment_story();
   finish_story(story, cube_scene(), Settings{});
   expect_sums(story);
-  EXPECT_TRUE(has_term(story, 0, "triangle 7 of cube 1: colour", {0, 0, 0.5}));
-  EXPECT_TRUE(has_term(story, 1, "light 1 (ambient): 0.5", {0, 0, 0.5}));
-  EXPECT_FALSE(has_term(story, 0, "triangle 4 of cube 1: colour", {0, 0, 0.5}));
+  EXPECT_TRUE(has_term(story, 0, "triangle 7 of cube 0: colour", {0, 0, 0.5}));
+  EXPECT_TRUE(has_term(story, 1, "light 0 (ambient): 0.5", {0, 0, 0.5}));
+  EXPECT_FALSE(has_term(story, 0, "triangle 4 of cube 0: colour", {0, 0, 0.5}));
 }
 
 TEST(FragmentStory, AdditivePaintKeepsWhatWasThere) {
@@ -221,13 +221,13 @@ TEST(FragmentStory, NothingDrewSaysWhy) {
 
 TEST(Describe, NamesObjectsAndKeepsAllDigits) {
   const Scene scene = test::book_spheres();
-  EXPECT_EQ(object_name(scene, 1), "sphere 2 (blue)");
-  EXPECT_EQ(primitive_name(scene, {2, 0}), "sphere 3");
-  EXPECT_EQ(primitive_name(cube_scene(), {0, 7}), "triangle 7 of cube 1");
-  EXPECT_EQ(light_name(scene, 2), "light 3 (directional)");
+  EXPECT_EQ(object_name(scene, 1), "sphere 1 (blue)");
+  EXPECT_EQ(primitive_name(scene, {2, 0}), "sphere 2");
+  EXPECT_EQ(primitive_name(cube_scene(), {0, 7}), "triangle 7 of cube 0");
+  EXPECT_EQ(light_name(scene, 2), "light 2 (directional)");
   const PixelStory story = test::mirrored_story();
-  EXPECT_EQ(describe(story.events[2], scene), "sphere 2 (blue): missed, discriminant 0");
-  EXPECT_EQ(describe(story.events[5], scene), "light 2 (point): blocked by sphere 3");
+  EXPECT_EQ(describe(story.events[2], scene), "sphere 1 (blue): missed, discriminant 0");
+  EXPECT_EQ(describe(story.events[5], scene), "light 1 (point): blocked by sphere 2");
   for (const Event& event : story.events) EXPECT_FALSE(describe(event, scene).empty());
   MissEvent miss;
   miss.background = {1.0 / 3, 0, 0};
@@ -252,7 +252,7 @@ TEST(StoryJson, HoldsWhatTheStoryHolds) {
   EXPECT_EQ(json["events"][1]["kind"], "sphere-test");
   EXPECT_EQ(json["events"][1]["parent"], 0);
   EXPECT_EQ(json["events"][1]["roots"], nlohmann::json({2.3125, 3.5}));
-  EXPECT_EQ(json["events"][1]["id"]["name"], "sphere 1 (red)");
+  EXPECT_EQ(json["events"][1]["id"]["name"], "sphere 0 (red)");
   ASSERT_EQ(json["ledger"].size(), story.ledger.size());
   EXPECT_EQ(json["ledger"][0]["value"], nlohmann::json({0.328125, 0, 0}));
   EXPECT_EQ(json["counters"].size(), counter_count);

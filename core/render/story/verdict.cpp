@@ -37,11 +37,11 @@ void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, con
   for (const int index : events_of_ray<LightEvent>(story.events, ray)) {
     const auto& light = event_as<LightEvent>(story.events, index);
     if (light.below_horizon)  // reported first: such a surface always blocks its own light
-      parts.push_back(fmt::format("it faces away from light {}", light.light + 1));
+      parts.push_back(fmt::format("it faces away from light {}", light.light));
     else if (light.blocker && *light.blocker == hit)
-      parts.push_back(fmt::format("light {} is blocked by the surface itself", light.light + 1));
+      parts.push_back(fmt::format("light {} is blocked by the surface itself", light.light));
     else if (light.blocker)
-      parts.push_back(fmt::format("light {} is blocked by {}", light.light + 1, primitive_name(scene, *light.blocker)));
+      parts.push_back(fmt::format("light {} is blocked by {}", light.light, primitive_name(scene, *light.blocker)));
   }
 }
 
@@ -155,8 +155,8 @@ void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts
     if (std::holds_alternative<WriteEvent>(event.data)) seen = current;
   }
   for (const auto& [light, share] : seen)
-    parts.push_back(share > 0 ? fmt::format("{} % of light {} reaches it", number_text(100 * share), light + 1)
-                              : fmt::format("it lies in the shadow of light {}", light + 1));
+    parts.push_back(share > 0 ? fmt::format("{} % of light {} reaches it", number_text(100 * share), light)
+                              : fmt::format("it lies in the shadow of light {}", light));
 }
 
 /// Of the fragment that wrote last.
