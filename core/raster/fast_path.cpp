@@ -19,10 +19,10 @@ bool maps_shadows(const Settings& s, const SceneTraits& t) {
 
 /// Why fragments come one after the other; empty if they come in batches.
 std::string_view no_batches(const Settings& s, const SceneTraits& t, Channel channels) {
-  if (s.draw != Draw::filled) return "SIMD draws filled triangles alone";
+  if (s.draw != Draw::filled) return "SIMD draws filled triangles only";
   if (s.projection != Projection::perspective) return "SIMD needs projection = perspective";
   if (s.interpolation != Interpolation::perspective) return "SIMD needs interpolation = perspective";
-  if (!only_fast_channels(channels)) return "scalar code alone stores what this view shows";
+  if (!only_fast_channels(channels)) return "only scalar code stores what this view shows";
   if (s.multisampling > 1) return "SIMD needs multisampling = 1";
   if (!CoverageChoice{s.coverage, s.edge_arithmetic}.is_common())
     return "SIMD needs coverage = edge-function in 64-bit integers";
