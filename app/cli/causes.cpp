@@ -77,17 +77,19 @@ int run_causes(const CausesArguments& arguments) {
 }  // namespace
 
 void add_causes_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("causes", "which option makes how much of the difference between A and B");
+  CLI::App* command = app.add_subcommand("causes", "how much of the difference between A and B each option causes");
   const auto arguments = std::make_shared<CausesArguments>();
   add_scene_arguments(*command, arguments->scene);
-  command->add_option("--set-b", arguments->settings_b, "set an option of B, which else is as A")
+  command->add_option("--set-b", arguments->settings_b, "set an option of B; all others are those of A")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->required();
   command->add_option("--metric", arguments->metric, "mae, rmse, max, ssim or flip");
-  command->add_option("--orders", arguments->orders, "random orders, each also backwards, from seven options on")
+  command
+      ->add_option("--orders", arguments->orders,
+                   "number of random orders, each also used backwards, for seven options or more")
       ->check(whole_number_from(1, 10000));
-  command->add_option("--seed", arguments->seed, "of the random orders")
+  command->add_option("--seed", arguments->seed, "seed of the random orders")
       ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()));
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_causes(*arguments); }; });

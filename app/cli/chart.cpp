@@ -88,7 +88,7 @@ void print_table(const Chart& chart) {
   if (chart.reference_halves) {
     Reference reference;
     reference.halves = chart.reference_halves;
-    fmt::print(" The truth itself is uncertain by {:.3g}.", reference_noise(reference, chart.metric).value_or(0));
+    fmt::print(" The reference itself is uncertain by {:.3g}.", reference_noise(reference, chart.metric).value_or(0));
   }
   fmt::print("\n");
 }
@@ -123,7 +123,7 @@ void require_own_folder(const ChartRequest& request) {
 int run_chart_command(const ChartArguments& arguments) {
   if (arguments.scene.scene == "merge") return run_merge(arguments);
   if (!arguments.folders.empty())
-    throw InputError(fmt::format("chart: found '{}' behind the scene, expected options", arguments.folders.front()));
+    throw InputError(fmt::format("chart: found '{}' after the scene, expected options", arguments.folders.front()));
   const ChartRequest request = make_request(arguments);
   require_own_folder(request);
   StudyControl control;
@@ -145,32 +145,33 @@ void add_chart_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("chart", "measure time against error over a sweep of options");
   const auto arguments = std::make_shared<ChartArguments>();
   add_scene_arguments(*command, arguments->scene);
-  command->add_option("FOLDER", arguments->folders, "with 'merge' in place of SCENE: folders of shards to join");
+  command->add_option("FOLDER", arguments->folders, "with 'merge' instead of SCENE: folders of shards to merge");
   std::string sweeps;
   for (const NamedSweep& sweep : named_sweeps()) sweeps += fmt::format(" {}", sweep.key);
   command
       ->add_option("--sweep", arguments->sweeps,
-                   "an option and its values (all, or a spread, without them); several make their product; that of the "
-                   "permalink without it; or one of:" +
+                   "an option with its values (none: all, or a selection); several options make their product; "
+                   "default: that of the permalink; or one of:" +
                        sweeps)
       ->type_name("KEY[=V1,V2..]")
       ->allow_extra_args(false);
   command->add_option("--metric", arguments->metric, "mae rmse psnr max ssim or flip");
-  command->add_option("--across", arguments->across, "the horizontal axis: time, or work, which is counted");
+  command->add_option("--across", arguments->across, "the horizontal axis: time, or counted work");
   command->add_flag("--as-used", arguments->as_used,
-                    "time each point as the window draws it; without it all run on the same code, SIMD or scalar");
+                    "time each point as the window renders it; default: all run on the same code, SIMD or scalar");
   command->add_flag("--linear", arguments->linear, "compare unit floats instead of display levels");
-  command->add_option("--region", arguments->region, "compare only this part")->type_name("X,Y,W,H");
-  command->add_option("--repeats", arguments->repeats, "timed runs of each point")->check(whole_number_from(1, 1000));
-  command->add_option("--reference", arguments->reference, "a picture to compare with; without it one is rendered");
+  command->add_option("--region", arguments->region, "compare only this rectangle")->type_name("X,Y,W,H");
+  command->add_option("--repeats", arguments->repeats, "number of timed runs of each point")
+      ->check(whole_number_from(1, 1000));
+  command->add_option("--reference", arguments->reference, "a picture to compare with; default: one is rendered");
   command
       ->add_option("--reference-samples", arguments->samples,
-                   "samples for each pixel of the rendered reference, a square number; 1 = the points' own samples; "
-                   "without it as "
-                   "the truth of the swept options asks")
+                   "samples per pixel of the rendered reference, a square number; 1 = the points' own samples; "
+                   "default: as the swept options need")
       ->check(whole_number_from(1, 4096));
   command->add_option("--shard", arguments->shard, "only part i of n of the sweep")->type_name("i/n");
-  command->add_option("--out", arguments->output, "folder for the results; a cut-off run continues there")->required();
+  command->add_option("--out", arguments->output, "folder for the results; an interrupted run continues there")
+      ->required();
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_chart_command(*arguments); }; });
 }
 

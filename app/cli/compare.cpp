@@ -67,13 +67,13 @@ int run_compare(const CompareArguments& arguments) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("compare", "tell how far two pictures are apart");
+  CLI::App* command = app.add_subcommand("compare", "measure the difference between two pictures");
   const auto arguments = std::make_shared<CompareArguments>();
   command->add_option("IMAGE", arguments->a, "a picture file")->required();
   command->add_option("OTHER", arguments->b, "a picture file of the same size")->required();
   command->add_flag("--json", arguments->json, "as JSON");
   command->add_flag("--linear", arguments->linear, "compare unit floats instead of display levels");
-  command->add_option("--diff", arguments->difference, "a .png or .ppm file for the picture of the differences");
+  command->add_option("--diff", arguments->difference, "write the difference picture to this .png or .ppm file");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_compare(*arguments); }; });
 }
 

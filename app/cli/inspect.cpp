@@ -50,13 +50,14 @@ int depth_of(const PixelStory& story, std::size_t index) {
 
 void print_story(const PixelStory& story, const Scene& scene, const View& view) {
   const Vec2i book = book_pixel(story.pixel.x, story.pixel.y, view.width, view.height);
-  fmt::print("pixel ({}, {}), in the book's count ({}, {})\n", story.pixel.x, story.pixel.y, book.x, book.y);
+  fmt::print("pixel ({}, {}), in the book's coordinates ({}, {})\n", story.pixel.x, story.pixel.y, book.x, book.y);
   fmt::print("{}\n", story.verdict);
   fmt::print("linear {}, stored as {}, {}, {}\n\n", vector_text(story.linear), story.display[0], story.display[1],
              story.display[2]);
   for (std::size_t i = 0; i < story.events.size(); ++i)
     fmt::print("{:{}}{}\n", "", 2 * depth_of(story, i), describe(story.events[i], scene));
-  if (story.triangles_elsewhere > 0) fmt::print("{} triangles lie elsewhere\n", story.triangles_elsewhere);
+  if (story.triangles_elsewhere > 0)
+    fmt::print("{} triangles lie elsewhere in the picture\n", story.triangles_elsewhere);
   fmt::print("\n");
   for (const LedgerLine& line : story.ledger)
     fmt::print("{:<32}{:{}}{}\n", line.value == Vec3d{0, 0, 0} ? "" : vector_text(line.value), "", 2 * line.level,
@@ -113,7 +114,7 @@ int run_inspect(const InspectArguments& arguments) {
   if (!arguments.svg.empty() && arguments.svg != "space" && arguments.svg != "microscope")
     throw InputError(fmt::format("svg: found '{}', expected space or microscope", arguments.svg));
   if (!arguments.out.empty() && !arguments.vertex.vertex.empty())
-    throw InputError("--out: does not go with --vertex, which prints");
+    throw InputError("--out: cannot be combined with --vertex, which prints its result");
   if (!arguments.out.empty()) require_output_file(arguments.out, OutputKind::any);
   Document document = load_document(arguments.scene);
   const Vec2i pixel = picked_pixel(document, arguments, asked);
@@ -159,40 +160,41 @@ int run_inspect(const InspectArguments& arguments) {
 }  // namespace
 
 void add_inspect_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("inspect", "tell how one pixel got its colour");
+  CLI::App* command = app.add_subcommand("inspect", "show how one pixel got its colour");
   const auto arguments = std::make_shared<InspectArguments>();
   add_scene_arguments(*command, arguments->scene);
   command
       ->add_option("--pixel", arguments->pixel,
-                   "column and row, counted from the top left; that of the permalink without it")
+                   "column and row from the top left, from 0; default: the pixel of the permalink")
       ->type_name("X,Y")
       ->delimiter('\0');
   command
       ->add_option("--instance", arguments->instance,
-                   "with renderer=textbook: the time that a loop is run through whose values are shown")
+                   "with renderer=textbook: the loop iteration whose values are shown")
       ->type_name("N")
       ->check(whole_number_from(0, std::numeric_limits<int>::max()));
   command
-      ->add_option("--vertex", arguments->vertex.vertex,
-                   "follow a vertex from its model to the canvas instead: the one nearest to the pixel, or by number")
+      ->add_option(
+          "--vertex", arguments->vertex.vertex,
+          "follow a vertex from its model to the canvas instead: the vertex nearest to the pixel, or by its index")
       ->type_name("nearest|OBJECT,INDEX")
       ->delimiter('\0');
   command
-      ->add_option("--vertex-order", arguments->vertex.order, "try the other order: turn-then-move or move-then-turn")
+      ->add_option("--vertex-order", arguments->vertex.order,
+                   "order of rotation and translation: turn-then-move or move-then-turn")
       ->type_name("ORDER");
-  command->add_option("--vertex-near", arguments->vertex.near, "try another near plane")
+  command->add_option("--vertex-near", arguments->vertex.near, "clip at another near plane")
       ->type_name("D")
       ->check(number_above(0));
-  const auto rows =
-      command->add_flag("--rows", arguments->rows,
-                        "the rows of the canvas triangles at the pixel instead, left and right: between the pixels of "
-                        "their interpolated edges (LAB 4), and as the fill rule fills them");
+  const auto rows = command->add_flag("--rows", arguments->rows,
+                                      "print the rows of the canvas triangles at the pixel instead: left, between the "
+                                      "pixels of interpolated edges (LAB 4); right, by the fill rule");
   const auto json = command->add_flag("--json", arguments->json, "as JSON, with all digits");
   const auto markdown = command->add_flag("--markdown", arguments->markdown, "as a page of Markdown")->excludes(json);
   const auto csv = command->add_flag("--csv", arguments->csv, "as comma-separated values, one line for each number")
                        ->excludes(json)
                        ->excludes(markdown);
-  command->add_option("--svg", arguments->svg, "as a drawing: the scene from outside, or the pixel at panel size")
+  command->add_option("--svg", arguments->svg, "as an SVG drawing: the scene from outside, or the pixel at panel size")
       ->type_name("space|microscope")
       ->excludes(json)
       ->excludes(markdown)
@@ -202,7 +204,7 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
   command->add_option("--point", arguments->point, "sample point of the microscope, in pixels from the pixel's corner")
       ->type_name("X,Y")
       ->delimiter('\0');
-  command->add_option("--out", arguments->out, "write to this file (Markdown unless a form is named)");
+  command->add_option("--out", arguments->out, "write to this file (as Markdown by default)");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_inspect(*arguments); }; });
 }
 

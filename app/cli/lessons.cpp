@@ -43,7 +43,7 @@ int show_lesson(const std::string& name) {
     for (const std::string& paragraph : step.paragraphs) fmt::print("\n{}\n", paragraph);
     for (const std::string& hint : step.hints) fmt::print("\nLook for: {}\n", hint);
     for (const Claim& claim : step.claims)
-      fmt::print("\nClaim: {} ({} {} {}; not so with the default {})\n", claim.text, metric_key(claim.metric),
+      fmt::print("\nClaim: {} ({} {} {}; does not hold with the default {})\n", claim.text, metric_key(claim.metric),
                  bound_text(claim.bound), number_text(claim.number), claim.mutation);
   }
   return 0;

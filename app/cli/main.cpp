@@ -63,7 +63,7 @@ int act(const ps::cli::Action& action) {
 
 int main(int argc, char** argv) {
   ps::open_standard_streams();
-  CLI::App app{"Renders scenes, tells the story of a pixel and checks the lessons, without a window."};
+  CLI::App app{"Renders scenes, shows the story of a pixel and checks the lessons, without a window."};
   app.name("pixelscope-cli");
   app.set_version_flag("--version", std::string(ps::version()));
   app.require_subcommand(1);

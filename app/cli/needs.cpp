@@ -76,13 +76,12 @@ void print_text(const Document& document, const Needs& needs) {
   const std::string advice = changes(settings_for(document.base), needs.advice);
   fmt::print("advice     {}\n", advice.empty() ? "keep the settings" : advice);
   if (!needs.within_tolerance)
-    fmt::print(
-        "           the settings as they are differ from the reference by more than the tolerance; these do not\n");
-  fmt::print("error      {:.4g} of {:.4g} allowed (largest mean FLIP of a tile); as it is {:.4g}\n", needs.error,
+    fmt::print("           the current settings differ from the reference by more than the tolerance; these do not\n");
+  fmt::print("error      {:.4g} of {:.4g} allowed (largest mean FLIP of a tile); now {:.4g}\n", needs.error,
              needs.tolerance, needs.default_error);
-  fmt::print("time       {:.4g} ms, as it is {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
+  fmt::print("time       {:.4g} ms, now {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
              needs.time_told ? "" : ": the same within noise", needs.machinery);
-  fmt::print("work       {} rays, tests, fragments and texels, as it is {}\n", needs.work, needs.default_work);
+  fmt::print("work       {} rays, tests, fragments and texels, now {}\n", needs.work, needs.default_work);
   const Provenance made = provenance_of(document.a.settings);
   fmt::print("made by    {}, {}, {}, {} threads{}{}\n", made.program, made.processor, made.simd, made.threads,
              made.settings.empty() ? "" : ", ", made.settings);
@@ -109,13 +108,14 @@ int run_needs(const NeedsArguments& arguments) {
 }  // namespace
 
 void add_needs_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("needs", "what a scene needs: shares of features, cheapest settings");
+  CLI::App* command = app.add_subcommand("needs", "find the features that a scene needs, and its cheapest settings");
   const auto arguments = std::make_shared<NeedsArguments>();
   add_scene_arguments(*command, arguments->scene);
   command
       ->add_option("--tolerance", arguments->tolerance, "largest allowed mean FLIP of any tile of about 16 x 16 pixels")
       ->check(number_from(0, 1));
-  command->add_option("--repeats", arguments->repeats, "timed runs of each variant")->check(whole_number_from(1, 1000));
+  command->add_option("--repeats", arguments->repeats, "number of timed runs of each variant")
+      ->check(whole_number_from(1, 1000));
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_needs(*arguments); }; });
 }

@@ -60,7 +60,7 @@ int run_precision(const PrecisionArguments& arguments) {
   for (std::size_t i = 0; i < precision_fault_count; ++i)
     fmt::print("{:<16} {:>9} pixels {:>8.3f} %\n", precision_fault_label(static_cast<PrecisionFault>(i)), map.counts[i],
                100 * static_cast<double>(map.counts[i]) / pixels);
-  fmt::print("{:<16} {:>9} pixels whose first two surfaces have one depth value\n", "z-fighting", confused);
+  fmt::print("{:<16} {:>9} pixels whose first two surfaces have the same stored depth\n", "z-fighting", confused);
   for (const UnsafeSetting& s : unsafe)
     fmt::print("unsafe: {}={} leaves the window of {}: {:.3f} % of pixels bad; {} is safe\n", s.option, s.value,
                s.experiment, s.bad_percent, s.safe);
@@ -70,11 +70,14 @@ int run_precision(const PrecisionArguments& arguments) {
 }  // namespace
 
 void add_precision_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("precision", "every pixel again in double: what the arithmetic gets wrong");
+  CLI::App* command =
+      app.add_subcommand("precision", "render again in double and count the pixels that float gets wrong");
   const auto arguments = std::make_shared<PrecisionArguments>();
   add_scene_arguments(*command, arguments->scene);
-  command->add_option("--out", arguments->faults, "picture of the kinds of faults");
-  command->add_option("--gap", arguments->gap, "picture of the gap between first and second depth, in stored units");
+  command->add_option("--out", arguments->faults, "write a picture of the kinds of faults to this file");
+  command->add_option(
+      "--gap", arguments->gap,
+      "write a picture of the gap between first and second depth, in ulp of the stored depth, to this file");
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_precision(*arguments); }; });
 }

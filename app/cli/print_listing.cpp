@@ -39,7 +39,7 @@ void print_listing(const ListingTrace& trace, int instance) {
     else
       fmt::print("{:>4}  {:<{}}  | {}\n", row.number, row.text, width, values);
   }
-  if (trace.dropped > 0) fmt::print("\n{} more values were not kept\n", trace.dropped);
+  if (trace.dropped > 0) fmt::print("\n{} more values were not recorded\n", trace.dropped);
 }
 
 }  // namespace ps::cli

@@ -3,8 +3,9 @@
 
 namespace ps::cli {
 
-/// Prints the listing with the values that its lines had for the pixel, to the right of each line. Of a loop one
-/// instance is shown: those around `instance` (an index as the loops' lines name it), or the telling ones for -1.
+/// Prints the listing with the values that its lines had for the pixel, to the right of each line. Of each loop one
+/// iteration is shown: the one around `instance` (an index as the loops' lines name it), or the one with most values
+/// for -1.
 void print_listing(const ListingTrace& trace, int instance);
 
 }  // namespace ps::cli

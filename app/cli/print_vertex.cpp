@@ -22,7 +22,7 @@ VertexId picked_vertex(const Document& document, const PixelStory& story, const 
   const Vec2d place{story.pixel.x + 0.5, story.pixel.y + 0.5};
   const auto nearest =
       nearest_vertex(document.scene, view_of(document), document.a.settings, place, shown_triangle(story));
-  if (!nearest) throw InputError("--vertex: this scene has no models, so there are no vertices");
+  if (!nearest) throw InputError("--vertex: this scene has no models and so no vertices");
   return *nearest;
 }
 

@@ -139,13 +139,13 @@ int run_render(const RenderArguments& arguments) {
 }  // namespace
 
 void add_render_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("render", "make a picture of a scene");
+  CLI::App* command = app.add_subcommand("render", "render a scene");
   const auto arguments = std::make_shared<RenderArguments>();
   add_scene_arguments(*command, arguments->scene);
   command->add_option("--out", arguments->output, "the file to write: .png, .ppm or .pfm")->required();
   std::string views;
   for (const ShownChannelRow& row : shown_channels()) views += fmt::format("{}{}", views.empty() ? "" : " ", row.key);
-  command->add_option("--show", arguments->show, "what to show of each pixel, in a .pfm file as its numbers: " + views)
+  command->add_option("--show", arguments->show, "the channel to show, in a .pfm file as its numbers: " + views)
       ->type_name("VIEW");
   command->add_option("--region", arguments->region, "only these pixels; the others stay black")
       ->delimiter(',')
@@ -154,7 +154,7 @@ void add_render_command(CLI::App& app, Action& chosen) {
       ->type_name("X,Y,W,H");
   command
       ->add_option("--ppm", arguments->ppm,
-                   "how a .ppm file holds the levels: binary (P6, the default), or ascii (P3), to be read in an editor")
+                   "encoding of a .ppm file: binary (P6, the default), or ascii (P3), which an editor can show")
       ->check(CLI::IsMember({"ascii", "binary"}))
       ->type_name("ascii|binary");
   command->add_option("--stats", arguments->stats, "a JSON file for times and counters");

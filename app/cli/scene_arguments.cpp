@@ -22,23 +22,22 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments) {
                      "a .scene or .obj file, or the name of a built-in scene; not needed with --permalink");
   command
       .add_option("--permalink", arguments.permalink,
-                  "begin with what a permalink holds: scene, changes, camera, size, settings, pixel, rectangle; its "
-                  "text, or a .permalink or .png file with one. Other options count more")
+                  "start from a permalink (scene, edits, camera, size, settings, pixel, rectangle): its text, or a "
+                  ".permalink or .png file with one. Other arguments override it")
       ->type_name("TEXT|FILE");
-  command.add_option("--side", arguments.side, "which picture of the permalink; the one that is picked without it")
+  command.add_option("--side", arguments.side, "which picture of the permalink; default: the picked one")
       ->type_name("a|b");
-  command.add_option("--size", arguments.size, "picture size in pixels; the scene's own without it")->type_name("WxH");
+  command.add_option("--size", arguments.size, "picture size in pixels; default: that of the scene")->type_name("WxH");
   command.add_option("--set", arguments.settings, "set an option; see the command 'options'")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--edit", arguments.edits, "change the scene, for example light.1.intensity=0.5")
+  command.add_option("--edit", arguments.edits, "edit the scene, for example light.1.intensity=0.5")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command
-      .add_option(
-          "--camera", arguments.camera,
-          "camera in place of the scene's, 15 numbers with commas between: position, right, up, forward, viewport "
-          "size, distance")
+      .add_option("--camera", arguments.camera,
+                  "replace the scene's camera: 15 numbers separated by commas: position, right, up, forward, viewport "
+                  "size, distance")
       ->type_name("X,Y,Z,...")
       ->delimiter('\0');
 }
@@ -61,7 +60,7 @@ std::string link_text(const std::string& text_or_file) {
     throw InputError(fmt::format("--permalink: found '{}', expected a permalink, or a .permalink or .png file with one",
                                  shown_start(text_or_file)));
   if (const auto link = permalink_in_file(text_or_file)) return *link;
-  throw InputError(fmt::format("{}: holds no permalink", text_or_file));
+  throw InputError(fmt::format("{}: contains no permalink", text_or_file));
 }
 
 /// The side that was asked for becomes side A.
@@ -71,7 +70,7 @@ void choose_side(Document& document, const std::string& asked) {
   const Side side = asked.empty() ? document.picked : asked == "a" ? Side::a : Side::b;
   if (side == Side::b && !document.picture_b.empty())
     throw InputError(
-        fmt::format("--side: b of this permalink is the picture '{}', which nothing renders", document.picture_b));
+        fmt::format("--side: b of this permalink is the picture file '{}', which is not rendered", document.picture_b));
   document.a = side_of(document, side);
   document.picked = Side::a;
 }

@@ -94,7 +94,7 @@ int run_stability(const StabilityArguments& arguments) {
       write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
                             csv_with_provenance(stability_csv(measured.rows), made));
     print_rows(find_stability_experiment(measured.key), measured.rows);
-    require_printed();  // or nobody would see what takes minutes to measure
+    require_printed();  // measuring takes minutes, and its progress should be visible
   });
   return 0;
 }
@@ -102,18 +102,18 @@ int run_stability(const StabilityArguments& arguments) {
 }  // namespace
 
 void add_stability_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("stability", "measure where methods fail, naive beside robust");
+  CLI::App* command = app.add_subcommand("stability", "measure where methods fail: naive beside robust");
   const auto arguments = std::make_shared<StabilityArguments>();
   std::string names;
   for (const StabilityExperiment& experiment : stability_experiments()) names += fmt::format(" {}", experiment.key);
-  command->add_option("NAME", arguments->names, "experiments, all without one:" + names);
-  command->add_option("--out", arguments->output, "folder for NAME.csv, and for each row as it arrives");
+  command->add_option("NAME", arguments->names, "names of experiments (default: all):" + names);
+  command->add_option("--out", arguments->output, "folder for NAME.csv and for rows as they are measured");
   command->add_flag("--resume", arguments->resume,
-                    "do not measure again what the folder holds of this seed and effort");
-  command->add_option("--strip", arguments->strip, "the pictures over the knob of one experiment, as one file");
-  command->add_option("--effort", arguments->effort, "share of the full number of rays, triangles and pixels")
+                    "skip experiments that the folder already has for this seed and effort");
+  command->add_option("--strip", arguments->strip, "write the pictures of one experiment over its knob to this file");
+  command->add_option("--effort", arguments->effort, "fraction of the full number of rays, triangles and pixels")
       ->check(number_from(0.001, 10));
-  command->add_option("--seed", arguments->seed, "of the random numbers")
+  command->add_option("--seed", arguments->seed, "seed of the random numbers")
       ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()));
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_stability(*arguments); }; });
 }

@@ -31,14 +31,14 @@ int run(int argc, char** argv) {
   std::string window_size;
   cli.set_version_flag("--version", "pixelscope " + std::string(ps::version()));
   const auto* scale_option =
-      cli.add_option("--scale", scale, "Size of type and controls, 0.75 to 4")->check(ps::number_from(0.75, 4));
-  cli.add_option("--script", shell_options.script, "Drive the window by the commands of a file, then quit");
+      cli.add_option("--scale", scale, "Size of text and controls, 0.75 to 4")->check(ps::number_from(0.75, 4));
+  cli.add_option("--script", shell_options.script, "Run the commands of a script file in the window, then quit");
   cli.add_option("SCENE", app_options.scene, "A .scene or .obj file, or the name of a built-in scene");
-  cli.add_option("--lesson", app_options.lesson, "Begin a lesson, by its name");
-  cli.add_option("--set", app_options.set, "KEY=VALUE: an option of picture A; may be given again")
+  cli.add_option("--lesson", app_options.lesson, "Open a lesson, by its name");
+  cli.add_option("--set", app_options.set, "KEY=VALUE: an option of picture A; may be repeated")
       ->allow_extra_args(false);
   cli.add_option("--set-b", app_options.set_b, "KEY=VALUE: an option of picture B")->allow_extra_args(false);
-  cli.add_option("--permalink", app_options.permalink, "Open the state that a permalink tells of")->excludes("SCENE");
+  cli.add_option("--permalink", app_options.permalink, "Open the state stored in a permalink")->excludes("SCENE");
   cli.add_option("--size", size, "Size of the pictures in pixels, WIDTHxHEIGHT");
   cli.add_flag("--widget-gallery", gallery)->group("");  // for our own tests, as is the next
   cli.add_option("--window-size", window_size)

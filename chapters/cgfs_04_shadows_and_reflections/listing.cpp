@@ -97,7 +97,7 @@ double compute_lighting(const BookScene& scene, const Vec3d& point, const Vec3d&
 
 Vec3d trace_ray(const BookScene& scene, const Vec3d& origin, const Vec3d& direction, double t_min, double t_max,
                 int recursion_depth) {
-  PS_EACH("ray with bounces left", recursion_depth);
+  PS_EACH("remaining bounces", recursion_depth);
   PS_WATCH("direction", direction);
   const Intersection closest = closest_intersection(scene, origin, direction, t_min, t_max);
   if (!closest.sphere) return scene.background;

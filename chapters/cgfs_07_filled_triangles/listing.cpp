@@ -85,7 +85,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
     std::array<Vec2d, 3> p = triangle.points;
     if (canvas.far_outside(p[0]) || canvas.far_outside(p[1]) || canvas.far_outside(p[2])) continue;
     for (Vec2d& corner : p) corner = {std::trunc(corner.x), std::trunc(corner.y)};  // rows are whole numbers
-    PS_REACHING("triangle with corner", p[0]);
+    PS_REACHING("triangle with vertex", p[0]);
     if (triangle.filled) draw_filled_triangle(canvas, p, triangle.colours[0] * 255.0, triangle.blend);
     if (triangle.outline) {
       const Vec3d outline = *triangle.outline * 255.0;

@@ -57,7 +57,7 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const std::array<
       PS_WATCH("z", 1 / new_z);
       const bool depth_buffer = scene.settings.visibility == Visibility::depth_buffer;
       const bool visible = !depth_buffer || canvas.nearer(column, row, new_z);
-      PS_WATCH("nearer than what is there", visible);
+      PS_WATCH("nearer than the stored depth", visible);
       if (visible) canvas.put_pixel(column, row, colour);
     }
   }

@@ -92,7 +92,7 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen)
     for (std::size_t k = 0; k < 3; ++k) {
       corner[k] = seen.normal[order[k]];
       if (shading == Shading::phong) continue;
-      PS_EACH("corner from below", k);
+      PS_EACH("vertex, from below", k);
       const double own = compute_illumination(scene, seen.vertex[order[k]], corner[k], seen.surface.specular);
       PS_WATCH("intensity of the corner", own);
       corner[k] = {own, 0, 0};

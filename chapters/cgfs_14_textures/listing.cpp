@@ -91,7 +91,7 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen)
   std::array<double, 3> y, columns;
   std::array<Vec3d, 3> uvz, normals;  // u/z, v/z and 1/z change evenly across the canvas; u and v do not
   for (std::size_t k = 0; k < 3; ++k) {
-    PS_EACH("corner from below", k);
+    PS_EACH("vertex, from below", k);
     columns[k] = seen.canvas[order[k]].x;
     y[k] = seen.canvas[order[k]].y;
     const Vec2d uv = seen.uv[order[k]];
@@ -133,7 +133,7 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen)
         PS_WATCH("u, v", uv);
         colour = read_texel(*seen.surface.texture, uv, scene.settings.demo_slips);
       }
-      PS_WATCH("own colour", colour);
+      PS_WATCH("local colour", colour);
       canvas.put_pixel(column, row, colour * intensity);
       PS_WATCH("colour", colour * intensity);
     }

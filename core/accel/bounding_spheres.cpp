@@ -37,7 +37,7 @@ class SphereTreeBuilder {
     Vec3d centre;
   };
 
-  /// A sphere around the entries [begin, end) of the order: about the middle of their box.
+  /// A sphere around the entries [begin, end) of the order: about the centre of their bounding box.
   SphereNode bound(std::uint32_t begin, std::uint32_t end) const {
     Box<double> box;
     for (std::uint32_t i = begin; i < end; ++i) {

@@ -10,8 +10,8 @@
 
 namespace ps {
 
-/// The way of rays from the world into a model's space. It serves tests against boxes alone: what a ray meets is
-/// decided in the world. t stays the same on the way, since directions keep their lengths.
+/// The way of rays from the world into a model's space. Only tests against boxes use it: hits are decided in world
+/// space. t stays the same on the way, since directions keep their lengths.
 struct IntoModel {
   bool exists = false;  ///< false: the transform flattens the model, and there is no way back
   Mat3d matrix{1.0};    ///< inverse of rotation * scale
@@ -55,7 +55,7 @@ inline IntoModel into_model(const Transform& transform, const Box<double>& corne
   return into;
 }
 
-/// The ray as the model's boxes see it; nothing where no box can be told to be missed.
+/// The ray in the space of the model's boxes; nullopt if no box can be rejected.
 ///
 /// How far the boxes must be grown: let the ray pass within `pad` of a corner-to-corner placed triangle, on each axis
 /// of the world (CandidateRay). With u the half ulp of Real and v that of double, sizes of coordinates at most `placed`

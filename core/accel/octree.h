@@ -13,7 +13,7 @@
 namespace ps {
 
 /// A cell. A leaf (`leaf`) lists `count` entries of Octree::entries from `first`; others have the children `first` ..
-/// `first + 7`, child i above the middle on the axes whose bit is set in i.
+/// `first + 7`, child i above the centre on the axes whose bit is set in i.
 template <class Real>
 struct OctreeNode {
   Box<Real> box;
@@ -23,7 +23,7 @@ struct OctreeNode {
   std::uint8_t filled = 0;  ///< bit i: something lies in child i
 };
 
-/// The middle of a cell, where its children meet.
+/// The centre of a cell, where its children meet.
 template <class Real>
 Vec3<Real> middle_of(const Box<Real>& box) {
   return box.low * Real(0.5) + box.high * Real(0.5);

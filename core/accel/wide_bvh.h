@@ -46,13 +46,13 @@ void order_children(WideNode& node, std::size_t count);
 /// Triangles of a block where there is no tree.
 inline constexpr int list_block_width = 8;
 
-/// A triangle's corners, and its number among all primitives.
+/// A triangle's vertices, and its index among all primitives.
 struct WideTriangle {
   Vec3f a, b, c;
   std::uint32_t primitive = 0;
 };
 
-/// Corners of `width` triangles side by side. Places without a triangle hold NaN, which no test accepts.
+/// Vertices of `width` triangles side by side. Places without a triangle hold NaN, which no test accepts.
 template <int width>
 struct alignas(32) TriangleBlock {
   float corner[3][3][width];  ///< [corner a b c][axis][lane]

@@ -92,7 +92,7 @@ int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
-/// Waits until the disk has it. Returns 0 or an errno; a file system that cannot do that is no failure.
+/// Waits until the disk has it. Returns 0 or an errno; a file system that cannot do that is not a failure.
 int sync_to_disk(int file) {
   while (fsync(file) != 0) {
     if (errno == EINTR) continue;

@@ -8,8 +8,8 @@ namespace ps {
 /// with the program that holds it, however it ends, so none is ever stale; over a network the file system passes it on.
 class FileLock {
  public:
-  /// Creates the file if it is missing; it stays when the lock goes. Nothing if another holds it. Where the file system
-  /// has no locks, nobody is kept out. Throws InputError if the file cannot be made or opened.
+  /// Creates the file if it is missing; it stays when the lock goes. Nothing if another holds it. On a file system
+  /// without locks it excludes no other process. Throws InputError if the file cannot be made or opened.
   static std::optional<FileLock> try_lock(const std::filesystem::path& path);
 
   FileLock(FileLock&& other) noexcept;

@@ -13,7 +13,7 @@ void require_no_input(const std::filesystem::path& output, const std::vector<std
   if (error || !std::filesystem::is_regular_file(place, error)) return;
   for (const std::string& input : inputs)
     if (const auto read = std::filesystem::canonical(input, error); !error && read == place)
-      throw InputError(fmt::format("{}: is read for this ('{}'), so it is not overwritten; choose another name",
+      throw InputError(fmt::format("{}: is an input of this run ('{}') and is not overwritten; choose another name",
                                    output.string(), input));
 }
 

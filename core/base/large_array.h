@@ -38,7 +38,7 @@ struct LargePages {
   bool operator==(const LargePages&) const { return true; }
 };
 
-/// For arrays that rays wander through.
+/// A vector on huge pages, for trees with random access.
 template <class T>
 using LargeArray = std::vector<T, LargePages<T>>;
 

@@ -24,14 +24,14 @@ std::string reason_of(int error) { return std::generic_category().message(error)
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// Follows the links that `path` begins with to a name that is no link, which may be missing. Nothing for links below
-/// /proc: they stand for files that are open already, whatever name these had.
+/// Follows the symbolic links of `path` to a name that is not a link, which may be missing. Nothing for links below
+/// /proc, which refer to files that are open already.
 std::optional<fs::path> behind_links(const fs::path& path) {
   constexpr int most_links = 40;  // as many as Linux follows
   std::error_code error;
   fs::path at = path;
   for (int links = 0; fs::is_symlink(at, error); ++links) {
-    if (links == most_links) refuse_output(path, "is a link that leads in a circle");
+    if (links == most_links) refuse_output(path, "is a symbolic link that points to itself through other links");
     if (fs::weakly_canonical(folder_of(at), error).string().starts_with("/proc/")) return {};
     const fs::path next = fs::read_symlink(at, error);
     if (error) refuse_output(path, reason_of(error.value()));

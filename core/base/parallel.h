@@ -24,7 +24,7 @@ struct ParallelOptions {
   WorkerPriority priority = WorkerPriority::normal;
 };
 
-/// The number of threads that `options` stand for on this machine, at least 1.
+/// The number of threads that `options` give on this machine, at least 1.
 int resolve_threads(const ParallelOptions& options);
 
 /// Calls body(index, worker) once for each index in [0, count); indices are handed out in increasing order to the

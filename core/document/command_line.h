@@ -11,7 +11,7 @@ namespace ps {
 
 /// Makes the picture of one side: "pixelscope-cli render cgfs/shadows --size 600x600 --set ... --out picture.png".
 std::string render_command(const Document& document, Side side, const std::string& output = "picture.png");
-/// Tells the story of the picked pixel; of pixel 0,0 when none is picked.
+/// Prints the story of the picked pixel; of pixel 0,0 if none is picked.
 std::string inspect_command(const Document& document, Side side);
 /// Measures a chart around the settings of one side. `arguments` are those of `chart` itself ("--sweep", "samples").
 std::string chart_command(const Document& document, Side side, const std::vector<std::string>& arguments);

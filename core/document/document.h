@@ -48,7 +48,7 @@ struct Layout {
   double left = 0, right = 0, bottom = 0.36;  ///< bottom: 0 = folded
   bool panels = true;                         ///< false: only the pictures
   std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
-  std::string sweep;       ///< what the chart varies, as sweep_text() tells it; empty = the first named sweep
+  std::string sweep;       ///< what the chart varies, as sweep_text() writes it; empty = the first named sweep
   std::string experiment;  ///< key of the one that the stability tab shows; empty = the first
   std::string filled;  ///< the region that has the window for itself: "left", "lesson", "right", "bottom"; "" = none
   bool operator==(const Layout&) const = default;
@@ -66,7 +66,7 @@ struct Document {
   SideState a, b;
   std::string picture_b;   ///< a picture file that stands in B's place, as the user gave it; empty = B is rendered
   Vec2i pixel{-1, -1};     ///< the picked pixel, array position; (-1, -1) = none
-  Side picked = Side::a;   ///< whose story is told
+  Side picked = Side::a;   ///< whose story is shown
   int event = -1;          ///< the selected event of that story; -1 = none
   StoryView story;         ///< what its views show
   std::optional<Pin> pin;  ///< the pixel whose numbers of then are shown beside those of now
@@ -78,7 +78,7 @@ struct Document {
   int step = 0;        ///< of the lesson, from 0
 };
 
-/// Equal in everything that a user can tell apart. Scenes are compared by their parts' revisions.
+/// Equal in everything that a user can see. Scenes are compared by their parts' revisions.
 bool operator==(const Document& x, const Document& y);
 
 /// A document that shows `scene` as its file asks: its settings on both sides; rays in A and triangles in B, unless the

@@ -12,7 +12,7 @@ namespace ps {
 /// that a URL or a shell would trip over are percent-escaped.
 std::string permalink(const Document& document);
 
-/// The document that a permalink tells of, with its scene's name and edits but without the scene: the caller loads that
+/// The document that a permalink encodes, with its scene's name and edits but without the scene: the caller loads that
 /// and calls attach_scene. Throws InputError for text that permalink() would not write.
 Document parse_permalink(std::string_view text);
 

@@ -9,9 +9,9 @@
 
 namespace ps {
 
-/// A pixel that is kept to compare with: where it was, and all that its two stories followed from. It holds no numbers:
-/// whoever shows them has the pixel told again. The scene is that of the document as it is loaded, so where its file
-/// has changed meanwhile, a pin that is told again tells of the changed one.
+/// A pixel that is kept to compare with: where it was, and all that its two stories followed from. It stores no
+/// numbers: its story is recomputed on demand. The scene is that of the document as it is loaded, so where its file has
+/// changed meanwhile, the recomputed story is of the changed one.
 struct Pin {
   Vec2i pixel{0, 0};  ///< array position, inside the picture of then
   Settings a, b;

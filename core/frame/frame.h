@@ -20,7 +20,7 @@ enum class Channel : std::uint32_t {
   none = 0,
   depth = 1u << 0,        ///< camera-space z of the visible point; +infinity where nothing is seen
   normal = 1u << 1,       ///< shading normal, world space, unit length; (0,0,0) where nothing is seen
-  barycentric = 1u << 2,  ///< perspective-correct weights of the triangle's corners; (0,0,0) on spheres and background
+  barycentric = 1u << 2,  ///< perspective-correct weights of the triangle's vertices; (0,0,0) on spheres and background
   uv = 1u << 3,
   ids = 1u << 4,           ///< object and triangle; -1 where nothing is seen
   facing = 1u << 5,        ///< cosine between the geometric normal and the direction to the eye; negative = back

@@ -19,7 +19,7 @@ std::string_view precision_fault_label(PrecisionFault fault) {
 }
 
 Rgb8 precision_fault_colour(PrecisionFault fault) {
-  switch (fault) {  // Okabe and Ito's colours, told apart with any colour vision
+  switch (fault) {  // Okabe and Ito's colours, distinct with any colour vision
   case PrecisionFault::none:
     return {40, 40, 44};
   case PrecisionFault::false_hit:

@@ -18,7 +18,7 @@ enum class PrecisionFault : std::uint8_t {
 inline constexpr std::size_t precision_fault_count = 5;
 /// For people: "wrong winner".
 std::string_view precision_fault_label(PrecisionFault fault);
-/// Told apart with any colour vision.
+/// Distinct with any colour vision.
 Rgb8 precision_fault_colour(PrecisionFault fault);
 
 }  // namespace ps

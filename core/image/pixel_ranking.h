@@ -15,7 +15,7 @@ struct RankedPixel {
 };
 
 struct RankingOptions {
-  int count = 20;  ///< at most so many
+  int count = 20;  ///< maximum number of pixels
   int apart = 4;   ///< a pixel this near (column or row) to one that ranks higher is left out; 0 = none is
 };
 

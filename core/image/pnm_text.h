@@ -10,7 +10,7 @@ class PnmText {
  public:
   PnmText(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
-  /// The next word; InputError at the end of the file, telling what was expected.
+  /// The next word; InputError at the end of the file, with what was expected.
   std::string_view word(std::string_view expected);
   /// The next word as a whole number in [low, high].
   std::int64_t integer(std::int64_t low, std::int64_t high, std::string_view what);

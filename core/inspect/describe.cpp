@@ -20,13 +20,13 @@ struct Describer {
     std::string text =
         fmt::format("{} ray from {} along {}", ray_kind_key(e.kind), vector_text(e.origin), vector_text(e.direction));
     for (std::size_t i = 0; i < e.inside.size(); ++i)
-      text += fmt::format("{}{} (refraction index {})", i == 0 ? ", from the inside of " : ", which lies in ",
+      text += fmt::format("{}{} (refraction index {})", i == 0 ? ", origin inside " : ", inside ",
                           object_name(scene, e.inside[i].object), number_text(e.inside[i].index));
     return text;
   }
   std::string operator()(const NodeEvent& e) const {
     const std::string place = e.object < 0 ? "" : fmt::format(" in the model of {}", object_name(scene, e.object));
-    const std::string_view outcome = e.entered ? "entered" : "passed by";
+    const std::string_view outcome = e.entered ? "entered" : "missed";
     if (e.radius > 0)
       return fmt::format("sphere {} on level {}, center {}, radius {}: {}", e.node, e.level,
                          vector_text((e.low + e.high) * 0.5), number_text(e.radius), outcome);
@@ -51,7 +51,7 @@ struct Describer {
                        vector_text(e.point));
   }
   std::string operator()(const MissEvent& e) const {
-    return fmt::format("nothing hit: background {}", vector_text(e.background));
+    return fmt::format("no hit: background {}", vector_text(e.background));
   }
   std::string operator()(const TextureEvent& e) const {
     const std::string use = e.use == TextureUse::surface ? "" : fmt::format(" for {}", texture_use_key(e.use));
@@ -63,17 +63,18 @@ struct Describer {
     return fmt::format("{}: {}", light_name(scene, e.light), light_effect_text(scene, e, LightWords::whole));
   }
   std::string operator()(const ShadeEvent& e) const {
-    return fmt::format("own colour {}: surface {} x light {}", vector_text(e.local), vector_text(e.surface),
+    return fmt::format("local colour {}: surface {} x light {}", vector_text(e.local), vector_text(e.surface),
                        vector_text(e.light));
   }
   std::string operator()(const ReflectionEvent& e) const {
-    return fmt::format("mirrors {}: {} x {} + {} x {} = {}", number_text(e.reflective), number_text(1 - e.reflective),
-                       vector_text(e.local), number_text(e.reflective), vector_text(e.reflected),
-                       vector_text(e.result));
+    return fmt::format("reflectivity {}: {} x {} + {} x {} = {}", number_text(e.reflective),
+                       number_text(1 - e.reflective), vector_text(e.local), number_text(e.reflective),
+                       vector_text(e.reflected), vector_text(e.result));
   }
   std::string operator()(const CutoffEvent& e) const {
-    return fmt::format("followed no further: what comes next is {} of the pixel, less than reflection-cutoff = {}",
-                       number_text(e.share), number_text(e.least));
+    return fmt::format(
+        "not followed: the next bounce would contribute {} of the pixel's colour, less than reflection-cutoff = {}",
+        number_text(e.share), number_text(e.least));
   }
   std::string operator()(const SolidTestEvent& e) const {
     std::string text = fmt::format("{}: {}", object_name(scene, e.id.object), outcome_text(e.outcome));
@@ -85,26 +86,26 @@ struct Describer {
     if (e.total)
       return fmt::format("total internal reflection: index {} to {}, cosine {}", number_text(e.from_index),
                          number_text(e.to_index), number_text(e.cos_incident));
-    return fmt::format("light comes through: {} x {} + {} x {} + {} x {} = {}", number_text(e.own_share),
-                       vector_text(e.local), number_text(e.mirrored_share), vector_text(e.mirrored),
-                       number_text(e.refracted_share), vector_text(e.refracted), vector_text(e.result));
+    return fmt::format("transmission: {} x {} + {} x {} + {} x {} = {}", number_text(e.own_share), vector_text(e.local),
+                       number_text(e.mirrored_share), vector_text(e.mirrored), number_text(e.refracted_share),
+                       vector_text(e.refracted), vector_text(e.result));
   }
   std::string operator()(const ShadowMapEvent& e) const {
     const std::string name = light_name(scene, e.light);
-    if (e.outside) return fmt::format("shadow map of {}: does not reach this far, lit", name);
+    if (e.outside) return fmt::format("shadow map of {}: the point lies outside the map, lit", name);
     const std::string face = e.cube ? fmt::format("face {}, ", cube_face_name(e.face)) : std::string();
     if (e.taps.size() == 1) {
       const ShadowTap& tap = e.taps.front();
-      return fmt::format("shadow map of {}: {}texel ({}, {}) stores {}, own depth {} - bias {}: {}", name, face, tap.x,
-                         tap.y, number_text(tap.stored), number_text(e.depth), number_text(e.bias),
+      return fmt::format("shadow map of {}: {}texel ({}, {}) stores depth {}, the point has {} - bias {}: {}", name,
+                         face, tap.x, tap.y, number_text(tap.stored), number_text(e.depth), number_text(e.bias),
                          tap.lit ? "lit" : "in shadow");
     }
-    return fmt::format("shadow map of {}: {}{} taps, {} of the light is seen", name, face, e.taps.size(),
-                       number_text(e.visible));
+    return fmt::format("shadow map of {}: {}{} taps, {} % of the light reaches the point", name, face, e.taps.size(),
+                       number_text(100 * e.visible));
   }
   std::string operator()(const StencilEvent& e) const {
     std::string text = fmt::format(
-        "stencil of {}: {} of {} shadow volume faces count, {} in all", light_name(scene, e.light),
+        "stencil of {}: {} of {} shadow volume faces are counted, sum {}", light_name(scene, e.light),
         std::count_if(e.crossings.begin(), e.crossings.end(), [](const VolumeCrossing& c) { return c.change != 0; }),
         e.crossings.size(), e.count);
     if (e.stored != e.count) text += fmt::format(", stored as {}", e.stored);
@@ -114,7 +115,7 @@ struct Describer {
     return text;
   }
   std::string crossing_text(const VolumeCrossing& c) const {
-    std::string what = fmt::format("{:+} where the line of sight {} the shadow of {}", c.change,
+    std::string what = fmt::format("{:+} where the line of sight {} the shadow volume of {}", c.change,
                                    c.enters ? "enters" : "leaves", object_name(scene, c.object));
     switch (c.part) {
     case VolumePart::lit_face:
@@ -122,14 +123,14 @@ struct Describer {
     case VolumePart::far_end:
       return what + " at its far end";
     case VolumePart::side:
-      return what + fmt::format(" through the side of the silhouette edge {} to {}", vector_text(c.edge_from),
+      return what + fmt::format(" through the side face of the silhouette edge {} to {}", vector_text(c.edge_from),
                                 vector_text(c.edge_to));
     }
     return what;
   }
   std::string operator()(const EnvironmentEvent& e) const {
-    return fmt::format("cube map made at {}: face {} along {} shows {}", vector_text(e.centre), cube_face_name(e.face),
-                       vector_text(e.direction), vector_text(e.result));
+    return fmt::format("cube map rendered from {}: face {} along {} shows {}", vector_text(e.centre),
+                       cube_face_name(e.face), vector_text(e.direction), vector_text(e.result));
   }
   std::string operator()(const RejectEvent& e) const {
     std::string text = fmt::format("{}: {}", e.id.object < 0 ? "a triangle on the canvas" : primitive_name(scene, e.id),
@@ -145,7 +146,7 @@ struct Describer {
     case FragmentEvent::Depth::passed:
       return text + ": passed the depth test";
     case FragmentEvent::Depth::failed:
-      return text + fmt::format(": failed depth, {} stored", against_text(e.depth_new, e.depth_stored));
+      return text + fmt::format(": failed the depth test, {} stored", against_text(e.depth_new, e.depth_stored));
     case FragmentEvent::Depth::off:
       return text + ": depth test off";
     }
@@ -156,10 +157,10 @@ struct Describer {
   }
   std::string operator()(const WriteEvent& e) const {
     if (e.id.object < 0 && mixing_of(e) == Mixing::adds)
-      return fmt::format("a shape adds its light {} to {}: {}", vector_text(e.shaded), vector_text(e.before),
+      return fmt::format("a shape adds its colour {} to {}: {}", vector_text(e.shaded), vector_text(e.before),
                          vector_text(e.after));
     if (e.id.object < 0 && mixing_of(e) == Mixing::filters)
-      return fmt::format("a shape lets {} of {} through: {}", vector_text(e.shaded), vector_text(e.before),
+      return fmt::format("a shape multiplies {1} by {0}: {2}", vector_text(e.shaded), vector_text(e.before),
                          vector_text(e.after));
     return fmt::format("{} writes {} over {}", e.id.object >= 0 ? primitive_name(scene, e.id) : "a shape",
                        vector_text(e.after), vector_text(e.before));
@@ -170,7 +171,7 @@ struct Describer {
                        vector_text(e.colour), e.step);
   }
   std::string operator()(const SampleEvent& e) const {
-    return fmt::format("sample {} of {} at {}: {} of {}", e.index + 1, e.count, vector_text(e.position),
+    return fmt::format("sample {} of {} at {}: weight {}, colour {}", e.index + 1, e.count, vector_text(e.position),
                        number_text(e.weight), vector_text(e.colour));
   }
   std::string operator()(const CompareEvent& e) const {
@@ -178,22 +179,23 @@ struct Describer {
     if (e.own.object != e.other.object)
       return fmt::format("{} sees {}, this one {}: subdivided", pixel, primitive_name(scene, e.other),
                          primitive_name(scene, e.own));
-    return fmt::format("{} sees the same, colours differ by {} of {}: {}", pixel, number_text(e.difference),
-                       number_text(e.threshold), e.subdivides ? "subdivided" : "left as it is");
+    return fmt::format("{} sees the same object; colours differ by {} (threshold {}): {}", pixel,
+                       number_text(e.difference), number_text(e.threshold),
+                       e.subdivides ? "subdivided" : "not subdivided");
   }
   std::string operator()(const ReuseEvent& e) const {
-    if (!e.same) return "the traced pixels around saw different objects, or many triangles: the ray is searched for";
+    if (!e.same) return "full search: the traced neighbours hit different objects or too many triangles";
     const std::string seen = primitive_name(scene, e.seen);
-    if (!e.met) return fmt::format("the traced pixels around saw {}, this ray misses it: searched for", seen);
-    return fmt::format("the traced pixels around saw {}: nothing else is tested", seen);
+    if (!e.met) return fmt::format("full search: the traced neighbours hit {}, and this ray misses it", seen);
+    return fmt::format("the traced neighbours hit {}: nothing else is tested", seen);
   }
   std::string operator()(const NormalMapEvent& e) const {
-    return fmt::format("normal map: {} in tangent space turns the normal {} to {}", vector_text(e.stored),
+    return fmt::format("normal map: {} in tangent space changes the normal from {} to {}", vector_text(e.stored),
                        vector_text(e.before), vector_text(e.after));
   }
   std::string operator()(const ParallaxEvent& e) const {
     return fmt::format(
-        "parallax: the line of sight meets the relief at depth {} of 1, so texture coordinates {} become {}",
+        "parallax: the line of sight meets the relief at depth {} of 1; texture coordinates {} become {}",
         number_text(e.depth), vector_text(e.from), vector_text(e.to));
   }
   std::string operator()(const PixelEvent& e) const {
@@ -232,6 +234,17 @@ struct ValueText {
   }
 };
 
+/// The key of a field in words: most read well without their hyphens.
+std::string field_label(std::string_view key) {
+  if (key == "least") return "minimum";
+  if (key == "extra") return "other light";
+  if (key == "below-horizon") return "faces away";
+  if (key == "tie-owned") return "owns edge";
+  std::string label(key);
+  std::replace(label.begin(), label.end(), '-', ' ');
+  return label;
+}
+
 }  // namespace
 
 std::string describe(const Event& event, const Scene& scene) { return std::visit(Describer{scene}, event.data); }
@@ -239,9 +252,7 @@ std::string describe(const Event& event, const Scene& scene) { return std::visit
 std::vector<FieldText> event_table(const Event& event, const Scene& scene) {
   std::vector<FieldText> table;
   for (const EventField& field : event_fields(event.data)) {
-    std::string name(field.key);
-    std::replace(name.begin(), name.end(), '-', ' ');
-    table.push_back({std::move(name), std::visit(ValueText{scene, number_text}, field.value),
+    table.push_back({field_label(field.key), std::visit(ValueText{scene, number_text}, field.value),
                      std::visit(ValueText{scene, exact_number_text}, field.value)});
   }
   return table;

@@ -23,7 +23,7 @@ struct EventField {
 std::string_view event_kind(const EventData& data);
 
 /// All fields of an event in the order of its declaration; optional fields only where they are present. Tables in the
-/// window and files are made from this list, so that both tell the same.
+/// window and files are made from this list, so that both show the same.
 std::vector<EventField> event_fields(const EventData& data);
 
 }  // namespace ps

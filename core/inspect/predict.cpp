@@ -48,7 +48,7 @@ std::optional<std::string_view> not_askable(Question question, const PixelStory&
   if (question == Question::rays && story.renderer != Renderer::ray_tracer)
     return "Only the ray tracer sends rays; ask for the colour or the winner here.";
   if ((question == Question::winner || question == Question::triangle) && story.renderer == Renderer::textbook)
-    return "A listing tells no winner; ask for the colour here.";
+    return "A listing reports no winner; ask for the colour here.";
   return {};
 }
 

@@ -8,7 +8,7 @@
 #include "record/story.h"
 #include "scene/scene.h"
 
-/// Predict, then reveal: a question about a pixel whose story is not told yet, and how good the answer was.
+/// Predict, then reveal: a question about a pixel whose story is not shown yet, and how good the answer was.
 
 namespace ps {
 

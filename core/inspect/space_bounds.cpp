@@ -9,7 +9,7 @@
 namespace ps {
 namespace {
 
-/// A sphere this many times larger than the eye's distance from its surface, or than the rest, serves as ground.
+/// A sphere this many times larger than the eye's distance from its surface, or than the rest, is taken for the ground.
 constexpr double ground_factor = 20;
 
 struct Extent {

@@ -23,7 +23,7 @@ SpaceModel build_space(const Scene& scene, const View& view, const Settings& set
     case Renderer::rasterizer:
       add_fragments(inputs, model);
       break;
-    case Renderer::textbook:  // its story is told by the lines of the listing
+    case Renderer::textbook:  // the lines of the listing show its story
       break;
     }
   }

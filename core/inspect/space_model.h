@@ -8,7 +8,7 @@
 
 namespace ps {
 
-/// What a drawable thing of the space view stands for.
+/// What a drawable item of the space view represents.
 enum class SpaceKind {
   frustum,             ///< from the eye to the image's corners
   image_plane,         ///< the picture's outline on the projection plane
@@ -62,7 +62,7 @@ struct SpaceBall {
   double radius = 0;
 };
 
-/// What is worth seeing: eye, image, lights and objects, leaving out what serves as ground.
+/// What is worth seeing: eye, image, lights and objects, without the ground.
 struct SpaceBounds {
   Vec3d centre{0, 0, 0};
   double radius = 1;  ///< of a ball around all of it
@@ -75,14 +75,14 @@ struct SpaceModel {
   std::vector<int> steps;  ///< events that have items, in the order in which they happened, for playing them
   SpaceBounds bounds;
   int deepest_level = 0;     ///< of the nodes
-  std::vector<bool> ground;  ///< for each object, whether it serves as ground
+  std::vector<bool> ground;  ///< for each object, whether it is the ground
 };
 
-/// The scene's camera, image and lights, and the story's events where there is one. `view` and `settings` are those
-/// that the story was told with.
+/// The scene's camera, image and lights, and the story's events where there is one. `view` and `settings` are those of
+/// the story.
 SpaceModel build_space(const Scene& scene, const View& view, const Settings& settings, const PixelStory* story);
 
-/// The event whose items show what event `selected` tells: itself if it has items, else the ray, hit or fragment that
+/// The event whose items show event `selected`: itself if it has items, else the ray, hit or fragment that
 /// it is about (a light's shadow ray, the hit that was shaded); -1 if there is none.
 int shown_event(const SpaceModel& model, const PixelStory& story, int selected);
 

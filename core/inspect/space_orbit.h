@@ -6,7 +6,7 @@ namespace ps {
 
 /// From where the space view looks at the scene: angles in radians about the axes of the scene's own camera.
 struct SpaceOrbit {
-  Vec3d pivot{0, 0, 0};  ///< what is in the middle
+  Vec3d pivot{0, 0, 0};  ///< what is at the centre
   double yaw = 0;        ///< 0 = looking as the camera does, positive = turned to its right
   double pitch = 0;      ///< how far above it the viewer stands
   double distance = 1;   ///< from the pivot, world units

@@ -8,7 +8,7 @@
 namespace ps {
 namespace {
 
-/// What a scene without lights is seen by from outside, so that balls are round: a lamp beside whoever looks.
+/// What a scene without lights is seen by from outside, so that balls are round: a light beside the viewer.
 std::vector<Light> own_lights(const Camera& camera) {
   Light everywhere, lamp;
   everywhere.intensity = 0.4;

@@ -17,7 +17,7 @@ struct SpacePicture {
 SpacePicture draw_space_picture(const Scene& scene, const View& view, double near, Prepared& prepared,
                                 Progress& progress);
 
-/// The picture mixed with the colour of the paper, so that lines stand out; what serves as ground is paler still.
+/// The picture mixed with the colour of the paper, so that lines stand out; the ground is paler still.
 Image<Rgb8> paled(const SpacePicture& picture, const std::vector<bool>& ground, Rgb8 paper);
 
 }  // namespace ps

@@ -8,8 +8,8 @@
 
 namespace ps {
 
-/// What became of the numbers of a pixel between two of its stories: one that was pinned and one told later, after an
-/// option or the scene changed.
+/// The changes of a pixel's numbers between two of its stories: one that was pinned and a later one, after an option or
+/// the scene changed.
 
 /// A number or word of an event, then and now; the text is empty where the event did not have it.
 struct FieldChange {

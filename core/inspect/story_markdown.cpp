@@ -29,8 +29,8 @@ std::string story_markdown(const PixelStory& story, const Scene& scene, const Vi
   const auto& d = story.display;
   std::string text = fmt::format("# Pixel ({}, {}) of {}\n\n{}\n\n", story.pixel.x, story.pixel.y, plain(scene.name),
                                  plain(story.verdict));
-  text += fmt::format("- picture: {} x {}, in the book's count ({}, {})\n- renderer: {}\n- linear colour: {}\n"
-                      "- stored as: {}, {}, {}\n\n",
+  text += fmt::format("- picture: {} x {}, in the book's coordinates ({}, {})\n- renderer: {}\n- linear colour: {}\n- "
+                      "stored as: {}, {}, {}\n\n",
                       view.width, view.height, book.x, book.y,
                       story.renderer == Renderer::ray_tracer ? "ray tracer" : "rasterizer", vector_text(story.linear),
                       d[0], d[1], d[2]);
@@ -41,7 +41,8 @@ std::string story_markdown(const PixelStory& story, const Scene& scene, const Vi
     if (event.parent >= 0) depth[i] = depth[static_cast<std::size_t>(event.parent)] + 1;
     text += fmt::format("{}- {}\n", indent(depth[i]), plain(describe(event, scene)));
   }
-  if (story.triangles_elsewhere > 0) text += fmt::format("- {} triangles lie elsewhere\n", story.triangles_elsewhere);
+  if (story.triangles_elsewhere > 0)
+    text += fmt::format("- {} triangles lie elsewhere in the picture\n", story.triangles_elsewhere);
   text += "\n## The colour as a sum\n\n| term | red | green | blue |\n|---|---:|---:|---:|\n";
   for (const LedgerLine& line : story.ledger) {
     std::string term;

@@ -46,7 +46,8 @@ const Instance& instance_of(const Scene& scene, const VertexId& id) {
     throw InputError(fmt::format("vertex: found object {}, expected one of 0 to {}", id.object,
                                  static_cast<std::ptrdiff_t>(objects.size()) - 1));
   const auto* instance = std::get_if<Instance>(&objects[object].shape);
-  if (!instance) throw InputError(fmt::format("vertex: '{}' is no model, so it has no vertices", objects[object].name));
+  if (!instance)
+    throw InputError(fmt::format("vertex: '{}' is not a model, so it has no vertices", objects[object].name));
   const auto& positions = scene.geometry->meshes[instance->mesh]->positions;
   if (id.vertex < 0 || static_cast<std::size_t>(id.vertex) >= positions.size())
     throw InputError(fmt::format("vertex: found {} of '{}', expected one of 0 to {}", id.vertex, objects[object].name,

@@ -48,8 +48,8 @@ struct VertexChain {
   Vec4d clip{0, 0, 0, 1};
   std::vector<PlaneDistance> planes;
   bool inside = true;    ///< of all clipping planes
-  Vec2d viewport{0, 0};  ///< on the projection plane, world units from its middle
-  Vec2d centred{0, 0};   ///< canvas, pixels from the middle, y up
+  Vec2d viewport{0, 0};  ///< on the projection plane, world units from its centre
+  Vec2d centred{0, 0};   ///< canvas, pixels from the centre, y up
   Vec2d canvas{0, 0};    ///< pixels from the top left, y down
 };
 

@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ps::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Bit i tells of lane i.
+/// Bit i of the result is lane i of the mask.
 template <class D>
 HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
   std::array<std::uint8_t, 8> bytes{};

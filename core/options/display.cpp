@@ -7,7 +7,7 @@ std::vector<Option> display_rows() {
       real<&Settings::exposure>({.key = "exposure",
                                  .label = "Exposure",
                                  .help = {"Linear colours are multiplied by this before display.", "CGPP 15.3.2",
-                                          "Values above 1 clip to white."},
+                                          "Values above 1 are clipped."},
                                  .truth = as_set(),
                                  .effect = OptionEffect::display},
                                 1e-3, 1e3, OptionScale::logarithmic),
@@ -21,7 +21,7 @@ std::vector<Option> display_rows() {
       choice<&Settings::colour_depth>(
           {.key = "colour-depth",
            .label = "Colour depth",
-           .help = {"How many bits a displayed pixel has.", "CGFS ch. 1", "Few bits show bands in smooth shades."},
+           .help = {"Number of bits of a displayed pixel.", "CGFS ch. 1", "Too few: bands in smooth gradients."},
            .truth = exactly("colour-depth=24"),
            .effect = OptionEffect::display},
           {{"24", "24 bits", "8 for each of red, green and blue."},

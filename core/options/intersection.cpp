@@ -17,7 +17,7 @@ Reason needs_traced_triangles(const Settings& s, const SceneTraits& t) {
 
 Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_traced_triangles(s, t)) return reason;
-  if (s.triangle_test == TriangleTest::watertight) return "the watertight test has no epsilon";
+  if (s.triangle_test == TriangleTest::watertight) return "no effect: the watertight test has no epsilon";
   return {};
 }
 
@@ -25,21 +25,21 @@ Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
 
 std::vector<Option> intersection_rows() {
   return {
-      choice<&Settings::precision>({.key = "precision",
-                                    .label = "Precision",
-                                    .help = {"The arithmetic of the whole renderer.", "IEEE 754; PBR 4th ed. sec. 6.8",
-                                             "Float needs care near surfaces and far from the origin; double is the "
-                                             "reference."},
-                                    .truth = exactly("precision=double")},
-                                   {{"float", "float (32 bits)", "About 7 digits; what fast renderers use."},
-                                    {"double", "double (64 bits)", "About 16 digits; slower."}}),
+      choice<&Settings::precision>(
+          {.key = "precision",
+           .label = "Precision",
+           .help = {"The arithmetic of the whole renderer.", "IEEE 754; PBR 4th ed. sec. 6.8",
+                    "Float needs care near surfaces and far from the origin; double serves as the reference."},
+           .truth = exactly("precision=double")},
+          {{"float", "float (32 bits)", "About 7 digits, as in fast renderers."},
+           {"double", "double (64 bits)", "About 16 digits; slower."}}),
       choice<&Settings::sphere_test>(
           {.key = "sphere-test",
            .label = "Sphere test",
-           .help = {"How the quadratic equation of ray and sphere is solved.",
+           .help = {"How the quadratic equation of a ray and a sphere is solved.",
                     "CGFS ch. 2; Haines et al., Ray Tracing Gems 7",
-                    "In float the textbook form loses all digits for a sphere 4100 radii away: 43 % of the rays hit or "
-                    "miss wrongly."},
+                    "In float the textbook form loses all digits for a sphere 4,100 radii away: 43 % of its rays hit "
+                    "or miss wrongly."},
            .truth = exactly("sphere-test=robust"),
            .inactive = needs_traced_spheres},
           {{"robust", "robust", "Discriminant from the remainder vector, roots without cancellation."},
@@ -47,15 +47,17 @@ std::vector<Option> intersection_rows() {
       choice<&Settings::triangle_test>(
           {.key = "triangle-test",
            .label = "Triangle test",
-           .help = {"How ray and triangle are intersected.", "CGPP 15.4.3; Woop et al., JCGT 2013",
-                    "In float Moeller-Trumbore misses one ray in eight that is aimed exactly at a shared edge."},
+           .help =
+               {"The intersection test of a ray and a triangle.", "CGPP 15.4.3; Woop et al., JCGT 2013",
+                "In float Moeller-Trumbore misses one in eight of the rays that are aimed exactly at a shared edge."},
            .truth = exactly("triangle-test=watertight"),
            .inactive = needs_traced_triangles},
           {{"watertight", "watertight", "Sheared edge functions: neighbours agree on every edge."},
            {"moeller-trumbore", "Moeller-Trumbore", "Cramer's rule on the barycentric equations."},
-           {"barycentric", "plane, then barycentrics", "Meets the plane, then solves for the weights in it."},
+           {"barycentric", "plane, then barycentrics",
+            "Intersects the plane, then solves for the barycentric weights."},
            {"cross-products", "plane, then cross products",
-            "Meets the plane, then asks on which side of each edge the point lies."}}),
+            "Intersects the plane, then tests on which side of each edge the point lies."}}),
       real<&Settings::triangle_epsilon>({.key = "triangle-epsilon",
                                          .label = "Triangle epsilon",
                                          .help = {"Determinants up to this size count as parallel.", "CGPP 15.4.3",

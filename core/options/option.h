@@ -16,7 +16,7 @@ struct Choice {
   std::string_view key;    ///< for files and the command line: "depth-buffer"
   std::string_view label;  ///< for people: "depth buffer"
   std::string_view help;   ///< one sentence
-  /// Why another value serves in its place with these settings and this scene, or nothing. May be nullptr: never.
+  /// Why another value is used instead with these settings and this scene, or nothing. May be nullptr: never.
   std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
 };
 
@@ -90,7 +90,7 @@ std::optional<std::string_view> inactive_reason(const Option& option, const Sett
 /// Why this choice of an option, which can act, would not act now, or nothing.
 std::optional<std::string_view> inactive_choice_reason(const Choice& choice, const Settings& settings,
                                                        const SceneTraits& traits);
-/// The same for the choice that `settings` make; nothing for options that are no choice.
+/// The same for the choice that `settings` make; nothing for options that are not a choice.
 std::optional<std::string_view> inactive_value_reason(const Option& option, const Settings& settings,
                                                       const SceneTraits& traits);
 

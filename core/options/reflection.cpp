@@ -10,7 +10,7 @@ Reason needs_mirrors(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
-/// Something that sends further rays on.
+/// Some material spawns secondary rays.
 Reason needs_bouncing_rays(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_rays(s, t)) return reason;
   if (!t.reflective && !t.transparent) return "no material of the scene reflects or is transparent";
@@ -24,18 +24,18 @@ std::vector<Option> reflection_rows() {
       integer<&Settings::reflection_depth>(
           {.key = "reflection-depth",
            .label = "Reflection depth",
-           .help = {"How many bounces a ray may make, refractions included.", "CGFS ch. 4 and 5",
-                    "Too few: mirrors in mirrors turn to the surface's own colour."},
+           .help = {"Maximum number of bounces of a ray, refractions included.", "CGFS ch. 4 and 5",
+                    "Too small: mirrors seen in mirrors show their local colour."},
            .truth = exactly("reflection-depth=64"),
            .inactive = needs_bouncing_rays},
           0, 64, "bounces"),
       real<&Settings::reflection_cutoff>(
           {.key = "reflection-cutoff",
-           .label = "Least share of a bounce",
-           .help = {"A bounce that would bring less than this share of the pixel's colour is not followed: the surface "
-                    "shows its own colour, as at the greatest depth.",
+           .label = "Minimum contribution",
+           .help = {"A bounce that contributes less than this fraction of the pixel's colour is not followed: the "
+                    "surface shows its local colour.",
                     "Hall and Greenberg, IEEE CG&A 1983 (adaptive depth control)",
-                    "Too large: weak mirrors mirror nothing. 0 follows every bounce up to the depth."},
+                    "Too large: weak reflections disappear. 0 follows every bounce up to the depth."},
            .truth = exactly("reflection-cutoff=0"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_bouncing_rays(s, t)) return reason;
@@ -46,12 +46,13 @@ std::vector<Option> reflection_rows() {
       real<&Settings::reflection_epsilon>(
           {.key = "reflection-epsilon",
            .label = "Reflection epsilon",
-           .help = {"How far from its start a reflected ray begins to look for surfaces.", "CGFS ch. 4",
-                    "The book's 0.001 is too small in float for its own ground sphere of radius 5000."},
+           .help = {"Distance from its origin at which a reflected ray starts to search.", "CGFS ch. 4",
+                    "Too small: reflected acne; in float the book's 0.001 is too small for its own ground sphere of "
+                    "radius 5000."},
            .truth = exactly("self-hit=offset"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_rays(s, t)) return reason;
-             if ((!t.reflective && !t.transparent) || s.reflection_depth == 0) return "no reflected rays";
+             if ((!t.reflective && !t.transparent) || s.reflection_depth == 0) return "needs reflected rays";
              if (s.self_hit == SelfHit::offset) return "needs self-hit = epsilon or normal-bump";
              return {};
            }},
@@ -59,8 +60,8 @@ std::vector<Option> reflection_rows() {
       toggle<&Settings::refraction>(
           {.key = "refraction",
            .label = "Refraction",
-           .help = {"Light bends where it enters or leaves a material (Snell's law).", "CGFS ch. 5",
-                    "Off: it runs straight on, and glass looks like a thin film."},
+           .help = {"Bends light where it enters or leaves a material (Snell's law).", "CGFS ch. 5",
+                    "Off: light passes straight through, and glass looks like a thin film."},
            .truth = exactly("refraction=on"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_rays(s, t)) return reason;
@@ -71,12 +72,10 @@ std::vector<Option> reflection_rows() {
       choice<&Settings::transparency>(
           {.key = "transparency",
            .label = "Transparency",
-           .help = {"How light is shared between what a boundary mirrors and what it lets through.",
+           .help = {"How light is divided between reflection and transmission at a boundary.",
                     "CGFS ch. 5; Fresnel's equations",
-                    "Fixed shares miss that glass mirrors more the flatter one looks at it. Fresnel traces two rays at "
-                    "each boundary. In both, what is transparent casts no shadow at all: shadow rays pass it straight "
-                    "and unweakened, since the book says nothing of its shadow and the true one is bent light "
-                    "(caustics), which no straight ray finds."},
+                    "Fixed shares ignore the viewing angle; Fresnel traces two rays at each boundary. Transparent "
+                    "objects cast no shadows."},
            .truth = exactly("transparency=fresnel"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_rays(s, t)) return reason;
@@ -85,30 +84,28 @@ std::vector<Option> reflection_rows() {
              if (!s.refraction) return "needs refraction = on";
              return {};
            }},
-          {{"fixed", "fixed shares", "The material's transparency comes through, whatever the angle."},
-           {"fresnel", "Fresnel", "The boundary mirrors a share of it that grows towards flat angles."}}),
-      choice<&Settings::environment>(
-          {.key = "environment",
-           .label = "Environment mapping",
-           .help =
-               {"How the rasterizer shows what a surface mirrors: it looks the mirrored direction up in six pictures "
-                "that it made of the surroundings.",
-                "CGFS ch. 15",
-                "A map is right only at the point it was made from: near things and flat mirrors show the wrong "
-                "place, and an object never mirrors itself."},
-           .truth = exactly("renderer=ray-tracer"),
-           .inactive = needs_mirrors},
-          {{"none", "none", "Mirrors show their own colour."},
-           {"cube-map", "cube map for each object", "Made at the object's centre, again whenever something moves."},
-           {"room-map", "one map of the room",
-            "Made once in the middle of all that mirrors nothing; mirrors are not seen in it, and may move without a "
-            "new "
-            "one, with an error that grows."}}),
+          {{"fixed", "fixed shares", "The material's transparency is transmitted at every angle."},
+           {"fresnel", "Fresnel", "The reflected share grows towards grazing angles."}}),
+      choice<&Settings::environment>({.key = "environment",
+                                      .label = "Environment mapping",
+                                      .help = {"How the rasterizer shows reflections: it looks up the reflected "
+                                               "direction in a cube map of the surroundings.",
+                                               "CGFS ch. 15",
+                                               "A cube map is exact only at its centre: near objects and flat mirrors "
+                                               "show the wrong place, and no object reflects itself."},
+                                      .truth = exactly("renderer=ray-tracer"),
+                                      .inactive = needs_mirrors},
+                                     {{"none", "none", "Mirrors show their local colour."},
+                                      {"cube-map", "cube map for each object",
+                                       "Rendered from the object's centre, again whenever something moves."},
+                                      {"room-map", "one map of the room",
+                                       "Rendered once from the centre of the non-reflective objects. Mirrors do not "
+                                       "appear in it and may move without a new map; the error then grows."}}),
       integer<&Settings::environment_size>(
           {.key = "environment-size",
            .label = "Environment map size",
-           .help = {"Pixels along an edge of a cube map.", "CGFS ch. 15",
-                    "Small ones blur what is mirrored; large ones cost memory, and six pictures each."},
+           .help = {"Pixels along each side of a cube map's face.", "CGFS ch. 15",
+                    "Too small: blurred reflections. Too large: memory and time for six pictures per map."},
            .truth = exactly("environment-size=1024"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_mirrors(s, t)) return reason;

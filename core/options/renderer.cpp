@@ -8,16 +8,15 @@ Option listing_row() {
   Option option = row<&Settings::listing>(
       {.key = "listing",
        .label = "Listing",
-       .help = {"Which lesson's routine the textbook renderer runs.", "CGFS, chapter by chapter",
-                "A listing draws only what its chapter knows: a chapter on lines leaves spheres out."},
+       .help = {"The lesson's routine that the textbook renderer runs.", "CGFS, chapter by chapter",
+                "A listing draws only what its chapter covers: a chapter on lines leaves out spheres."},
        .truth = exactly("renderer=ray-tracer"),
        .inactive = [](const Settings& s, const SceneTraits&) -> Reason {
          if (s.renderer != Renderer::textbook) return "only textbook listings use it";
          return {};
        }},
       OptionKind::choice);
-  option.choices.push_back(
-      {"auto", "what suits the scene", "The last chapter that still says something of this scene."});
+  option.choices.push_back({"auto", "automatic", "Automatic: the most advanced listing that can draw this scene."});
   for (const NamedListing& listing : listings())
     option.choices.push_back({listing.key, listing.listing->label, listing.listing->shows});
   option.maximum = static_cast<double>(option.choices.size()) - 1;
@@ -31,22 +30,22 @@ std::vector<Option> renderer_rows() {
       choice<&Settings::renderer>(
           {.key = "renderer",
            .label = "Renderer",
-           .help = {"Which algorithm makes the picture: one ray for each pixel, or one loop over "
-                    "the pixels of each triangle.",
+           .help = {"The algorithm that makes the picture: one ray for each pixel, or one loop over the pixels of each "
+                    "triangle.",
                     "CGFS parts I and II",
-                    "Spheres are exact for rays and made of triangles for the rasterizer, so "
-                    "their outlines may differ by a pixel."},
+                    "Rays meet exact spheres; the rasterizer draws spheres as triangles, so outlines may differ by a "
+                    "pixel."},
            .truth = exactly("renderer=ray-tracer")},
-          {{"ray-tracer", "ray tracer", "For each pixel: which surface does its ray meet first?"},
-           {"rasterizer", "rasterizer", "For each triangle: which pixels does it cover?"},
-           {"textbook", "textbook listing", "The short routine of a lesson, line by line as its source tells it."}}),
+          {{"ray-tracer", "ray tracer", "Finds for each pixel the surface that its ray meets first."},
+           {"rasterizer", "rasterizer", "Finds for each triangle the pixels that it covers."},
+           {"textbook", "textbook listing", "Runs the short routine of a lesson, line by line as in its source."}}),
       listing_row(),
       toggle<&Settings::demo_slips>(
           {.key = "demo-slips",
-           .label = "Demo's slips",
-           .help = {"Whether a listing keeps what the author's own program does wrong, or cures it.",
+           .label = "Original bugs",
+           .help = {"Reproduces known bugs of the book's demo programs instead of fixing them.",
                     "the programs that accompany CGFS",
-                    "With the slip, highlights are right only for a camera at the origin."},
+                    "With the bug, highlights are right only for a camera at the origin."},
            .truth = exactly("demo-slips=off"),
            .inactive = [](const Settings& s, const SceneTraits&) -> Reason {
              if (s.renderer != Renderer::textbook) return "only textbook listings use it";

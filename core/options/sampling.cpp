@@ -4,7 +4,7 @@ namespace ps::rows {
 namespace {
 
 Reason needs_eye_rays(const Settings& s, const SceneTraits&) {
-  if (s.renderer != Renderer::ray_tracer) return "only rays can be sent anywhere; fragments have multisampling";
+  if (s.renderer != Renderer::ray_tracer) return "ray tracer only; the rasterizer has multisampling";
   return {};
 }
 
@@ -23,7 +23,8 @@ Reason needs_adaptive(const Settings& s, const SceneTraits& t) {
 Reason needs_one_sample(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_eye_rays(s, t)) return reason;
   if (s.samples_per_pixel > 1) return "needs samples-per-pixel = 1";
-  if (s.sample_pattern != SamplePattern::grid) return "needs sample-pattern = grid: it leaves out regular pixels";
+  if (s.sample_pattern != SamplePattern::grid)
+    return "needs sample-pattern = grid: it skips pixels at regular distances";
   return {};
 }
 
@@ -33,10 +34,10 @@ std::vector<Option> sampling_rows() {
   Option samples = integer<&Settings::samples_per_pixel>(
       {.key = "samples-per-pixel",
        .label = "Samples per pixel",
-       .help = {"Number of rays that are averaged for each pixel. 1, 4, 9, 16 and other squares make a square grid.",
+       .help = {"Number of rays that are averaged for each pixel. Square numbers (1, 4, 9, 16 ...) make a square grid.",
                 "CGFS ch. 5",
-                "n samples cost n times as much; the error along edges falls about with n^-0.75, with random positions "
-                "with n^-0.5."},
+                "n samples cost n times as much; the RMS error along edges falls about as n^-0.75 on regular patterns, "
+                "as n^-0.5 with random samples."},
        .truth = pixel_average(),
        .inactive = needs_eye_rays},
       1, 4096, "rays");
@@ -45,10 +46,9 @@ std::vector<Option> sampling_rows() {
   const Option subsampling = integer<&Settings::subsampling>(
       {.key = "subsampling",
        .label = "Subsampling",
-       .help =
-           {"The first hit is searched for at every n-th pixel; where those around a pixel saw the same object, only "
-            "that object is tested. Shading is done for each pixel.",
-            "CGFS ch. 5", "A thing thinner than the step may fall between the searched rays and vanish."},
+       .help = {"Traces only every n-th pixel. If the traced neighbours hit the same object, the pixels between them "
+                "test that object alone. Every pixel is shaded.",
+                "CGFS ch. 5", "An object thinner than n pixels may fall between the traced rays and vanish."},
        .truth = pixel_average(),
        .inactive = needs_one_sample},
       1, 16, "pixels");
@@ -57,30 +57,30 @@ std::vector<Option> sampling_rows() {
       choice<&Settings::sample_pattern>(
           {.key = "sample-pattern",
            .label = "Sample pattern",
-           .help = {"Where in the pixel its rays go.", "CGFS ch. 5; Cook 1986; Halton 1960; Roberts 2018",
-                    "A grid turns fine detail into false patterns; random places turn it into noise."},
+           .help = {"Positions of the samples inside a pixel.", "CGFS ch. 5; Cook 1986; Halton 1960; Roberts 2018",
+                    "A grid turns fine detail into moire patterns; random samples turn it into noise."},
            .truth = pixel_average(),
            .inactive = needs_eye_rays},
-          {{"grid", "grid", "The middle of equal cells."},
-           {"jitter", "jittered grid", "Anywhere in equal cells."},
-           {"random", "random", "Anywhere, each for itself: clusters and gaps."},
-           {"halton", "Halton", "Mirrored digits in bases 2 and 3, shifted for each pixel: even at every number."},
-           {"r2", "R2", "Multiples of the plastic number's powers, shifted for each pixel: even and simple."}}),
+          {{"grid", "grid", "The centres of equal cells."},
+           {"jitter", "jittered grid", "One random position in each of n equal cells."},
+           {"random", "random", "Independent random positions: clusters and gaps."},
+           {"halton", "Halton", "Radical inverses in bases 2 and 3, shifted per pixel: evenly spread for any count."},
+           {"r2", "R2",
+            "Multiples of the plastic number's inverse powers, shifted per pixel: evenly spread, simple to compute."}}),
       toggle<&Settings::adaptive_sampling>(
           {.key = "adaptive-sampling",
            .label = "Adaptive sampling",
-           .help = {"One ray for each pixel first; only pixels whose neighbours met another object or differ in colour "
-                    "get all samples. The view 'samples' shows where.",
-                    "CGFS ch. 5", "Detail that falls between the first rays is not found."},
+           .help = {"Traces one ray for each pixel, then all samples of those pixels whose neighbours hit another "
+                    "object or differ in colour. The view 'samples' shows which.",
+                    "CGFS ch. 5", "Misses detail that falls between the first rays."},
            .truth = pixel_average(),
            .inactive = needs_several_samples}),
       real<&Settings::adaptive_threshold>(
           {.key = "adaptive-threshold",
            .label = "Adaptive threshold",
-           .help =
-               {"The difference of a linear colour channel (1 = white, before exposure) from which neighbours on one "
-                "object are subdivided.",
-                "CGFS ch. 5", "Large ones leave jagged shadows; 0 samples all that is shaded."},
+           .help = {"Neighbours on the same object are subdivided if a linear colour channel (1 = white, before "
+                    "exposure) differs by more than this.",
+                    "CGFS ch. 5", "Too large: shadows stay jagged. 0 subdivides every shaded pixel."},
            .truth = pixel_average(),
            .inactive = needs_adaptive},
           0, 1, OptionScale::linear),

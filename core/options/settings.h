@@ -52,11 +52,11 @@ enum class Illumination { book, radiometric };
 enum class TransparencyShare { fixed, fresnel };
 
 /// Every technique that can be chosen, as a plain value. Each member has one row in the option table
-/// (options/option.h), which holds its key, label, range and help; the defaults stand here and nowhere else.
+/// (options/option.h), which holds its key, label, range and help; the defaults are here and nowhere else.
 struct Settings {
   Renderer renderer = Renderer::ray_tracer;
-  int listing = 0;          ///< which listing the textbook renderer runs: 0 = what suits the scene, then one by one
-  bool demo_slips = false;  ///< listings keep the slips of the author's own programs
+  int listing = 0;          ///< which listing the textbook renderer runs: 0 = automatic, then one by one
+  bool demo_slips = false;  ///< listings keep the bugs of the book's demo programs
 
   SamplePosition sample_position = SamplePosition::centre;
   int samples_per_pixel = 1;
@@ -70,7 +70,7 @@ struct Settings {
   FieldOfViewSpan field_of_view_span = FieldOfViewSpan::edges;
   double near = 1;    ///< along the camera's forward axis, in units of projection_plane_d (the book's t_min = 1)
   double far = 1e30;  ///< same units; anything beyond is not seen
-  bool camera_relative = true;  ///< vertices lose the camera's position before they are rounded to float
+  bool camera_relative = true;  ///< the camera position is subtracted from vertices before they are rounded to float
 
   Clipping clipping = Clipping::full;
   bool backface_culling = true;

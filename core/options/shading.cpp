@@ -31,7 +31,7 @@ Reason needs_interpolated_normals(const Settings& s, const SceneTraits& t) {
 
 Reason needs_highlights(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_lighting(s, t)) return reason;
-  if (!t.specular) return "no material of the scene shines";
+  if (!t.specular) return "no material of the scene has highlights";
   return {};
 }
 
@@ -42,7 +42,7 @@ Reason needs_visible_highlights(const Settings& s, const SceneTraits& t) {
 }
 
 Reason needs_surfaces(const Settings&, const SceneTraits& t) {
-  if (!t.spheres && !t.triangles && !t.solids && !t.csg) return "the scene has no surface that light could fall on";
+  if (!t.spheres && !t.triangles && !t.solids && !t.csg) return "the scene has no surface to light";
   return {};
 }
 
@@ -65,74 +65,72 @@ std::vector<Option> shading_rows() {
   return {
       toggle<&Settings::lighting>({.key = "lighting",
                                    .label = "Lighting",
-                                   .help = {"Off: every surface shows its own colour.", "CGFS ch. 2 against ch. 3",
-                                            "Without light, shapes look flat."},
+                                   .help = {"Evaluates the lights. Off: every surface shows its local colour.",
+                                            "CGFS ch. 2 against ch. 3", "Without lighting, shapes look flat."},
                                    .truth = exactly("lighting=on"),
                                    .inactive = needs_surfaces}),
       integer<&Settings::light_shown>(
           {.key = "light-shown",
            .label = "Light shown",
-           .help = {"Lets one light shine alone, by its number in the scene: what its own pass adds to the picture. 0 "
-                    "shows all.",
+           .help = {"Shows the contribution of one light. 0 shows all lights, 1 shows light 0.",
                     "CGFS ch. 15; CGPP 15.7.2.3",
-                    "The pictures of the single lights add up to the whole, unless a colour is clamped."},
+                    "The pictures of the single lights add up to the full one, unless a colour is clamped."},
            .truth = exactly("light-shown=0"),
            .inactive = needs_several_lights},
           0, 16),
       choice<&Settings::shading>(
           {.key = "shading",
            .label = "Shading",
-           .help = {"Where the illumination equation is evaluated on a triangle.", "CGFS ch. 13",
-                    "Gouraud misses highlights that fall between the corners; flat shows the facets."},
+           .help = {"Where on a triangle the lighting equation is evaluated.", "CGFS ch. 13",
+                    "Gouraud shading misses highlights between the vertices; flat shading shows the facets."},
            .truth = exactly("shading=phong"),
            .inactive = needs_lit_fragments},
           {{"phong", "Phong", "At every pixel, with interpolated normals."},
-           {"gouraud", "Gouraud", "At the corners; the light is interpolated."},
-           {"flat", "flat", "Once, in the middle of the triangle."}}),
+           {"gouraud", "Gouraud", "At the vertices; the resulting light is interpolated."},
+           {"flat", "flat", "Once, at the centre of the triangle."}}),
       choice<&Settings::normals>(
           {.key = "normals",
            .label = "Normals",
-           .help = {"Which way the surface is said to face.", "CGFS ch. 13",
+           .help = {"Which normals shading uses.", "CGFS ch. 13",
                     "Triangle normals show facets; vertex normals hide them but not the outline."},
            .truth = exactly("normals=vertex"),
            .inactive = needs_vertex_normals},
-          {{"vertex", "of the vertices", "Given by the model, interpolated between corners."},
-           {"triangle", "of the triangle", "Perpendicular to it."}}),
+          {{"vertex", "of the vertices", "Stored in the model, interpolated between the vertices."},
+           {"triangle", "of the triangle", "Perpendicular to the triangle."}}),
       toggle<&Settings::renormalise>({.key = "renormalise",
                                       .label = "Renormalise",
-                                      .help = {"Brings interpolated normals back to length 1.", "CGFS ch. 13",
-                                               "Without it the shortened normal changes highlights between corners."},
+                                      .help = {"Scales interpolated normals to length 1.", "CGFS ch. 13",
+                                               "Off: shortened normals change highlights between the vertices."},
                                       .truth = exactly("renormalise=on"),
                                       .inactive = needs_interpolated_normals}),
       choice<&Settings::normal_transform>(
           {.key = "normal-transform",
            .label = "Normal transform",
-           .help = {"How normals follow a model's transform.", "LAB 7; OCT",
-                    "Under unequal scales the model matrix tilts normals: at a scale of 2 by up to 37 degrees, which "
-                    "changes "
-                    "the diffuse light of a ball by 44 of 255 levels (RMS)."},
+           .help = {"The matrix that transforms normals into world space.", "LAB 7; OCT",
+                    "The model matrix tilts normals if a scale is not uniform: at scale 2 by up to 37 degrees, an RMS "
+                    "error of 44 levels of 255 on a ball."},
            .truth = exactly("normal-transform=inverse-transpose"),
            .inactive = needs_vertex_normals},
           {{"inverse-transpose", "inverse transpose", "Stays perpendicular to the surface."},
-           {"model", "model matrix", "As positions are transformed; wrong under unequal scales."}}),
+           {"model", "model matrix", "As for positions; wrong if the scale is not uniform."}}),
       choice<&Settings::illumination>(
           {.key = "illumination",
            .label = "Illumination",
-           .help = {"What a light's intensity means and how a surface answers.", "CGFS ch. 3; CGPP 15.4",
-                    "Radiometric pictures need an exposure and a gamma to look right."},
+           .help = {"Lighting model: relative intensities as in the book, or radiometric units.",
+                    "CGFS ch. 3; CGPP 15.4", "Radiometric pictures need exposure and gamma to look right."},
            .truth = as_set(),
            .inactive = needs_lighting},
           {{"book", "the book's",
             "Relative intensities without distance fall-off; matte surfaces stay below 1 if they sum to 1, highlights "
             "may exceed it."},
            {"radiometric", "radiometric",
-            "A point light's intensity is its power: power / (4 pi r^2) arrives. Lambert scatters 1 / pi of it, "
-            "highlights are normalised so that sharper ones are brighter."}}),
+            "A point light's intensity is its power: power / (4 pi r^2) arrives. A Lambertian surface scatters 1 / pi "
+            "of it; normalised highlights are brighter if sharper."}}),
       toggle<&Settings::attenuation>(
           {.key = "attenuation",
            .label = "Attenuation",
-           .help = {"Point lights grow weaker with distance by their constant, linear and quadratic factors.", "OCT",
-                    "With a small constant, surfaces near the light are overexposed."},
+           .help = {"Weakens point lights with distance by their constant, linear and quadratic factors.", "OCT",
+                    "Constant factor too small: surfaces near the light are overexposed."},
            .truth = exactly("attenuation=on"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_lighting(s, t)) return reason;
@@ -140,29 +138,31 @@ std::vector<Option> shading_rows() {
              if (s.illumination != Illumination::book) return "needs illumination = book";
              return {};
            }}),
-      toggle<&Settings::specular>({.key = "specular",
-                                   .label = "Highlights",
-                                   .help = {"Adds the mirror-like reflection of the lights.", "CGFS ch. 3", ""},
-                                   .truth = exactly("specular=on"),
-                                   .inactive = needs_highlights}),
+      toggle<&Settings::specular>(
+          {.key = "specular",
+           .label = "Highlights",
+           .help = {"Adds specular highlights, the mirror-like reflections of the lights.", "CGFS ch. 3", ""},
+           .truth = exactly("specular=on"),
+           .inactive = needs_highlights}),
       choice<&Settings::highlight>(
           {.key = "highlight",
            .label = "Highlight model",
-           .help = {"Which angle the highlight depends on.", "CGFS ch. 3; OCT",
+           .help = {"The angle on which the highlight depends.", "CGFS ch. 3; OCT",
                     "The same exponent gives a wider highlight with N.H than with R.V."},
            .truth = as_set(),
            .inactive = needs_visible_highlights},
-          {{"phong", "R.V (Phong)", "Between the mirrored light and the viewer."},
-           {"blinn-phong", "N.H (Blinn-Phong)", "Between the normal and the middle of light and viewer."}}),
+          {{"phong", "R.V (Phong)", "Angle between the reflected light direction R and the view direction V."},
+           {"blinn-phong", "N.H (Blinn-Phong)", "Angle between the normal N and the half vector H."}}),
       choice<&Settings::interpolation>(
           {.key = "interpolation",
            .label = "Interpolation",
-           .help = {"How values at the corners spread across a triangle.", "CGFS ch. 12 and 14; LAB 6",
-                    "Affine textures bend and swim along the triangle's diagonal."},
+           .help = {"How vertex values are interpolated across a triangle.", "CGFS ch. 12 and 14; LAB 6",
+                    "With affine interpolation textures bend, and swim when the camera moves."},
            .truth = exactly("interpolation=perspective"),
            .inactive = needs_attributes},
-          {{"perspective", "perspective-correct", "value/z and 1/z are linear on the screen; one division a pixel."},
-           {"affine", "affine", "The value itself is taken to be linear on the screen."}}),
+          {{"perspective", "perspective-correct",
+            "Interpolates value/z and 1/z, which are linear on the screen; one division per pixel."},
+           {"affine", "affine", "Interpolates the value itself as if it were linear on the screen."}}),
   };
 }
 

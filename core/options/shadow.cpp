@@ -72,39 +72,34 @@ std::vector<Option> shadow_rows() {
       choice<&Settings::shadows>(
           {.key = "shadows",
            .label = "Shadows",
-           .help = {"Whether a light that cannot be seen from a point lights it, and how that is found out.",
-                    "CGFS ch. 4 and 15; CGPP 15.6.5",
-                    "The ray tracer sends a shadow ray to each light unless this is none. The "
-                    "rasterizer has no rays: with traced it shows no shadows."},
+           .help = {"How the renderer finds out whether a light is blocked.", "CGFS ch. 4 and 15; CGPP 15.6.5",
+                    "The ray tracer sends a shadow ray to each light unless this is 'none'. The rasterizer has no "
+                    "rays: with 'traced' it shows no shadows."},
            .truth = exactly("shadows=traced|stencil-depth-fail"),
            .inactive = needs_casting_light},
-          {{"traced", "traced", "One shadow ray for each light; the rasterizer has none to send."},
-           {"none", "none", "All lights shine through everything."},
+          {{"traced", "traced", "One shadow ray for each light; ray tracer only."},
+           {"none", "none", "No light is ever blocked."},
            {"map", "shadow map",
-            "Depth as seen from the light, six pictures around a point light: blocky edges, and "
-            "acne without a bias."},
+            "Depth as seen from the light, six maps around a point light: blocky edges, and acne without a bias."},
            {"stencil-depth-fail", "stencil, depth fail",
-            "Counts the faces of shadow volumes behind the surface: exact edges, and right "
-            "wherever the camera is."},
+            "Counts the shadow volume faces behind the surface: exact edges, right for every camera position."},
            {"stencil-depth-pass", "stencil, depth pass",
-            "Counts those before the surface: wrong where the camera itself is in a shadow."}}),
+            "Counts the faces in front of the surface: wrong if the camera is inside a shadow."}}),
       integer<&Settings::shadow_map_size>(
           {.key = "shadow-map-size",
            .label = "Shadow map size",
-           .help =
-               {"Texels along an edge of a shadow map; a point light has six of them.", "CGFS ch. 15",
-                "Small maps make blocky shadows and more acne; large ones cost memory and time: at 4096 texels a point "
-                "light takes 400 MB."},
+           .help = {"Texels along each side of a shadow map; a point light has six maps.", "CGFS ch. 15",
+                    "Too small: blocky shadows and more acne. Too large: memory and time; at 4096 x 4096 texels a "
+                    "point light takes 400 MB."},
            .truth = exactly("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           8, 4096, "texels"),
       real<&Settings::shadow_bias>(
           {.key = "shadow-bias",
            .label = "Shadow map bias",
-           .help = {"How much nearer to the light than it is a point pretends to be when its depth is compared.",
+           .help = {"Subtracted from a point's depth, as seen from the light, before the comparison with the map.",
                     "CGFS ch. 15; Direct3D 11 15.10",
-                    "Too small: acne, lit surfaces shadow themselves in stripes. Too large: shadows come off their "
-                    "objects."},
+                    "Too small: shadow acne, stripes on lit surfaces. Too large: detached shadows (peter-panning)."},
            .truth = exactly("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           0, 10, OptionScale::logarithmic, "world units"),
@@ -112,79 +107,72 @@ std::vector<Option> shadow_rows() {
           {.key = "shadow-slope-bias",
            .label = "Slope bias",
            .help =
-               {"A bias that grows with the slope of the surface as the light sees it: the depth that so many texels "
-                "cover there. Added to the constant one.",
+               {"A bias that grows with the surface's slope as seen from the light: the depth range of this number of "
+                "texels. Added to the constant bias.",
                 "Direct3D 11 15.10",
-                "A filter of k x k taps needs k / 2 texels where the slope runs along the map's axes, as on a floor, "
-                "and 0.71 k on any surface; and 1/256 more, since the map's vertices are rounded. -1 stands for that, "
-                "with the rounding of the depths themselves and how far triangles stray from round surfaces."},
+                "A filter of k x k taps needs k / 2 texels if the slope runs along a map axis, as on a floor, else up "
+                "to 0.71 k. -1 computes this, with the rounding of vertices and depths and the tessellation error."},
            .truth = exactly("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           -1, 16, OptionScale::linear, "texels"),
       integer<&Settings::shadow_filter>(
           {.key = "shadow-filter",
            .label = "Shadow map filter",
-           .help = {"Percentage-closer filtering: how many texels along each side are compared, and their answers "
-                    "averaged.",
-                    "CGFS ch. 15", "Softens the blocks, but needs more bias, and costs the square of the number."},
+           .help = {"Percentage-closer filtering: compares k x k texels and averages the results.", "CGFS ch. 15",
+                    "Softens the blocky edges, but needs more bias; the cost grows as k^2."},
            .truth = pixel_average("shadows=stencil-depth-fail"),
            .inactive = needs_shadow_map},
           1, 7, "taps"),
       integer<&Settings::stencil_bits>(
           {.key = "stencil-bits",
            .label = "Stencil bits",
-           .help = {"Bits of a pixel's count of shadow volumes.", "CGFS ch. 15",
-                    "The count wraps: where 2^bits shadows lie over each other, the pixel is lit."},
+           .help = {"Bits of a pixel's counter of shadow volumes.", "CGFS ch. 15",
+                    "Too few: the counter wraps, and a pixel inside 2^bits shadow volumes is lit."},
            .truth = exactly("stencil-bits=16"),
            .inactive = needs_stencil},
           1, 16, "bits"),
       toggle<&Settings::volume_caps>(
           {.key = "volume-caps",
            .label = "Volume caps",
-           .help = {"Closes shadow volumes at both ends: with the triangles that the light falls on, and with the same "
-                    "at the far end.",
+           .help = {"Closes shadow volumes at both ends: with the lit triangles, and with their copies at the far end.",
                     "CGFS ch. 15; Everitt and Kilgard 2002",
-                    "Depth fail counts behind the surface. Without caps, what a line of sight leaves or enters through "
-                    "an end is not counted, and surfaces lie in their own shadow."},
+                    "Depth fail counts faces behind the surface. Without caps it misses lines of sight that pass "
+                    "through an open end, and surfaces shadow themselves."},
            .truth = exactly("volume-caps=on"),
            .inactive = needs_depth_fail}),
       real<&Settings::volume_length>(
           {.key = "volume-length",
            .label = "Volume length",
-           .help = {"How far shadow volumes reach from what throws the shadow; 0 = without end.",
+           .help = {"Length of a shadow volume from the object that casts the shadow; 0 = unbounded.",
                     "CGFS ch. 15; Everitt and Kilgard 2002",
-                    "Beyond its volume's end an object casts no shadow. A short volume covers fewer pixels, which is "
-                    "why programs shorten them."},
+                    "Too small: no shadow beyond the volume's end. Programs shorten volumes because short ones cover "
+                    "fewer pixels."},
            .truth = exactly("volume-length=0"),
            .inactive = needs_stencil},
           0, 1e6, OptionScale::logarithmic, "world units"),
       toggle<&Settings::volume_depth_clamp>(
           {.key = "volume-depth-clamp",
            .label = "Volume depth clamp",
-           .help = {"Keeps the faces of shadow volumes that lie beyond the far limit, as if they lay on it.",
-                    "Everitt and Kilgard 2002",
-                    "Without, the far limit cuts volumes open, and depth fail misses a face wherever a line of sight "
-                    "leaves a volume behind the limit."},
+           .help = {"Moves the faces of shadow volumes beyond the far limit onto it.", "Everitt and Kilgard 2002",
+                    "Off: the far limit cuts volumes open, and depth fail misses the faces behind it."},
            .truth = exactly("volume-depth-clamp=on"),
            .inactive = needs_cut_volumes}),
       choice<&Settings::self_hit>(
           {.key = "self-hit",
            .label = "Self-hit guard",
-           .help = {"How a ray that starts on a surface avoids meeting that surface again.",
+           .help = {"How a ray that starts on a surface avoids hitting it again at its origin.",
                     "CGFS ch. 4; pbrt 6.8; Waechter and Binder, Ray Tracing Gems 6",
-                    "With the book's epsilon in float, 5.7 % of the ground's pixels reflect themselves."},
+                    "With the book's epsilon in float, 5.7 % of the pixels on the ground reflect the ground itself."},
            .truth = exactly("self-hit=offset"),
            .inactive = needs_secondary_rays},
-          {{"offset", "bounded offset",
-            "Starts outside the bound of the hit point's own rounding error; a sphere leaves its root t = 0 out. No "
-            "knob."},
+          {{"offset", "bounded offset", "Starts outside the error bound of the hit point; nothing to tune."},
            {"epsilon", "epsilon", "Ignores hits with t up to epsilon, as in the book."},
            {"normal-bump", "normal bump", "Starts epsilon above the surface along its normal, as in CGPP."}}),
       real<&Settings::shadow_epsilon>(
           {.key = "shadow-epsilon",
            .label = "Shadow epsilon",
-           .help = {"How far from its start a shadow ray begins to look for blockers.", "CGFS ch. 4",
-                    "Too small: acne, surfaces shadow themselves. Too large: shadows come off their objects."},
+           .help = {"Distance from its origin at which a shadow ray starts to search.", "CGFS ch. 4",
+                    "Too small: shadow acne, surfaces shadow themselves. Too large: detached shadows (peter-panning)."},
            .truth = exactly("self-hit=offset"),
            .inactive = needs_shadow_epsilon},
           0, 10, OptionScale::logarithmic),
@@ -195,12 +183,12 @@ std::vector<Option> shadow_rows() {
                     "As a ray parameter, 0.001 is 0.0057 units long for the light direction (1, 4, 4)."},
            .truth = exactly("self-hit=offset"),
            .inactive = needs_epsilon},
-          {{"ray-parameter", "ray parameter t", "In lengths of the ray's direction, as in the book."},
+          {{"ray-parameter", "ray parameter t", "In multiples of the ray's direction vector, as in the book."},
            {"distance", "distance", "In world units."}}),
       toggle<&Settings::shadow_any_hit>(
           {.key = "shadow-any-hit",
            .label = "Stop at any hit",
-           .help = {"A shadow ray ends at the first blocker found instead of searching for the nearest.", "CGFS ch. 5",
+           .help = {"Stops a shadow ray at the first blocker found instead of searching for the nearest.", "CGFS ch. 5",
                     "Only speed changes."},
            .truth = as_set(),
            .inactive = needs_shadow_rays,
@@ -208,14 +196,14 @@ std::vector<Option> shadow_rows() {
       choice<&Settings::shadow_rays>(
           {.key = "shadow-rays",
            .label = "Shadow rays",
-           .help = {"To which lights a lit point sends a shadow ray.", "CGFS ch. 4",
-                    "The colours stay the same: where a light adds nothing, it does not matter what stands before it. "
-                    "Only the picture of shadows no longer marks those points."},
+           .help = {"The lights to which a shaded point sends a shadow ray.", "CGFS ch. 4",
+                    "Colours stay the same, because a light that adds nothing needs no shadow ray. Only the view "
+                    "'shadows' no longer marks those points."},
            .truth = as_set(),
            .inactive = needs_shadow_rays},
-          {{"all", "to every light", "As in the book: also where the light comes from behind the surface."},
+          {{"all", "to every light", "As in the book: also if the light comes from behind the surface."},
            {"useful", "to lights that add something",
-            "Where the light is in front of the surface, or makes a highlight."}}),
+            "Only if the light is in front of the surface or makes a highlight."}}),
   };
 }
 

@@ -19,16 +19,17 @@ Reason needs_any_hit(const Settings& s, const SceneTraits& t) {
 }
 
 Reason needs_single(const Settings& s, const SceneTraits&) {
-  if (s.precision != Precision::float32) return "Embree knows single precision only: the tree of boxes serves";
+  if (s.precision != Precision::float32) return "Embree supports single precision only: the BVH is used instead";
   return {};
 }
 
 Reason needs_boxes(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_rays(s, t)) return reason;
   if (s.accelerator == Accelerator::none || s.accelerator == Accelerator::bounding_spheres)
-    return "the accelerator has no boxes";
+    return "no effect: the accelerator has no boxes";
   const bool others = t.spheres || t.solids || t.csg;
-  if (s.accelerator == Accelerator::embree && !needs_single(s, t) && !others) return "Embree tests its boxes itself";
+  if (s.accelerator == Accelerator::embree && !needs_single(s, t) && !others)
+    return "no effect: Embree tests its boxes itself";
   return {};
 }
 
@@ -36,21 +37,22 @@ Option accelerator_row() {
   Option option = choice<&Settings::accelerator>(
       {.key = "accelerator",
        .label = "Accelerator",
-       .help = {"What saves a ray from being tested against everything.", "CGFS ch. 5",
-                "Only speed changes: the picture is the same to the last bit. Embree alone has its own arithmetic."},
+       .help = {"The data structure that saves intersection tests.", "CGFS ch. 5",
+                "Only speed changes: all pictures are the same to the last bit, except for Embree's own arithmetic."},
        .truth = as_set(),
        .inactive = needs_rays,
        .effect = OptionEffect::speed},
       {{"bvh", "bounding-volume hierarchy", "A tree of boxes built with the surface-area heuristic."},
        {"none", "none", "Every ray is tested against every primitive."},
-       {"bounding-spheres", "bounding spheres", "A sphere around each object, spheres around those, and within."},
-       {"box", "one box", "Rays that miss the box around everything are done at once."},
-       {"octree", "octree", "Space cut into eight parts, again and again; a triangle stands in all it touches."},
+       {"bounding-spheres", "bounding spheres", "A hierarchy of spheres around objects and around groups of them."},
+       {"box", "one box", "Rays that miss the bounding box of the whole scene need no test."},
+       {"octree", "octree",
+        "Space split into eight cells, again and again; a triangle is listed in every cell that it touches."},
        {"two-level", "two levels",
-        "A tree for each model, kept once however often it stands in the scene, and a tree over its instances."},
+        "One tree for each model, stored once for all its instances, and a tree over the instances."},
        {"embree", "Embree",
-        "Intel's kernels, for triangles in float. Rays within rounding of an edge may find the neighbour, and are "
-        "counted. Its nodes cannot be told.",
+        "Intel's kernels, for triangles in float. Rays within a rounding error of an edge may hit the neighbour; they "
+        "are counted. Its node visits cannot be shown.",
         needs_single}});
   if (!has_embree()) option.choices.pop_back();
   option.maximum = static_cast<double>(option.choices.size()) - 1;
@@ -65,65 +67,66 @@ std::vector<Option> speed_rows() {
       choice<&Settings::slab_test>(
           {.key = "slab-test",
            .label = "Slab test",
-           .help = {"How a ray and a box are intersected.", "Kay and Kajiya 1986; Ize, JCGT 2013",
-                    "The naive form loses boxes: 0 times infinity is no number, and corners are missed by a rounding."},
+           .help = {"The intersection test of a ray and a bounding box.", "Kay and Kajiya 1986; Ize, JCGT 2013",
+                    "The naive form misses boxes: 0 times infinity is NaN, and rounding misses box corners."},
            .truth = exactly("slab-test=robust"),
            .inactive = needs_boxes},
-          {{"robust", "robust", "Planes in the order of the ray, grown by rounding errors, and deaf to NaN."},
-           {"naive", "naive", "Smaller and larger t of each pair of planes; on the clear path."}}),
+          {{"robust", "robust",
+            "Planes in the order of the ray; interval widened by the rounding error; safe for NaN."},
+           {"naive", "naive", "Minimum and maximum t of each pair of planes; runs on the clear path."}}),
       integer<&Settings::octree_leaf>(
           {.key = "octree-leaf",
            .label = "Octree leaf limit",
-           .help =
-               {"A cell with more primitives than this is cut into eight; those in the very same place count as one.",
-                "octrees for ray casting",
-                "Small limits copy large triangles into many cells; large ones test too much."},
+           .help = {"A cell with more primitives than this is split into eight; coincident primitives count as one.",
+                    "octrees for ray casting",
+                    "Too small: large triangles are listed in many cells. Too large: rays test too many primitives."},
            .truth = as_set(),
            .inactive = needs_octree,
            .effect = OptionEffect::speed},
           1, 256, "primitives"),
-      integer<&Settings::octree_depth>({.key = "octree-depth",
-                                        .label = "Octree depth",
-                                        .help = {"How often a cell may be cut.", "octrees for ray casting",
-                                                 "Where many triangles meet in a point, no depth is enough."},
-                                        .truth = as_set(),
-                                        .inactive = needs_octree,
-                                        .effect = OptionEffect::speed},
-                                       0, 16, "levels"),
+      integer<&Settings::octree_depth>(
+          {.key = "octree-depth",
+           .label = "Octree depth",
+           .help = {"Maximum number of times that a cell is split.", "octrees for ray casting",
+                    "No depth is enough where many triangles meet in a point."},
+           .truth = as_set(),
+           .inactive = needs_octree,
+           .effect = OptionEffect::speed},
+          0, 16, "levels"),
       toggle<&Settings::shadow_cache>(
           {.key = "shadow-cache",
            .label = "Shadow cache",
-           .help = {"What blocked a light last time in this tile is tested first.", "CGFS ch. 5",
-                    "Gains only where shadows are large and the search is slow."},
+           .help = {"Tests first the object that last blocked the same light in this tile.", "CGFS ch. 5",
+                    "Gains only if shadows are large and the search is slow."},
            .truth = as_set(),
            .inactive = needs_any_hit,
            .effect = OptionEffect::speed}),
       toggle<&Settings::cache_constants>(
           {.key = "cache-constants",
            .label = "Cache constants",
-           .help = {"What depends on the ray alone is computed once for each ray, not for each test.", "CGFS ch. 5",
+           .help = {"Computes what depends on the ray alone once per ray instead of once per test.", "CGFS ch. 5",
                     "Only speed changes. Off, rays take the clear path."},
            .truth = as_set(),
            .inactive = needs_rays,
            .effect = OptionEffect::speed}),
-      integer<&Settings::threads>(
-          {.key = "threads",
-           .label = "Threads",
-           .help = {"How many processors work on a picture; 0 takes all.", "CGFS ch. 5", "Only speed changes."},
-           .truth = as_set(),
-           .effect = OptionEffect::speed},
-          0, 256, "threads"),
+      integer<&Settings::threads>({.key = "threads",
+                                   .label = "Threads",
+                                   .help = {"Number of threads that render a picture; 0 = one per processor.",
+                                            "CGFS ch. 5", "Only speed changes."},
+                                   .truth = as_set(),
+                                   .effect = OptionEffect::speed},
+                                  0, 256, "threads"),
       choice<&Settings::simd>(
           {.key = "simd",
            .label = "SIMD",
-           .help =
-               {"How many pixels, boxes or triangles one instruction works on.", "the fast path",
-                "Only speed changes: every width gives the same bits. Triangles are found in a wider tree, so nodes "
-                "and tests are counted differently. Double precision runs without it."},
+           .help = {"The instruction set, which decides how many pixels, boxes or triangles one instruction works on.",
+                    "the fast path",
+                    "Only speed changes: every width gives the same bits. Wider trees change the counts of nodes and "
+                    "tests. Double precision runs without SIMD."},
            .truth = as_set(),
            .effect = OptionEffect::speed},
-          {{"auto", "best there is", "The widest that this processor has."},
-           {"off", "off", "The clear path: one after another."},
+          {{"auto", "automatic", "The widest instruction set of this processor."},
+           {"off", "off", "The clear path: one value after another."},
            {"sse4", "SSE4", "4 floats."},
            {"avx2", "AVX2", "8 floats."},
            {"avx512", "AVX-512", "16 floats."}}),

@@ -26,7 +26,7 @@ struct CanvasCorner {
 
 bool box_is_empty(const PixelBox& box) { return box.x0 >= box.x1 || box.y0 >= box.y1; }
 
-/// Assembles one run; a class only to share what its steps need.
+/// Assembles one run. Its members are the inputs, and the one triangle that its steps work on.
 template <class Real>
 class Assembler {
  public:

@@ -17,7 +17,7 @@ struct AttributeLayout {
   int position = absent;  ///< 3 scalars, world space
   int uv = absent;        ///< 2 scalars
   int tangents = absent;  ///< 6 scalars, the same at each corner: TangentFrame, world space
-  int light = absent;     ///< 3 scalars: light from the corners (Gouraud)
+  int light = absent;     ///< 3 scalars: light from the vertices (Gouraud)
   int extra = absent;     ///< 3 scalars: light with a colour of its own (Gouraud)
   int count = 0;          ///< scalars in all
 

@@ -9,7 +9,7 @@ template <class Real, class Recorder>
 void draw_edge(const Pass<Real>& pass, const ScreenLine<Real>& line, Target<Real>& target, Recorder& recorder);
 
 /// Draws the part of the scene's canvas items that lies in the tile (CGFS ch. 6 to 8): lines, filled triangles with
-/// colours and h interpolated between the corners, outlines.
+/// colours and h interpolated between the vertices, outlines.
 template <class Real, class Recorder>
 void draw_canvas_items(const Pass<Real>& pass, Target<Real>& target, Recorder& recorder);
 

@@ -8,7 +8,7 @@ namespace ps::raster {
 template <class Real>
 bool make_canvas_line(Vec2<Real> a, Vec2<Real> b, int columns, int rows, ScreenLine<Real>& line);
 
-/// Centred canvas coordinates have their origin in the middle of a pixel where a side is odd; the book's pixel names
+/// Centred canvas coordinates have their origin at the centre of a pixel where a side is odd; the book's pixel names
 /// count from the pixel's lower left corner. This is added to a canvas position before it is walked.
 inline double odd_shift(int size) { return size % 2 == 0 ? 0.0 : 0.5; }
 

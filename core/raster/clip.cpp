@@ -5,7 +5,7 @@
 namespace ps::raster {
 namespace {
 
-/// Beyond this the far limit is no limit; the option's default.
+/// From this on the far limit has no effect; the option's default.
 constexpr double no_far_limit = 1e30;
 
 template <class Real>

@@ -56,12 +56,12 @@ inline Vec3<Real> face_normal(const DrawObject& object, const MeshTriangle& tria
   return Vec3<Real>(normal / (object.mirrored ? -std::sqrt(dot(normal, normal)) : std::sqrt(dot(normal, normal))));
 }
 
-/// Fills in what the layout asks for; Gouraud shading lights the corners here.
+/// Fills in what the layout asks for; Gouraud shading evaluates the lighting at the vertices here.
 template <class Real>
 std::array<CornerAttributes<Real>, 3> corner_attributes(const Pass<Real>& pass, const Surface<Real>& surface,
                                                         const CornerSource<Real>& source, CountingRecorder& recorder);
 
-/// Flat shading: the light in the middle of the triangle, with the mean of its corners' normals.
+/// Flat shading: the light at the centre of the triangle, with the mean of its vertexs' normals.
 template <class Real>
 struct FlatPoint {
   Vec3<Real> position{0, 0, 0};

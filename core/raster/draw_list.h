@@ -19,7 +19,7 @@ struct DrawObject {
   std::shared_ptr<const MeshCorners> corners;  ///< of `mesh`
   bool sphere = false;                         ///< tessellated here: its triangles have no numbers of their own
   bool front_only = false;                     ///< backs are not drawn, whatever backface-culling says
-  bool mirrored = false;                       ///< fronts are where corners run clockwise (scene/world.h)
+  bool mirrored = false;                       ///< fronts are where vertices run clockwise (scene/world.h)
   Mat3d linear{1.0};                           ///< model to world, for positions: rotation * scale
   Mat3d normal_matrix{1.0};                    ///< model to world, for normals, as `normal-transform` asks
   Vec3d translation{0, 0, 0};                  ///< world units

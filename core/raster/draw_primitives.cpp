@@ -162,7 +162,7 @@ class TriangleDrawer {
     if (pass_.channels != Channel::none) write_channels(fragment, shaded);
   }
 
-  /// Multisampling: coverage and depth for each sub-sample, one shade for the pixel, at its middle.
+  /// Multisampling: coverage and depth for each sub-sample, one shade for the pixel, at its centre.
   void draw_multisampled(const PixelBox& box) {
     const SubSampleEdges sub = make_sub_sample_edges(setup_.edges, pass_.grid.subpixel_bits);
     for (int row = box.y0; row < box.y1; ++row)
@@ -420,7 +420,7 @@ class TriangleDrawer {
     return static_cast<float>(-dot(ray, Vec3d(setup_.triangle->face_normal)) / std::sqrt(dot(ray, ray)));
   }
 
-  /// An inspected tile is a single pixel: tells of a triangle that comes near it without covering it.
+  /// An inspected tile is a single pixel: reports a triangle that comes near it without covering it.
   void report_if_missed(const TileRect& rect) {
     const CoverageEvent decision = explain(rect.x0, rect.y0);
     if (decision.covered) return;

@@ -11,7 +11,7 @@
 namespace ps::raster {
 
 /// Canvas positions in fixed point, counted from the top left of the picture in units of 2^-(subpixel_bits + 1) pixels.
-/// Corners are rounded to 2^-subpixel_bits, so they are even; the spare bit lets samples lie in the middle of a pixel
+/// Vertices are rounded to 2^-subpixel_bits, so they are even; the spare bit lets samples lie at the centre of a pixel
 /// even with 0 sub-pixel bits.
 struct FixedPoint {
   std::int32_t x = 0, y = 0;
@@ -34,9 +34,9 @@ inline FixedPoint to_fixed(const Vec2<Real>& position, int subpixel_bits) {
           static_cast<std::int32_t>(2 * std::lrint(static_cast<double>(position.y) * scale))};
 }
 
-/// Which samples a triangle covers, decided exactly (CGPP 15.6.4; stability.md rows 17-21). Edge i lies opposite corner
+/// Which samples a triangle covers, decided exactly (CGPP 15.6.4; stability.md rows 17-21). Edge i lies opposite vertex
 /// i; its value at a sample is twice the area that sample and edge span, positive inside. The three values add up to
-/// `area`, so value / area is the screen-space barycentric weight of corner i. Two triangles that share an edge compute
+/// `area`, so value / area is the screen-space barycentric weight of vertex i. Two triangles that share an edge compute
 /// the same number with opposite signs, so the fill rule gives each sample on it to exactly one of them.
 struct TriangleEdges {
   std::array<std::int64_t, 3> at_origin{};  ///< values at the sample of pixel (0, 0)
@@ -63,14 +63,14 @@ struct CoverageGrid {
   int samples = 1;         ///< of a pixel; more than one lie anywhere in it (multisample.h)
 };
 
-/// Twice the triangle's area, exactly; its sign tells the orientation.
+/// Twice the triangle's area, exactly; its sign is the orientation.
 inline std::int64_t doubled_area(const std::array<FixedPoint, 3>& corner) {
   const auto across = [&](std::size_t k) { return std::int64_t{corner[k].x} - corner[0].x; };
   const auto down = [&](std::size_t k) { return std::int64_t{corner[k].y} - corner[0].y; };
   return across(1) * down(2) - down(1) * across(2);
 }
 
-/// The edges of a triangle in either orientation; nothing for one without area.
+/// The edges of a triangle in either orientation; nothing for a triangle with zero area.
 inline std::optional<TriangleEdges> make_edges(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
   const std::int64_t unit = fixed_unit(grid.subpixel_bits);
   const auto sample_x = static_cast<std::int64_t>(grid.sample.x * static_cast<double>(unit));
@@ -119,7 +119,7 @@ inline PixelBox sample_box(const std::array<FixedPoint, 3>& corner, const Covera
   const std::int64_t high_y = std::max({corner[0].y, corner[1].y, corner[2].y}) - sample_y;
   const auto ceiling = [&](std::int64_t v) { return static_cast<int>((v + unit - 1) >> shift); };
   const auto floor_next = [&](std::int64_t v) { return static_cast<int>((v >> shift) + 1); };
-  const std::int64_t half = grid.samples > 1 ? unit / 2 : 0;  // how far sub-samples stray from the middle, at most
+  const std::int64_t half = grid.samples > 1 ? unit / 2 : 0;  // maximum distance of sub-samples from the centre
   return {ceiling(low_x - half), ceiling(low_y - half), floor_next(high_x + half), floor_next(high_y + half)};
 }
 

@@ -19,10 +19,10 @@ bool maps_shadows(const Settings& s, const SceneTraits& t) {
 
 /// Why fragments come one after the other; empty if they come in batches.
 std::string_view no_batches(const Settings& s, const SceneTraits& t, Channel channels) {
-  if (s.draw != Draw::filled) return "SIMD draws filled triangles alone";
+  if (s.draw != Draw::filled) return "SIMD draws filled triangles only";
   if (s.projection != Projection::perspective) return "SIMD needs projection = perspective";
   if (s.interpolation != Interpolation::perspective) return "SIMD needs interpolation = perspective";
-  if (!only_fast_channels(channels)) return "scalar code alone stores what this view shows";
+  if (!only_fast_channels(channels)) return "only scalar code stores what this view shows";
   if (s.multisampling > 1) return "SIMD needs multisampling = 1";
   if (!CoverageChoice{s.coverage, s.edge_arithmetic}.is_common())
     return "SIMD needs coverage = edge-function in 64-bit integers";
@@ -30,11 +30,11 @@ std::string_view no_batches(const Settings& s, const SceneTraits& t, Channel cha
   if (draw_steps(s, 1).front().stage != DrawStage::whole)
     return "SIMD needs one pass: no early depth, deferred shading or light passes";
   if (s.illumination != Illumination::book) return "SIMD needs illumination = book";
-  if (t.attenuated && s.attenuation) return "SIMD knows no attenuation";
-  if (maps_shadows(s, t)) return "SIMD knows no shadow maps and no stencil";
-  if (s.environment != Environment::none && t.reflective) return "SIMD knows no environment maps";
+  if (t.attenuated && s.attenuation) return "SIMD needs attenuation = off";
+  if (maps_shadows(s, t)) return "SIMD does not support shadow maps or stencil shadows";
+  if (s.environment != Environment::none && t.reflective) return "SIMD does not support environment maps";
   if (s.textures && t.opacity_maps) return "SIMD cuts nothing out by opacity maps";
-  if (s.textures && t.reflection_maps && s.reflection_depth > 0) return "SIMD knows no reflection maps";
+  if (s.textures && t.reflection_maps && s.reflection_depth > 0) return "SIMD does not support reflection maps";
   if (s.anisotropy > 1) return "SIMD needs anisotropy = 1";
   return "";
 }
@@ -48,13 +48,13 @@ std::string_view no_plain_surfaces(const Settings& s, const SceneTraits& t) {
   return "";
 }
 
-/// Why triangles come one after the other; empty if whole tiles are drawn at once.
+/// Why triangles are drawn one after the other; empty if whole tiles are drawn at once.
 std::string_view no_whole_frame(const Settings& s, const SceneTraits& t) {
   if (s.visibility != Visibility::depth_buffer) return "whole tiles need visibility = depth-buffer";
   if (s.depth_value != DepthValue::inverse_z) return "whole tiles need depth-value = inverse-z";
   if (!s.camera_relative) return "whole tiles need camera-relative = on";
   if (s.subpixel_bits > fast_subpixel_bits) return "whole tiles need at most 8 sub-pixel bits";
-  if (t.canvas_items) return "whole tiles know no canvas items";
+  if (t.canvas_items) return "the tiled SIMD path does not draw canvas items";
   if (s.lighting && s.shading != Shading::phong) return "whole tiles need shading = phong";
   return "";
 }

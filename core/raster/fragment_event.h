@@ -25,7 +25,7 @@ PixelId event_id(const TriangleSetup<Real>& setup) {
   return {setup.surface->object, setup.surface->sphere ? 0 : setup.triangle->triangle};
 }
 
-/// The same for a triangle that drew nothing, with its number among those that stand for the sphere as a detail.
+/// The same for a triangle that drew nothing, with its index among the sphere's triangles as a detail.
 inline void name_by_object(bool sphere, RejectEvent& event) {
   if (!sphere) return;
   event.detail += (event.detail.empty() ? "" : ", ") + ("its triangle " + std::to_string(event.id.triangle));
@@ -64,7 +64,7 @@ FragmentEvent fragment_event(const Pass<Real>& pass, const TriangleSetup<Real>& 
 inline std::string losing_edge(const TriangleEdges& edges, const std::array<std::int64_t, 3>& values) {
   for (std::size_t i = 0; i < 3; ++i)
     if (values[i] <= edges.threshold[i])
-      return values[i] == 0 ? "on edge " + std::to_string(i) + ", which does not own its points"
+      return values[i] == 0 ? "on edge " + std::to_string(i) + ", which does not own its samples"
                             : "edge " + std::to_string(i);
   return {};
 }

@@ -21,8 +21,8 @@ PixelBox grown(Vec2i pixel) { return {pixel.x - 1, pixel.y - 1, pixel.x + 2, pix
 
 bool touch(const PixelBox& a, const PixelBox& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
 
-/// Goes through all primitives in drawing order and draws those that come near the pixel, telling of rejected triangles
-/// when their turn comes.
+/// Goes through all primitives in drawing order and draws those that come near the pixel, reporting rejected triangles
+/// in their turn.
 template <class Real>
 class PixelWalk {
  public:
@@ -80,14 +80,14 @@ class PixelWalk {
     for (std::size_t k = 0; k < 3; ++k) corners[k] = Vec3<Real>(geometry_.vertices[object].camera[mesh.position[k]]);
     return near_pixel(pass_, corners, pixel_);
   }
-  /// Tells of a triangle near the pixel whose edges, or corners, all pass by it.
+  /// Reports a triangle near the pixel whose edges, or vertices, all miss it.
   void report_untouched(PixelRecorder& recorder, const ScreenLine<Real>& edge) const {
     recorder.event([&] {
       const Surface<Real>& surface = pass_.surfaces[edge.surface];
       RejectEvent event;
       event.id = {surface.object, edge.triangle};
       event.reason = RejectReason::not_covered;
-      event.detail = pass_.settings.draw == Draw::points ? "no corner lies in it" : "no edge passes through it";
+      event.detail = pass_.settings.draw == Draw::points ? "no vertex lies in it" : "no edge passes through it";
       name_by_object(surface.sphere, event);
       return event;
     });

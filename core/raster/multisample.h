@@ -5,7 +5,7 @@
 
 namespace ps::raster {
 
-/// Where the sub-samples lie, in sixteenths of a pixel from its middle: the rotated grids that Direct3D calls standard.
+/// Where the sub-samples lie, in sixteenths of a pixel from its centre: the rotated grids that Direct3D calls standard.
 /// No two of them share a row or a column, so flat and steep edges get as many levels as there are samples.
 struct SubSample {
   int x = 0, y = 0;
@@ -26,8 +26,8 @@ inline int sample_count(int multisampling) {
   return multisampling >= 8 ? 8 : multisampling >= 4 ? 4 : multisampling >= 2 ? 2 : 1;
 }
 
-/// Edge values at sub-samples, exactly. With fewer than three sub-pixel bits a sixteenth of a pixel is no whole number
-/// of units, so values are multiplied by a power of two, `scale`.
+/// Edge values at sub-samples, exactly. With fewer than three sub-pixel bits a sixteenth of a pixel is not a whole
+/// number of units, so values are multiplied by a power of two, `scale`.
 struct SubSampleEdges {
   std::int64_t scale = 1;
   std::array<std::int64_t, 3> along_x{}, along_y{};  ///< change for a sixteenth of a pixel

@@ -29,7 +29,7 @@ struct PackedTexture {
   std::size_t heap_bytes() const { return owned_bytes(texels, bytes); }
 };
 
-/// The share of one that byte `level` stands for. Two products and a sum are quicker than the division, and the same to
+/// The fraction of 1 that byte `level` encodes. Two products and a sum are quicker than the division, and the same to
 /// the last bit.
 constexpr float part_of_255(float level) { return level * byte_unit[0] + level * byte_unit[1]; }
 

@@ -24,7 +24,7 @@ CameraSpace make_camera_space(const Camera& camera);
 template <class Real>
 struct CanvasProjection {
   Vec2<Real> scale{1, 1};   ///< pixels per unit of x / z (perspective) or of x (orthographic); y likewise
-  Vec2<Real> centre{0, 0};  ///< the middle of the picture, in pixels from the top left
+  Vec2<Real> centre{0, 0};  ///< the centre of the picture, in pixels from the top left
   Projection kind = Projection::perspective;
 
   /// Centred canvas position, y up, in pixels. Behind the camera the formula turns points upside down; at z = 0 it has

@@ -22,7 +22,8 @@ constexpr int tile_size = 64;
 
 void require_side(int pixels) {
   if (pixels > guard_band)
-    throw InputError(fmt::format("a side of {} pixels: the rasterizer draws at most {}", pixels, guard_band));
+    throw InputError(
+        fmt::format("a width or height of {} pixels: the rasterizer draws at most {}", pixels, guard_band));
 }
 
 /// Notes how long each stage took.
@@ -43,7 +44,8 @@ class Stages {
 FastPath drawn_by(const FastPath& allowed, const RenderRequest& request) {
   if (allowed.machinery != Machinery::whole_frame) return allowed;
   return {Machinery::fragment_batches, SurfaceShading::lanes,
-          request.region ? "whole tiles need the whole picture" : "a texture is too large for the SIMD kernels"};
+          request.region ? "the tiled SIMD path needs the whole picture"
+                         : "a texture is too large for the SIMD kernels"};
 }
 
 /// The channels that show maps and stencil buffers, and what those took.

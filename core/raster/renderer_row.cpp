@@ -11,26 +11,23 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
   std::vector<LeftOut> all;
   if (traits.csg)
     all.push_back({LeftOutKind::objects, "leaves out CSG",
-                   "The rasterizer leaves out objects made by CSG: their surface is only known ray by ray, not as "
-                   "triangles. Set renderer = ray-tracer to see them."});
+                   "The rasterizer leaves out CSG objects, whose surfaces are computed per ray and not as triangles. "
+                   "Set renderer = ray-tracer to see them."});
   if (traits.transparent)
-    all.push_back(
-        {LeftOutKind::effect, "shows glass opaque",
-         "The rasterizer shows transparent surfaces opaque, or cuts them out where an opacity map is below 1/2: it "
-         "follows no light through them. Set renderer = ray-tracer to see through them."});
+    all.push_back({LeftOutKind::effect, "shows transparent surfaces as opaque",
+                   "The rasterizer shows transparent surfaces as opaque, or cuts them out where an opacity map is "
+                   "below 1/2. Set renderer = ray-tracer to see through them."});
   if (traits.light_maps && settings.textures && settings.lighting && settings.shading != Shading::phong)
-    all.push_back(
-        {LeftOutKind::effect, "leaves out maps of highlights",
-         "The rasterizer reads maps of highlights and ambient light where it computes the light, so per vertex "
-         "or triangle it leaves them out. Set shading = phong to see them."});
+    all.push_back({LeftOutKind::effect, "leaves out specular maps",
+                   "With flat or Gouraud shading the rasterizer leaves out maps of highlights and ambient light. Set "
+                   "shading = phong to see them."});
   if (asks_for_shadows(traits, settings) && settings.shadows == Shadows::traced)
-    all.push_back(
-        {LeftOutKind::effect, "leaves out shadows",
-         "The rasterizer has no shadow rays, so shadows = traced leaves the shadows out. Set shadows = map or "
-         "stencil-depth-fail to see them."});
+    all.push_back({LeftOutKind::effect, "leaves out shadows",
+                   "The rasterizer has no shadow rays, so shadows = traced leaves out the shadows. Set shadows = map "
+                   "or stencil-depth-fail to see them."});
   if (asks_for_reflections(traits, settings) && settings.environment == Environment::none)
     all.push_back({LeftOutKind::effect, "leaves out reflections",
-                   "The rasterizer follows no reflected rays, so it leaves reflections out. Set environment = cube-map "
+                   "The rasterizer traces no reflected rays, so it leaves out reflections. Set environment = cube-map "
                    "to see them."});
   return all;
 }

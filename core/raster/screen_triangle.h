@@ -14,7 +14,7 @@ template <class Real>
 struct ScreenTriangle {
   std::array<FixedPoint, 3> corners{};
   PixelBox box;                     ///< samples that it may cover, inside the picture
-  std::array<Real, 3> z{};          ///< camera-space z of the corners
+  std::array<Real, 3> z{};          ///< camera-space z of the vertices
   std::array<Real, 3> inverse_z{};  ///< 1 / z
   Real sort_depth = 0;              ///< mean z of the whole triangle, for the painter
   Vec3<Real> face_normal{0, 0, 0};  ///< world space, length 1

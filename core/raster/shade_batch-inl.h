@@ -43,7 +43,7 @@ HWY_INLINE void add_lookups(const BatchShading& shading, const Source& source, V
   texture::add_lookups(shading.texture, steps, uv.x, uv.y, z, seen, run);
 }
 
-/// The surface's own colour: the material's, times the texture's, which has been read for vector `i` of the run.
+/// The surface's colour: the material's, times the texture's, which has been read for vector `i` of the run.
 HWY_INLINE V3 own_colour(const BatchShading& shading, const texture::Lookups& run, std::size_t i) {
   const V3 colour = splat3(shading.colour);
   if (!shading.texture.texture) return colour;
@@ -84,7 +84,7 @@ HWY_INLINE V3 light_of_equation(const BatchShading& shading, const Source& sourc
   return sum;
 }
 
-/// The colours of fragments whose own colour is `colour`.
+/// The colours of fragments whose surface colour is `colour`.
 template <class Source>
 HWY_INLINE V3 light_vector(const BatchShading& shading, const Source& source, const V3& colour) {
   const V zero = hn::Zero(D());

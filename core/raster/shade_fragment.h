@@ -301,7 +301,7 @@ ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Rea
   return shaded;
 }
 
-/// The colour of a fragment with what it mirrors, under all lights or, with Phong shading, only one of them; what is
+/// The colour of a fragment with its reflection, under all lights or, with Phong shading, only one of them; what is
 /// mirrored then comes with the first.
 template <class Real, class Recorder>
 ShadedFragment<Real> shade_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,

@@ -159,7 +159,7 @@ TessellationView make_tessellation_view(const Camera& camera, const Viewport<dou
   view.pixels_per_unit = std::max(projection.scale.x, projection.scale.y);
   view.nearest = near * viewport.distance;
   view.max_error = max_error;
-  if (viewport.projection == Projection::perspective) {  // away from the middle, the same angle takes more pixels
+  if (viewport.projection == Projection::perspective) {  // away from the centre, the same angle takes more pixels
     const double tangent_x = projection.centre.x / projection.scale.x;
     const double tangent_y = projection.centre.y / projection.scale.y;
     view.pixels_per_unit *= 1 + tangent_x * tangent_x + tangent_y * tangent_y;

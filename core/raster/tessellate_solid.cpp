@@ -168,7 +168,7 @@ void require_finite(const FormFrame& f, const TessellationView& view) {
   const bool frame = is_finite(f.centre) && is_finite(f.half) &&
                      std::all_of(f.axes.begin(), f.axes.end(), [](const Vec3d& axis) { return is_finite(axis); });
   if (!frame || !is_finite(view.eye) || !std::isfinite(view.pixels_per_unit) || !std::isfinite(view.nearest))
-    throw InputError("a shape whose place or size is not finite cannot be cut into triangles");
+    throw InputError("a shape with a position or size that is not finite cannot be tessellated");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ps::raster::HWY_NAMESPACE {
 namespace texture {
 
-/// floor_of(), but for the sign of a zero, which nobody here asks for.
+/// floor_of(), but for the sign of a zero, which is not used here.
 HWY_INLINE V floor_of(V value) { return hn::Floor(value); }
 
 /// A whole number below PackedTexture::most_texels: the sum's last digits are the number. A conversion would look for

@@ -9,12 +9,13 @@ namespace ps::raster {
 /// What is made of the triangles afterwards.
 enum class VertexUse {
   picture,  ///< all are drawn
-  pixel     ///< those near one pixel are; the places on the canvas tell which
+  pixel     ///< those near one pixel are; the positions on the canvas show which
 };
 
 /// Model space to camera space for every vertex of every object that may be seen (CGFS ch. 10), and to world space for
-/// those whose shading asks for it. With `camera-relative` positions lose the camera's before they are rounded to Real,
-/// so pictures far from the origin do not shake. Objects culled by their bounding sphere get empty buffers.
+/// those whose shading asks for it. With `camera-relative` positions are relative to the camera's before they are
+/// rounded to Real, so pictures far from the origin do not shake. Objects culled by their bounding sphere get empty
+/// buffers.
 template <class Real>
 std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const std::vector<bool>& culled, VertexUse use,
                                                  const ParallelOptions& parallel, Progress& progress);

@@ -8,7 +8,7 @@
 
 namespace ps {
 
-/// Whether the tree of boxes serves: by choice, or in place of Embree, which has no double and may not be there.
+/// Whether the BVH is used: by choice, or instead of Embree, which has no double precision and may be missing.
 template <class Real>
 bool uses_bvh(const Settings& settings) {
   const bool embree = std::is_same_v<Real, float> && has_embree();

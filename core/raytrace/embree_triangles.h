@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// A triangle that Embree offers, with what its own arithmetic says: t, and the weights of corners a, b and c.
+/// A triangle that Embree offers, with what its own arithmetic says: t, and the weights of vertices a, b and c.
 struct EmbreeCandidate {
   std::uint32_t primitive = no_primitive;
   float t = 0;
@@ -15,8 +15,8 @@ struct EmbreeCandidate {
 };
 
 /// The scene's triangles in Intel's ray tracing kernels, as production renderers use them. Optional: see has_embree()
-/// in base/machine.h. Embree decides with its own arithmetic which triangles a ray meets; nodes that it visits cannot
-/// be told.
+/// in base/machine.h. Embree decides with its own arithmetic which triangles a ray meets; it does not
+/// report the nodes that it visits.
 class EmbreeTriangles {
  public:
   /// Is Embree compiled in?

@@ -16,29 +16,29 @@ bool fading_lights(const Settings& s, const SceneTraits& t) { return t.attenuate
 
 /// Why packets of rays against spheres cannot draw it; empty if they can.
 std::string_view no_sphere_packets(const Settings& s, const SceneTraits& t, Channel channels) {
-  if (t.triangles || t.solids || t.csg) return "packets of rays know spheres alone";
-  if (t.sphere_count > most_packet_spheres) return "packets of rays know at most 8 spheres";
-  if (!only_fast_channels(channels)) return "scalar code alone stores what this view shows";
+  if (t.triangles || t.solids || t.csg) return "packets of rays need a scene of spheres only";
+  if (t.sphere_count > most_packet_spheres) return "packets of rays need a scene of at most 8 spheres";
+  if (!only_fast_channels(channels)) return "only scalar code stores what this view shows";
   if (s.projection != Projection::perspective) return "packets need projection = perspective";
   if (s.sphere_test != SphereTest::robust) return "packets need sphere-test = robust";
   if (s.self_hit != SelfHit::offset) return "packets need self-hit = offset";
   if (s.highlight != Highlight::phong) return "packets need highlight = phong";
   if (s.illumination != Illumination::book) return "packets need illumination = book";
-  if (fading_lights(s, t)) return "packets know no attenuation";
+  if (fading_lights(s, t)) return "packets need attenuation = off";
   if (!s.cache_constants) return "packets need cache-constants = on";
   if (s.shadow_cache) return "packets need shadow-cache = off";
   if (s.accelerator != Accelerator::bvh && s.accelerator != Accelerator::none)
     return "packets need accelerator = bvh or none";
-  if (t.textures || t.normal_maps) return "packets know no textures";
-  if (t.tinted) return "packets know one colour for each surface";
+  if (t.textures || t.normal_maps) return "packets do not support textures";
+  if (t.tinted) return "packets need one colour per surface";
   if (t.odd_highlights) return "packets need exponents above 0";
-  if (t.any_transparency) return "packets know no transparency";
+  if (t.any_transparency) return "packets do not support transparency";
   return "";
 }
 
 /// Why SIMD cannot search the triangles; empty if it can.
 std::string_view no_wide_triangles(const Settings& s, const SceneTraits& t, Channel channels) {
-  if (!t.triangles) return "SIMD searches know triangles alone";
+  if (!t.triangles) return "SIMD searches need a scene of triangles only";
   if (has(channels, Channel::tests)) return "the view shows the tests of the scalar search";
   if (!s.cache_constants) return "SIMD searches need cache-constants = on";
   const bool searched =
@@ -48,8 +48,8 @@ std::string_view no_wide_triangles(const Settings& s, const SceneTraits& t, Chan
   if (s.slab_test != SlabTest::robust) return "SIMD searches need slab-test = robust";
   if (s.triangle_test != TriangleTest::watertight && s.triangle_test != TriangleTest::moeller_trumbore)
     return "SIMD searches need triangle-test = watertight or moeller-trumbore";
-  if (t.one_sided) return "SIMD searches know no one-sided triangles";
-  if (t.any_transparency) return "SIMD searches know no transparency";
+  if (t.one_sided) return "SIMD searches do not support one-sided triangles";
+  if (t.any_transparency) return "SIMD searches do not support transparency";
   return "";
 }
 
@@ -62,16 +62,16 @@ FastPath shaded_hits(const Settings& s, const SceneTraits& t, Channel channels) 
     return FastPath{Machinery::wide_triangles, SurfaceShading::mixed, reason};
   };
   const SamplingMode mode = sampling_plan(s).mode;
-  if (mode == SamplingMode::many) return single("hits are shaded by SIMD for one ray a pixel");
-  if (mode == SamplingMode::subsampling) return single("hits are shaded by SIMD where every pixel is searched");
-  if (!only_fast_channels(channels)) return single("scalar shading alone stores what this view shows");
+  if (mode == SamplingMode::many) return single("SIMD shading needs one ray per pixel");
+  if (mode == SamplingMode::subsampling) return single("SIMD shading needs subsampling = 1");
+  if (!only_fast_channels(channels)) return single("only scalar shading stores what this view shows");
   if (s.illumination != Illumination::book) return single("SIMD shading needs illumination = book");
-  if (fading_lights(s, t)) return single("SIMD shading knows no attenuation");
+  if (fading_lights(s, t)) return single("SIMD shading needs attenuation = off");
   if (s.shadow_cache) return single("SIMD shading needs shadow-cache = off");
   const std::optional<Simd> target = widest_simd(s.simd);
   if (!target || *target == Simd::sse4) return single("SIMD shading of hits needs AVX2");
   if (mode == SamplingMode::adaptive) return mixed("further samples of a pixel are shaded one after the other");
-  if (t.spheres || t.solids || t.csg) return mixed("SIMD shades hits of triangles alone");
+  if (t.spheres || t.solids || t.csg) return mixed("SIMD shading needs hits on triangles");
   if (t.textures || t.normal_maps || t.height_maps) return mixed("textured surfaces are shaded one hit at a time");
   if (t.tinted || t.odd_highlights) return mixed("surfaces of several colours are shaded one hit at a time");
   if (s.reflection_depth > 0 && t.reflective) return mixed("reflective surfaces are shaded one hit at a time");

@@ -69,7 +69,7 @@ struct Primitive {
   std::uint32_t shape = 0;     ///< index into spheres, triangles (where shared: instances) or solids
   std::uint32_t material = 0;  ///< index into Scene::materials; of a CSG object that of its first part
   bool front_only = false;     ///< rays that see its back pass through
-  bool mirrored = false;       ///< a triangle whose front is the side from which its corners run clockwise
+  bool mirrored = false;       ///< a triangle whose front is the side from which its vertices run clockwise
 };
 
 /// Does a ray in this direction, if it meets the triangle, come from behind?
@@ -88,8 +88,8 @@ struct NumberRange {
 };
 
 /// The scene's geometry as rays see it, in the renderer's precision. Instances are either unfolded into world-space
-/// triangles, and a primitive's number is its index; or they share their meshes, and `numbers` tells whose it is.
-/// Both give the same triangles, to the last bit, in the same order.
+/// triangles, and a primitive's number is its index; or they share their meshes, and `numbers` maps a number to its
+/// instance. Both give the same triangles, to the last bit, in the same order.
 template <class Real>
 struct TracedGeometry {
   std::vector<Primitive> primitives;
@@ -105,7 +105,7 @@ struct TracedGeometry {
   std::vector<TracedSolid> solids;
   std::vector<Box<Real>> solid_boxes;  ///< one for each of `solids`
   std::vector<CsgStep> steps;
-  /// Primitives without an end, such as planes. They stand outside of every accelerator, since no box around them would
+  /// Unbounded primitives, such as planes. They stand outside of every accelerator, since no box around them would
   /// keep a ray away; all others stand in `bounded`, in the same order. Empty `unbounded`: `bounded` is empty too.
   std::vector<std::uint32_t> unbounded, bounded;
   bool one_sided_triangles = false;        ///< some primitives are triangles with front_only

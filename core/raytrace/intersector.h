@@ -156,9 +156,9 @@ class Intersector {
     if (simple.octree) for_each_candidate(*simple.octree, candidate, best.t, visit, recorder_);
   }
 
-  /// What is not a triangle first, in its own tree. Where our test accepts a triangle that Embree offers, it tells t
-  /// and weights. Where ours sees the ray pass by, Embree decides, or the ray could slip through between the two; such
-  /// hits are counted.
+  /// Primitives other than triangles first, in their own tree. If our test accepts a triangle that Embree offers, it
+  /// provides t and weights. Where ours sees the ray pass by, Embree decides, or the ray could slip through between the
+  /// two; such hits are counted.
   template <class Visit>
   void search_embree(const Query& query, Visit&& visit, bool any, Hit<Real>& best) const {
     const EmbreeGeometry& embree = *inputs_.simple.embree;
@@ -246,7 +246,7 @@ class Intersector {
     }
   }
 
-  /// For each ray of a packet the nearest primitive that is no triangle.
+  /// For each ray of a packet the nearest primitive that is not a triangle.
   void nearest_others(std::span<const Ray<Real>> rays, const WidePacket& packet, std::span<Hit<Real>> hits) const {
     const Bvh<float>& others = inputs_.wide->others;
     unsigned perhaps = others.nodes.empty() ? 0u : inputs_.packet_searches.meets(others.nodes[0].box, packet);
@@ -258,7 +258,7 @@ class Intersector {
     }
   }
 
-  /// The nearest primitive that is no triangle.
+  /// The nearest primitive that is not a triangle.
   Hit<Real> nearest_other(const Ray<Real>& ray) const {
     Hit<Real> best;
     best.t = ray.t_max;
@@ -473,13 +473,13 @@ class Intersector {
     TriangleTestEvent event;
     event.id = id;
     event.outcome = outcome;
-    if (own_surface) event.rejected_by = "the ray starts on it";
+    if (own_surface) event.rejected_by = "the ray's origin lies on it";
     if (own_surface || result.verdict == TriangleVerdict::parallel) return event;
     // Behind its start the ray does not need the guard: that is before its range by itself.
     if (result.verdict == TriangleVerdict::guarded && result.t >= 0)
       event.rejected_by = "t is within its rounding error of 0";
     if (outcome == TestOutcome::missed)
-      event.rejected_by = "weight of corner " + std::to_string(result.corner + 1) + " is negative";
+      event.rejected_by = "weight of vertex " + std::to_string(result.corner + 1) + " is negative";
     const auto& w = result.weights;
     event.weights = {static_cast<double>(w[0]), static_cast<double>(w[1]), static_cast<double>(w[2])};
     event.t = static_cast<double>(result.t);

@@ -10,7 +10,7 @@
 
 namespace ps {
 
-/// World-space corners.
+/// World-space vertices.
 template <class Real>
 struct TracedTriangle {
   Vec3<Real> a{0}, b{0}, c{0};
@@ -39,7 +39,7 @@ struct PlacedInstance {
   Box<double> box;     ///< of its triangles in the world, as rays see them
 };
 
-/// A corner in the world, as rays see it.
+/// A vertex in the world, as rays see it.
 template <class Real>
 inline Vec3<Real> placed_corner(const Transform& transform, const Vec3d& position) {
   return Vec3<Real>(to_world(transform, position));

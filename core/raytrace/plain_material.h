@@ -5,8 +5,8 @@
 
 namespace ps {
 
-/// Do the vector forms of shading know how such a surface is lit? Its colour is the same everywhere and serves all
-/// terms of the equation, and its highlight has an ordinary exponent.
+/// Do the vector forms of shading know how such a surface is lit? Its colour is the same everywhere and in all terms of
+/// the equation, and its highlight has an ordinary exponent.
 inline bool has_plain_light(const ShadingMaterial<float>& material) {
   const bool highlight = !material.specular || (*material.specular > 0 && std::isfinite(*material.specular));
   return highlight && material.texture < 0 && material.normal_map < 0 && !material.ambient_colour &&

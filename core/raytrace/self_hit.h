@@ -20,9 +20,9 @@ inline Vec3<Real> offset_from_triangle(const Surface<Real>& surface, const Vec3<
   return point;
 }
 
-/// The direction in which a surface mirrors a ray that came from `to_eye`. A ray that enters a sphere sees its outside,
-/// but where it all but passes by, rounding may place the point beyond the horizon, and the mirrored ray would run into
-/// the ball. With self-hit = offset such a ray counts as what it is, parallel to the surface, and runs on.
+/// The direction in which a surface reflects a ray that came from `to_eye`. A ray that enters a sphere sees its
+/// outside, but where it all but passes by, rounding may place the point beyond the horizon, and the mirrored ray would
+/// run into the ball. With self-hit = offset such a ray counts as what it is, parallel to the surface, and runs on.
 template <class Real>
 inline Vec3<Real> mirrored_direction(const Surface<Real>& surface, const Vec3<Real>& to_eye,
                                      const TraceInputs<Real>& inputs) {

@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// Does the primitive's own colour come from a texture?
+/// Does the primitive's local colour come from a texture?
 template <class Real>
 bool reads_texture(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inputs) {
   const std::uint32_t material = pixel.surface.material;
@@ -38,7 +38,7 @@ void store_channels(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inp
   if (!frame.direction.empty()) frame.direction.at(x, y) = Vec3f(normalised(pixel.ray.direction));
 }
 
-/// Stores a pixel with its channels and tells whether it has a NaN.
+/// Stores a pixel with its channels and returns whether it has a NaN.
 template <class Real>
 bool store_pixel(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inputs, int x, int y, Frame& frame) {
   const Vec3<Real>& colour = pixel.colour;

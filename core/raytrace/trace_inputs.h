@@ -26,7 +26,7 @@ struct TraceInputs {
   std::shared_ptr<const TracedGeometry<Real>> geometry;
   std::shared_ptr<const Bvh<Real>> bvh;  ///< absent with accelerator = none
   SimpleAccelerators<Real> simple;
-  /// The SIMD form of `bvh` or the octree for queries that nobody inspects; absent where it does not apply. It finds
+  /// The SIMD form of `bvh` or the octree for queries without a recorder; absent where it does not apply. It finds
   /// the same hits, but visits nodes of its own.
   std::shared_ptr<const WideGeometry> wide;
   /// The SIMD form of testing everything; likewise.

@@ -107,9 +107,9 @@ class Tracer {
     }
   }
 
-  /// Subsampling (CGFS ch. 5): the searched pixels around saw what `around` tells, by these primitives. If all saw the
-  /// same object, or nothing, only they are tested. Where the ray misses them (met = false), it is to be searched for
-  /// after all.
+  /// Subsampling (CGFS ch. 5): `around` summarises the neighbours already traced; the primitives are what they hit. If
+  /// all saw the same object, or nothing, only they are tested. Where the ray misses them (met = false), it is to be
+  /// searched for after all.
   Hit<Real> find_between(const Ray<Real>& ray, std::span<const std::uint32_t> primitives, ReuseEvent& around) const {
     Hit<Real> hit;
     if (around.same && !primitives.empty()) hit = intersector_.among(ray, primitives);
@@ -155,7 +155,7 @@ class Tracer {
   }
 
  private:
-  /// Through the viewport position x to the right of the middle and `upwards` above it.
+  /// Through the viewport position x to the right of the centre and `upwards` above it.
   Ray<Real> eye_ray(Real x, const Vec3<Real>& upwards) const {
     Ray<Real> ray{inputs_.eye, inputs_.forward, inputs_.near, inputs_.far, no_primitive};
     aim(ray, x, upwards);
@@ -260,13 +260,13 @@ class Tracer {
     return trace(reflected, RayKind::reflection, depth + 1, share, medium);
   }
 
-  /// How the light of a transparent surface is shared out: what it is, mirrors and lets through.
+  /// How the light of a transparent surface is divided: local, reflected and transmitted.
   struct Shares {
     Real own = 1, mirrored = 0, refracted = 0;
   };
 
   /// A surface of transparency T and reflectivity R lets T of the light through and treats the rest as an opaque one
-  /// does. Of the light that comes through, the boundary itself mirrors the share F (Fresnel), all of it in total
+  /// does. Of the transmitted light, the boundary itself reflects the share F (Fresnel), all of it in total
   /// internal reflection; with fixed shares F is 0 otherwise.
   Shares shares_of(const ShadingMaterial<Real>& material, Real fresnel, Real share) const {
     const Real through = material.transparency, rest = Real(1) - through;
@@ -480,7 +480,7 @@ class Tracer {
   const TraceInputs<Real>& inputs_;
   Recorder& recorder_;
   Intersector<Real, Recorder> intersector_;
-  /// By light. A tracer serves one tile, so the work that it saves does not depend on threads.
+  /// By light. A tracer is for one tile, so the work that it saves does not depend on threads.
   mutable std::vector<std::uint32_t> last_blockers_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace ps {
 
-/// Where a line meets a triangle's plane (CGFS ch. 5): t, and the point relative to corner a. Slopes up to `epsilon` in
+/// Where a line meets a triangle's plane (CGFS ch. 5): t, and the point relative to vertex a. Slopes up to `epsilon` in
 /// size count as parallel.
 template <class Real>
 struct PlanePoint {

@@ -5,7 +5,8 @@
 namespace ps {
 namespace {
 
-/// Box of what numbers of a range stand for; empty for what has no end, and for instances that nothing can hit.
+/// Bounding box of the primitives in a range of numbers; empty for unbounded ones, and for instances that no ray can
+/// hit.
 template <class Real>
 Box<Real> range_box(const TracedGeometry<Real>& geometry, const NumberRange& range) {
   switch (range.kind) {

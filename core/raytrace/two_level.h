@@ -24,7 +24,7 @@ template <class Real>
 std::shared_ptr<const TwoLevel<Real>> two_level(const Scene& scene, const TracedGeometry<Real>& geometry,
                                                 Prepared& prepared);
 
-/// Tells the boxes of a model's tree as those of an instance.
+/// Reports the boxes of a model's tree as those of an instance.
 template <class Recorder>
 struct ModelRecorder {
   Recorder& recorder;

@@ -79,7 +79,7 @@ struct Triangles<TriangleTest::moeller_trumbore> {
     const P s = subtract(origin, same_in_lanes<D>(a));
     const P q = cross(s, edge_b);
     const V u_part = dot(s, p), v_part = dot(direction, q), t_part = dot(edge_c, q);
-    // Most rays can be told to miss before the divisions. The decision falls after them.
+    // Most rays can be rejected before the divisions. The decision falls after them.
     const V sign = hn::And(determinant, hn::SignBit(d));
     const V size = hn::Xor(determinant, sign), slack = hn::Mul(size, all(1e-6f));
     const V u_size = hn::Xor(u_part, sign), v_size = hn::Xor(v_part, sign);

@@ -86,7 +86,7 @@ struct BlockRay<TriangleTest::moeller_trumbore, width> {
     const Point s = subtract(origin, a);
     const Point q = cross(s, edge_b);
     const V u_part = dot(s, p), v_part = dot(direction, q), t_part = dot(edge_c, q);
-    // Most lanes can be told to miss before the divisions. The decision falls after them.
+    // Most lanes can be rejected before the divisions. The decision falls after them.
     const V sign = hn::And(determinant, hn::SignBit(d));
     const V size = hn::Xor(determinant, sign), slack = hn::Mul(size, My::all(1e-6f));
     const V u_size = hn::Xor(u_part, sign), v_size = hn::Xor(v_part, sign), t_size = hn::Xor(t_part, sign);

@@ -43,7 +43,7 @@ struct NodeEvent {
   Vec3d low{0, 0, 0}, high{0, 0, 0};
   bool entered = false;
   int object = -1;    ///< the instance in whose model space the box lies; -1 = in the world
-  double radius = 0;  ///< above 0: the node is no box, but the ball in the middle of it
+  double radius = 0;  ///< above 0: the node is not a box but the sphere at its centre
 };
 
 enum class TestOutcome {
@@ -68,7 +68,7 @@ struct SphereTestEvent {
 struct TriangleTestEvent {
   PixelId id;
   TestOutcome outcome = TestOutcome::missed;
-  std::string rejected_by;  ///< "weight of corner 1 is negative"; empty when accepted
+  std::string rejected_by;  ///< "weight of vertex 1 is negative"; empty when accepted
   std::optional<std::array<double, 3>> weights;
   std::optional<double> t;
 };
@@ -140,7 +140,7 @@ struct ReflectionEvent {
   Vec3d local{0, 0, 0}, reflected{0, 0, 0}, result{0, 0, 0};
 };
 
-/// A surface whose further rays would bring less than reflection-cutoff: it shows its own colour.
+/// A surface whose next bounce would contribute less than reflection-cutoff: it shows its local colour.
 struct CutoffEvent {
   double share = 0;  ///< of the pixel's colour that they would bring
   double least = 0;  ///< the setting
@@ -151,7 +151,7 @@ struct RefractionEvent {
   double transparency = 0;
   double from_index = 1, to_index = 1;         ///< refraction indices on the ray's side and beyond
   double cos_incident = 0, cos_refracted = 0;  ///< of the angles to the normal; the second is 0 in total reflection
-  double fresnel = 0;                          ///< share that the boundary mirrors; 1 = total internal reflection
+  double fresnel = 0;                          ///< share that the boundary reflects; 1 = total internal reflection
   bool total = false;
   double own_share = 0, mirrored_share = 0, refracted_share = 0;  ///< what the three colours are multiplied by
   Vec3d local{0, 0, 0}, mirrored{0, 0, 0}, refracted{0, 0, 0}, result{0, 0, 0};
@@ -181,11 +181,12 @@ struct RejectEvent {
 struct FragmentEvent {
   PixelId id;
   std::array<Vec2d, 3> corners{};        ///< canvas, pixels from the top left
-  std::array<double, 3> corner_depth{};  ///< camera-space z of the corners
-  std::array<double, 3> edges{};         ///< edge function values at the sample; positive = inside
-  std::array<bool, 3> tie_owned{};       ///< edge passes exactly through the sample and this triangle owns it
-  std::array<double, 3> weights_2d{};    ///< screen-space barycentric weights
-  std::array<double, 3> weights{};       ///< perspective-correct weights
+  std::array<double, 3> corner_depth{};  ///< camera-space z of the vertices
+  std::array<double, 3>
+      edges{};  ///< edge function values at the sample, entry i for the edge opposite vertex i; positive = inside
+  std::array<bool, 3> tie_owned{};     ///< edge passes exactly through the sample and this triangle owns it
+  std::array<double, 3> weights_2d{};  ///< screen-space barycentric weights
+  std::array<double, 3> weights{};     ///< perspective-correct weights
   double z = 0, inverse_z = 0;
   enum class Depth { passed, failed, off } depth = Depth::off;
   /// Which pass over the triangles it belongs to: with an early depth pass or deferred shading there are two.
@@ -193,7 +194,7 @@ struct FragmentEvent {
   int samples = 1, samples_covered = 1;    ///< of the pixel, with multisampling
   double depth_stored = 0, depth_new = 0;  ///< in the stored depth value; meaningless when off
   bool back_face = false;
-  int sphere_triangle = -1;  ///< which of the triangles that stand for a sphere; -1 for triangles of a model
+  int sphere_triangle = -1;  ///< index among the triangles of a tessellated sphere; -1 for triangles of a model
   int clipped_into = 1;      ///< number of triangles that clipping made of the original
 };
 

@@ -21,7 +21,7 @@ struct LedgerLine {
   int event = -1;        ///< index of the event it comes from
 };
 
-/// All that one click tells, in the order in which it happened.
+/// All that one click reports, in the order in which it happened.
 struct PixelStory {
   Vec2i pixel{0, 0};  ///< array position: column, row
   Renderer renderer = Renderer::ray_tracer;

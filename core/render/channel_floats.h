@@ -5,7 +5,7 @@
 
 namespace ps {
 
-/// The numbers of a channel instead of colours that stand for them: one for each pixel, or three.
+/// The numbers of a channel instead of colours: one or three for each pixel.
 using ChannelFloats = std::variant<Image<float>, Image<Vec3f>>;
 
 /// The values themselves, as Frame describes them; the frame must have been made with the channels that the row needs.

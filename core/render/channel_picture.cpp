@@ -120,7 +120,7 @@ ChannelPicture nan_picture(const Frame& frame, const Settings& settings) {
 }
 
 /// A fault is one pixel among thousands: its colour stands out against the picture in dark grey, and its number is
-/// told.
+/// shown.
 ChannelPicture precision_picture(const Frame& frame, const Settings& settings) {
   const DisplayTransform transform = display_transform(settings);
   std::array<std::size_t, precision_fault_count> counts{};
@@ -194,7 +194,7 @@ ChannelPicture make_picture(const Frame& frame, ShownChannel channel, const Sett
                     const Vec3f w = frame.barycentric.at(x, y);
                     return unit_levels(w.x, w.y, w.z);
                   }),
-            keys({{{255, 0, 0}, "corner 0"}, {{0, 255, 0}, "corner 1"}, {{0, 0, 255}, "corner 2"}})};
+            keys({{{255, 0, 0}, "vertex 0"}, {{0, 255, 0}, "vertex 1"}, {{0, 0, 255}, "vertex 2"}})};
   case ShownChannel::uv:
     return {paint(frame,
                   [&](int x, int y) {
@@ -227,7 +227,7 @@ ChannelPicture make_picture(const Frame& frame, ShownChannel channel, const Sett
   return {};
 }
 
-/// A light may see for miles past what throws shadows: colours end at a few times the usual depth.
+/// A light's map may reach far beyond the objects that cast shadows: colours end at a few times the usual depth.
 ValueRange shadow_map_range(ValueRange range, const Frame& frame) {
   constexpr double most = 3;
   std::vector<float> depths;

@@ -58,7 +58,7 @@ struct ChannelLegend {
   struct Entry {
     Rgb8 colour;
     std::string meaning;
-    int object = -1;  ///< index into Geometry::objects that the colour stands for; -1 = none
+    int object = -1;  ///< index into Geometry::objects that the colour represents; -1 = none
   };
   std::vector<Entry> entries;  ///< colours with a meaning of their own, such as "nothing seen"
 };

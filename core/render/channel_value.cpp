@@ -147,7 +147,7 @@ std::string channel_value_text(const Frame& frame, ShownChannel channel, const S
     if (!lights) return "nothing";
     std::string text;
     for (unsigned bits = frame.shadow.at(x, y); bits != 0; bits &= bits - 1)
-      text += fmt::format("{}{}", text.empty() ? "blocked: light " : ", ", std::countr_zero(bits) + 1);
+      text += fmt::format("{}{}", text.empty() ? "blocked: light " : ", ", std::countr_zero(bits));
     return text.empty() ? "lit" : text;
   }
   }

@@ -10,7 +10,7 @@ void compare_with_double(Frame& frame, const Scene& scene, const View& view, con
                          const RenderRequest& request, Prepared& prepared, Progress& progress);
 
 /// Fills `frame.depth_gap`: how many units in the last place of the stored depth value lie between the first and the
-/// second surface along the pixel's ray: below 1, the depth buffer cannot tell them apart. Infinity where there is no
+/// second surface along the pixel's ray: below 1, the depth buffer stores them as equal. Infinity where there is no
 /// second surface. Surfaces that back-face culling removes do not count. Spheres are the exact ones, as rays see them.
 void find_depth_gaps(Frame& frame, const Scene& scene, const View& view, const Settings& settings,
                      const RenderRequest& request, Prepared& prepared, Progress& progress);

@@ -20,7 +20,7 @@ struct CanvasLine {
   bool operator==(const CanvasLine&) const = default;
 };
 
-/// A triangle on the canvas (CGFS ch. 7). `h` is the book's intensity per corner, multiplied into the colour.
+/// A triangle on the canvas (CGFS ch. 7). `h` is the book's intensity per vertex, multiplied into the colour.
 struct CanvasTriangle {
   std::array<Vec2d, 3> points{};
   std::array<Vec3d, 3> colours{};

@@ -25,7 +25,7 @@ void name_objects(Geometry& geometry) {
   }
 }
 
-/// Unnamed materials are called after what wears them, those of a model with their colour.
+/// Unnamed materials are named after the object that has them, those of a model with their colour.
 void name_materials(const Geometry& geometry, std::vector<Material>& materials) {
   FreeNames names;
   for (const Material& material : materials) names.take(material.name);

@@ -3,8 +3,8 @@
 
 namespace ps {
 
-/// Gives a name to everything that the file left without one, checks what only the whole file can tell, and seals the
-/// parts. Throws InputError.
+/// Gives a name to everything that the file left without one, checks what needs the whole file, and seals the parts.
+/// Throws InputError.
 Scene finish_draft(SceneDraft draft);
 
 }  // namespace ps

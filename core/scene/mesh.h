@@ -27,11 +27,11 @@ struct Mesh {
   std::vector<MeshTriangle> triangles;
   std::vector<std::uint32_t> materials;  ///< indices into Scene::materials, one for each material slot
   std::string source;                    ///< the model file that it was read from; empty if a scene file spells it out
-  std::vector<BezierPatch> patches;      ///< the curved surface that the triangles stand for, if they stand for one
+  std::vector<BezierPatch> patches;      ///< the curved surface that the triangles approximate, if any
   bool operator==(const Mesh&) const = default;
 };
 
-/// A sphere around all positions: its centre is the middle of the bounding box (CGFS ch. 11).
+/// A sphere around all positions: its centre is that of the bounding box (CGFS ch. 11).
 struct BoundingSphere {
   Vec3d centre{0, 0, 0};
   double radius = 0;

@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// A model file as it was read: a mesh with everything that it wears. Indices count from 0 within these lists.
+/// A model file as it was read: a mesh with its materials and textures. Indices count from 0 within these lists.
 struct ObjModel {
   Mesh mesh;  ///< Mesh::materials point into `materials`
   std::vector<Material> materials;

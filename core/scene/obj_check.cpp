@@ -172,11 +172,11 @@ class ObjChecker {
   void face(ObjLine& line) {
     int corners = 0;
     for (auto word = line.next(); !word.empty(); word = line.next()) {
-      if (++corners > most_corners) line.fail(line.shown(), fmt::format("at most {} corners", most_corners));
+      if (++corners > most_corners) line.fail(line.shown(), fmt::format("at most {} vertices", most_corners));
       corner(line, word);
     }
     if (corners < 3)
-      line.fail(fmt::format("a face with {} corner{}", corners, corners == 1 ? "" : "s"), "at least 3 corners");
+      line.fail(fmt::format("a face with {} {}", corners, corners == 1 ? "vertex" : "vertices"), "at least 3 vertices");
     ++summary_.faces;
     summary_.corners += static_cast<std::size_t>(corners);
   }
@@ -216,7 +216,7 @@ class ObjChecker {
   }
 
   [[noreturn]] static void fail_corner(const ObjLine& line) {
-    line.fail(line.shown(), "a corner such as 1, 1/2, 1//3 or 1/2/3");
+    line.fail(line.shown(), "a vertex reference such as 1, 1/2, 1//3 or 1/2/3");
   }
 
   [[noreturn]] static void fail_index(const ObjLine& line, long long index, const IndexList& list) {

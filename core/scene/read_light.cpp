@@ -20,7 +20,7 @@ void read_light(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   const std::string kind = values.name(type, "ambient, point or directional");
   if (kind == "ambient") {
     light.kind = LightKind::ambient;
-    fields.forbid({"position", "direction"}, "no place or direction: ambient light has none");
+    fields.forbid({"position", "direction"}, "no position or direction: ambient light has none");
   } else if (kind == "point") {
     light.kind = LightKind::point;
     fields.forbid({"direction"}, "'position': a point light has no direction");

@@ -181,7 +181,7 @@ class ModelReader {
   }
 
   const std::vector<SceneTerm>& three(const SceneTerm& term) const {
-    if (!term.is_list() || term.items.size() != 3) values_.fail(term, "three values, one for each corner");
+    if (!term.is_list() || term.items.size() != 3) values_.fail(term, "three values, one for each vertex");
     return term.items;
   }
 

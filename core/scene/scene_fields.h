@@ -27,7 +27,7 @@ class SceneFields {
   const SceneEntry& block_;
 };
 
-/// Throws the error for a key that nobody knows.
+/// Throws the error for an unknown key.
 [[noreturn]] void fail_unknown_key(const SceneValues& values, const SceneEntry& entry, std::string_view where,
                                    const std::vector<std::string_view>& known);
 

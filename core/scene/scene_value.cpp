@@ -74,7 +74,7 @@ std::string SceneValues::name(const SceneTerm& term, std::string_view expected) 
 }
 
 const std::vector<SceneTerm>& SceneValues::corners(const SceneTerm& term) const {
-  if (!term.is_list() || term.items.size() != 3) fail(term, "three values, one for each corner");
+  if (!term.is_list() || term.items.size() != 3) fail(term, "three values, one for each vertex");
   return term.items;
 }
 

@@ -44,7 +44,7 @@ class SceneValues {
   Vec2d size(const SceneTerm& term) const;
   /// <45 degrees around the Y axis>, several of them with commas (the first turns first), or three rows in [ ].
   Mat3d rotation(const SceneTerm& term) const;
-  /// A rotation that serves as a frame of its own, of a camera or a box: no column is shorter than `min_camera_axis`.
+  /// A rotation that is a frame of its own, of a camera or a box: no column is shorter than `min_camera_axis`.
   Mat3d frame(const SceneTerm& term) const;
   /// The exponent of a highlight: greater than 0, or the book's -1 for a matte surface, which has none.
   std::optional<double> specular(const SceneTerm& term) const;

@@ -25,7 +25,7 @@ std::vector<std::string> unique_names(const Things& things, const std::string& o
   return names;
 }
 
-/// How finely a teapot is cut that has so many triangles: 64 n^2 - 8 n (scene/generate/teapot.h).
+/// The divisions of a teapot with this number of triangles: 64 n^2 - 8 n (scene/generate/teapot.h).
 int teapot_divisions(double triangles) {
   return static_cast<int>(std::lround((8 + std::sqrt(64 + 256 * triangles)) / 128));
 }

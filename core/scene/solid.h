@@ -84,7 +84,7 @@ struct CsgNode {
   }
 };
 
-/// Solid bodies put together (CGFS ch. 5). Cut faces wear the material of the part that made the cut.
+/// Solid bodies combined by CSG (CGFS ch. 5). Cut faces have the material of the part that made the cut.
 struct Csg {
   CsgNode root;
   bool operator==(const Csg&) const = default;

@@ -15,7 +15,7 @@ enum class TextureChannel { colour, red, green, blue, alpha, luminance };
 /// As scene files name it: "alpha".
 std::string_view texture_channel_name(TextureChannel channel);
 
-/// A picture that surfaces can wear. Texels are linear RGB in [0, 1]; row 0 is the top, v = 0.
+/// A texture image for surfaces. Texels are linear RGB in [0, 1]; row 0 is the top, v = 0.
 struct Texture {
   std::string name;
   std::string path;  ///< where it was read from; empty for pictures made by the program

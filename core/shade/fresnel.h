@@ -32,7 +32,7 @@ inline std::optional<Refraction<Real>> refract(const Vec3<Real>& direction, cons
   return Refraction<Real>{beyond * length, cos_incident, cos_refracted};
 }
 
-/// The share of unpolarised light that a boundary of two dielectrics mirrors (Fresnel's equations).
+/// The share of unpolarised light that a boundary of two dielectrics reflects (Fresnel's equations).
 template <class Real>
 inline Real fresnel_share(Real cos_incident, Real cos_refracted, Real n1, Real n2) {
   const Real across = (n1 * cos_incident - n2 * cos_refracted) / (n1 * cos_incident + n2 * cos_refracted);

@@ -147,9 +147,9 @@ struct Blocking {
 
 /// The illumination equation of CGFS ch. 3 and 4, in the book's order of operations; shared by rays and fragments.
 /// The highlight does not depend on N.L > 0, as in the book. Vectors need not have length 1.
-/// `blocked(light_index, to_light, t_max) -> Blocking<Real>` tells what stands between the point and a casting light;
-/// the light lies at position + t_max * to_light (infinity for a directional one). It is asked once for each casting
-/// light. Reports a LightEvent for each light; the first one's index is `first_light`.
+/// `blocked(light_index, to_light, t_max) -> Blocking<Real>` returns what blocks the light between the point and a
+/// casting light; the light lies at position + t_max * to_light (infinity for a directional one). It is asked once for
+/// each casting light. Reports a LightEvent for each light; the first one's index is `first_light`.
 template <class Real, class Recorder, class Blocked>
 Lighting<Real> illuminate(const LitPoint<Real>& point, const ShadingMaterial<Real>& material,
                           std::span<const ShadingLight<Real>> lights, const IlluminationOptions& options,

@@ -10,7 +10,7 @@ namespace ps {
 /// Normal mapping in tangent space (CGFS ch. 15), shared by both renderers.
 ///
 /// A normal map holds directions relative to the surface: x along growing u, y towards the top of the picture (falling
-/// v, since v = 0 is the top row), z along the surface's own normal. Red, green and blue from 0 to 1 stand for -1 to 1.
+/// v, since v = 0 is the top row), z along the surface's own normal. Red, green and blue from 0 to 1 encode -1 to 1.
 
 /// How a surface's texture lies on it: directions in which u grows and v falls, of any length.
 template <class Real>

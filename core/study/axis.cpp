@@ -82,7 +82,8 @@ PlotAxis fit_axis(const std::vector<double>& values, AxisScale scale) {
     axis.low = low / room;
     axis.high = high * room;
   } else {
-    // What differs by less than a tick's digits tell stands in the middle: steps that small would vanish in the sum.
+    // Values that differ by less than a tick's digits are drawn at the centre: steps that small would vanish in the
+    // sum.
     const double least_room = 1e-5 * std::max(std::abs(low), std::abs(high));
     const double room = high > low ? std::max(0.08 * (high - low), least_room) : high == 0 ? 1 : std::abs(high) / 2;
     axis.low = low >= 0 && low - room < 0 ? 0 : low - room;

@@ -29,7 +29,7 @@ struct ChartPoint {
   std::vector<double> samples_ms;  ///< wall time of one render, everything prepared; one for each repeat
   Quartiles time_ms;
   Quartiles cost;         ///< on the chart's horizontal axis: time_ms, or work without any spread
-  double prepare_ms = 0;  ///< the first render, with building trees, mips and tessellations, less the median time
+  double prepare_ms = 0;  ///< the first render, with building trees, mips and tessellations, minus the median time
   double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes
   Comparison comparison;
   bool compared = false;  ///< comparison, memory, counters and work are known
@@ -52,7 +52,8 @@ struct ChartIdentity {
   std::string base;       ///< the settings under the sweep: "K=V;K=V"
   std::string machinery;  ///< which code was timed, and why: TimedSettings::reason
   int points = 0;         ///< of the whole sweep
-  /// Of the reference's pixels, the camera and the settings of all points: tells sweeps, views and edited scenes apart.
+  /// Of the reference's pixels, the camera and the settings of all points: distinguishes sweeps, views and edited
+  /// scenes.
   std::string fingerprint;
   bool operator==(const ChartIdentity&) const = default;
 };

@@ -20,7 +20,7 @@ constexpr const char* log_name = "runs.jsonl";
   throw InputError(folder.string() + ": holds another chart; choose another folder or empty this one");
 }
 
-/// Identity, machine and halves from the first line. Without it nobody knows what the other lines were measured with.
+/// Identity, machine and halves from the first line. Without it the conditions of the other lines are unknown.
 Chart read_head(const std::filesystem::path& path, const JsonLog& log) {
   const bool first_is_damaged =
       !log.damaged.empty() && (log.lines.empty() || log.damaged.front().number < log.lines.front().number);

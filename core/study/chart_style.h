@@ -23,7 +23,7 @@ std::vector<const ChartPoint*> front_by_cost(const Chart& chart);
 /// was damaged.
 std::string chart_provenance(const Chart& chart);
 
-/// Colours of Okabe and Ito, told apart by colour-blind eyes as well: one for each renderer and precision. Shape
+/// Colours of Okabe and Ito, distinct for colour-blind eyes as well: one for each renderer and precision. Shape
 /// (round for rays, square for fragments) says the renderer again.
 Rgb8 mark_colour(const Settings& settings);
 std::string hex_colour(Rgb8 colour);

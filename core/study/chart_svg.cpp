@@ -150,7 +150,7 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
   return lines + words;
 }
 
-/// What each colour, shape and line stands for, of those that are there.
+/// The legend: what each colour, shape and line in the chart means.
 std::string legend(const Chart& chart, double largest_memory) {
   constexpr double y = plot_corner.y - 24;
   double x = plot_corner.x;

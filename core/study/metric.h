@@ -10,7 +10,7 @@
 
 namespace ps {
 
-/// How the error of a picture is told as one number.
+/// The metric that measures the error of a picture as one number.
 enum class ErrorMetric { mae, rmse, psnr, max, ssim, flip };
 
 struct ErrorMetricRow {

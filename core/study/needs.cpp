@@ -137,7 +137,7 @@ class Search {
 
   void measure_times() {
     std::vector<Settings> all{request_.base, needs_.advice};
-    std::vector<std::string> labels{"the settings as they are", "the advice"};
+    std::vector<std::string> labels{"the current settings", "the advice"};
     std::vector<FeatureShare*> measured;
     for (FeatureShare& share : needs_.shares)
       if (share.used) {

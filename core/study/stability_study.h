@@ -28,8 +28,7 @@ struct StabilityRequest {
   enum class Kept { take, measure_again } kept = Kept::take;
 };
 
-/// The series that tells most at first sight: the first of which some naive value is not the robust one; the very first
-/// if there is none. "" without rows.
+/// The default series: the first one in which naive and robust values differ, or the very first. "" without rows.
 std::string telling_series(const std::vector<StabilityRow>& rows);
 
 /// Called after each row and each complete experiment, on the thread that runs the study; the status counts

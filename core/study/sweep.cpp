@@ -193,7 +193,7 @@ std::span<const NamedSweep> named_sweeps() {
       {"texture-filters", "Texture filters", {"renderer=ray-tracer,rasterizer", "texture-filter"}},
       {"reflection-depths", "Reflection depth", {"reflection-depth=0,1,2,3,4,6,8"}},
       {"reflection-cutoffs",
-       "Least share of a bounce",
+       "Minimum contribution",
        {"reflection-depth=3,12", "reflection-cutoff=0,0.01,0.02,0.05,0.1,0.2"}},
       {"tessellation-levels",
        "Tessellation against exact spheres",

@@ -16,7 +16,7 @@ struct SweepAxis {
   std::vector<std::string> values;  ///< as option_text() writes them
 };
 
-/// Reads "KEY=V1,V2.." or "KEY", which stands for standard_values(). Throws InputError for an unknown key and a value
+/// Reads "KEY=V1,V2.." or "KEY", which means standard_values(). Throws InputError for an unknown key and a value
 /// that the option cannot have, and for the same value twice.
 SweepAxis parse_sweep_axis(std::string_view text);
 
@@ -36,7 +36,7 @@ std::vector<SweepAxis> parse_sweep(std::string_view text);
 /// The key of the named sweep with these axes, otherwise all axes as text: "shading=phong,flat;textures=on,off", or
 /// "none".
 std::string sweep_text(std::span<const SweepAxis> axes);
-/// The axes that sweep_text() told of. Throws InputError like parse_sweep().
+/// The axes that sweep_text() wrote. Throws InputError like parse_sweep().
 std::vector<SweepAxis> parse_sweep_text(std::string_view text);
 
 /// One point of a sweep before it is measured.

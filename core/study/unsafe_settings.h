@@ -9,7 +9,7 @@ namespace ps {
 
 /// An option whose value leaves the safe window of a stability experiment, with what that does to a scene.
 struct UnsafeSetting {
-  std::string_view experiment;  ///< key of the experiment that tells why: "reflection-self-hit"
+  std::string_view experiment;  ///< key of the experiment that explains why: "reflection-self-hit"
   std::string_view option;      ///< key of the option
   std::string value;            ///< as it is
   std::string safe;             ///< assignments that make it safe: "self-hit=offset"
@@ -18,7 +18,7 @@ struct UnsafeSetting {
 
 struct UnsafeOptions {
   int side = 160;           ///< the picture's longer side while it is measured, px
-  bool only_known = false;  ///< tells what leaves a window without rendering anything
+  bool only_known = false;  ///< returns which options leave their window, without rendering
   WorkerPriority priority = WorkerPriority::normal;
 };
 

@@ -55,7 +55,7 @@ struct BookScene {
   std::vector<BookSphere> spheres;
   std::vector<BookInstance> instances;
   const std::vector<Light>& lights;
-  std::vector<std::shared_ptr<const Unmirrored>> unmirrored{};  ///< what some of `instances` stand for
+  std::vector<std::shared_ptr<const Unmirrored>> unmirrored{};  ///< spheres that some of `instances` approximate
 };
 
 BookScene book_scene(const Scene& scene, const View& view, const Settings& settings);

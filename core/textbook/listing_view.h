@@ -42,8 +42,7 @@ struct ListingRow {
 /// Which instance of each loop is shown. There is always one of each that fits the others as well as can be.
 class ListingView {
  public:
-  /// `trace` and `text` must outlive the view. Begins at the work for the pixel that had most to tell, the last of
-  /// them.
+  /// `trace` and `text` must outlive the view. Begins at the work for the pixel with the most values, the last of them.
   ListingView(const ListingTrace& trace, const ListingText& text);
 
   /// All lines with their values.

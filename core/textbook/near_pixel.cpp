@@ -29,7 +29,7 @@ std::vector<Vec2d> places_from_pixel(const BookScene& scene, const BookInstance&
   return places;
 }
 
-/// Whether the box around three places comes near to 0. A place that is no number never keeps it away.
+/// Whether the box around three places comes near to 0. A place that is NaN never keeps it away.
 bool comes_near(double a, double b, double c) {
   if (std::isnan(a) || std::isnan(b) || std::isnan(c)) return true;
   return std::min({a, b, c}) <= pixels_around && std::max({a, b, c}) >= -pixels_around;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int tile_size = 64;
 
-/// Copies a finished canvas into the frame and counts colours that are no numbers.
+/// Copies a finished canvas into the frame and counts colours that are NaN.
 std::uint64_t store(const BookCanvas& canvas, Frame& frame) {
   std::uint64_t nan = 0;
   const TileRect& part = canvas.part();
@@ -76,7 +76,7 @@ PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings
   for (const Watch& watch : trace->watches) lines.insert(watch.line);
   const Listing& listing = *trace->listing.listing;
   story.verdict = lines.empty() ? fmt::format("no line of the listing of {} reached this pixel", listing.source)
-                                : fmt::format("the listing of {} gave this pixel its colour: {} values on {} lines",
+                                : fmt::format("the listing of {} computed this pixel's colour: {} values on {} lines",
                                               listing.source, trace->watches.size(), lines.size());
   story.events = tell_listing(book_scene(scene, view, settings), *trace);
   story.events.push_back({-1, EventData(PixelEvent{story.linear, story.display})});

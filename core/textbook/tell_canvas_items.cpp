@@ -43,7 +43,7 @@ class CanvasTeller {
   }
 
   const CanvasTriangle* triangle_of(int pixel) const {
-    const int triangle = reader_.around(pixel, "triangle with corner");
+    const int triangle = reader_.around(pixel, "triangle with vertex");
     if (triangle < 0) return nullptr;
     const CanvasTriangle* found = nullptr;
     for (const CanvasItem& item : *book_.scene.canvas_items)
@@ -54,7 +54,7 @@ class CanvasTeller {
     return found;
   }
 
-  /// Which of the three sides it is the listing does not say: told as the first.
+  /// The listing does not say which of the three edges it is: it is reported as the first.
   void tell_outline(int pixel) {
     const CanvasTriangle* triangle = triangle_of(pixel);
     if (!triangle || !triangle->outline) return;

@@ -7,9 +7,9 @@
 
 namespace ps {
 
-/// What a listing did for its pixel, in the events in which the ray tracer or the rasterizer tells the same steps, from
-/// the values on its lines. Without the last event, which is the pixel's own. What a listing does not work out (weights
-/// and edge values of a triangle that it fills row by row) is worked out here from its corners.
+/// What a listing did for its pixel, as the events with which the ray tracer or the rasterizer reports the same steps,
+/// from the values on its lines. Without the last event, which is the pixel's own. What a listing does not compute
+/// (weights and edge values of a triangle that it fills row by row) is computed here from its vertices.
 std::vector<Event> tell_listing(const BookScene& book, const ListingTrace& trace);
 
 /// The renderer whose steps a listing takes: rays for those that go pixel by pixel, else triangles and lines.

@@ -33,7 +33,7 @@ class RayTeller {
   }
 
  private:
-  static constexpr std::string_view bounces = "ray with bounces left";
+  static constexpr std::string_view bounces = "remaining bounces";
 
   struct Found {
     int sphere = -1;  ///< index into the book's spheres
@@ -145,7 +145,7 @@ class RayTeller {
         event.visible = 0;
       }
     }
-    // A blocked light goes no further in the listing; where the surface faces is told all the same.
+    // A blocked light goes no further in the listing; the surface's direction is reported all the same.
     const double n_dot_l = number(light, "N . L", dot(hit.shading_normal, event.to_light));
     event.n_dot_l = n_dot_l / (length(hit.shading_normal) * length(event.to_light));
     event.below_horizon = !(n_dot_l > 0);

@@ -89,7 +89,7 @@ class TriangleTeller {
 
   void tell_fragment(int pixel, int triangle) {
     FragmentEvent event = fragment(pixel, triangle);
-    const auto visible = reader_.last<bool>(pixel, "nearer than what is there");
+    const auto visible = reader_.last<bool>(pixel, "nearer than the stored depth");
     const auto colour = reader_.last<Vec3d>(visible ? triangle : pixel, "colour");
     const bool drawn = visible ? *visible : colour.has_value();
     const bool tested = book_.settings.visibility == Visibility::depth_buffer || !visible;
@@ -119,7 +119,7 @@ class TriangleTeller {
     const MeshTriangle& drawn =
         instance->model->triangles[static_cast<std::size_t>(std::get<std::int64_t>(reader_.value_of(triangle)))];
     const BookSurface surface = surface_of(book_, *instance, drawn);
-    const Vec3d own = reader_.last<Vec3d>(pixel, "own colour").value_or(surface.colour) / full_level;
+    const Vec3d own = reader_.last<Vec3d>(pixel, "local colour").value_or(surface.colour) / full_level;
     tell_texture(pixel, *instance, drawn, own);
     for (const int place : lit_at(pixel, triangle)) tell_lights(place);
     recorder_.event([&] { return ShadeEvent{own, Vec3d(*intensity), Vec3d(0), own * *intensity}; });
@@ -138,10 +138,10 @@ class TriangleTeller {
     recorder_.event([&] { return event; });
   }
 
-  /// Where the light was worked out: at the pixel, at the corners from below, or once for the triangle.
+  /// Where the lighting was evaluated: at the pixel, at the vertices from below, or once for the triangle.
   std::vector<int> lit_at(int pixel, int triangle) const {
     if (!reader_.below(pixel, "light").empty()) return {pixel};
-    if (auto corners = reader_.below(triangle, "corner from below");
+    if (auto corners = reader_.below(triangle, "vertex, from below");
         !corners.empty() && !reader_.below(corners.front(), "light").empty())
       return corners;
     return {triangle};

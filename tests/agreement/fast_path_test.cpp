@@ -119,7 +119,7 @@ TEST(FastPath, ReasonsNameWhatIsMissing) {
   EXPECT_EQ(reason("cgfs/crates", {"renderer=rasterizer", "visibility=painter"}),
             "whole tiles need visibility = depth-buffer");
   EXPECT_EQ(drawn("cgfs/crates", {"renderer=rasterizer"}, TileRect{4, 4, 20, 20}).path.reason,
-            "whole tiles need the whole picture");
+            "the tiled SIMD path needs the whole picture");
 }
 
 }  // namespace

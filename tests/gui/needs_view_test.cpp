@@ -24,7 +24,7 @@ TEST(NeedsAdvice, SaysWhatWorkIs) {
   EXPECT_NE(told.saving.find("60,000 instead of 1 M rays, tests, fragments and reads of textures and maps"),
             std::string::npos)
       << told.saving;
-  EXPECT_EQ(told.time, "The time fell here too: 10 ms instead of 20 ms.");
+  EXPECT_EQ(told.time, "Here the time is less, too: 10 ms instead of 20 ms.");
 }
 
 TEST(NeedsAdvice, SaysThatLessWorkWasNotLessTime) {

@@ -79,7 +79,7 @@ TEST(StoryRows, EveryEventIsInExactlyOneRow) {
 
 TEST(StoryRows, AShadowRayNamesItsLight) {
   const auto events = ray_with({{0, RayEvent{.kind = RayKind::shadow}}, test(TestOutcome::missed, 1), light(1)});
-  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "shadow ray to light 2: way is free (1 test)");
+  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "shadow ray to light 1: not blocked (1 test)");
 }
 
 TEST(StoryRows, ALightThatAddsNothingIsNotTold) {
@@ -89,7 +89,7 @@ TEST(StoryRows, ALightThatAddsNothingIsNotTold) {
   lamp.diffuse = 0.5;
   lamp.specular = 8.7e-98;
   const auto events = ray_with({{0, lamp}});
-  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "light 2: diffuse 0.5, specular adds nothing");
+  EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "light 1: diffuse 0.5, specular adds nothing");
 }
 
 TEST(StoryRows, AStencilSaysItsCountAndTheFacesBelow) {
@@ -106,14 +106,14 @@ TEST(StoryRows, AStencilSaysItsCountAndTheFacesBelow) {
   }
   const auto events = ray_with({{0, stencil}});
   EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1),
-            "stencil of light 2: 3 of 4 shadow volume faces count, 1 in all: in shadow");
+            "stencil of light 1: 3 of 4 shadow volume faces are counted, sum 1: in shadow");
   EXPECT_EQ(short_description(events[1], Scene{}),
-            "stencil of light 2: 3 of 4 shadow volume faces count, 1 in all: in shadow")
+            "stencil of light 1: 3 of 4 shadow volume faces are counted, sum 1: in shadow")
       << "which the space view writes over its foot";
   const auto lines = row_details(events[1], Scene{});
   ASSERT_EQ(lines.size(), 3u) << "one for each face that counts";
-  EXPECT_EQ(lines[0], "+1 where the line of sight enters the shadow of object 1 at its lit face");
-  EXPECT_EQ(lines[2], "-1 where the line of sight leaves the shadow of object 1 at its lit face");
+  EXPECT_EQ(lines[0], "+1 where the line of sight enters the shadow volume of object 0 at its lit face");
+  EXPECT_EQ(lines[2], "-1 where the line of sight leaves the shadow volume of object 0 at its lit face");
   EXPECT_TRUE(row_details(events[0], Scene{}).empty());
 }
 

@@ -328,7 +328,7 @@ TEST(Rasterized, InspectorNamesWhatPassesBy) {
   Progress progress;
   const Scene cubes = load_scene("cgfs/wireframe");
   for (const auto& [how, detail] :
-       {std::pair{"draw=wireframe", "no edge passes through it"}, std::pair{"draw=points", "no corner lies in it"}}) {
+       {std::pair{"draw=wireframe", "no edge passes through it"}, std::pair{"draw=points", "no vertex lies in it"}}) {
     const Settings settings = settings_of({how, "backface-culling=off"});
     const PixelStory story = inspect(cubes, {cubes.camera, 600, 600}, settings, {200, 320}, prepared, progress);
     int told = 0;

@@ -70,7 +70,7 @@ TEST(BehindTheCamera, TheStorySaysSo) {
   Progress progress;
   const View view{scene.camera, 600, 600};
   const auto verdict = [&](Vec2i pixel) { return inspect(scene, view, settings, pixel, prepared, progress).verdict; };
-  EXPECT_NE(verdict({430, 230}).find("all its corners lie behind the camera"), std::string::npos)
+  EXPECT_NE(verdict({430, 230}).find("all its vertices lie behind the camera"), std::string::npos)
       << verdict({430, 230});
   EXPECT_EQ(verdict({180, 270}).find("behind the camera"), std::string::npos) << verdict({180, 270});
 }

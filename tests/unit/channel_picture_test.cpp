@@ -193,7 +193,7 @@ TEST(ChannelPicture, ValuesReadAsText) {
   EXPECT_EQ(text(ShownChannel::precision, 1), "missed hit");
   EXPECT_EQ(text(ShownChannel::depth_gap, 0), "no second surface");
   EXPECT_EQ(text(ShownChannel::depth_gap, 1), "second surface 0.5 ulp behind");
-  EXPECT_EQ(text(ShownChannel::shadow, 2), "blocked: light 2, 3");
+  EXPECT_EQ(text(ShownChannel::shadow, 2), "blocked: light 1, 2");
   EXPECT_EQ(text(ShownChannel::tests, 0), "12");
   EXPECT_EQ(text(ShownChannel::samples, 0), "1");
   EXPECT_EQ(text(ShownChannel::direction, 0), "(0, 0, 1)");

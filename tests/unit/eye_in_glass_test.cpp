@@ -60,7 +60,7 @@ TEST(EyeInGlass, ARayThatLeavesABoxIsBentBySnellsLaw) {
           ASSERT_EQ(rays[0].inside.size(), 1u);
           EXPECT_EQ(rays[0].inside[0].object, 0);
           EXPECT_NEAR(rays[0].inside[0].index, 1.5, 1e-6);
-          EXPECT_NE(describe(story.events.front(), scene).find("from the inside of"), std::string::npos)
+          EXPECT_NE(describe(story.events.front(), scene).find("origin inside"), std::string::npos)
               << describe(story.events.front(), scene);
         }
       }

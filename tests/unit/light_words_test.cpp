@@ -49,12 +49,12 @@ TEST(LightWords, ReasonsAreTrue) {
   EXPECT_EQ(brief(away), "surface faces away");
   away.specular = 0.25;  // the book's highlight does not ask which way the surface faces
   EXPECT_EQ(brief(away), "surface faces away, no diffuse, specular 0.25");
-  EXPECT_EQ(brief(lamp(0, 0)), "gives no light") << "it faces the lamp and sees it";
+  EXPECT_EQ(brief(lamp(0, 0)), "emits no light") << "it faces the lamp and sees it";
   LightEvent hidden = lamp(0, 0);
   hidden.visible = 0;
   EXPECT_EQ(brief(hidden), "in shadow");
   hidden.blocker = PixelId{2, 0};
-  EXPECT_EQ(brief(hidden), "blocked by sphere 3");
+  EXPECT_EQ(brief(hidden), "blocked by sphere 2");
 }
 
 // CGFS ch. 3: at the front of the red sphere the lamp's mirrored light passes the eye by far, and with an exponent of
@@ -85,9 +85,9 @@ TEST(LightWords, StoryAndSumAgreeOnWhatAddsNothing) {
   settings.light_shown = 3;
   const PixelStory sun = inspect(scene, view, settings, {300, 400}, prepared, progress);
   const auto of_lamp = std::find_if(sun.ledger.begin(), sun.ledger.end(),
-                                    [](const LedgerLine& line) { return line.term.rfind("light 2", 0) == 0; });
+                                    [](const LedgerLine& line) { return line.term.rfind("light 1", 0) == 0; });
   ASSERT_NE(of_lamp, sun.ledger.end());
-  EXPECT_EQ(of_lamp->term, "light 2 (point): gives no light");
+  EXPECT_EQ(of_lamp->term, "light 1 (point): emits no light");
 }
 
 }  // namespace

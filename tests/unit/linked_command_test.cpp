@@ -143,7 +143,7 @@ TEST(LinkedCommand, BadLinksAreRefused) {
   refused({"render", "--out", out}, "SCENE is required");
   refused({"render", "--permalink", "nothing", "--out", out}, "found 'nothing', expected a permalink");
   refused({"render", "--permalink", folder.file("gone.permalink"), "--out", out}, "no such file");
-  refused({"render", "--permalink", folder.file("none.png"), "--out", out}, "holds no permalink");
+  refused({"render", "--permalink", folder.file("none.png"), "--out", out}, "contains no permalink");
   refused({"render", "--permalink", "a.gamma=2", "--out", out}, "names no scene");
   refused({"render", "--permalink", "scene=cgfs/nothing", "--out", out}, "cgfs/nothing");
   refused({"render", "--permalink", "scene=cgfs/lens&a.gamma=nan", "--out", out}, "gamma");

@@ -194,7 +194,7 @@ TEST(Listing, LightAddsUp) {
   Prepared prepared;
   Progress progress;
   const PixelStory story = inspect(scene, view, settings, {20, 19}, prepared, progress);
-  EXPECT_NE(story.verdict.find("it adds its light to 1 earlier colour"), std::string::npos) << story.verdict;
+  EXPECT_NE(story.verdict.find("its colour is added to 1 earlier colour"), std::string::npos) << story.verdict;
 }
 
 /// The same numbers as the ray tracer's own story, which knows nothing of listings.
@@ -287,9 +287,9 @@ TEST(Listing, LoopsAreSteppedThrough) {
   ListingView again(traced, text);
   rows = again.rows();
   const std::size_t traced_ray = rows[ray].loops ? ray : ray - 1;
-  EXPECT_EQ(rows[traced_ray].instance, "ray with bounces left 3");
+  EXPECT_EQ(rows[traced_ray].instance, "remaining bounces 3");
   again.step(traced_ray, 1);
-  EXPECT_EQ(again.rows()[traced_ray].instance, "ray with bounces left 2");
+  EXPECT_EQ(again.rows()[traced_ray].instance, "remaining bounces 2");
 }
 
 TEST(Listing, OptionsThatItDoesNotReadAreGreyed) {

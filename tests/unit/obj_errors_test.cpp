@@ -64,9 +64,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "no normal index, since there are none in the file"},
         BadModel{"uv_too_large", three_vertices + "vt 0 0\nf 1/1 2/2 3/1\n", 5, 7, "index 2 in '2/2'",
                  "a texture coordinate index of at most 1"},
-        BadModel{"two_corners", three_vertices + "f 1 2\n", 4, 6, "a face with 2 corners", "at least 3 corners"},
+        BadModel{"two_corners", three_vertices + "f 1 2\n", 4, 6, "a face with 2 vertices", "at least 3 vertices"},
         BadModel{"corner_of_words", three_vertices + "f a b c\n", 4, 3, "'a'",
-                 "a corner such as 1, 1/2, 1//3 or 1/2/3"},
+                 "a vertex reference such as 1, 1/2, 1//3 or 1/2/3"},
         BadModel{"too_many_corners",
                  three_vertices + "f" +
                      [] {
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
                        return many;
                      }() +
                      "\n",
-                 4, 2003, "'1'", "at most 1000 corners"},
+                 4, 2003, "'1'", "at most 1000 vertices"},
         BadModel{"long_line", "v 0 0 0" + std::string(8'000'000, ' ') + "\n", 1, 1, "a line of 8000007 bytes",
                  "at most 65536 bytes"},
         BadModel{"utf16", std::string("\xFF\xFEv\0 \0", 6), 1, 1, "UTF-16 text", "UTF-8 text"},

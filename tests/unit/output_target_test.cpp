@@ -238,7 +238,7 @@ TEST(OutputTarget, AnOutputNeverReplacesWhatTheSceneWasReadFrom) {
     const std::string old = read_whole_file(file);
     const auto result = run_cli(arguments);
     EXPECT_EQ(result.status, 2) << file;
-    EXPECT_NE(result.err.find("is read for this"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("is an input of this run"), std::string::npos) << result.err;
     EXPECT_EQ(read_whole_file(file), old);
   };
   fs::create_symlink("textures", folder.file("way"));

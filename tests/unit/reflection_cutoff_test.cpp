@@ -55,8 +55,8 @@ TEST(ReflectionCutoff, IsTold) {
           ++told;
           EXPECT_EQ(cutoff->share, 0.125);
           EXPECT_NEAR(cutoff->least, 0.2, 1e-7);
-          EXPECT_EQ(describe(event, scene),
-                    "followed no further: what comes next is 0.125 of the pixel, less than reflection-cutoff = 0.2");
+          EXPECT_EQ(describe(event, scene), "not followed: the next bounce would contribute 0.125 of the pixel's "
+                                            "colour, less than reflection-cutoff = 0.2");
         }
     }
   EXPECT_GT(told, 10);

@@ -41,7 +41,7 @@ bool has_term(const PixelStory& story, int level, const std::string& start, cons
 TEST(RayStory, VerdictNamesWinnerBlockerAndBounces) {
   PixelStory story = test::mirrored_story();
   finish_story(story, test::book_spheres(), Settings{});
-  EXPECT_EQ(story.verdict, "sphere 1 (red) won at t = 2.312; light 2 is blocked by sphere 3; 1 bounce");
+  EXPECT_EQ(story.verdict, "sphere 0 (red) won at t = 2.312; light 1 is blocked by sphere 2; 1 bounce");
 }
 
 // All numbers of the hand-made story are sums of powers of two, so the ledger must be exact.
@@ -49,14 +49,14 @@ TEST(RayStory, LedgerAddsUpOnEveryLevel) {
   PixelStory story = test::mirrored_story();
   finish_story(story, test::book_spheres(), Settings{});
   expect_sums(story);
-  EXPECT_TRUE(has_term(story, 0, "sphere 1 (red): 0.75 of its own colour", {0.328125, 0, 0}));
-  EXPECT_TRUE(has_term(story, 0, "sphere 1 (red): 0.25 of what it mirrors", {0, 0, 0.0625}));
-  EXPECT_TRUE(has_term(story, 1, "light 1 (ambient)", {0.1875, 0, 0}));
-  EXPECT_TRUE(has_term(story, 1, "light 2 (point): blocked by sphere 3", {0, 0, 0}));
-  EXPECT_TRUE(has_term(story, 1, "light 3 (directional) diffuse", {0.09375, 0, 0}));
-  EXPECT_TRUE(has_term(story, 1, "light 3 (directional) specular", {0.046875, 0, 0}));
-  EXPECT_TRUE(has_term(story, 1, "sphere 2 (blue): its own colour", {0, 0, 0.0625}));
-  EXPECT_TRUE(has_term(story, 2, "light 1 (ambient)", {0, 0, 0.0625}));
+  EXPECT_TRUE(has_term(story, 0, "sphere 0 (red): 0.75 x local colour", {0.328125, 0, 0}));
+  EXPECT_TRUE(has_term(story, 0, "sphere 0 (red): 0.25 x reflected colour", {0, 0, 0.0625}));
+  EXPECT_TRUE(has_term(story, 1, "light 0 (ambient)", {0.1875, 0, 0}));
+  EXPECT_TRUE(has_term(story, 1, "light 1 (point): blocked by sphere 2", {0, 0, 0}));
+  EXPECT_TRUE(has_term(story, 1, "light 2 (directional) diffuse", {0.09375, 0, 0}));
+  EXPECT_TRUE(has_term(story, 1, "light 2 (directional) specular", {0.046875, 0, 0}));
+  EXPECT_TRUE(has_term(story, 1, "sphere 1 (blue): local colour", {0, 0, 0.0625}));
+  EXPECT_TRUE(has_term(story, 2, "light 0 (ambient)", {0, 0, 0.0625}));
 }
 
 TEST(RayStory, TermsThatDoNotAddUpBecomeOneLine) {
@@ -66,7 +66,7 @@ TEST(RayStory, TermsThatDoNotAddUpBecomeOneLine) {
       if (light->light == 2) light->diffuse = 0.9;
   finish_story(story, test::book_spheres(), Settings{});
   expect_sums(story);
-  EXPECT_FALSE(has_term(story, 1, "light 1 (ambient)", {0.1875, 0, 0}));
+  EXPECT_FALSE(has_term(story, 1, "light 0 (ambient)", {0.1875, 0, 0}));
 }
 
 TEST(RayStory, MissTellsOfTheBackground) {
@@ -79,7 +79,7 @@ TEST(RayStory, MissTellsOfTheBackground) {
   story.events = record.take();
   story.linear = {0.5, 0.25, 1};
   finish_story(story, test::book_spheres(), Settings{});
-  EXPECT_EQ(story.verdict, "the eye ray hit nothing (1 primitive was tested): background");
+  EXPECT_EQ(story.verdict, "the eye ray hits nothing (1 primitive was tested): background");
   expect_sums(story);
 }
 
@@ -90,7 +90,7 @@ TEST(RayStory, DisplayLinesTellOfClampingAndExposure) {
   settings.exposure = 2;
   settings.gamma = 2.2;
   finish_story(story, test::book_spheres(), settings);
-  EXPECT_TRUE(has_term(story, 0, "times exposure 2", {0, 0, 0}));
+  EXPECT_TRUE(has_term(story, 0, "multiplied by exposure 2", {0, 0, 0}));
   EXPECT_TRUE(has_term(story, 0, "red 1.5 is clamped to 1", {0, 0, 0}));
   EXPECT_TRUE(has_term(story, 0, "to the power 1 / 2.2", {0, 0, 0}));
   EXPECT_TRUE(has_term(story, 0, "stored as 84, 0, 16", {0, 0, 0}));
@@ -150,17 +150,18 @@ PixelStory fragment_story() {
 TEST(FragmentStory, VerdictCountsWhatLost) {
   PixelStory story = fragment_story();
   finish_story(story, cube_scene(), Settings{});
-  EXPECT_EQ(story.verdict, "triangle 7 of cube 1 won; 1 earlier colour was painted over; 2 fragments failed depth; "
-                           "1 back face culled");
+  EXPECT_EQ(story.verdict,
+            "triangle 7 of cube 0 won; 1 earlier colour was painted over; 2 fragments failed the depth test; "
+            "1 back face culled");
 }
 
 TEST(FragmentStory, LedgerShowsTheLastWriteAlone) {
   PixelStory story = fragment_story();
   finish_story(story, cube_scene(), Settings{});
   expect_sums(story);
-  EXPECT_TRUE(has_term(story, 0, "triangle 7 of cube 1: its colour", {0, 0, 0.5}));
-  EXPECT_TRUE(has_term(story, 1, "light 1 (ambient): 0.5", {0, 0, 0.5}));
-  EXPECT_FALSE(has_term(story, 0, "triangle 4 of cube 1: its colour", {0, 0, 0.5}));
+  EXPECT_TRUE(has_term(story, 0, "triangle 7 of cube 0: colour", {0, 0, 0.5}));
+  EXPECT_TRUE(has_term(story, 1, "light 0 (ambient): 0.5", {0, 0, 0.5}));
+  EXPECT_FALSE(has_term(story, 0, "triangle 4 of cube 0: colour", {0, 0, 0.5}));
 }
 
 TEST(FragmentStory, AdditivePaintKeepsWhatWasThere) {
@@ -172,8 +173,8 @@ TEST(FragmentStory, AdditivePaintKeepsWhatWasThere) {
   story.linear = {1, 1, 0};
   finish_story(story, Scene{}, Settings{});
   expect_sums(story);
-  EXPECT_TRUE(has_term(story, 0, "shape on the canvas: adds its colour", {0, 1, 0}));
-  EXPECT_EQ(story.verdict, "a shape on the canvas won; it adds its light to 1 earlier colour");
+  EXPECT_TRUE(has_term(story, 0, "shape on the canvas: added colour", {0, 1, 0}));
+  EXPECT_EQ(story.verdict, "a shape on the canvas won; its colour is added to 1 earlier colour");
 }
 
 /// The verdict of a pixel that these shapes on the canvas wrote, one after the other.
@@ -193,40 +194,40 @@ TEST(FragmentStory, VerdictSaysHowPaintMetWhatWasThere) {
   const Vec3d grey(0.5), red(1, 0, 0), green(0, 1, 0), yellow(1, 1, 0), black(0);
   const std::string won = "a shape on the canvas won";
   EXPECT_EQ(verdict_of_paints({{{}, grey, red, red}}), won);
-  EXPECT_EQ(verdict_of_paints({{{}, grey, red, {1.5, 0.5, 0.5}}}), won + "; it adds its light to the background");
+  EXPECT_EQ(verdict_of_paints({{{}, grey, red, {1.5, 0.5, 0.5}}}), won + "; its colour is added to the background");
   EXPECT_EQ(verdict_of_paints({{{}, grey, red, red}, {{}, red, green, green}}),
             won + "; 1 earlier colour was painted over");
   EXPECT_EQ(verdict_of_paints({{{}, black, red, red}, {{}, red, green, yellow}, {{}, yellow, grey, {1.5, 1.5, 0.5}}}),
-            won + "; it adds its light to 2 earlier colours");
+            won + "; its colour is added to 2 earlier colours");
   EXPECT_EQ(verdict_of_paints({{{}, black, grey, grey}, {{}, grey, red, red}, {{}, red, green, yellow}}),
-            won + "; it adds its light to 1 earlier colour; 1 earlier colour was painted over");
+            won + "; its colour is added to 1 earlier colour; 1 earlier colour was painted over");
   EXPECT_EQ(verdict_of_paints({{{}, black, yellow, yellow}, {{}, yellow, red, {1, 0, 0.0}}}),
             won + "; 1 earlier colour was painted over")
       << "a filter that looks like paint";
   EXPECT_EQ(verdict_of_paints({{{}, black, yellow, yellow}, {{}, yellow, {0.5, 1, 1}, {0.5, 1, 0}}}),
-            won + "; it takes light out of 1 earlier colour");
+            won + "; it filters 1 earlier colour");
 }
 
 TEST(FragmentStory, NothingDrewSaysWhy) {
   PixelStory story;
   story.linear = {1, 1, 1};
   finish_story(story, cube_scene(), Settings{});
-  EXPECT_EQ(story.verdict, "nothing drew here: background (no triangle came near)");
+  EXPECT_EQ(story.verdict, "nothing is drawn here: background (no triangle lies close to the pixel)");
   expect_sums(story);
   story.events = {{-1, RejectEvent{{0, 1}, RejectReason::clipped_near, "", {}}}};
   finish_story(story, cube_scene(), Settings{});
-  EXPECT_EQ(story.verdict, "nothing drew here: background (1 triangle nearer than the near plane)");
+  EXPECT_EQ(story.verdict, "nothing is drawn here: background (1 triangle nearer than the near plane)");
 }
 
 TEST(Describe, NamesObjectsAndKeepsAllDigits) {
   const Scene scene = test::book_spheres();
-  EXPECT_EQ(object_name(scene, 1), "sphere 2 (blue)");
-  EXPECT_EQ(primitive_name(scene, {2, 0}), "sphere 3");
-  EXPECT_EQ(primitive_name(cube_scene(), {0, 7}), "triangle 7 of cube 1");
-  EXPECT_EQ(light_name(scene, 2), "light 3 (directional)");
+  EXPECT_EQ(object_name(scene, 1), "sphere 1 (blue)");
+  EXPECT_EQ(primitive_name(scene, {2, 0}), "sphere 2");
+  EXPECT_EQ(primitive_name(cube_scene(), {0, 7}), "triangle 7 of cube 0");
+  EXPECT_EQ(light_name(scene, 2), "light 2 (directional)");
   const PixelStory story = test::mirrored_story();
-  EXPECT_EQ(describe(story.events[2], scene), "sphere 2 (blue): missed, discriminant 0");
-  EXPECT_EQ(describe(story.events[5], scene), "light 2 (point): blocked by sphere 3");
+  EXPECT_EQ(describe(story.events[2], scene), "sphere 1 (blue): missed, discriminant 0");
+  EXPECT_EQ(describe(story.events[5], scene), "light 1 (point): blocked by sphere 2");
   for (const Event& event : story.events) EXPECT_FALSE(describe(event, scene).empty());
   MissEvent miss;
   miss.background = {1.0 / 3, 0, 0};
@@ -251,7 +252,7 @@ TEST(StoryJson, HoldsWhatTheStoryHolds) {
   EXPECT_EQ(json["events"][1]["kind"], "sphere-test");
   EXPECT_EQ(json["events"][1]["parent"], 0);
   EXPECT_EQ(json["events"][1]["roots"], nlohmann::json({2.3125, 3.5}));
-  EXPECT_EQ(json["events"][1]["id"]["name"], "sphere 1 (red)");
+  EXPECT_EQ(json["events"][1]["id"]["name"], "sphere 0 (red)");
   ASSERT_EQ(json["ledger"].size(), story.ledger.size());
   EXPECT_EQ(json["ledger"][0]["value"], nlohmann::json({0.328125, 0, 0}));
   EXPECT_EQ(json["counters"].size(), counter_count);

@@ -293,10 +293,10 @@ TEST(SurfaceMaps, FastPathsDeclineWithTheirReason) {
     return std::string(fast_path(settings, with, Channel::none).reason);
   };
   EXPECT_EQ(reason(&SceneTraits::opacity_maps), "SIMD cuts nothing out by opacity maps");
-  EXPECT_EQ(reason(&SceneTraits::reflection_maps), "SIMD knows no reflection maps");
+  EXPECT_EQ(reason(&SceneTraits::reflection_maps), "SIMD does not support reflection maps");
   settings.shading = Shading::gouraud;
   traits.light_maps = true;
-  EXPECT_EQ(left_out_words(traits, settings), "; the rasterizer leaves out maps of highlights");
+  EXPECT_EQ(left_out_words(traits, settings), "; the rasterizer leaves out specular maps");
 }
 
 // ---- Clamping and placing

@@ -82,7 +82,7 @@ TEST(Svg, SpaceViewDrawsTheStory) {
     expect_nested(svg);
     EXPECT_EQ(count(svg, "<image "), 1u);
     EXPECT_GT(count(svg, "<line "), 5u);
-    EXPECT_GT(count(svg, "light 2 (point)"), 0u);
+    EXPECT_GT(count(svg, "light 1 (point)"), 0u);
     SpaceSvgOptions few;
     few.least_contribution = 0.9;
     if (renderer == Renderer::ray_tracer) {

@@ -406,7 +406,7 @@ void App::bottom_region(const Area& area) {
     std::array<Choice, count + 1> choices;
     for (std::size_t i = 0; i < count; ++i)
       choices[i] = {bottom_tabs[i], bottom_tab_table[i].heading, bottom_tab_table[i].help};
-    choices[count] = {"fold", "↓", "Leaves the room to the pictures."};
+    choices[count] = {"fold", "↓", "Hides the panels, so that the pictures have the whole window."};
     return choices;
   }();
   static constexpr auto brief = [] {
@@ -435,7 +435,7 @@ void App::bottom_tab(const std::string& tab) {
   bool fill_or_not = false;
   const bool story = tab == "space" || tab == "microscope" || tab == "listing";
   if (story && prediction_pending(session_, predict_))
-    ImGui::TextWrapped("The story is told after your answer.");
+    ImGui::TextWrapped("The story is shown after your answer.");
   else if (tab == "space")
     fill_or_not = space_panel(session_, space_, pixel_panel_, pictures_, filled);
   else if (tab == "microscope")

@@ -25,7 +25,7 @@ void add_gestures(Actions& actions) {
            std::pair{"Wheel", "Zoom in and out"},
            std::pair{"Drag", "Move the picture, a light or a sphere"},
            std::pair{"Shift+drag", "Render a rectangle alone (Esc: all)"},
-           std::pair{"Alt+drag", "Carry the camera around the scene"},
+           std::pair{"Alt+drag", "Move the camera around the scene"},
            std::pair{"Ctrl+drag", "Look around"},
            std::pair{"Right drag", "Look around; W A S D Q E fly"},
            std::pair{"Middle drag", "Move the picture"},
@@ -130,10 +130,9 @@ void App::add_actions() {
                .run =
                    [this] {
                      shell_.set_clipboard(session_.permalink());
-                     session_.say(
-                         Message::Kind::information,
-                         "The permalink is on the clipboard: pixelscope-cli render --permalink TEXT --out FILE.png "
-                         "makes the picture, pixelscope --permalink TEXT opens the window.");
+                     session_.say(Message::Kind::information,
+                                  "The permalink is on the clipboard. 'pixelscope-cli render --permalink TEXT --out "
+                                  "FILE.png' renders the picture; 'pixelscope --permalink TEXT' opens the window.");
                    },
                .enabled = open_scene});
   actions.add({.name = "copy-command",
@@ -260,9 +259,10 @@ void App::add_view_actions() {
   actions.add({.name = "channel-next", .label = "Next channel", .group = "View", .keys = "N", .run = [this] {
                  next_channel(1);
                }});
-  actions.add({.name = "channel-before", .label = "Channel before", .group = "View", .keys = "Shift+N", .run = [this] {
-                 next_channel(-1);
-               }});
+  actions.add(
+      {.name = "channel-before", .label = "Previous channel", .group = "View", .keys = "Shift+N", .run = [this] {
+         next_channel(-1);
+       }});
   actions.add(
       {.name = "panels",
        .label = "Panels",
@@ -300,7 +300,7 @@ void App::add_pixel_actions() {
 void App::add_story_actions() {
   auto& actions = shell_.actions();
   actions.add({.name = "predict",
-               .label = "Predict: ask before the story is told",
+               .label = "Predict: ask before the story is shown",
                .group = "Pixel",
                .keys = "Q",
                .run = [this] { predict_.on = !predict_.on; },
@@ -322,8 +322,8 @@ void App::add_story_actions() {
                  .run = [this, by] { step_story(session_, space_, pixel_panel_, by); },
                  .enabled = there_are_steps});
   };
-  step("story-back", "One event back", ",", -1);
-  step("story-forward", "One event on", ".", 1);
+  step("story-back", "Previous event", ",", -1);
+  step("story-forward", "Next event", ".", 1);
 }
 
 void App::add_lesson_actions() {
@@ -342,15 +342,15 @@ void App::add_lesson_actions() {
   add(
       "step-next", "Next step", "Enter PageDown", [this] { move_step(session_, lessons_, 1); }, in_lesson);
   add(
-      "step-before", "Step before", "PageUp", [this] { move_step(session_, lessons_, -1); }, in_lesson);
+      "step-before", "Previous step", "PageUp", [this] { move_step(session_, lessons_, -1); }, in_lesson);
   add(
       "lesson-read-on", "Read on, then the next step", "Shift+PageDown", [this] { read_lesson(session_, lessons_, 1); },
       in_lesson);
   add(
-      "lesson-read-back", "Read back, then the step before", "Shift+PageUp",
+      "lesson-read-back", "Read back, then the previous step", "Shift+PageUp",
       [this] { read_lesson(session_, lessons_, -1); }, in_lesson);
-  add("lesson-after", "Lesson after", "]", [this] { move_lesson(session_, 1); }, {});
-  add("lesson-before", "Lesson before", "[", [this] { move_lesson(session_, -1); }, {});
+  add("lesson-after", "Next lesson", "]", [this] { move_lesson(session_, 1); }, {});
+  add("lesson-before", "Previous lesson", "[", [this] { move_lesson(session_, -1); }, {});
   add(
       "lesson-close", "Close the lesson", "", [this] { close_lesson(session_); }, in_lesson);
 }

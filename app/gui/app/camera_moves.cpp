@@ -11,7 +11,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double ground_radius = 500;                       // a sphere beyond this serves as ground
+constexpr double ground_radius = 500;                       // a sphere beyond this is taken for the ground
 constexpr double steepest = 85 * std::numbers::pi / 180.0;  // nearest to straight up or down
 
 Mat3d rotation(const Vec3d& axis, double angle) { return Mat3d(glm::rotate(Mat4d(1.0), angle, axis)); }

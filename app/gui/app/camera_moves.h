@@ -16,10 +16,10 @@ Camera orbited(const Camera& camera, double to_right, double upwards, const Vec3
 /// Moves the camera along its own axes, in world units.
 Camera moved(const Camera& camera, double right, double up, double forward);
 
-/// The middle of what the scene holds, leaving out spheres so large that they serve as ground; the camera's aim one
-/// unit ahead for an empty scene.
+/// The centre of the scene without spheres so large that they are its ground; for an empty scene, the point one unit
+/// ahead of the camera.
 Vec3d scene_centre(const Scene& scene);
-/// A length in world units that suits steps in this scene: the distance from the camera to the scene's middle.
+/// A length in world units that suits steps in this scene: the distance from the camera to the scene's centre.
 double scene_reach(const Scene& scene, const Camera& camera);
 
 /// Moves a point light by world units along the camera's axes; turns a directional light's direction likewise, with

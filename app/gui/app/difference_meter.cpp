@@ -48,12 +48,13 @@ std::string difference_text(ErrorMetric metric, double error) {
 const char* metric_help(ErrorMetric metric) {
   switch (metric) {
   case ErrorMetric::mae:
-    return "Mean absolute difference of the red, green and blue levels, of 255. Few large differences hardly count.";
+    return "Mean absolute difference of the red, green and blue levels, of 255. A few large differences hardly change "
+           "it.";
   case ErrorMetric::rmse:
     return "Root of the mean squared difference of the red, green and blue levels, of 255. Large differences count "
-           "more.";
+           "more than small ones.";
   case ErrorMetric::psnr:
-    return "255 over the RMSE, in decibels: higher is better, about 40 dB can hardly be seen.";
+    return "20 log10(255 / RMSE), in decibels: higher is better; above about 40 dB differences are hardly visible.";
   case ErrorMetric::max:
     return "The largest difference of one channel of one pixel, in levels of 255.";
   case ErrorMetric::ssim:

@@ -37,9 +37,10 @@ void difference_tools(Session& session, PicturesState& state, const Area& row) {
   ImGui::TextUnformatted("amplify");
   ImGui::SameLine();
   double gain = session.document().difference_gain;
-  const auto edit = number(
-      "gain", gain, {.minimum = 1, .maximum = 256, .scale = OptionScale::logarithmic, .unit = "x"},
-      {.tooltip = "Differences are multiplied by this before they are shown.", .disabled = {}, .width = px(140)});
+  const auto edit = number("gain", gain, {.minimum = 1, .maximum = 256, .scale = OptionScale::logarithmic, .unit = "x"},
+                           {.tooltip = "Factor by which differences are multiplied before they are shown.",
+                            .disabled = {},
+                            .width = px(140)});
   if (edit.changed) {
     session.navigate([&](Document& document) { document.difference_gain = gain; });
     state.difference_stale = true;

@@ -31,7 +31,7 @@ void put_on(Session& session, const DroppedPicture& state) {
   });
   if (done)
     session.say(Message::Kind::information,
-                fmt::format("{} is the texture of {} now. Undo takes it off; save the scene to keep it.",
+                fmt::format("{} is the texture of {} now. Undo removes it; save the scene to keep it.",
                             state.file.filename().string(), name));
 }
 
@@ -47,7 +47,7 @@ void object_choice(const Scene& scene, DroppedPicture& state) {
     choices.push_back({keys[i], names[i], ""});
     if (objects[i] == state.object) index = static_cast<int>(i);
   }
-  choice("object", choices, index, {.tooltip = "Which object gets the picture as its texture.", .width = px(200)});
+  choice("object", choices, index, {.tooltip = "The object that gets the picture as its texture.", .width = px(200)});
   state.object = objects[static_cast<std::size_t>(index)];
 }
 
@@ -86,7 +86,7 @@ void dropped_picture(Session& session, DroppedPicture& state) {
     ImGui::TextUnformatted("What is this picture for?");
     ImGui::Dummy({0, px(8)});
     if (button("compare", "Compare it with A", Emphasis::primary,
-               {.tooltip = "It takes B's place, and A is rendered in its size."})) {
+               {.tooltip = "Replaces B; A is rendered in its size."})) {
       session.open_picture_b(state.file);
       answered = true;
     }
@@ -98,7 +98,7 @@ void dropped_picture(Session& session, DroppedPicture& state) {
     }
     ImGui::SameLine();
     object_choice(session.scene(), state);
-    toggle("plain", "in its own colours", state.plain,
+    toggle("plain", "in its original colours", state.plain,
            {.tooltip = "The colour of an object multiplies its texture. On: the object becomes white."});
     ImGui::Dummy({0, px(8)});
     if (button("cancel", "Cancel", Emphasis::quiet)) answered = true;

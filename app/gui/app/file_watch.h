@@ -10,7 +10,7 @@
 
 namespace ps::gui {
 
-/// Looks at a few files now and then, on a thread of its own, and tells when one of them was written. A file that is
+/// Polls a few files on a thread of its own and reports when one of them was written. A file that is
 /// still growing, or that is gone for a moment while an editor replaces it, is waited for.
 class FileWatch {
  public:

@@ -13,7 +13,7 @@ namespace {
 
 Mat3d frame_of(const Camera& camera) { return Mat3d(camera.right, camera.up, camera.forward); }
 
-/// Pixels from the middle of the picture for one unit along the camera's right and up, at depth 1.
+/// Pixels from the centre of the picture for one unit along the camera's right and up, at depth 1.
 Vec2d pixels_per_unit(const Viewport<double>& viewport) {
   const double distance = viewport.projection == Projection::perspective ? viewport.distance : 1;
   return {distance * viewport.span_x / viewport.width, distance * viewport.span_y / viewport.height};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double reach = 10;  // window pixels at scale 1 within which a handle is taken
 
-/// A mark that can be told from the picture below it, whatever its colour: light on dark.
+/// A mark that is visible on a picture of any colour: light on dark.
 void mark(ImDrawList& list, const Handle& handle, ImVec2 at, float radius) {
   const auto strokes = [&](ImU32 colour, float thickness) {
     list.AddCircle(at, radius, colour, 0, thickness);

@@ -63,7 +63,7 @@ void history_panel(Session& session, HistoryPanelState& state) {
   ImGui::SameLine();
   if (button(
           "redo", "Redo", Emphasis::plain,
-          {.tooltip = "One step on (Ctrl Shift Z)", .disabled = session.can_redo() ? "" : "Nothing was taken back."}))
+          {.tooltip = "One step forward (Ctrl Shift Z)", .disabled = session.can_redo() ? "" : "Nothing was undone."}))
     session.redo();
   same_line_if_room(button_width("Close"));
   if (button("close", "Close", Emphasis::plain, {.tooltip = "Back to the options (Y)"})) state.open = false;

@@ -13,14 +13,14 @@
 
 namespace ps::gui {
 
-/// A pixel to be told about, in the scene and with the settings of `picture`.
+/// A pixel whose story is requested, in the scene and with the settings of `picture`.
 struct StoryRequest {
   PictureRequest picture;
   Vec2i pixel{0, 0};  ///< array position; must lie in the view
 };
 
-/// Tells the stories of pixels in the background, the newest request only. All members are for the window's thread and
-/// return at once.
+/// Computes the stories of pixels in the background, for the newest request only. All members are for the window's
+/// thread and return at once.
 class InspectWorker {
  public:
   using InspectCall =
@@ -35,8 +35,8 @@ class InspectWorker {
   void clear();
   /// The newest finished story, which may still be that of an earlier request; nullptr if there is none.
   std::shared_ptr<const PixelStory> story() const;
-  /// The same, but nullptr if it was told of another scene than the one of that name: its numbers of objects and lights
-  /// mean nothing there.
+  /// The same, but nullptr if its story is of another scene than the one of that name, where its indices of objects and
+  /// lights are meaningless.
   std::shared_ptr<const PixelStory> story_of(const std::string& scene) const;
   bool busy() const;
   /// A story or an error has come since take_news().

@@ -23,7 +23,7 @@ ImU32 swatch_colour(const Vec3d& value) {
   return IM_COL32(level(value.x), level(value.y), level(value.z), 255);
 }
 
-/// The lines at the end that tell what the display does with the sum; they add nothing.
+/// The lines at the end that show what the display does with the sum; they add nothing.
 bool tells_only(const PixelStory& story, const LedgerLine& line) {
   return line.event >= 0 && line.event + 1 == static_cast<int>(story.events.size()) && line.level == 0 &&
          line.value == Vec3d(0, 0, 0);

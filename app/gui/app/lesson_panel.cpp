@@ -143,7 +143,7 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
 
   int target = index;
   if (button("before", "Back", Emphasis::plain,
-             {.tooltip = "The step before (Page Up). Shift Page Up reads back.",
+             {.tooltip = "The previous step (Page Up). Shift Page Up reads back.",
               .disabled = index == 0 ? "This is the first step." : ""}))
     target = index - 1;
   ImGui::SameLine();

@@ -39,7 +39,7 @@ void lights_panel(Session& session, int& selected, bool& open) {
     const auto edit = number(fmt::format("{}/intensity", i), intensity, {.minimum = 0, .maximum = 2},
                              {.tooltip = "Intensity", .disabled = {}, .width = 0});
     if (edit.changed)
-      session.edit(fmt::format("intensity of light {}", i + 1), fmt::format("light/{}", i), [&](Document& document) {
+      session.edit(fmt::format("intensity of light {}", i), fmt::format("light/{}", i), [&](Document& document) {
         edit_scene(document, {fmt::format("light.{}.intensity", i), fmt::format("{}", intensity)});
       });
     if (edit.finished) session.end_drag();

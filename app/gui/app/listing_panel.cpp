@@ -56,7 +56,7 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
   const Option* option = find_option("listing");
   int index = session.settings(side).listing;
   if (drop_down("which", option->choices, index, px(choice_width),
-                {.tooltip = "Which lesson's routine is shown.", .disabled = {}})) {
+                {.tooltip = "The lesson whose routine is shown.", .disabled = {}})) {
     Settings settings = session.settings(side);
     settings.listing = index;
     state.stepped_to = -1;
@@ -65,9 +65,9 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
   const bool shown = session.settings(side).renderer == Renderer::textbook;
   const std::string label = fmt::format("Its picture in {}", letter_of(side));
   same_line_if_room(button_width(label));
-  if (button_on_off(
-          "picture", label, shown,
-          {.tooltip = "Lets the listing make the picture; again: the ray tracer or the rasterizer.", .disabled = {}})) {
+  if (button_on_off("picture", label, shown,
+                    {.tooltip = "Renders the picture with the listing. Again: with the ray tracer or the rasterizer.",
+                     .disabled = {}})) {
     Settings settings = session.settings(side);
     const bool rays = state.told && state.told->listing &&
                       state.told->listing->listing.listing->order == ListingOrder::pixel_by_pixel;
@@ -76,7 +76,7 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
   }
   same_line_if_room(button_width("Fill"));
   const bool fill = button_on_off("fill", "Fill", filled,
-                                  {.tooltip = "The whole window for the listing; Esc takes it back.", .disabled = {}});
+                                  {.tooltip = "Shows the listing in the whole window; Esc goes back.", .disabled = {}});
   if (state.told) {
     const std::string source(state.told->listing ? state.told->listing->listing.listing->source : "");
     std::string colours = fmt::format("{} gives {}", source, levels_text(state.told->display));
@@ -150,7 +150,7 @@ struct Columns {
 };
 
 Columns columns_for(const std::vector<ListingRow>& rows, float room) {
-  std::size_t longest = 0;  // of the lines that tell something; the others may go on below the values
+  std::size_t longest = 0;  // of the lines that have values; the others may continue below the values
   for (const ListingRow& row : rows)
     if (tells(row)) longest = std::max(longest, row.text.size());
   Columns columns;
@@ -200,7 +200,7 @@ struct Step {
   int by = 0;
 };
 
-/// `reveal`: the first line that tells something comes into view.
+/// `reveal`: scrolls to the first line that has values.
 std::optional<Step> code(const std::vector<ListingRow>& rows, const ImVec4& ink, bool reveal) {
   std::optional<Step> step;
   const auto first = std::find_if(rows.begin(), rows.end(), tells);

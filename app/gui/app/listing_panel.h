@@ -19,7 +19,7 @@ struct ListingPanelState {
   std::string error;                       ///< why there is no text
   std::shared_ptr<const PixelStory> told;  ///< what the view looks into
   std::optional<ListingView> view;
-  bool reveal = false;           ///< a listing came new: show where it begins to tell
+  bool reveal = false;           ///< the listing is new: scroll to its first values
   std::vector<ListingRow> rows;  ///< of the view
   /// The run of a loop that was stepped to, of the pixel that was picked then; -1 = none.
   Vec2i stepped_pixel{-1, -1};

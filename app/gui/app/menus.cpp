@@ -45,7 +45,7 @@ std::size_t description_room() {
   return room < fewest ? 0 : std::min(most, static_cast<std::size_t>(room));
 }
 
-/// The first sentence, in at most so many letters; the tooltip has all.
+/// The first sentence, cut at a maximum length; the tooltip has all.
 std::string first_sentence(const std::string& text, std::size_t most) {
   std::string sentence = text.substr(0, sentence_end(text));
   if (const auto part = sentence.find_last_of(":;", most); sentence.size() > most && part != std::string::npos) {
@@ -164,7 +164,7 @@ void App::view_menu() {
   items({"predict"});
   menu_action(actions, "reset-view");
   menu_action(actions, "fly");
-  tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on carry it around the scene.",
+  tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on move it around the scene.",
                       actions.key_text("turn-left"), actions.key_text("turn-up"), actions.key_text("orbit-left"),
                       actions.key_text("orbit-up")));
   ImGui::Separator();
@@ -222,7 +222,7 @@ constexpr std::array modes{
     Mode{CompareMode::side_by_side, "side-by-side", "A | B", "Both pictures side by side."},
     Mode{CompareMode::split, "split", "Split",
          "One picture: A on the left of a divider that you drag, B on the right (X)."},
-    Mode{CompareMode::difference, "difference", "Difference", "What parts B from A, enlarged by a gain (D)."}};
+    Mode{CompareMode::difference, "difference", "Difference", "The difference B - A, multiplied by a gain (D)."}};
 }  // namespace
 
 float App::compare_buttons_width() const {

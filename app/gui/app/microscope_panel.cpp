@@ -108,20 +108,20 @@ bool toolbar(Session& session, MicroscopePanelState& state, bool filled) {
   tooltip("The sample point, in pixels from the pixel's top left corner. Drag it in the drawing.");
   same_line_if_room(button_width("To the sample"));
   if (button("reset", "To the sample", Emphasis::quiet,
-             {.tooltip = "Puts the point back to where the pixel is sampled.",
-              .disabled = state.point ? "" : "It is there already."})) {
+             {.tooltip = "Moves the point back to the pixel's sample.",
+              .disabled = state.point ? "" : "The point is at the sample."})) {
     state.point.reset();
     state.selected = -1;
   }
   if (state.save) {
     same_line_if_room(button_width("Save SVG…"), px(2));
-    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Writes this view as a drawing."})) state.save();
+    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) state.save();
   }
   same_line_if_room(button_width("Fill"), px(2));
-  return button_on_off("fill", "Fill", filled, {.tooltip = "Gives this view the whole window (Esc)."});
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (Esc)."});
 }
 
-/// How many samples see what, so that a pixel of 64 samples is told in a few words.
+/// How many samples see which object: a summary for pixels with many samples.
 void samples_text(const Microscope& microscope) {
   std::map<std::string, int> seen;
   for (const MicroSample& sample : microscope.samples()) ++seen[sample.seen];
@@ -213,9 +213,9 @@ void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float
   ImGui::Spacing();
   ImGui::PushTextWrapPos(0);
   const bool footprint = !texture.levels.empty() && !texture.levels.front().footprint.empty();
-  value_text("texture", fmt::format("Texture at u, v = {}{}. Marked texels were read, with their share.",
+  value_text("texture", fmt::format("Texture at u, v = {}{}. Marked texels were read, with their weights.",
                                     vector_text(texture.lookup.uv),
-                                    footprint ? ", level asked for " + ps::number_text(texture.lookup.level) +
+                                    footprint ? ", computed mip level " + ps::number_text(texture.lookup.level) +
                                                     "; yellow: the pixel's footprint"
                                               : ""));
   ImGui::PopTextWrapPos();
@@ -243,7 +243,7 @@ void readings(MicroscopePanelState& state, const PixelStory* story, StoryCursor&
   }
   if (state.shown->microscope->detail() == MicroDetail::first) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted("Coarse picture; the fine one is on its way.");
+    ImGui::TextUnformatted("Coarse picture; the fine one is being rendered.");
     ImGui::PopStyleColor();
   }
   samples_text(*state.shown->microscope);
@@ -257,8 +257,8 @@ void readings(MicroscopePanelState& state, const PixelStory* story, StoryCursor&
   if (!reading.triangles.empty()) {
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextWrapped("Solid edges with ticks own the points on them (fill rule), dashed ones do not. Filled dots are "
-                       "samples that something covers, rings are not covered. The cross is the point that is read.");
+    ImGui::TextWrapped("Solid edges with ticks own the samples on them (fill rule); dashed edges do not. Filled dots: "
+                       "covered samples. Rings: samples that are not covered. Cross: the sample point.");
     ImGui::PopStyleColor();
   }
 }
@@ -286,7 +286,7 @@ bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor
   const auto pixel = session.pixel();
   if (!session.has_scene() || !pixel) {
     state.worker.rest();
-    ImGui::TextWrapped("Click a pixel in either picture to see it here from nearby.");
+    ImGui::TextWrapped("Click a pixel in either picture to see it here, enlarged.");
     return false;
   }
   if (pixel != state.pixel) {

@@ -22,7 +22,7 @@ void App::move_light(double right, double up, double forward) {
   const bool is_point = light.kind == LightKind::point;
   const SceneEdit change{fmt::format("light.{}.{}", index, is_point ? "position" : "direction"),
                          scene_text(is_point ? light.position : light.direction)};
-  session_.edit(fmt::format("move light {}", index + 1), change.path,
+  session_.edit(fmt::format("move light {}", index), change.path,
                 [&](Document& document) { edit_scene(document, change); });
 }
 

@@ -50,11 +50,10 @@ void header(Session& session, OptionsPanelState& state) {
   const std::string same = equal ? "A and B have the same options." : "";
   const std::string copy = fmt::format("Copy to {}", there);
   if (button("copy-to-other", copy, Emphasis::plain,
-             {.tooltip = "Gives the other picture all options of this one.", .disabled = same}))
+             {.tooltip = "Copies all options of this picture to the other one.", .disabled = same}))
     session.set_settings(other, session.settings(state.side), fmt::format("copy options of {} to {}", here, there));
   same_line_if_room(button_width("Swap"));
-  if (button("swap", "Swap", Emphasis::plain,
-             {.tooltip = "A takes the options of B, and B those of A.", .disabled = same}))
+  if (button("swap", "Swap", Emphasis::plain, {.tooltip = "Swaps the options of A and B.", .disabled = same}))
     session.edit("swap A and B", [](Document& document) { std::swap(document.a.settings, document.b.settings); });
   same_line_if_room(button_width("Reset all"));
   // Which renderer a side uses is what it is for; resetting the rest keeps the comparison.

@@ -45,7 +45,7 @@ std::string text_of(const PixelStory& story, int event, const Scene& scene) {
   return event < 0 ? std::string() : describe(story.events[static_cast<std::size_t>(event)], scene);
 }
 
-/// What one side tells of a step, behind its letter.
+/// The text of a step on one side, after the side's letter.
 struct Words {
   std::string lines;
   Side side = Side::a;
@@ -140,8 +140,8 @@ void steps(Session& session, PartingViewState& state, std::array<StoryCursor, 2>
   }
   state.reveal = false;
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  if (equal > 0) ImGui::TextWrapped("%d steps come to the same in both.", equal);
-  if (quiet > 0) ImGui::TextWrapped("%d more are boxes and triangles that A or B passed by.", quiet);
+  if (equal > 0) ImGui::TextWrapped("%d steps are the same in both.", equal);
+  if (quiet > 0) ImGui::TextWrapped("%d more are boxes and triangles that the rays of A or B missed.", quiet);
   if (shown == most_rows) ImGui::TextWrapped("The first %d are shown.", most_rows);
   ImGui::PopStyleColor();
 }

@@ -56,7 +56,7 @@ std::string take_line(Face face, std::string& text, float width) {
 
 /// One thing in the line below a picture.
 struct FooterItem {
-  std::string name;  ///< empty = it tells the counters
+  std::string name;  ///< empty = it shows the counters
   std::string text;
   std::string tooltip;
   bool attention = false;

@@ -28,7 +28,7 @@ std::string short_text(const Option& option, const Settings& settings, const Set
                                                                  : four_digits(settings);
 }
 
-/// One thing that a title tells.
+/// One part of a title.
 struct TitlePart {
   std::string text;
   bool differs = false;  ///< from the other picture

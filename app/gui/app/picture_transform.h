@@ -14,7 +14,7 @@ struct Area {
   ImVec2 middle() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
 };
 
-/// How a picture lies in an area: enlarged by `zoom`, with the picture's point `centre` in the area's middle.
+/// How a picture lies in an area: enlarged by `zoom`, with the picture's point `centre` at the area's centre.
 struct PictureTransform {
   double zoom = 1;         ///< window pixels per picture pixel
   Vec2d centre{300, 300};  ///< continuous picture coordinates; pixel (x, y) spans [x, x + 1) by [y, y + 1)

@@ -51,8 +51,8 @@ struct Split {
 void nothing_drawn(Session& session, Side side, const Area& area) {
   if (session.scene().geometry->objects.empty() && !session.traits().canvas_items) {
     draw_notice(*ImGui::GetWindowDrawList(), area,
-                "There is nothing in this scene: every pixel is background. Drop a .scene or .obj file here, or choose "
-                "one from the Scene menu.");
+                "This scene is empty: every pixel is background. Drop a .scene or .obj file here, or choose one from "
+                "the Scene menu.");
     return;
   }
   if (!session.renderer(side).result() || !leaves_out_all(session.traits(), session.settings(side))) return;
@@ -145,7 +145,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   if (status.state == RenderState::done && !split) nothing_drawn(session, shown_side, area);
 }
 
-/// What picture_input() drags; here it is drawn and told to scripts.
+/// What picture_input() drags; here it is drawn and published to scripts.
 void divider(const Area& area, float at, double share) {
   controls().record("pictures/divider", {at - px(divider_reach), area.min.y}, {at + px(divider_reach), area.max.y},
                     short_number(share));

@@ -108,10 +108,10 @@ bool pin_busy(const PinState& state) {
 void pin_button(Session& session) {
   const bool pinned = session.document().pin.has_value();
   const char* tooltip =
-      pinned ? "Lets the pixel go." : "Keeps the numbers of this pixel. Change an option then, and see old → new.";
+      pinned ? "Unpins the pixel." : "Keeps the numbers of this pixel. Change an option to see old → new.";
   if (!button_on_off("pin", pinned ? "Pinned" : "Pin", pinned, {.tooltip = tooltip})) return;
   if (pinned)
-    session.edit("let the pinned pixel go", [](Document& document) { document.pin.reset(); });
+    session.edit("unpin the pixel", [](Document& document) { document.pin.reset(); });
   else
     session.edit("pin the pixel", pin_pixel);
 }
@@ -146,10 +146,10 @@ void pin_view(Session& session, PinState& state, Side side, const std::shared_pt
   if (!section("changes", "Changed since the pin", state.open[index], note)) return;
   const std::string changed = changes_since(session.document(), side);
   ImGui::PushTextWrapPos(0);
-  value_text("options", changed.empty() ? "Nothing was set since then." : "Since then: " + changed);
+  value_text("options", changed.empty() ? "No option has changed since then." : "Since then: " + changed);
   const auto& old = changes.display_before;
   const auto& now = changes.display_after;
-  value_text("display", (old == now ? "The colour is as it was: " : "Colour: ") +
+  value_text("display", (old == now ? "The colour has not changed: " : "Colour: ") +
                             both_text(fmt::format("{} {} {}", old[0], old[1], old[2]),
                                       fmt::format("{} {} {}", now[0], now[1], now[2])));
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);

@@ -37,12 +37,12 @@ struct PinState {
   std::array<std::shared_ptr<const PixelStory>, 2> compared;
   std::array<PinnedStory, 2> stories;
   std::array<bool, 2> open{true, true};
-  /// Tell the stories of a pin that was not made here and now: from a permalink, or brought back by undo.
+  /// Requests the stories of a pin that comes from a permalink or from undo.
   std::array<std::unique_ptr<InspectWorker>, 2> workers;
   std::shared_ptr<Prepared> prepared;  ///< for these, so that they do not push out what the pictures need
 };
 
-/// Once a frame: has the stories of the document's pin told where they are not known.
+/// Once a frame: requests the stories of the document's pin if they are missing.
 void update_pin(Session& session, PinState& state);
 /// Some of them is still to come, or has come and was not taken up.
 bool pin_busy(const PinState& state);

@@ -35,7 +35,7 @@ void place(Session& session, Vec2i pixel) {
   const std::string of_book = fmt::format("book ({}, {})", book.x, book.y);
   const bool one_line = ImGui::CalcTextSize((array + "   " + of_book).c_str()).x <= ImGui::GetContentRegionAvail().x;
   value_text("pixel", array + (one_line ? "   " : "\n") + of_book);
-  tooltip("array: column and row from the top left.\nbook: x to the right and y upwards from the middle.");
+  tooltip("array: column and row from the top left.\nbook: x to the right and y upwards from the centre.");
 }
 
 void verdict(const PixelStory& story, Side side) {
@@ -127,12 +127,12 @@ void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const Pixel
   ImGui::PopTextWrapPos();
 }
 
-/// What is selected in a story is shown in space and under the microscope, so it must be the one that these tell.
+/// The selected event is shown in space and in the microscope, so it must belong to the story that these show.
 void tell(Session& session, Side side) {
   if (session.document().picked != side) session.navigate([&](Document& document) { document.picked = side; });
 }
 
-/// One of the two stories when both are told: the sum first, since that is what is compared.
+/// One of the two stories when both are shown: the sum first, because it is what users compare.
 void short_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story) {
   const std::size_t index = index_of(side);
   const std::string name = prefix(side);
@@ -234,10 +234,10 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
   place(session, *picked);
   same_line_if_room(button_width("Pinned"));
   pin_button(session);
-  static constexpr std::array tabs{Choice{"a", "A", "The pixel in picture A."},
-                                   Choice{"b", "B", "The pixel in picture B."},
-                                   Choice{"both", "Both", "The stories of A and B together."},
-                                   Choice{"parting", "Parting", "Where the two stories part, and why."}};
+  static constexpr std::array tabs{
+      Choice{"a", "A", "The pixel in picture A."}, Choice{"b", "B", "The pixel in picture B."},
+      Choice{"both", "Both", "The stories of A and B together."},
+      Choice{"parting", "Parting", "The first step at which the two stories differ, and why."}};
   using Shown = PixelPanelState::Shown;
   int tab = state.shown == Shown::parting          ? 3
             : state.shown == Shown::both           ? 2

@@ -54,22 +54,23 @@ bool pixel_row(Session& session, const std::string& name, Vec2i pixel, const std
 
 /// Answers whether to fill the window, or no longer.
 bool worst_list(Session& session, PixelsPanelState& state, const PicturesState& pictures, bool filled) {
-  static constexpr std::array kinds{Choice{"difference", "A against B", "Pixels whose levels differ most."},
-                                    Choice{"cost-a", "Cost of A", "Most tests for a pixel of A."},
-                                    Choice{"cost-b", "Cost of B", "Most tests for a pixel of B."}};
+  static constexpr std::array kinds{Choice{"difference", "A against B", "The pixels whose levels differ most."},
+                                    Choice{"cost-a", "Cost of A", "The pixels of A that need most tests."},
+                                    Choice{"cost-b", "Cost of B", "The pixels of B that need most tests."}};
   int kind = static_cast<int>(state.ranked);
-  if (choice("ranked", kinds, kind, {.tooltip = "What makes a pixel the worst.", .width = px(column_width - 20)}))
+  if (choice("ranked", kinds, kind,
+             {.tooltip = "The measure by which pixels are sorted.", .width = px(column_width - 20)}))
     state.ranked = static_cast<PixelsPanelState::Ranked>(kind);
   toggle("apart", "One for each neighbourhood", state.apart,
          {.tooltip = "Leaves out pixels within six of one that is worse, so that one edge does not fill the list."});
   same_line_if_room(button_width("Fill"));
-  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Gives these lists the whole window (Esc)."});
+  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows these lists in the whole window (Esc)."});
   if (state.worst.empty()) {
     ImGui::TextWrapped("%s",
                        !still(session) || (state.ranked != PixelsPanelState::Ranked::difference && state.cost.busy())
                            ? "Working ..."
                        : state.ranked == PixelsPanelState::Ranked::difference ? "A and B do not differ anywhere."
-                                                                              : "No pixel took any test.");
+                                                                              : "No pixel needed a test.");
     return fill;
   }
   const std::string_view unit = state.ranked == PixelsPanelState::Ranked::difference ? "levels" : "tests";
@@ -128,10 +129,10 @@ void watched_list(Session& session, PixelsPanelState& state) {
   const auto picked = session.pixel();
   const bool watched = picked && state.watched.contains(*picked);
   const bool full = !watched && state.watched.all().size() >= WatchedPixels::most_pixels;
-  if (button("watch", watched ? "Watch no longer" : "Watch this pixel", Emphasis::plain,
-             {.tooltip = "Follows the picked pixel's values while options change.",
+  if (button("watch", watched ? "Stop watching" : "Watch this pixel", Emphasis::plain,
+             {.tooltip = "Records the picked pixel's values while options change.",
               .disabled = !picked ? "No pixel is picked."
-                          : full  ? "Twelve are as many as can be watched."
+                          : full  ? "At most twelve pixels can be watched."
                                   : ""}))
     state.watched.toggle(*picked);
   int index = 0;
@@ -185,7 +186,7 @@ void histogram(const RegionStatistics& statistics, float width, float height) {
     list.AddPolyline(points.data(), static_cast<int>(points.size()), colours[channel], 0, px(1.6));
   }
   ImGui::Dummy({width, height});
-  tooltip("How many pixels have each level of red, green and blue, dark at the left. Heights are square roots.");
+  tooltip("Number of pixels at each level of red, green and blue, dark at the left; the height is its square root.");
 }
 
 void statistics_table(const RegionStatistics& statistics, Side side) {
@@ -227,8 +228,8 @@ void region_view(Session& session, PixelsPanelState& state) {
   const auto& region = session.region();
   value_text("region", region ? fmt::format("columns {} to {}, rows {} to {}: {} pixels", region->x0, region->x1 - 1,
                                             region->y0, region->y1 - 1, state.statistics[0].pixels)
-                              : fmt::format("The whole picture, {} pixels. Shift and a drag in a picture choose a "
-                                            "rectangle; Esc gives the whole back.",
+                              : fmt::format("The whole picture, {} pixels. Drag with Shift in a picture to choose a "
+                                            "rectangle; Esc goes back to the whole picture.",
                                             state.statistics[0].pixels));
   ImGui::PopTextWrapPos();
   for (const Side side : both_sides) {

@@ -22,7 +22,7 @@ struct PixelsPanelState {
   explicit PixelsPanelState(std::function<void()> wake);
 
   enum class Ranked { difference, cost_a, cost_b } ranked = Ranked::difference;
-  bool apart = true;  ///< one pixel stands for those around it
+  bool apart = true;  ///< one pixel represents those around it
   LatestResult<CostRequest, Image<float>> cost;
   WatchedPixels watched;
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array questions{
     Choice{"colour", "Colour", "Red, green and blue of the pixel, 0 to 255."},
     Choice{"winner", "Winner", "The object that the pixel shows."},
-    Choice{"rays", "Rays", "How many rays were traced for the pixel: eye, shadow, reflected, refracted."},
+    Choice{"rays", "Rays", "Number of rays traced for the pixel: eye, shadow, reflected, refracted."},
     Choice{"triangle", "Triangle", "The triangle that the pixel shows."}};
 
 void swatch(const std::array<int, 3>& levels, float width) {
@@ -184,9 +184,9 @@ void predict_panel(Session& session, PredictState& state) {
   const bool open = from_list && !state.chosen;
   if (button("answer", "Answer", Emphasis::primary,
              {
-                 .tooltip = "Says it, and then tells the pixel's story.",
+                 .tooltip = "Shows whether the answer is right, then the pixel's story.",
                  .disabled = senseless ? *senseless
-                                       : std::string_view(!ready ? "The story is being told."
+                                       : std::string_view(!ready ? "The story is being prepared."
                                                           : open ? "Choose an answer first."
                                                                  : ""),
              })) {
@@ -196,8 +196,8 @@ void predict_panel(Session& session, PredictState& state) {
     state.points += state.judgement.points;
   }
   ImGui::SameLine();
-  if (button("skip", "Tell me", Emphasis::quiet,
-             {.tooltip = "The story without an answer; no points.", .disabled = {}})) {
+  if (button("skip", "Show me", Emphasis::quiet,
+             {.tooltip = "Shows the story without an answer; no points.", .disabled = {}})) {
     state.judgement = {};
     state.answered = true;
   }

@@ -7,14 +7,14 @@
 
 namespace ps::gui {
 
-/// Asking before telling: what is asked, what was said, and the score.
+/// Predict before reveal: the question, the answer and the score.
 struct PredictState {
   bool on = false;  ///< every newly picked pixel is asked about; a lesson's step may ask all the same
   Question question = Question::colour;
   Guess guess;
   bool chosen = false;        ///< an answer was picked from the list, where there is one
   Vec2i asked_pixel{-1, -1};  ///< about which the question stands or was answered
-  Settings asked_settings;    ///< of the side that is told, then
+  Settings asked_settings;    ///< of the side whose story is shown, then
   bool answered = false;
   Judgement judgement;
   int asked = 0;  ///< questions answered so far

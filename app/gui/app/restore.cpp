@@ -27,7 +27,7 @@ std::optional<Document> App::restored(std::vector<Message>& words) {
     if (problem.empty()) {
       autosave_.forget(session);
       words.push_back(
-          {Message::Kind::information, "Pixelscope did not end properly the last time. This is what was open then."});
+          {Message::Kind::information, "Pixelscope did not end properly the last time. This was open then."});
     } else {
       words.push_back(
           {Message::Kind::warning,

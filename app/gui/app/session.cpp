@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t recent_limit = 10;
 constexpr const char* recent_key = "session/recent";
-constexpr std::string_view still_open = " (the scene before stays open)";  // behind why a file could not be opened
+constexpr std::string_view still_open = " (the previous scene stays open)";  // behind why a file could not be opened
 
 /// Where the user is, as opposed to what was changed: undo leaves it alone.
 void keep_place(const Document& from, Document& to) {
@@ -305,7 +305,7 @@ bool Session::take_loaded() {
 void Session::take_up(Document document, Reason reason) {
   switch (reason) {
   case Reason::open:
-  case Reason::permalink:  // tells how the window is divided, too
+  case Reason::permalink:  // stores how the window is divided, too
     if (has_scene() && reason == Reason::open) {
       document.layout = document_.layout;
       document.story = carried_over(document_.story, false);

@@ -71,7 +71,7 @@ class Session {
   Prepared& prepared() { return *prepared_; }
   /// The story of the picked pixel; nullptr while there is none.
   std::shared_ptr<const PixelStory> story(Side side) const;
-  /// Something is loading, rendering or being told.
+  /// Something is loading, rendering or being inspected.
   bool busy() const;
   /// Something has come that update() and RenderWorker::collect() have not taken up yet.
   bool has_news() const;
@@ -179,7 +179,7 @@ class Session {
 /// Whether a file is a picture, by its name: these are never scenes.
 bool is_picture_file(const std::string& path);
 
-/// The side whose story is told: the picked one, or A where B is a picture file, which has no story.
+/// The side whose story is shown: the picked one, or A where B is a picture file, which has no story.
 Side told_side(const Session& session);
 
 }  // namespace ps::gui

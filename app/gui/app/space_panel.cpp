@@ -77,17 +77,19 @@ void show_popup(SpacePanelState& state) {
   ImGui::TextUnformatted("Boxes down to level");
   number("level", state.deepest_level,
          {.minimum = 0, .maximum = std::max(1.0, static_cast<double>(state.model.deepest_level)), .integer = true},
-         {.tooltip = "0 is the box around everything.", .width = px(180)});
+         {.tooltip = "0 is the bounding box of the whole scene.", .width = px(180)});
   toggle("tree", "Whole tree", state.whole_tree,
-         {.tooltip = "Also the boxes that none of this pixel's rays came to: the whole accelerator, level by level."});
+         {.tooltip =
+              "Also shows boxes that no ray of this pixel was tested against: the whole accelerator, level by level."});
   if (state.tree && state.tree->nodes > 0)
     ImGui::TextUnformatted(fmt::format("{} nodes; {} primitives, listed {} times", state.tree->nodes,
                                        state.tree->primitives, state.tree->entries)
                                .c_str());
-  ImGui::TextUnformatted("Leave out rays below a share of");
-  number("least", state.least_contribution, {.minimum = 0, .maximum = 1},
-         {.tooltip = "Rays that bring less of the pixel's colour are hidden with all that belongs to them.",
-          .width = px(180)});
+  ImGui::TextUnformatted("Hide rays that contribute less than");
+  number(
+      "least", state.least_contribution, {.minimum = 0, .maximum = 1},
+      {.tooltip = "Hides rays that contribute a smaller fraction of the pixel's colour, with all that belongs to them.",
+       .width = px(180)});
   ImGui::EndPopup();
 }
 
@@ -95,9 +97,9 @@ void show_popup(SpacePanelState& state) {
 bool is_narrow() { return ImGui::GetContentRegionMax().x < px(560); }
 
 void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected) {
-  const std::string_view none = state.model.steps.empty() ? "Nothing happened at this pixel that could be shown." : "";
+  const std::string_view none = state.model.steps.empty() ? "No event of this pixel has a place in the scene." : "";
   const bool narrow = is_narrow();
-  if (button("back", narrow ? "‹" : "Back", Emphasis::quiet, {.tooltip = "One event back (comma)", .disabled = none}))
+  if (button("back", narrow ? "‹" : "Back", Emphasis::quiet, {.tooltip = "Previous event (comma)", .disabled = none}))
     step_story(session, state, pixel, -1);
   ImGui::SameLine(0, px(2));
   if (button("play", state.play.running ? "Pause" : "Play", Emphasis::plain,
@@ -105,7 +107,7 @@ void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pix
     play_story(session, state, pixel);
   ImGui::SameLine(0, px(2));
   if (button("forward", narrow ? "›" : "Step", Emphasis::quiet,
-             {.tooltip = "One event on (full stop)", .disabled = none}))
+             {.tooltip = "Next event (full stop)", .disabled = none}))
     step_story(session, state, pixel, 1);
   ImGui::SameLine();
   const auto& steps = state.model.steps;
@@ -115,7 +117,7 @@ void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pix
                                           : fmt::format("{} event{}", steps.size(), steps.size() == 1 ? "" : "s");
   ImGui::AlignTextToFramePadding();
   value_text("step", place);
-  tooltip("The event that is shown, of those of this pixel's story that have a place in the scene.");
+  tooltip("The event that is shown, of the events of this pixel that have a place in the scene.");
 }
 
 /// How fast the story plays.
@@ -132,25 +134,26 @@ void speed_choice(SpacePanelState& state) {
     state.play.per_second = speeds[static_cast<std::size_t>(index)];
 }
 
-/// Leaves out rays that nobody could see in the pixel; which share counts as nothing is set under "Show".
+/// Hides rays with an invisible contribution to the pixel; the threshold is set under "Show".
 void hide_negligible(SpacePanelState& state) {
   same_line_if_room(button_width("Main rays"), px(2));
   const bool hidden = state.least_contribution > 0;
-  if (button_on_off("negligible", "Main rays", hidden,
-                    {.tooltip = "Hides rays that bring less than a hundredth of the pixel's colour, with all that "
-                                "belongs to them."}))
+  if (button_on_off(
+          "negligible", "Main rays", hidden,
+          {.tooltip =
+               "Hides rays that contribute less than 1 % of the pixel's colour, with all that belongs to them."}))
     state.least_contribution = hidden ? 0 : negligible_share;
 }
 
 /// Where to look from: words side by side, or a list where the window is narrow.
 void look_from(SpacePanelState& state) {
   static constexpr std::array looks{
-      Choice{"outside", "Outside", "All of it, from the camera's right and above."},
-      Choice{"side", "Side", "From the camera's right: it stands at the left."},
-      Choice{"top", "Top", "From above: the camera stands at the left."},
-      Choice{"front", "Front", "As the camera looks, from farther away."},
+      Choice{"outside", "Outside", "The whole scene, from above on the camera's right."},
+      Choice{"side", "Side", "From the camera's right: the camera is at the left."},
+      Choice{"top", "Top", "From above: the camera is at the left."},
+      Choice{"front", "Front", "In the camera's direction, from farther away."},
       Choice{"camera", "Camera", "Through the picture's own camera: its eye ray is a point."},
-      Choice{"turned", "Turned", "As it was turned by hand."}};
+      Choice{"turned", "Turned", "As you turned it."}};
   constexpr int camera = 4, turned = 5;
   const int before = state.through_camera ? camera : state.orbit ? turned : static_cast<int>(state.preset);
   const bool wide = ImGui::GetWindowWidth() >= px(690);
@@ -172,17 +175,17 @@ bool toolbar(Session& session, SpacePanelState& state, PixelPanelState& pixel, i
   speed_choice(state);
   look_from(state);
   same_line_if_room(button_width("Focus"), px(2));
-  if (button("focus", "Focus", Emphasis::quiet, {.tooltip = "Puts the hit in the middle, from nearby."}))
+  if (button("focus", "Focus", Emphasis::quiet, {.tooltip = "Shows the hit point in the centre, from near by."}))
     focus(state, selected, aspect);
   same_line_if_room(button_width("Show…"), px(2));
   show_popup(state);
   hide_negligible(state);
   if (state.save) {
     same_line_if_room(button_width("Save SVG…"), px(2));
-    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Writes this view as a drawing."})) state.save();
+    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) state.save();
   }
   same_line_if_room(button_width("Fill"), px(2));
-  return button_on_off("fill", "Fill", filled, {.tooltip = "Gives this view the whole window (double click; Esc)."});
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (double click; Esc)."});
 }
 
 void move_by_mouse(SpacePanelState& state, double aspect) {

@@ -27,34 +27,37 @@ struct SpaceGroupRow {
   SpaceGroup group;
   std::string_view key, label, help;
   bool shown;      ///< at first
-  SpaceKind like;  ///< whose colour stands for it in the legend
+  SpaceKind like;  ///< whose colour represents it in the legend
 };
 inline constexpr std::array space_groups{
     SpaceGroupRow{SpaceGroup::camera, "camera", "Camera and image", "The eye, and the picture where it is projected.",
                   true, SpaceKind::image_plane},
-    SpaceGroupRow{SpaceGroup::grid, "grid", "Pixel grid", "Every so many rows and columns of the picture.", true,
+    SpaceGroupRow{SpaceGroup::grid, "grid", "Pixel grid", "A grid line every n rows and columns of the picture.", true,
                   SpaceKind::pixel_grid},
-    SpaceGroupRow{SpaceGroup::rays, "rays", "Eye and reflected rays", "The wider, the more of the colour comes by it.",
-                  true, SpaceKind::reflection_ray},
+    SpaceGroupRow{SpaceGroup::rays, "rays", "Eye and reflected rays",
+                  "The wider a ray, the more it contributes to the colour.", true, SpaceKind::reflection_ray},
     SpaceGroupRow{SpaceGroup::shadows, "shadows", "Shadow rays",
-                  "Solid: the light is seen. Dashed with a cross: blocked. Dotted: not tested.", true,
+                  "Solid: the light reaches the point. Dashed with a cross: blocked. Dotted: not tested.", true,
                   SpaceKind::shadow_ray_lit},
-    SpaceGroupRow{SpaceGroup::normals, "normals", "Normals", "As the renderer used them.", true,
+    SpaceGroupRow{SpaceGroup::normals, "normals", "Normals", "The normals that shading used.", true,
                   SpaceKind::shading_normal},
     SpaceGroupRow{SpaceGroup::surfaces, "surfaces", "Triangles and weights",
-                  "The triangle, divided into the areas that are its corners' weights.", true,
+                  "The triangle, divided into three areas: the weights of its vertices.", true,
                   SpaceKind::barycentric_area},
-    SpaceGroupRow{SpaceGroup::lights, "lights", "Lights", "Where they stand or come from.", true, SpaceKind::light},
-    SpaceGroupRow{SpaceGroup::rejected, "rejected", "Rejected triangles", "Those that never became a fragment here.",
-                  false, SpaceKind::rejected_triangle},
-    SpaceGroupRow{SpaceGroup::nodes, "nodes", "Accelerator boxes", "Boxes that a ray was tested against.", false,
-                  SpaceKind::node},
+    SpaceGroupRow{SpaceGroup::lights, "lights", "Lights",
+                  "Positions of point lights, directions of directional lights.", true, SpaceKind::light},
+    SpaceGroupRow{SpaceGroup::rejected, "rejected", "Rejected triangles",
+                  "Triangles that produced no fragment at this pixel.", false, SpaceKind::rejected_triangle},
+    SpaceGroupRow{SpaceGroup::nodes, "nodes", "Accelerator boxes", "Bounding boxes that a ray was tested against.",
+                  false, SpaceKind::node},
     SpaceGroupRow{SpaceGroup::near_plane, "clip-planes", "Clipping planes",
-                  "Only what lies within them is drawn: the near plane, and for fragments the sides and the far one.",
+                  "The planes that bound what is drawn: the near plane and, for the rasterizer, the side planes and "
+                  "the far plane.",
                   false, SpaceKind::clip_plane},
-    SpaceGroupRow{SpaceGroup::shadow_methods, "shadow-methods", "Shadow volumes and maps",
-                  "Silhouettes with the sides of the volumes that start there, or what each shadow map covers.", true,
-                  SpaceKind::shadow_volume}};
+    SpaceGroupRow{
+        SpaceGroup::shadow_methods, "shadow-methods", "Shadow volumes and maps",
+        "Silhouette edges with the side faces of their shadow volumes, or the region that each shadow map covers.",
+        true, SpaceKind::shadow_volume}};
 
 SpaceGroup group_of(SpaceKind kind);
 

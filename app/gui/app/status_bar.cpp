@@ -92,7 +92,7 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   if (!pictures.hover) return {};
   const auto [side, pixel] = *pictures.hover;
   const auto result = session.renderer(side).result();
-  if (pictures.asked && pictures.asked->pixel == pixel) return "What this pixel shows is told after your answer.";
+  if (pictures.asked && pictures.asked->pixel == pixel) return "Answer first; then this pixel is shown.";
   const auto& levels = pictures.pictures[index_of(side)].levels;
   if (!levels.contains(pixel.x, pixel.y)) return {};
   const Vec2i book = book_pixel(pixel.x, pixel.y, levels.width(), levels.height());

@@ -8,7 +8,7 @@
 
 namespace ps::gui {
 
-/// The panels that tell a pixel's story; all must outlive it.
+/// The panels that show a pixel's story; all must outlive it.
 struct StoryPanels {
   PixelPanelState& pixel;
   SpacePanelState& space;
@@ -27,7 +27,7 @@ struct StoryMirror {
 /// and before the panels look at the scene.
 void mirror_story(Session& session, const StoryPanels& panels, const ScreenMirror& screen, StoryMirror& mirror);
 
-/// Goes on with a playing that a permalink tells of, when its story and its event have come. After update_space().
+/// Resumes the playback that a permalink stores, when its story and its event have arrived. After update_space().
 void restore_play(const Session& session, const StoryPanels& panels, const ScreenMirror& screen, StoryMirror& mirror);
 
 }  // namespace ps::gui

@@ -120,8 +120,8 @@ std::string ray_text(const std::vector<Event>& events, const std::vector<int>& e
     const int next = end_of(ends, index);
     if (next < static_cast<int>(events.size()) && at(events, next).parent == at(events, index).parent)
       if (const auto* light = std::get_if<LightEvent>(&at(events, next).data))
-        name += fmt::format(" to light {}", light->light + 1);
-    return fmt::format("{}: {} ({})", name, accepted ? "meets " + primitive_name(scene, *accepted) : "way is free",
+        name += fmt::format(" to light {}", light->light);
+    return fmt::format("{}: {} ({})", name, accepted ? "meets " + primitive_name(scene, *accepted) : "not blocked",
                        work);
   }
   return {};
@@ -186,7 +186,7 @@ std::string row_text(const std::vector<Event>& events, const std::vector<int>& e
   if (const auto* hit = std::get_if<HitEvent>(&at(events, index).data))
     return fmt::format("hit {} at t = {}", primitive_name(scene, hit->id), number_text(hit->t));
   if (const auto* light = std::get_if<LightEvent>(&at(events, index).data))
-    return fmt::format("light {}: {}", light->light + 1, light_effect_text(scene, *light, LightWords::brief));
+    return fmt::format("light {}: {}", light->light, light_effect_text(scene, *light, LightWords::brief));
   return short_description(at(events, index), scene);
 }
 

@@ -45,7 +45,7 @@ struct TreeDrawing {
       value_paragraph(fmt::format("{}/detail/{}/{}", name, index, line++), text);
   }
 
-  /// What an event was when the pixel was pinned, in the words of then, under the row that tells it now.
+  /// The description of an event when the pixel was pinned, below the row of the event now.
   void was(int index) const {
     if (!pinned || !pinned->step_of(index).changed) return;
     const Event* old = then(index);
@@ -63,7 +63,7 @@ struct TreeDrawing {
   bool is_new(int index) const { return pinned && pinned->step_of(index).changed && !then(index); }
   /// Said once for all that happened inside it.
   bool says_new(int index) const { return is_new(index) && (event(index).parent < 0 || !is_new(event(index).parent)); }
-  /// A bar at the left of a row: it is new, or tells what was before.
+  /// A bar at the left of a row: it is new, or shows the earlier value.
   void mark_left(const ImVec2& low, const ImVec2& high) const {
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + px(3), high.y}, colour_u32(palette().attention));
   }
@@ -83,7 +83,7 @@ struct TreeDrawing {
     return result;
   }
 
-  /// One size for all rows; where the panel is narrow, smaller letters tell more in a line.
+  /// One size for all rows; in a narrow panel smaller letters fit more into a line.
   static Face row_face(EventWeight weight) {
     const bool narrow = ImGui::GetWindowWidth() < px(narrow_panel);
     if (weight == EventWeight::strong) return narrow ? Face::small_bold : Face::bold;
@@ -99,7 +99,7 @@ struct TreeDrawing {
 
   bool reveals(int from, int to) const { return cursor.reveal && cursor.selected >= from && cursor.selected < to; }
 
-  /// Siblings, those that say little by themselves told together.
+  /// Siblings; those that say little by themselves share a row.
   void siblings(int from, int to) {
     for (const StoryRow& part : story_rows(story.events, ends, std::max(from, first), std::min(to, last)))
       if (part.run)
@@ -128,7 +128,7 @@ struct TreeDrawing {
     if (reveals(index + 1, end(index))) ImGui::SetNextItemOpen(true);
     ImGui::PushID(index);
     const auto* ray = std::get_if<RayEvent>(&event(index).data);
-    const bool shut = ray && ray->kind == RayKind::shadow;  // its outcome is told by its row and by its light
+    const bool shut = ray && ray->kind == RayKind::shadow;  // its row and its light show its outcome
     const std::string text = row_text(story.events, ends, scene, index) + (says_new(index) ? " (new)" : "");
     const auto result = row(index, text, leaf ? TreeKind::leaf : TreeKind::branch, !shut, event_weight(event(index)));
     tooltip(describe(event(index), scene));

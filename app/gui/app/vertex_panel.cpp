@@ -94,14 +94,14 @@ void card(int number, const char* title, const char* says, Body&& body) {
 }
 
 void model_card(const VertexChain& now, const VertexChain& plain) {
-  card(1, "model", "As its model lists it (CGFS ch. 10).", [&] { result("model", now.model, plain.model); });
+  card(1, "model", "Position in the model (CGFS ch. 10).", [&] { result("model", now.model, plain.model); });
 }
 
 void world_card(VertexPanelState& state, const VertexChain& now, const VertexChain& plain) {
   card(2, "world", "Translation, rotation and scale, as one matrix.", [&] {
     static constexpr std::array orders{
-        Choice{"turn-then-move", "turn, move", "Rotation first, as the renderers do it."},
-        Choice{"move-then-turn", "move, turn", "Translation first: it is turned as well."}};
+        Choice{"turn-then-move", "turn, move", "Rotation first, as in the renderers."},
+        Choice{"move-then-turn", "move, turn", "Translation first: the rotation turns it as well."}};
     int order = state.edits.order == ModelOrder::turn_then_move ? 0 : 1;
     if (choice("order", orders, order, {.width = px(card_width)}))
       state.edits.order = order == 0 ? ModelOrder::turn_then_move : ModelOrder::move_then_turn;
@@ -111,14 +111,14 @@ void world_card(VertexPanelState& state, const VertexChain& now, const VertexCha
 }
 
 void camera_card(const VertexChain& now, const VertexChain& plain) {
-  card(3, "camera", "Less the camera's place, along its right, up and forward.", [&] {
+  card(3, "camera", "World position minus camera position, along the camera's right, up and forward axes.", [&] {
     matrix(now.to_camera);
     result("camera", now.camera, plain.camera);
   });
 }
 
 void clip_card(Session& session, VertexPanelState& state, const VertexChain& now, const VertexChain& plain) {
-  card(4, "clip", "Distances to the planes; negative = cut away (CGFS ch. 11).", [&] {
+  card(4, "clip", "Distances to the planes; negative = clipped (CGFS ch. 11).", [&] {
     double near = state.edits.near.value_or(session.settings(told_side(session)).near);
     ImGui::TextUnformatted("near");
     ImGui::SameLine(0, px(8));
@@ -141,7 +141,7 @@ void clip_card(Session& session, VertexPanelState& state, const VertexChain& now
 }
 
 void viewport_card(const VertexChain& now, const VertexChain& plain) {
-  card(5, "projection", "x and y divided by w, which is z: pixels from the middle, y up (CGFS ch. 9).", [&] {
+  card(5, "projection", "x and y divided by w, which is z: pixels from the centre, y up (CGFS ch. 9).", [&] {
     matrix(now.to_clip);
     result("centred", now.centred, plain.centred);
     const FontScope font(Face::small);
@@ -152,7 +152,7 @@ void viewport_card(const VertexChain& now, const VertexChain& plain) {
 }
 
 void canvas_card(const VertexChain& now, const VertexChain& plain) {
-  card(6, "canvas", "From the top left, y down: where the triangle's corner is drawn.",
+  card(6, "canvas", "Pixels from the top left, y down: where the vertex is drawn.",
        [&] { result("canvas", now.canvas, plain.canvas); });
 }
 
@@ -176,7 +176,8 @@ bool toolbar(Session& session, VertexPanelState& state, bool filled) {
   }
   same_line_if_room(px(150));
   toggle("keep", "Keep this vertex", state.keep,
-         {.tooltip = "Off: the corner nearest to the picked pixel, of the triangle that it shows.", .width = px(150)});
+         {.tooltip = "Off: follows the vertex nearest to the picked pixel, of the triangle that it shows.",
+          .width = px(150)});
   same_line_if_room(button_width("Show in space"));
   if (button("space", "Show in space", Emphasis::plain,
              {.tooltip = "Keeps the vertex, and shows it in the view from outside.", .disabled = {}})) {
@@ -186,12 +187,12 @@ bool toolbar(Session& session, VertexPanelState& state, bool filled) {
   if (state.edits != VertexEdits{}) {
     same_line_if_room(button_width("Undo the edits"));
     if (button("reset", "Undo the edits", Emphasis::plain,
-               {.tooltip = "The chain as the renderers have it.", .disabled = {}}))
+               {.tooltip = "Restores the transforms of the renderers.", .disabled = {}}))
       state.edits = {};
   }
   same_line_if_room(button_width("Fill"));
   return button_on_off("fill", "Fill", filled,
-                       {.tooltip = "The whole window for the chain; Esc takes it back.", .disabled = {}});
+                       {.tooltip = "Shows the transforms in the whole window; Esc goes back.", .disabled = {}});
 }
 
 }  // namespace
@@ -235,7 +236,7 @@ bool vertex_panel(Session& session, VertexPanelState& state, bool filled) {
     quiet(!state.error.empty()                     ? state.error
           : session.pixel() && state.vertex        ? ""
           : session.pixel() && session.has_scene() ? "This scene has no models, so there are no vertices to follow."
-                                                   : "Click a pixel: its triangle's nearest corner is followed.");
+                                                   : "Click a pixel to follow the nearest vertex of its triangle.");
     return false;
   }
   const VertexChain now = *state.chain, plain = *state.plain;

@@ -109,7 +109,7 @@ void Actions::rebind(const std::string& text, const std::string& file) {
         bindings.push_back({chord, index});
       }
     } catch (const InputError& error) {
-      throw InputError({file, number, static_cast<int>(equals) + 2}, error.what(), "keys parted by spaces");
+      throw InputError({file, number, static_cast<int>(equals) + 2}, error.what(), "keys separated by spaces");
     }
   }
   bindings_ = std::move(bindings);

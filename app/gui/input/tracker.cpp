@@ -21,7 +21,7 @@ void InputTracker::take(const SDL_Event& event) {
   case SDL_MOUSEBUTTONUP: {
     static constexpr int imgui_button[] = {-1, 0, 2, 1, 3, 4};  // SDL counts left, middle, right
     if (event.button.button < 1 || event.button.button > 5) return;
-    // The press tells where it happened, which may be beyond the last movement.
+    // The press has its own position, which may be beyond the last movement.
     Event move;
     move.x = static_cast<float>(event.button.x);
     move.y = static_cast<float>(event.button.y);

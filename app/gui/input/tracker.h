@@ -16,7 +16,7 @@ struct KeyChange {
   bool down = false, repeat = false;
 };
 
-/// Mouse, modifiers and keys as SDL's event queue tells them. Dear ImGui 1.86's own SDL back end reads the pointer's
+/// Mouse, modifiers and keys as SDL's event queue reports them. Dear ImGui 1.86's own SDL back end reads the pointer's
 /// global position and the modifiers from the system and so ignores events that a script pushed into the queue;
 /// apply() runs after it and overrules it. Events that would hide one another in one frame (a button pressed and
 /// released) are spread over several frames.

@@ -25,7 +25,7 @@ std::filesystem::path user_folder(const char* variable, const char* below_home) 
   return {};
 }
 
-/// Throws InputError for a text that is no state file. Entries that are not text are named in `odd`.
+/// Throws InputError for a text that is not a state file. Entries that are not text are named in `odd`.
 std::map<std::string, std::string> parse_state(const std::string& text, std::vector<std::string>& odd) {
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (json.is_discarded()) throw InputError("found no JSON, expected what the window writes there");

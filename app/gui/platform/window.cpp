@@ -65,7 +65,7 @@ Window::Window(const std::string& title, WindowSize size) {
     const std::string reason = SDL_GetError();
     SDL_Quit();
     fail("OpenGL 3.0 or newer is needed (" + reason +
-         "). A newer graphics driver helps, or drawing by the processor: LIBGL_ALWAYS_SOFTWARE=1 pixelscope");
+         "). Install a newer graphics driver, or render in software: LIBGL_ALWAYS_SOFTWARE=1 pixelscope");
   }
   SDL_SetWindowMinimumSize(window_, 640, 480);
   SDL_GL_MakeCurrent(window_, context_);

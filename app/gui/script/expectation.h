@@ -14,7 +14,7 @@ struct Expectation {
 /// false for anything else.
 bool fulfils(const std::string& found, const Expectation& expected);
 
-/// What a name in a script was to stand for: something to click, or anything to read.
+/// What a name in a script refers to: something to click, or anything to read.
 enum class Named { control, any };
 
 /// "; similar: a, b, c" from the controls of the last frame, and from the published values if these will do; or "".

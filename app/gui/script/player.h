@@ -20,7 +20,7 @@ struct ScriptStep {
   int status = 0;
 };
 
-/// What the main loop tells the script.
+/// What the main loop reports to the script.
 struct LoopState {
   bool input_pending = false;  ///< events wait for their frame
   bool idle = false;           ///< nothing to draw, no work going on
@@ -54,7 +54,7 @@ class ScriptPlayer {
   void begin_choose(const Command& command);
   void begin_drag(const Command& command);
   void check_expectation(const Command& command);
-  /// Finds a control, scrolling it into view if need be; then its middle is in `target_`.
+  /// Finds a control, scrolling it into view if need be; then its centre is in `target_`.
   void aim_at(const std::string& name);
   void aim_at_point(double x, double y);
   void press(MouseButton button, int clicks);

@@ -6,8 +6,8 @@
 
 namespace ps::gui {
 
-/// The commands of a script. One stands on each line; # starts a comment; a word with spaces is put in double quotes
-/// (inside them \" and \\ stand for themselves and \n for a line break).
+/// The commands of a script. Each line has one; # starts a comment; a word with spaces is put in double quotes
+/// (inside them \" and \\ mean themselves and \n a line break).
 enum class Verb {
   wait,         ///< wait idle | wait MILLISECONDS | wait frames N | wait until NAME [OPERATOR] VALUE
   set,          ///< set KEY=VALUE, on A
@@ -30,7 +30,7 @@ enum class Verb {
   screenshot,   ///< screenshot PATH
   expect,       ///< expect NAME VALUE | expect NAME OPERATOR VALUE [TOLERANCE]; OPERATOR is = != ~= < > contains
   expect_not,   ///< expect-not NAME VALUE
-  keep,         ///< keep NAME WORD: later $WORD stands for the value of NAME now
+  keep,         ///< keep NAME WORD: later $WORD is replaced by the current value of NAME
   print,        ///< print NAME, to standard output; NAME@middle is where a control is
   resize,       ///< resize WxH
   quit          ///< quit

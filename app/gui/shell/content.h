@@ -28,14 +28,14 @@ class Content {
   virtual bool animating() const { return false; }
   /// Opens a scene file or a built-in scene by name. Errors are shown in the window, not thrown.
   virtual void open(const std::string& path_or_name) = 0;
-  /// A file was dropped on the window, at this place, or where the pointer was last if nobody knows the place.
+  /// A file was dropped on the window, at this position, or at the pointer's last position if it is unknown.
   virtual void drop(const std::string& path, std::optional<WindowPoint> at) {
     (void)at;
     open(path);
   }
   /// Sets "key=value" on one side, as a panel would (undoable). Throws InputError for an unknown key or value.
   virtual void set_option(Side side, const std::string& assignment) = 0;
-  /// Where the middle of a picture's pixel (array position) is on screen now; nothing if it is not visible.
+  /// Where the centre of a picture's pixel (array position) is on screen now; nothing if it is not visible.
   virtual std::optional<WindowPoint> pixel_place(Side side, Vec2i pixel) const = 0;
   /// The user asks to close the window. Answers whether it may close now.
   virtual bool may_close() { return true; }

@@ -91,7 +91,7 @@ void CommandPalette::draw(const Actions& actions) {
     ImGui::SameLine(width - px(14) - ImGui::CalcTextSize(one.note.c_str()).x);
     ImGui::TextUnformatted(one.note.c_str());
   }
-  if (count == 0) ImGui::TextColored(palette().text_quiet, "Nothing has these letters in this order.");
+  if (count == 0) ImGui::TextColored(palette().text_quiet, "No command, lesson or option matches.");
   if (enter && count > 0) chosen = found[static_cast<std::size_t>(selected_)].name;
   const bool lost = !just_opened_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   if (lost || enter || !chosen.empty() || key_pressed(ImGuiKey_Escape)) open_ = false;

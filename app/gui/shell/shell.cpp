@@ -36,7 +36,7 @@ constexpr double for_ever = 1e9;
 /// Dear ImGui needs a frame to see an event, one to lay out what it opened, and one to settle.
 constexpr int frames_after_event = 3;
 constexpr std::chrono::microseconds frame_time{16'666};
-/// While work goes on and nobody touches anything, frames only show what has arrived: the processor is for the work.
+/// While a study runs and there is no input, frames only show new results: the processor is needed for the study.
 constexpr std::chrono::microseconds watching_frame_time{33'333};
 constexpr std::chrono::milliseconds hands_off{500};  ///< after the last input
 
@@ -160,17 +160,17 @@ void Shell::Impl::add_actions(Shell& shell) {
                  palette.open();
                }});
   actions.add({.name = "larger-type",
-               .label = "Larger type",
+               .label = "Larger text",
                .group = "Window",
                .keys = "Ctrl++ Ctrl+= Ctrl+KeypadPlus",
                .run = [zoom] { zoom(1.125); }});
   actions.add({.name = "smaller-type",
-               .label = "Smaller type",
+               .label = "Smaller text",
                .group = "Window",
                .keys = "Ctrl+- Ctrl+KeypadMinus",
                .run = [zoom] { zoom(1 / 1.125); }});
   actions.add(
-      {.name = "standard-type", .label = "Standard type size", .group = "Window", .keys = "Ctrl+0", .run = [zoom] {
+      {.name = "standard-type", .label = "Standard text size", .group = "Window", .keys = "Ctrl+0", .run = [zoom] {
          zoom(0);
        }});
   actions.add({.name = "dark-theme",

@@ -41,7 +41,7 @@ class BackgroundStudy {
   void cancel() {
     if (running()) run_->control.cancel();
   }
-  /// Waits between two of its runs until it is told to go on.
+  /// Waits between two of its runs until it is resumed.
   void set_paused(bool paused) {
     if (!running()) return;
     run_->paused = paused;

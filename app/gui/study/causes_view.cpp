@@ -28,10 +28,11 @@ void cause_row(const CauseShare& cause, double total) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::Dummy({room, height});
   controls().record("cause/" + cause.option, full_number(cause.share));
-  tooltip(cause.note.empty()
-              ? fmt::format("{}: {} in A, {} in B. Taken over alone it changes A by {}; without it {} is left.", label,
-                            cause.from, cause.to, short_number(cause.alone), short_number(cause.without))
-              : fmt::format("{}: {} in A, {} in B. {}", label, cause.from, cause.to, cause.note));
+  tooltip(
+      cause.note.empty()
+          ? fmt::format("{}: {} in A, {} in B. Set alone it changes A by {}; without it a difference of {} is left.",
+                        label, cause.from, cause.to, short_number(cause.alone), short_number(cause.without))
+          : fmt::format("{}: {} in A, {} in B. {}", label, cause.from, cause.to, cause.note));
   const float names = std::min(px(name_width), room * 0.5f), digits = px(number_width);
   draw_text(at, {at.x + names, at.y + height}, fmt::format("{}: {} → {}", label, cause.from, cause.to), palette().text,
             0);
@@ -60,10 +61,10 @@ void causes_view(const Session& session, const WhyTabState& state) {
   if (!state.difference) {
     const StudyStatus status = state.causes.status();
     if (state.causes.running())
-      return quiet(status.total > 0 ? status_text(status, "pictures") : "Drawing pictures between A and B.");
+      return quiet(status.total > 0 ? status_text(status, "pictures") : "Rendering pictures between A and B.");
     if (state.causes.state() == StudyState::failed) return quiet("Failed: " + state.causes.message());
-    return quiet("A and B may differ in several options. Which of them is to blame, and for how much? Each option's "
-                 "share is its part of the difference, averaged over all orders of switching them.");
+    return quiet("A and B may differ in several options. Which of them causes how much of the difference? Each "
+                 "option's share is its effect, averaged over all orders of switching (Shapley value).");
   }
   const DifferenceByCause& found = *state.difference;
   const bool old = !(session.settings(Side::a) == state.compared[0] && session.settings(Side::b) == state.compared[1]);

@@ -76,9 +76,9 @@ void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& sessio
                      : "the picture " + setup.reference_file;
     plan.notes = idle_axes(setup.axes, base, session.traits());
     if (plan.points.size() > most_points) {
-      plan.error = fmt::format("{} points are too many to wait for; pixelscope-cli chart --shard parts them among "
-                               "machines.",
-                               plan.points.size());
+      plan.error =
+          fmt::format("{} points take too long here; 'pixelscope-cli chart --shard' divides them among machines.",
+                      plan.points.size());
       plan.points.clear();
     }
   } catch (const InputError& error) {

@@ -38,7 +38,7 @@ bool value_buttons(SweepAxis& axis) {
     const bool on = place != axis.values.end();
     if (!first) same_line_if_room(button_width(value), px(4));
     first = false;
-    if (!button_on_off(value, value, on, {.tooltip = on ? "Leaves this value out." : "Takes this value in."})) continue;
+    if (!button_on_off(value, value, on, {.tooltip = on ? "Excludes this value." : "Includes this value."})) continue;
     if (on && axis.values.size() == 1) continue;  // none at all would be no sweep
     if (on)
       axis.values.erase(place);
@@ -53,7 +53,7 @@ bool value_buttons(SweepAxis& axis) {
   return changed;
 }
 
-/// Numbers are typed. What cannot be read leaves the values as they are and is told below.
+/// Numbers are typed. Invalid text leaves the values unchanged and is reported below.
 void typed_values(SweepAxis& axis, std::string& text) {
   const std::string id = "##" + full_name("values");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -120,12 +120,12 @@ void add_option(ChartSetup& setup, const Session& session) {
 
 void comparison(ChartSetup& setup, const Session& session) {
   static constexpr std::array values{Choice{"display", "Display levels", "Errors as the screen shows them, 0 to 255."},
-                                     Choice{"linear", "Linear values", "Errors of the light before it is displayed."}};
+                                     Choice{"linear", "Linear values", "Errors of the linear colours before display."}};
   int index = setup.values == ErrorValues::display ? 0 : 1;
   if (choice("measured-in", values, index)) setup.values = index == 0 ? ErrorValues::display : ErrorValues::linear;
   static constexpr std::array parts{
       Choice{"whole", "Whole picture", "Every pixel counts."},
-      Choice{"rectangle", "Dragged rectangle", "Only the rectangle counts that is dragged in a picture with Shift."}};
+      Choice{"rectangle", "Dragged rectangle", "Only the rectangle counts that you dragged in a picture with Shift."}};
   int part = setup.part == ChartPart::whole ? 0 : 1;
   if (choice("part", parts, part)) setup.part = part == 0 ? ChartPart::whole : ChartPart::rectangle;
   if (setup.part != ChartPart::rectangle) return;
@@ -138,8 +138,8 @@ void comparison(ChartSetup& setup, const Session& session) {
 /// Whether times compare techniques, or the programs that happen to draw them.
 void machinery(ChartSetup& setup) {
   static constexpr std::array rules{
-      Choice{"same", "The same code for all", "If one point cannot take the SIMD path, none does."},
-      Choice{"as-used", "As used", "Each as fast as the window draws it: times compare code, not techniques."}};
+      Choice{"same", "The same code for all", "If one point cannot use the SIMD path, no point uses it."},
+      Choice{"as-used", "As used", "Each point runs as in the window: times then compare code, not techniques."}};
   int index = setup.machinery == MachineryRule::same ? 0 : 1;
   if (choice("machinery", rules, index)) setup.machinery = index == 0 ? MachineryRule::same : MachineryRule::as_used;
 }
@@ -183,7 +183,7 @@ void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Sessio
                            ? fmt::format("{} point{}", plan.points.size(), plan.points.size() == 1 ? "" : "s")
                            : plan.error);
   for (const std::string& note : plan.notes) quiet_text(note);
-  heading("All else as in");
+  heading("Other options of");
   static constexpr std::array sides{Choice{"a", "A", "The options of picture A."},
                                     Choice{"b", "B", "The options of picture B."}};
   int side = static_cast<int>(index_of(setup.side));

@@ -48,16 +48,16 @@ void sweep_choice(ChartTabState& state, float width) {
   const std::string shown = sweep_text(state.setup.axes);
   const auto named = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.key == shown; });
   int index = static_cast<int>(named - choices.begin());
-  if (named == choices.end()) choices.push_back({own_sweep, "An own sweep", ""});
+  if (named == choices.end()) choices.push_back({own_sweep, "A custom sweep", ""});
   if (!choice("sweep", choices, index,
-              {.tooltip = "What is measured: one picture for each combination.", .width = width}))
+              {.tooltip = "The sweep: one picture for each combination of values.", .width = width}))
     return;
   const auto chosen = static_cast<std::size_t>(index);
   if (chosen < named_sweeps().size()) choose_named(state, named_sweeps()[chosen]);
 }
 
 void setup_popup(Session& session, ChartTabState& state, const ChartHost& host) {
-  if (button("change", "Setup", Emphasis::quiet, {.tooltip = "Which options and values, which error, against what."}))
+  if (button("change", "Setup", Emphasis::quiet, {.tooltip = "Options and values, error metric and reference."}))
     ImGui::OpenPopup("chart-setup");
   // It grows upwards from the lower edge, as options are added.
   const float width = px(400), margin = px(8);
@@ -110,13 +110,13 @@ void run_buttons(Session& session, ChartTabState& state, const StudyFolder& fold
       state.study.set_paused(!paused);
     ImGui::SameLine(0, px(3));
     if (button("cancel", "Stop", Emphasis::plain,
-               {.tooltip = "What is measured is kept; the study can be resumed.", .width = px(50)}))
+               {.tooltip = "Measured points are kept; the study can be resumed.", .width = px(50)}))
       state.study.cancel();
     return;
   }
   const std::string word = measure_word(state);
   if (!button("measure", word, Emphasis::primary,
-              {.tooltip = "Draws every picture several times in the background.",
+              {.tooltip = "Renders every picture several times in the background.",
                .disabled = state.plan.error,
                .width = button_width("Measure")}))
     return;
@@ -127,7 +127,7 @@ void run_buttons(Session& session, ChartTabState& state, const StudyFolder& fold
 void export_menu(const Session& session, const ChartTabState& state, const ChartHost& host) {
   if (button(
           "export", "Save", Emphasis::quiet,
-          {.tooltip = "Writes the chart as a table, as JSON or as a picture; or copies the command that measures it."}))
+          {.tooltip = "Saves the chart as a table, as JSON or as a picture, or copies the command that measures it."}))
     ImGui::OpenPopup("chart-export");
   if (!ImGui::BeginPopup("chart-export")) return;
   for (const auto& [name, label, file] :
@@ -155,7 +155,7 @@ bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, 
   same_line_if_room(button_width("Save"), px(3));
   export_menu(session, state, host);
   same_line_if_room(button_width("Fill"), px(3));
-  return button_on_off("fill", "Fill", filled, {.tooltip = "Gives the chart the whole window (Esc)."});
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows the chart in the whole window (Esc)."});
 }
 
 /// One line: what is going on, or what the chart is of.
@@ -184,7 +184,7 @@ std::string state_line(const ChartTabState& state) {
     Reference reference;
     reference.halves = state.chart.reference_halves;
     if (const auto noise = reference_noise(reference, state.metric); noise && std::isfinite(*noise))
-      text += fmt::format(" The truth itself is uncertain by {:.2g}.", *noise);
+      text += fmt::format(" The reference itself is uncertain by {:.2g}.", *noise);
   }
   if (id.region != "all") text += fmt::format(" Only the rectangle {}.", id.region);
   if (id.values == "linear") text += " Linear values.";
@@ -218,13 +218,12 @@ void progress_line(const ChartTabState& state) {
 void invitation(const ChartTabState& state, const Area& area) {
   auto& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
-  const std::string text =
-      state.study.running()
-          ? "The first point comes when the reference is done."
-          : fmt::format("How much time for how much accuracy? {} point{}: each is rendered and compared with the "
-                        "truth: {}. Press {}.",
-                        state.plan.points.size(), state.plan.points.size() == 1 ? "" : "s", state.plan.truth,
-                        measure_word(state));
+  const std::string text = state.study.running()
+                               ? "The first point appears when the reference is rendered."
+                               : fmt::format("How much time for how much accuracy? {} point{}: each is rendered and "
+                                             "compared with the reference: {}. Press {}.",
+                                             state.plan.points.size(), state.plan.points.size() == 1 ? "" : "s",
+                                             state.plan.truth, measure_word(state));
   ImFont* font = theme().font(Face::body);
   const float wrap = std::min(area.width() - px(40), px(460));
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());

@@ -7,8 +7,8 @@
 
 namespace ps::gui {
 
-/// A choice of a tab that the document keeps: a lesson's step or a link asks for it there, and what is chosen in the
-/// tab is told, so that a link brings it back.
+/// A choice of a tab that the document keeps: a lesson's step or a link asks for it there, and the tab reports its
+/// choice, so that a link restores it.
 class LayoutChoice {
  public:
   explicit LayoutChoice(std::string Layout::*member) : member_(member) {}

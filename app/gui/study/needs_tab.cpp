@@ -42,7 +42,7 @@ void measure(Session& session, NeedsTabState& state) {
 void run_buttons(Session& session, NeedsTabState& state) {
   if (!state.study.running()) {
     if (button("measure", state.needs ? "Find again" : "Find out", Emphasis::primary,
-               {.tooltip = "Draws the scene without each feature, then looks for the cheapest settings."}))
+               {.tooltip = "Renders the scene without each feature, then searches for the cheapest settings."}))
       measure(session, state);
     return;
   }
@@ -54,23 +54,21 @@ void run_buttons(Session& session, NeedsTabState& state) {
 
 /// Answers whether to fill the window, or no longer.
 bool toolbar(Session& session, NeedsTabState& state, bool filled) {
-  static constexpr std::array sides{Choice{"a", "A", "What the scene needs of the options of picture A."},
-                                    Choice{"b", "B", "What the scene needs of the options of picture B."}};
+  static constexpr std::array sides{Choice{"a", "A", "Starts from the options of picture A."},
+                                    Choice{"b", "B", "Starts from the options of picture B."}};
   int side = static_cast<int>(index_of(state.side));
   if (choice("side", sides, side, {.width = px(80)})) state.side = both_sides[static_cast<std::size_t>(side)];
   ImGui::SameLine(0, px(12));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Tolerance");
-  tooltip(
-      "How visible the worst place may become: the mean FLIP of the tile of about 16 x 16 pixels that differs most. "
-      "0.05 is hard to see, 0.3 is plain.");
+  tooltip("Maximum mean FLIP of any tile of about 16 x 16 pixels. 0.05 is hard to see, 0.3 is obvious.");
   ImGui::SameLine(0, px(6));
   number("tolerance", state.tolerance, {.minimum = 0, .maximum = 0.5},
          {.tooltip = "Drag it, or turn the wheel over it.", .width = px(110)});
   same_line_if_room(button_width("Find again"), px(12));
   run_buttons(session, state);
   same_line_if_room(button_width("Fill"), px(8));
-  return button_on_off("fill", "Fill", filled, {.tooltip = "Gives this the whole window (Esc)."});
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
 }
 
 std::string state_line(const NeedsTabState& state) {
@@ -81,11 +79,11 @@ std::string state_line(const NeedsTabState& state) {
     return "";
   case StudyState::running:
     if (status.done == 0) return "Rendering the reference.";
-    return fmt::format("{} pictures tried{}", status.done, timing ? "; looking for cheaper settings" : "");
+    return fmt::format("{} pictures tried{}", status.done, timing ? "; searching for cheaper settings" : "");
   case StudyState::paused:
     return fmt::format("Paused after {} pictures.", status.done);
   case StudyState::cancelled:
-    return fmt::format("Cancelled after {} pictures; what is shown is as far as it came.", status.done);
+    return fmt::format("Cancelled after {} pictures; the results so far are shown.", status.done);
   case StudyState::failed:
     return "Failed: " + state.study.message();
   case StudyState::done:
@@ -100,9 +98,9 @@ std::string steps_text(std::size_t count) { return fmt::format("{} step{}", coun
 void invitation() {
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("What does this scene need? Each feature is switched off once: how much of the picture goes with "
-                     "it, and how much of the time. Then the cheapest settings are looked for whose worst place "
-                     "differs by no more than the tolerance.");
+  ImGui::TextWrapped(
+      "What does this scene need? Each feature is switched off once, to see how much of the picture and of the time "
+      "depends on it. Then the cheapest settings are searched for whose worst tile differs by at most the tolerance.");
   ImGui::PopStyleColor();
 }
 
@@ -124,7 +122,7 @@ void advice(Session& session, NeedsTabState& state) {
   const bool applied = session.settings(state.measured_side) == needs.advice;
   const std::string label = fmt::format("Apply to {}", letter_of(state.measured_side));
   if (button("apply", label, Emphasis::primary,
-             {.tooltip = "Takes these settings over. Undo brings the old ones back.",
+             {.tooltip = "Applies these settings. Undo restores the old ones.",
               .disabled = other_scene ? "Another scene is open."
                           : applied   ? "The picture has these settings."
                                       : ""}))

@@ -65,7 +65,7 @@ std::string changes_text(const Settings& from, const Settings& to) {
   return fmt::format("{}", fmt::join(settings_difference(from, to), ", "));
 }
 
-/// A share of the time, or that it cannot be told from noise.
+/// A fraction of the time, or "within noise".
 void time_cell(const FeatureShare& share) {
   if (needs_time_told(share)) return bar_cell("time", share.cost_share, percent(share.cost_share));
   const std::string text = "within noise";
@@ -95,9 +95,9 @@ std::string time_sentence(const Needs& needs) {
       fmt::format("{} ms instead of {} ms", short_number(needs.time_ms), short_number(needs.default_time_ms));
   if (!needs.time_told || std::abs(saved) < least_told)
     return fmt::format("{}the time is the same within noise: {}.", less_work ? "Less work, but here " : "Here ", times);
-  if (saved > 0) return fmt::format("The time fell here too: {}.", times);
+  if (saved > 0) return fmt::format("Here the time is less, too: {}.", times);
   return fmt::format("{}: {}.",
-                     less_work ? "Less work, but not less time here; not every test or fragment takes equally long"
+                     less_work ? "Less work, but not less time here: tests and fragments do not all take equally long"
                                : "It takes more time here",
                      times);
 }
@@ -110,23 +110,23 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   NeedsAdvice told;
   told.changes = changes_text(base, needs.advice);
   if (told.changes.empty()) {
-    told.verdict = "The scene needs all of it: no setting can be made cheaper within the tolerance.";
+    told.verdict = "The scene needs all its settings: none can be made cheaper within the tolerance.";
     return told;
   }
   const double work = needs.default_work > 0
                           ? 100.0 * (1 - static_cast<double>(needs.work) / static_cast<double>(needs.default_work))
                           : 0;
   if (needs.within_tolerance)
-    told.verdict = fmt::format("{:.0f} % of the counted work can be saved; the worst place then differs by {} "
-                               "(allowed: {}).",
-                               work, short_number(needs.error), short_number(needs.tolerance));
+    told.verdict =
+        fmt::format("{:.0f} % of the counted work can be saved; the worst tile then differs by {} (allowed: {}).", work,
+                    short_number(needs.error), short_number(needs.tolerance));
   else
-    told.verdict = fmt::format("Too little as it is: the worst place differs by {} from the truth. The cheapest that "
-                               "keeps to {} differs by {}{}.",
+    told.verdict = fmt::format("The current settings are not enough: the worst tile differs by {} from the reference. "
+                               "The cheapest settings within {} differ by {}{}.",
                                short_number(needs.default_error), short_number(needs.tolerance),
                                short_number(needs.error), work > 0.5 ? ", with less work" : "");
-  told.saving = fmt::format("Work is what is counted, the same on every computer: {} instead of {} rays, tests, "
-                            "fragments and reads of textures and maps.",
+  told.saving = fmt::format("Work is counted and the same on every computer: {} instead of {} rays, tests, fragments "
+                            "and reads of textures and maps.",
                             count_text(needs.work), count_text(needs.default_work));
   told.time = time_sentence(needs);
   if (!needs.machinery.empty()) told.time += fmt::format(" Timed {}.", needs.machinery);
@@ -147,15 +147,15 @@ void needs_shares(const Needs& needs, bool timed) {
       if (timed || std::string_view(name) != "time")
         ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, 1);
     ImGui::TableNextRow();
-    column_heading("Without", "What is switched off.");
+    column_heading("Without", "The feature that is switched off.");
     column_heading("Picture changes by",
-                   "Mean FLIP of the tile that differs most from the reference. The line is the tolerance.");
-    column_heading("Work saved", "Share of rays, intersection tests, fragments and texel reads.");
+                   "Mean FLIP of the worst tile against the reference. The line marks the tolerance.");
+    column_heading("Work saved", "Fraction of the rays, intersection tests, fragments and texel reads.");
     if (timed)
-      column_heading("Time saved",
-                     "Share of the time of one picture on this computer. Below 0: the picture takes longer "
-                     "without it. Within noise: the middle halves of the runs with and without it "
-                     "overlap, or the times differ by less than 3 %.");
+      column_heading(
+          "Time saved",
+          "Fraction of the time of one picture on this computer. Below 0: the picture takes longer without it. Within "
+          "noise: the interquartile ranges of the runs overlap, or the times differ by less than 3 %.");
     for (const FeatureShare& share : needs.shares) {
       if (!share.used) continue;
       const NameScope scope(share.feature.name);
@@ -185,8 +185,8 @@ void needs_trail(const Needs& needs) {
   ImGui::TableSetupColumn("work", ImGuiTableColumnFlags_WidthFixed, digits);
   ImGui::TableNextRow();
   column_heading("", "");
-  column_heading("Tried", "One setting at a time; of those within the tolerance the cheapest is taken.");
-  column_heading("Error", "Of the worst tile, against the reference.");
+  column_heading("Tried", "Changes one setting at a time and takes the cheapest one within the tolerance.");
+  column_heading("Error", "Mean FLIP of the worst tile against the reference.");
   column_heading("Work", "Rays, intersection tests, fragments and texel reads.");
   for (std::size_t i = 0; i < needs.trail.size(); ++i) {
     const NeedsStep& step = needs.trail[i];

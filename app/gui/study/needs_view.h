@@ -14,7 +14,7 @@ struct NeedsAdvice {
 };
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base);
 
-/// Whether the share of the time can be told from noise.
+/// Whether the fraction of the time is larger than noise.
 bool needs_time_told(const FeatureShare& share);
 
 /// Bars of each feature's share. Times are known at the end only (`timed`).

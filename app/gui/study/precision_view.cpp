@@ -165,9 +165,8 @@ void precision_view(Session& session, WhyTabState& state) {
     ImGui::TextWrapped("%s", state.precision.running() ? "Rendering in double."
                              : state.precision.state() == StudyState::failed
                                  ? state.precision.message().c_str()
-                                 : "Which pixels come out otherwise in double: hits that are none, hits that are "
-                                   "missed, wrong winners and wrong shades; and how near the depth buffer is to "
-                                   "z-fighting.");
+                                 : "Which pixels differ from a rendering in double: false hits, missed hits, wrong "
+                                   "winners and wrong shading; and how close the depth buffer is to z-fighting.");
     ImGui::PopStyleColor();
     return;
   }
@@ -195,15 +194,14 @@ void precision_view(Session& session, WhyTabState& state) {
       beside ? ImVec2{tall * aspect, tall} : ImVec2{(room.x - gap) / 2, under >= px(160) ? under : tall};
   std::optional<Vec2i> pixel;
   ImGui::BeginGroup();
-  map_title("against double", "Pixels that come out otherwise in double, in the colours at the left.");
+  map_title("against double", "Pixels that differ from a rendering in double, in the colours at the left.");
   pixel = map_picture("faults", state.textures[0], each, session, found.side);
   if (faultless(found.map)) over_map("no pixel differs from double");
   ImGui::EndGroup();
   ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
-  map_title("second surface",
-            "How far the second surface lies behind, in units in the last place of the stored depth: dark = 1, light = "
-            "2^24, red = below 1, white = there is none.");
+  map_title("second surface", "Distance to the second surface, in units in the last place of the stored depth: dark = "
+                              "1, light = 2^24, red = below 1, white = no second surface.");
   if (const auto here = map_picture("gaps", state.textures[1], each, session, found.side)) pixel = here;
   if (!beside) gap_legend(each.x, true);
   ImGui::EndGroup();

@@ -121,7 +121,7 @@ void run_buttons(StabilityTabState& state) {
       state.study.set_paused(!paused);
     ImGui::SameLine(0, px(3));
     if (button("cancel", "Stop", Emphasis::plain,
-               {.tooltip = "What is measured is kept; the study can be resumed.", .width = px(50)}))
+               {.tooltip = "Measured rows are kept; the study can be resumed.", .width = px(50)}))
       state.study.cancel();
     return;
   }
@@ -203,7 +203,7 @@ std::vector<std::string> series_of(const std::vector<StabilityRow>& rows) {
   return names;
 }
 
-/// The series that was chosen, or the one that tells most of the rows that have arrived.
+/// The chosen series, or the default series of the rows that have arrived.
 std::string shown_series(const StabilityTabState& state, const std::vector<StabilityRow>& rows) {
   const bool chosen =
       std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.series == state.series; });
@@ -317,7 +317,7 @@ bool laboratory(StabilityTabState& state, bool filled) {
   }
   run_buttons(state);
   same_line_if_room(button_width("Fill"), px(8));
-  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Gives this the whole window (Esc)."});
+  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
   progress_line(state);
   if (wide) {
     ImGui::BeginChild("list", {px(list_width), 0});

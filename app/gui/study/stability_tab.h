@@ -29,8 +29,8 @@ struct StabilityTabState {
 
   std::string selected;  ///< key of the experiment that is shown; empty = the first
   LayoutChoice choice{&Layout::experiment};
-  std::string search;  ///< in the list
-  std::string series;  ///< of it, as chosen; empty = the one that tells most
+  std::string search;                                               ///< in the list
+  std::string series;                                               ///< of it, as chosen; empty = the default series
   std::map<std::string, MeasuredExperiment, std::less<>> measured;  ///< by key; one of them may be a part
   std::vector<std::string> asked;                                   ///< keys of the study that was started last
   std::shared_ptr<const StabilityFound> taken;                      ///< what was taken up last

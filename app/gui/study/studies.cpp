@@ -63,7 +63,7 @@ std::string Studies::status() const {
   if (stability_.study.state() == StudyState::running)
     return "Stability: " + status_text(stability_.study.status(), "experiments");
   if (stability_.opening.running()) return "Stability: opening a point";
-  if (why_.causes.running()) return "Causes: drawing pictures between A and B";
+  if (why_.causes.running()) return "Causes: rendering pictures between A and B";
   if (why_.precision.running()) return "Precision: rendering in double";
   return {};
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr ImGuiWindowFlags below_picture = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground;
-constexpr double least_shown = 0.005;  // percent of the pixels; less is no pixel of a common picture
+constexpr double least_shown = 0.005;  // percent of the pixels; less than one pixel of a common picture
 
 std::array<std::uint64_t, 3> revisions_of(const Scene& scene) {
   return {scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
@@ -46,7 +46,7 @@ void ask(Session& session, UnsafeSide& state, const Settings& settings) {
   });
 }
 
-/// The worst that is to be told; nullptr if nothing is.
+/// The worst finding to report; nullptr if there is none.
 const UnsafeSetting* worst(const UnsafeSide& state) {
   if (!state.measured) return nullptr;
   const auto found = std::max_element(state.known.begin(), state.known.end(),
@@ -95,7 +95,7 @@ std::optional<std::string> details(Session& session, const UnsafeSide& state, Si
     if (button("safe", fmt::format("Set {}", unsafe.safe), Emphasis::primary)) make_safe(session, side, unsafe);
   }
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextUnformatted("Measured in a small picture against the same in double.");
+  ImGui::TextUnformatted("Measured on a small picture against a rendering in double.");
   ImGui::PopStyleColor();
   if (wanted) ImGui::CloseCurrentPopup();
   return wanted;

@@ -34,8 +34,8 @@ struct UnsafeState {
 
 /// Once per frame: asks anew where settings, scene or view have changed.
 void update_unsafe(Session& session, UnsafeState& state);
-/// One calm line below a picture whose settings fail somewhere in it. Answers the experiment that
-/// tells why, when the user asks for it.
+/// One calm line below a picture whose settings fail somewhere in it. Returns the experiment that explains why, when
+/// the user asks for it.
 std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, const PicturesState& pictures);
 /// What scripts may ask for.
 void publish_unsafe(const UnsafeState& state);

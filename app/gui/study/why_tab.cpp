@@ -43,8 +43,8 @@ void find_faults(Session& session, WhyTabState& state) {
 
 void shown_choice(WhyTabState& state) {
   static constexpr std::array views{
-      Choice{"causes", "Causes", "Which option is to blame for how much of the difference between A and B."},
-      Choice{"precision", "Precision", "Which pixels come out otherwise in double."}};
+      Choice{"causes", "Causes", "How much of the difference between A and B each option causes."},
+      Choice{"precision", "Precision", "Which pixels differ from a rendering in double."}};
   int shown = state.shown == WhyTabState::Shown::causes ? 0 : 1;
   if (choice("shown", views, shown, {.width = px(190)}))
     state.shown = shown == 0 ? WhyTabState::Shown::causes : WhyTabState::Shown::precision;
@@ -57,7 +57,7 @@ void causes_buttons(Session& session, WhyTabState& state) {
   }
   const bool same = session.settings(Side::a) == session.settings(Side::b);
   if (button("find", "Find out", Emphasis::primary,
-             {.tooltip = "Draws A with options of B, in every order, and shares the difference out.",
+             {.tooltip = "Renders A with options of B, in every order, and divides the difference among them.",
               .disabled = same ? "A and B have the same options." : ""}))
     find_causes(session, state);
 }
@@ -72,7 +72,7 @@ void precision_buttons(Session& session, WhyTabState& state) {
     return;
   }
   if (button("find", "Find out", Emphasis::primary,
-             {.tooltip = "Draws the picture again in double and compares pixel by pixel.", .width = px(82)}))
+             {.tooltip = "Renders the picture again in double and compares pixel by pixel.", .width = px(82)}))
     find_faults(session, state);
 }
 
@@ -92,7 +92,7 @@ bool why_tab(Session& session, WhyTabState& state, bool filled) {
     break;
   }
   same_line_if_room(button_width("Fill"), px(6));
-  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Gives this the whole window (Esc)."});
+  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
   ImGui::BeginChild("view");
   switch (state.shown) {
   case WhyTabState::Shown::causes:

@@ -21,13 +21,10 @@ constexpr std::array many{Choice{"one", "a rather long name", ""},  Choice{"two"
 constexpr std::array tabs{Choice{"options", "OPTIONS", ""}, Choice{"table", "TABLE", ""}, Choice{"text", "TEXT", ""}};
 
 constexpr std::string_view sample_text =
-    "# Shadows\n"
-    "A point is in shadow if something stands between it and the light. The **shadow ray** starts at the point and "
-    "goes "
-    "to the light; `shadow-epsilon` says how far from its start it begins to look.\n\n"
-    "## Try\n"
-    "- Set `shadow-epsilon` to 0 and look at the ground: it shades **itself**.\n"
-    "- N·L ≥ 0, α + β + γ = 1, x² + y² = r², 10⁻³, x₀ → x₁, 45°, ±0.5 px, ∞, 3 × 4, μs\n";
+    "# Shadows\nA point is in shadow if an object blocks the light. The **shadow ray** starts at the point and goes to "
+    "the light; `shadow-epsilon` is the distance from its origin at which it starts to search.\n\n## Try\n- Set "
+    "`shadow-epsilon` to 0 and look at the ground: it shades **itself**.\n- N·L ≥ 0, α + β + γ = 1, x² + y² = r², "
+    "10⁻³, x₀ → x₁, 45°, ±0.5 px, ∞, 3 × 4, μs\n";
 
 class Gallery : public Content {
  public:

@@ -4,7 +4,7 @@
 namespace ps::gui {
 
 /// Where a value lies on its slider, in [0, 1]. On a logarithmic range that begins at 0, the first hundredth of the
-/// slider stands for 0.
+/// slider is 0.
 double slider_position(double value, const NumberRange& range);
 /// The value at a position, rounded to three significant digits (whole for integers) and kept in the range.
 double slider_value(double position, const NumberRange& range);

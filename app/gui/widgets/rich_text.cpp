@@ -11,7 +11,7 @@ struct Span {
   Face face = Face::body;
 };
 
-/// Parts a line at **bold** and `code`. A mark without its partner stands for itself.
+/// Parts a line at **bold** and `code`. A mark without its partner is kept as text.
 std::vector<Span> spans_of(std::string_view line, Face plain) {
   std::vector<Span> spans;
   while (!line.empty()) {

@@ -113,7 +113,7 @@ void tooltip(std::string_view text);
 /// A tooltip that draws itself.
 bool begin_tooltip();  ///< for the last item; if true, call end_tooltip()
 void end_tooltip();
-/// Share in [0, 1] with a label, or negative where nobody knows it; answers whether Cancel was clicked (name/cancel).
+/// Fraction in [0, 1] with a label, or negative if unknown; returns whether Cancel was clicked (name/cancel).
 bool progress_bar(std::string_view name, std::string_view label, double fraction, float width = 0);
 enum class MessageKind { information, warning, error };
 /// One line across the width: a mark, the text, and a button that dismisses it (name/dismiss). True = dismissed.

@@ -8,7 +8,7 @@ namespace ps {
 
 /// The microscope's pictures as lists of primitives, for the window and for files alike.
 
-/// What a primitive stands for; how it looks is a matter of whoever paints it.
+/// What a primitive represents; the painter decides how it looks.
 enum class MicroKind {
   grid,            ///< line of the sub-pixel grid, or between texels
   neighbour,       ///< border of a pixel beside this one
@@ -20,7 +20,7 @@ enum class MicroKind {
   sample_lit,
   sample_unlit,
   point,          ///< the movable sample point
-  triangle_name,  ///< number of a triangle, in the middle of its part of the picture
+  triangle_name,  ///< number of a triangle, at the centre of its part of the picture
   footprint,      ///< the pixel's outline on a texture
   tap,            ///< a texel that was read, with its weight
   place           ///< where a texture was read

@@ -32,7 +32,7 @@ EnlargedView enlarge(const View& view, const Settings& settings, const Vec2d& lo
 
 std::vector<CanvasItem> enlarged_canvas(const std::vector<CanvasItem>& items, const View& view, const Vec2d& low,
                                         double side, int pixels) {
-  // The canvas counts from its middle, y up; pictures from their top left, y down.
+  // The canvas counts from its centre, y up; pictures from their top left, y down.
   const Vec2d middle(view.width / 2, view.height - view.height / 2);
   const Vec2d new_middle(pixels / 2, pixels - pixels / 2);
   std::vector<CanvasItem> enlarged;

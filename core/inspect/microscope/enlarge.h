@@ -10,7 +10,7 @@ namespace ps {
 /// What to render so as to see a small part of a picture enlarged.
 struct EnlargedView {
   View view;
-  Settings settings;  ///< one sample for each pixel, in its middle
+  Settings settings;  ///< one sample for each pixel, at its centre
 };
 
 /// A square part of the picture of `view` and `settings`, drawn with `pixels` pixels a side. `low` is its top left

@@ -171,7 +171,7 @@ class FragmentsIn final : public Microscope::Fragments {
     ps::MicroTriangle out;
     out.on_canvas = true;
     out.id = {-1, near.number};
-    out.name = "triangle " + std::to_string(near.number + 1) + " on the canvas";
+    out.name = "triangle " + std::to_string(near.number) + " on the canvas";
     out.edges = edges_in_pixels(values, grid.subpixel_bits);
     out.covered = edges->inside(values);
     for (std::size_t i = 0; i < 3; ++i) {

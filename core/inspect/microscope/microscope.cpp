@@ -38,7 +38,7 @@ Microscope::~Microscope() = default;
 Microscope::Microscope(Scene scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
                        Progress& progress, MicroDetail detail)
     : scene_(std::move(scene)), view_(view), settings_(settings), pixel_(pixel) {
-  if (settings.renderer != Renderer::rasterizer) scene_.canvas_items = {};  // nobody else draws them
+  if (settings.renderer != Renderer::rasterizer) scene_.canvas_items = {};  // they are drawn nowhere else
   if (detail == MicroDetail::first) {
     const Timer timer;
     draw_enlarged(coarse_pixels, prepared, progress);
@@ -81,7 +81,7 @@ std::string Microscope::seen_at(const Vec2d& point) const {
 }
 
 /// The pixel's samples with what their rays met. The story leaves out most rays of a pixel with very many; the enlarged
-/// picture then tells what lies there.
+/// picture then gives what lies there.
 void Microscope::find_ray_samples(Prepared& prepared, Progress& progress) {
   const PixelStory story = inspect(scene_, view_, settings_, pixel_, prepared, progress);
   const auto samples = events_of_ray<SampleEvent>(story.events, -1);

@@ -72,7 +72,7 @@ struct MicroSample {
   Vec2d position{0.5, 0.5};
   bool lit = false;  ///< something covers it, or its ray hit something
   std::string seen;
-  int event = -1;  ///< of the pixel's story, where it is told there
+  int event = -1;  ///< of the pixel's story, if the story has it
 };
 
 /// How finely a pixel's picture is drawn.

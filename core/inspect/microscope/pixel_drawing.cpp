@@ -10,7 +10,7 @@ namespace {
 constexpr int most_grid_lines = 16;   // in a pixel
 constexpr double mark_length = 0.04;  // of an owner's mark, in pixels
 constexpr double mark_spacing = 0.055;
-constexpr double name_room = 0.12;  // that a name leaves around the middle of the pixel
+constexpr double name_room = 0.12;  // that a name leaves around the centre of the pixel
 
 const ClipWindow shown{Vec2d(-micro_margin), Vec2d(1 + micro_margin)};
 

@@ -7,9 +7,9 @@
 
 namespace ps {
 
-/// The texels around a lookup, level by level, with the weights that the kernel noted. `steps` tells how far the place
-/// moves from one pixel to the next and from one row to the next, in texels of the finest level; without it there is no
-/// footprint.
+/// The texels around a lookup, level by level, with the weights that the kernel noted. `steps` is the distance that the
+/// lookup moves from one pixel to the next and from one row to the next, in texels of the finest level; without it
+/// there is no footprint.
 MicroTexture micro_texture(const TextureEvent& lookup, const MipChain& chain, TextureWrap wrap,
                            const std::optional<std::array<Vec2d, 2>>& steps);
 

@@ -29,7 +29,7 @@ int triangle_of_event(const PixelStory& story, const MicroReading& reading, int 
        i = story.events[static_cast<std::size_t>(i)].parent) {
     const auto id = drawn_or_rejected(story.events[static_cast<std::size_t>(i)].data);
     if (!id) continue;
-    int found = -1;  // the triangles that stand for a sphere all have its name: best one that covers the point
+    int found = -1;  // all triangles of a tessellated sphere have its name: best one that covers the point
     for (std::size_t t = 0; t < reading.triangles.size(); ++t)
       if (reading.triangles[t].id == *id && (found < 0 || reading.triangles[t].covered)) found = static_cast<int>(t);
     return found;

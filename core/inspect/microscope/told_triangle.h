@@ -4,8 +4,8 @@
 
 namespace ps {
 
-/// The event of a fragments' story that tells what became of a triangle under the microscope: its fragment, or else
-/// what kept it from the pixel. -1 where the story does not tell of it.
+/// The event with the outcome of a triangle in the microscope: its fragment, or the reason for its rejection. -1 if the
+/// story has none.
 int event_of_triangle(const PixelStory& story, const MicroTriangle& triangle);
 
 /// The triangle under the microscope that an event, or what it belongs to, is about: an index into

@@ -20,8 +20,8 @@ MicroRow numbers(std::string name, double on_screen, double in_space) {
 }  // namespace
 
 std::vector<MicroTable> triangle_tables(const MicroTriangle& triangle) {
-  MicroTable corners{{"corner 0", "corner 1", "corner 2"}, {numbers("edge value, px²", triangle.edges)}};
-  MicroRow owner{"edge owns ties", {}, {}};
+  MicroTable corners{{"vertex 0", "vertex 1", "vertex 2"}, {numbers("edge value, px²", triangle.edges)}};
+  MicroRow owner{"owns samples on its edge", {}, {}};
   for (std::size_t i = 0; i < 3; ++i)
     owner.values.push_back(std::string(triangle.owns[i] ? "yes" : "no") + (triangle.ties[i] ? ", tie" : ""));
   owner.exact = owner.values;

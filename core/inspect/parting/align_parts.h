@@ -28,8 +28,8 @@ std::vector<std::pair<std::size_t, std::size_t>> common_sequence(const std::vect
                                                                  const std::vector<std::string>& b);
 
 /// The rows for the story of a ray beside that of fragments: what the eye ray did one by one beside what became of the
-/// triangles, its hit beside the fragment that is seen, and what follows from both. The fragment that is seen stands
-/// after the others, whatever the order of drawing, since its light is worked out last on the other side, too. In the
+/// triangles, its hit beside the fragment that is seen, and what follows from both. The fragment that is seen comes
+/// after the others, whatever the order of drawing, since its lighting is evaluated last on the other side, too. In the
 /// rows, `a` is the ray's. Nothing if one of them saw the background alone.
 std::vector<AlignedRow> align_ray_and_fragment(const EventTree& ray, const EventTree& fragment, const Scene& scene);
 

@@ -61,7 +61,7 @@ bool same_light(const EventData& ray, const EventData& fragment) {
   return shade_a && shade_b && close(shade_a->light, shade_b->light) && close(shade_a->extra, shade_b->extra);
 }
 
-/// A hit and a fragment, or a test and a triangle's fate, tell the same where they come to the same.
+/// A hit and a fragment, or a test and a triangle's fate, are equal if their outcomes are equal.
 bool agree(const EventData& ray, const EventData& fragment) {
   if (same_light(ray, fragment)) return true;
   const auto* covers = std::get_if<FragmentEvent>(&fragment);

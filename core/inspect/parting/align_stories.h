@@ -11,8 +11,8 @@ namespace ps {
 struct AlignedRow {
   int a = -1, b = -1;  ///< event indices; -1 = the step does not exist there
   int depth = 0;       ///< how many events lie above it
-  /// Both tell the same, to the four digits that people read; a ray's event and a fragment's, where they come to the
-  /// same although their words differ.
+  /// Both are equal to the four digits that people read; an event of a ray and one of a fragment are equal if their
+  /// outcomes are.
   bool same = false;
 };
 

@@ -4,7 +4,7 @@
 
 namespace ps::parting {
 
-/// What became of a triangle, or of the triangles that stand for one object, at a pixel.
+/// The outcome of a triangle, or of all triangles of one object, at a pixel.
 struct FragmentFate {
   int event = -1;             ///< its last FragmentEvent, else the RejectEvent that says most; -1 if it never came near
   PixelId winner;             ///< what the pixel shows in the end

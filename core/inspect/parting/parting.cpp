@@ -74,11 +74,11 @@ int last_event(const StorySide& side) { return static_cast<int>(side.story.event
 std::optional<Parting> part_at_display(const Comparison& c) {
   const std::string why = because(c, {"exposure", "gamma", "colour-depth"});
   if (why.empty() || !c.same(c.a.story.linear, c.b.story.linear)) return std::nullopt;
-  return Parting{PartingCause::display, "The light is the same; it is shown differently" + why + ".", last_event(c.a),
-                 last_event(c.b)};
+  return Parting{PartingCause::display, "The linear colour is the same; the display settings differ" + why + ".",
+                 last_event(c.a), last_event(c.b)};
 }
 
-/// A ray and a fragment that see neighbouring triangles of one model, which nothing but their colours tells apart.
+/// A ray and a fragment that see neighbouring triangles of one model, which differ only in colour.
 std::optional<Parting> part_at_inner_edge(const Comparison& c, const std::vector<int>& rays_a,
                                           const std::vector<int>& rays_b) {
   if (c.a.story.renderer == c.b.story.renderer) return std::nullopt;
@@ -112,7 +112,7 @@ std::optional<Parting> part_at_last_digits(const Comparison& c) {
   const std::string why = because(c, {"precision", "sphere-test", "triangle-test", "self-hit", "shadow-epsilon",
                                       "reflection-epsilon", "epsilon-unit", "renderer"});
   if (why.empty() || !c.same(c.a.story.linear, c.b.story.linear)) return std::nullopt;
-  return Parting{PartingCause::precision, "Both go through the same steps; only the last digits differ" + why + ".",
+  return Parting{PartingCause::precision, "Both take the same steps; only the last digits differ" + why + ".",
                  last_event(c.a), last_event(c.b)};
 }
 
@@ -120,7 +120,7 @@ std::optional<Parting> part_at_last_digits(const Comparison& c) {
 
 namespace {
 
-/// Both stories, told in the steps of renderers.
+/// Both stories, in the steps of renderers.
 Parting find_step(const Comparison& c) {
   const StorySide &a = c.a, &b = c.b;
   const auto rays_a = eye_rays(a.story), rays_b = eye_rays(b.story);
@@ -143,7 +143,7 @@ Parting find_step(const Comparison& c) {
   if (auto found = part_at_display(c)) return *found;
   if (auto found = part_at_last_digits(c)) return *found;
   return {PartingCause::unexplained,
-          fmt::format("Unexplained: both go through the same steps, yet A ends in {} and B in {}.",
+          fmt::format("Unexplained: both take the same steps, but A ends with {} and B with {}.",
                       vector_text(a.story.linear), vector_text(b.story.linear)),
           last_event(a), last_event(b)};
 }
@@ -182,7 +182,8 @@ Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b)
   const StorySide side_b = retold_b ? StorySide{retold_b->story, retold_b->settings} : b;
   Comparison c{scene, side_a, side_b};
   if (c.with_listing() && differs(c, "sample-position")) {
-    // A listing samples the corner, so that nearly all numbers differ a little. What differs much is told before that.
+    // A listing samples the corner, so that nearly all numbers differ a little. Large differences are reported before
+    // that.
     c.slack = half_a_pixel;
     if (Parting far = find_step(c); is_plain(far.cause)) return far;
     c.slack = 0;

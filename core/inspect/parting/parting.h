@@ -19,15 +19,15 @@ enum class PartingCause {
   culling,           ///< a back face is dropped in one
   clipping,          ///< a triangle is clipped away in one
   fill_rule,         ///< an edge runs through the sample, and the rules give it to different triangles
-  coverage,          ///< the edges lie differently: snapping of corners, other edge arithmetic
+  coverage,          ///< the edges lie differently: snapping of vertices, other edge arithmetic
   depth_tie,         ///< both depths are equal, or too near for the stored depth
   visibility,        ///< who covers whom is decided differently
-  tessellation,      ///< a curved surface and the triangles that stand for it
+  tessellation,      ///< a curved surface and its triangles
   silhouette,        ///< an outline passes between what a ray hits and what triangles cover
   level,             ///< another mip level
   filter,            ///< other texels or weights on the same level
   interpolation,     ///< attributes are carried across the triangle differently
-  shading_position,  ///< light is worked out at other points, or with other normals
+  shading_position,  ///< lighting is evaluated at other points, or with other normals
   light_model,       ///< another equation of light, or a part of it left out
   texture,           ///< one reads a texture that the other leaves out
   display,           ///< the same light, shown differently
@@ -52,7 +52,7 @@ struct Parting {
 };
 
 /// Finds the first step at which the two stories differ, in the order in which a picture is made (what is seen, where,
-/// its texture, its light, what it mirrors), and names the cause from the events and from the options that differ. Both
+/// its texture, its light, its reflection), and names the cause from the events and from the options that differ. Both
 /// stories are of the same scene and pixel. What no rule explains is called unexplained.
 Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b);
 

@@ -11,7 +11,7 @@
 namespace ps::parting {
 namespace {
 
-/// Depths that a stored depth of few bits, or the rounding of two interpolations, cannot tell apart.
+/// Depths that are equal within the rounding of two interpolations or of the stored bits.
 bool nearly_tied(const FragmentEvent& fragment) {
   const double size = std::max(std::abs(fragment.depth_stored), std::abs(fragment.depth_new));
   return std::abs(fragment.depth_stored - fragment.depth_new) <= 1e-4 * size;
@@ -21,7 +21,7 @@ bool through_an_edge(const std::array<double, 3>& edges) {
   return std::any_of(edges.begin(), edges.end(), [](double e) { return e == 0; });
 }
 
-/// A listing tells only of triangles that reach the pixel: why it has nothing of the one that won in the other story.
+/// A listing reports only triangles that reach the pixel: why it lacks the triangle that won in the other story.
 template <class Says>
 Parting left_out_by_listing(const Comparison& c, const Sighting& winner, const StorySide& won, const Says& says,
                             std::string_view letter) {
@@ -31,16 +31,17 @@ Parting left_out_by_listing(const Comparison& c, const Sighting& winner, const S
     return says(PartingCause::culling, fmt::format("The listing of {} drops the back of {}", letter, name),
                 {"backface-culling"});
   if (is_tessellated(c.scene, winner.id))
-    return says(PartingCause::coverage, fmt::format("The listing of {} draws models only, and so not {}", letter, name),
-                {});
-  if (differs(c, "draw"))
     return says(PartingCause::coverage,
-                fmt::format("The listing of {} draws no more of {} than its edges", letter, name), {"draw"});
-  return says(PartingCause::coverage,
-              fmt::format("The rows of the listing of {}, which drops the fractions of the corners' places, do not "
-                          "reach this pixel with {}",
-                          letter, name),
-              {"subpixel-bits", "sample-position"});
+                fmt::format("The listing of {} draws only models, so it leaves out {}", letter, name), {});
+  if (differs(c, "draw"))
+    return says(PartingCause::coverage, fmt::format("The listing of {} draws only the edges of {}", letter, name),
+                {"draw"});
+  return says(
+      PartingCause::coverage,
+      fmt::format(
+          "The listing of {} truncates vertex positions to whole pixels, so its rows of {} do not reach this pixel",
+          letter, name),
+      {"subpixel-bits", "sample-position"});
 }
 
 /// Why the triangle that won on the side `won` is not what `lost` shows. `letter` names the side that lost it.
@@ -72,22 +73,24 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
       break;
     }
     if (is_tessellated(c.scene, winner.id))
-      return says(PartingCause::tessellation,
-                  fmt::format("{} is drawn as triangles, and those of {} do not reach this pixel", name, letter),
-                  {"tessellation"});
+      return says(
+          PartingCause::tessellation,
+          fmt::format("{} is drawn as triangles, and the triangles in {} do not reach this pixel", name, letter),
+          {"tessellation"});
     const auto* fragment = event_at<FragmentEvent>(won.story, winner.seen);
     if ((fragment && through_an_edge(fragment->edges)) || (reject->edges && through_an_edge(*reject->edges)))
-      return says(
-          PartingCause::fill_rule,
-          fmt::format("An edge of {} runs exactly through the sample, and {} gives the sample away", name, letter),
-          {"fill-rule"});
+      return says(PartingCause::fill_rule,
+                  fmt::format("An edge of {} passes exactly through the sample, and the fill rule of {} gives the "
+                              "sample to the neighbour",
+                              name, letter),
+                  {"fill-rule"});
     return says(PartingCause::coverage, text,
                 {"subpixel-bits", "coverage", "edge-arithmetic", "sample-position", "fill-rule"});
   }
   if (fate.event < 0) {
     if (lost.story.listing) return left_out_by_listing(c, winner, won, says, letter);
     if (differs(c, "clipping") || differs(c, "near") || differs(c, "far"))
-      return says(PartingCause::clipping, fmt::format("{} has no part of {} left here after clipping", letter, name),
+      return says(PartingCause::clipping, fmt::format("{} clips away the part of {} at this pixel", letter, name),
                   {"clipping", "near", "far"});
     return std::nullopt;
   }
@@ -101,12 +104,13 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
     const bool by_order = differs(c, "visibility");
     const bool other_triangles = differs(c, "tessellation") || c.a.story.renderer != c.b.story.renderer;
     if (!by_order && other_triangles && (is_tessellated(c.scene, winner.id) || is_tessellated(c.scene, fate.winner)))
-      return says(PartingCause::tessellation, text + "; curved surfaces stand there as triangles", {"tessellation"});
+      return says(PartingCause::tessellation, text + "; curved surfaces are drawn there as triangles",
+                  {"tessellation"});
     if (!by_order && fragment->depth == FragmentEvent::Depth::failed && nearly_tied(*fragment))
-      return says(PartingCause::depth_tie, text + "; they are too near each other for the stored depth",
+      return says(PartingCause::depth_tie, text + "; the two depths are too close for the depth buffer",
                   {"depth-bits", "depth-format", "depth-value", "depth-reversed", "precision"});
     if (!by_order && fate.tied_with_winner)
-      return says(PartingCause::depth_tie, text + " by one of nearly the same depth",
+      return says(PartingCause::depth_tie, text + " by a triangle of nearly the same depth",
                   {"depth-bits", "depth-format", "depth-value", "depth-reversed", "precision"});
     return says(PartingCause::visibility, text, {"visibility", "depth-value", "depth-bits", "depth-format"});
   }
@@ -191,12 +195,13 @@ Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Si
                                       primitive_name(c.scene, ray.id), letter, primitive_name(c.scene, drawn.id));
   if (is_csg(c.scene, ray.id))
     return says(PartingCause::tessellation,
-                saw + ": the rasterizer leaves out objects made by CSG, whose surface is only known ray by ray.");
+                saw + ": the rasterizer leaves out CSG objects, whose surfaces are only computed per ray.");
   if (is_tessellated(c.scene, ray.id) || is_tessellated(c.scene, drawn.id))
-    return says(PartingCause::tessellation,
-                saw + ": an exact curve for the ray, flat triangles with corners on the curve for the rasterizer.");
+    return says(
+        PartingCause::tessellation,
+        saw + ": the ray meets the exact curved surface; the rasterizer draws flat triangles with vertices on it.");
   return says(PartingCause::silhouette,
-              saw + ": an outline passes within a pixel, and a ray's rounding is not that of snapped corners.");
+              saw + ": an outline passes within a pixel, and rays round differently from snapped vertices.");
 }
 
 }  // namespace ps::parting

@@ -15,7 +15,7 @@ struct Comparison {
   const StorySide& a;
   const StorySide& b;
   double slack = 0;  ///< least tolerance; for a first look at what is far more than rounding
-  /// One of the two is a textbook listing, told as the renderer whose steps it takes.
+  /// One of the two is a textbook listing, with the events of the renderer whose steps it takes.
   bool with_listing() const { return a.story.listing || b.story.listing; }
   bool both_rays() const {
     return a.story.renderer == Renderer::ray_tracer && b.story.renderer == Renderer::ray_tracer;

@@ -72,7 +72,7 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
     for (const std::string_view key : epsilon_keys)
       if (differs(c, key))
         return says(PartingCause::epsilon,
-                    fmt::format("The ray of {} meets the surface that it starts from, at t = {}", own_a ? "A" : "B",
+                    fmt::format("The ray of {} hits the surface that it starts from, at t = {}", own_a ? "A" : "B",
                                 number_text(own_a ? t_of(c.a.story, a) : t_of(c.b.story, b))),
                     {key});
   // The nearer of the two hits is the one that the other side must have turned down.
@@ -82,8 +82,7 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
   const Tested tested = test_of(other.story, nearer_a ? b.ray : a.ray, winner.id);
   const std::string_view loser = nearer_a ? "B" : "A";
   if (!tested.outcome && other.story.listing && is_no_sphere(c.scene, winner.id))
-    return says(PartingCause::visibility,
-                fmt::format("{}: the listing of {} knows spheres and nothing else", saw, loser), {});
+    return says(PartingCause::visibility, fmt::format("{}: the listing of {} supports only spheres", saw, loser), {});
   if (!tested.outcome)
     return says(differs(c, "accelerator") || differs(c, "slab-test") ? PartingCause::precision
                                                                      : PartingCause::unexplained,
@@ -94,23 +93,22 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
     for (const std::string_view key : epsilon_keys)
       if (differs(c, key))
         return says(PartingCause::epsilon,
-                    fmt::format("{}: the hit at t = {} lies before the range of {}'s ray", saw,
+                    fmt::format("{}: the hit at t = {} is below t min of the ray of {}", saw,
                                 number_text(nearer_a ? t_of(c.a.story, a) : t_of(c.b.story, b)), loser),
                     {key});
-    return says(PartingCause::clipping, fmt::format("{}: for {} the hit lies before the near bound", saw, loser),
+    return says(PartingCause::clipping, fmt::format("{}: for {} the hit is nearer than the near limit", saw, loser),
                 {"near"});
   case TestOutcome::beyond_range:
-    return says(PartingCause::clipping, fmt::format("{}: for {} the hit lies beyond the far bound", saw, loser),
-                {"far"});
+    return says(PartingCause::clipping, fmt::format("{}: for {} the hit is beyond the far limit", saw, loser), {"far"});
   case TestOutcome::back_side:
     return says(PartingCause::culling,
-                fmt::format("{}: {} drops the back of {}", saw, loser, primitive_name(c.scene, winner.id)),
+                fmt::format("{}: {} culls the back of {}", saw, loser, primitive_name(c.scene, winner.id)),
                 {"backface-culling"});
   case TestOutcome::accepted:
   case TestOutcome::farther:
     if (turned_down_root(other.story, tested.event, t_of(nearer_a ? c.a.story : c.b.story, winner)))
       return says(PartingCause::other_root,
-                  fmt::format("{}: {} does not take the nearer intersection with {}, only the farther one", saw, loser,
+                  fmt::format("{}: {} rejects the nearer intersection with {} and takes the farther one", saw, loser,
                               primitive_name(c.scene, winner.id)),
                   {"near", "sphere-test", "self-hit"});
     break;
@@ -123,7 +121,7 @@ Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const 
   const bool arithmetic = differs(c, "precision") || differs(c, "sphere-test") || differs(c, "triangle-test") ||
                           differs(c, "triangle-epsilon");
   return says(arithmetic ? PartingCause::precision : PartingCause::unexplained,
-              fmt::format("{}: the test of {} says \"{}\" in {}", saw, primitive_name(c.scene, winner.id),
+              fmt::format("{}: the test of {} reports \"{}\" in {}", saw, primitive_name(c.scene, winner.id),
                           outcome_text(*tested.outcome), loser),
               {"precision", "sphere-test", "triangle-test", "triangle-epsilon"});
 }

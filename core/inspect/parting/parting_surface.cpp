@@ -44,8 +44,8 @@ Parting light_differs(const Comparison& c, int event_a, int event_b, const Sight
     const FragmentEvent* fragment = fragment_of(c, a, b);
     if (fragment && is_tessellated(c.scene, fragment->id))
       return says(PartingCause::tessellation,
-                  ": the ray lights the exact surface, the fragment a point of a flat triangle");
-    return says(PartingCause::shading_position, ": ray and fragment light slightly different points");
+                  ": the ray shades a point of the exact surface, the fragment a point of a flat triangle");
+    return says(PartingCause::shading_position, ": ray and fragment shade slightly different points");
   }
   return says(PartingCause::unexplained, ", unexplained");
 }
@@ -66,7 +66,7 @@ std::optional<Parting> part_at_blocker(const Comparison& c, int index_a, int ind
   };
   if (differs(c, "shadows")) return says(PartingCause::missing_shadow, because(c, {"shadows"}));
   if (c.a.story.renderer != c.b.story.renderer)
-    return says(PartingCause::missing_shadow, ": only one of the two renderers asks what stands between");
+    return says(PartingCause::missing_shadow, ": only one of the two renderers computes shadows");
   if (const auto key = first_differing(c, {"self-hit", "shadow-epsilon", "epsilon-unit"}))
     return says(PartingCause::epsilon, because(c, {*key}));
   if (const auto key = first_differing(c, {"precision", "sphere-test", "triangle-test", "triangle-epsilon"}))
@@ -81,9 +81,9 @@ std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int inde
   if (c.same(a.visible, b.visible) || (c.same(a.diffuse, b.diffuse) && c.same(a.specular, b.specular)))
     return std::nullopt;
   const auto reaches = [](double visible) {
-    return visible > 0 ? fmt::format("{} of it", number_text(visible)) : std::string("nothing of it");
+    return visible > 0 ? fmt::format("{} %", number_text(100 * visible)) : std::string("0 %");
   };
-  const std::string text = fmt::format("{}: {} reaches the point in A and {} in B", light_name(c.scene, a.light),
+  const std::string text = fmt::format("{}: {} of it reaches the point in A and {} in B", light_name(c.scene, a.light),
                                        reaches(a.visible), reaches(b.visible));
   const auto says = [&](PartingCause cause, const std::string& why) {
     return Parting{cause, text + why + ".", index_a, index_b};
@@ -93,7 +93,7 @@ std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int inde
                               "shadow-map-size", "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
     return says(PartingCause::missing_shadow, because(c, {*key}));
   if (c.a.story.renderer != c.b.story.renderer)
-    return says(PartingCause::missing_shadow, ": the renderers find shadows in different ways");
+    return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
   return std::nullopt;
 }
 
@@ -119,7 +119,7 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
                     because(c, {"interpolation"}));
   if (differs(c, "texture-filter") || differs(c, "texture-wrap") || differs(c, "anisotropy"))
     return says(PartingCause::filter,
-                fmt::format("A mixes {} texels and B {}", read_a.texels.size(), read_b.texels.size()) +
+                fmt::format("A blends {} texels and B {}", read_a.texels.size(), read_b.texels.size()) +
                     because(c, {"texture-filter", "texture-wrap", "anisotropy"}));
   if (!c.same(read_a.level, read_b.level))
     return says(PartingCause::level, fmt::format("A reads mip level {} and B level {}", number_text(read_a.level),
@@ -127,15 +127,14 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
                                          because(c, {"mip-bias", "renderer"}));
   if (differs(c, "precision"))
     return says(PartingCause::precision, "The texels' weights differ" + because(c, {"precision"}));
-  if (!same_texels(c, read_a, read_b)) return says(PartingCause::filter, "A and B mix other texels");
+  if (!same_texels(c, read_a, read_b)) return says(PartingCause::filter, "A and B read different texels");
   return says(PartingCause::unexplained, "Unexplained: the same texels give different colours");
 }
 
 std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, const Sighting& b) {
   if (a.lights.size() != b.lights.size())
-    return light_differs(
-        c, a.seen, b.seen, a, b,
-        fmt::format("A works out the light {} times and B {} times here", a.lights.size(), b.lights.size()));
+    return light_differs(c, a.seen, b.seen, a, b,
+                         fmt::format("A evaluates {} lights and B {} lights here", a.lights.size(), b.lights.size()));
   for (std::size_t i = 0; i < a.lights.size(); ++i) {
     if (auto found = part_at_blocker(c, a.lights[i], b.lights[i])) return found;
     if (auto found = part_at_shadow(c, a.lights[i], b.lights[i])) return found;

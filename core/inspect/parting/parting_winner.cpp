@@ -19,7 +19,7 @@ std::optional<int> root_taken(const PixelStory& story, const Sighting& sighting)
   return std::nullopt;
 }
 
-/// The surfaces on both sides count as one and the same. The triangles that stand for a sphere share its id.
+/// The surfaces on both sides count as one and the same. The triangles of a tessellated sphere share its id.
 bool same_surface(const Comparison& c, const Sighting& a, const Sighting& b) {
   if (c.a.story.renderer != c.b.story.renderer && a.id.object == b.id.object) return true;
   return a.id == b.id;
@@ -34,7 +34,7 @@ std::optional<Parting> part_at_place(const Comparison& c, const Sighting& a, con
                                         number_text(*depth_a), number_text(*depth_b));
   if (differs(c, "sample-position"))
     return Parting{PartingCause::eye_ray, where + because(c, {"sample-position"}) + ".", a.seen, b.seen};
-  return Parting{PartingCause::coverage, where + ": the listing drops the fractions of the corners' places.", a.seen,
+  return Parting{PartingCause::coverage, where + ": the listing truncates vertex positions to whole pixels.", a.seen,
                  b.seen};
 }
 
@@ -56,7 +56,7 @@ std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, con
                                         number_text(*depth_a), number_text(*depth_b));
   if (root_a && root_b && *root_a != *root_b)
     return Parting{PartingCause::other_root,
-                   fmt::format("Both hit {}, the {} takes the nearer root, the other the farther one{}.", where,
+                   fmt::format("Both hit {}; the {} takes the nearer root, the other the farther root{}.", where,
                                *root_a < *root_b ? "ray of A" : "ray of B", because(c, {"near", "sphere-test"})),
                    a.seen, b.seen};
   if (differs(c, "precision"))

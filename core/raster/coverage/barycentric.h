@@ -13,7 +13,7 @@ inline Real line_distance(const Vec2<Real>& a, const Vec2<Real>& b, const Vec2<R
   return (normal.x * p.x + normal.y * p.y) + offset;
 }
 
-/// The sample's weights: its distance from each edge as a share of the opposite corner's.
+/// The sample's weights: its distance from each edge as a fraction of the opposite vertex's.
 template <class Real>
 std::array<Real, 3> barycentric_weights(const CoverageInput& input, int column, int row) {
   const auto unit = static_cast<Real>(fixed_unit(input.grid.subpixel_bits));

@@ -39,18 +39,18 @@ Explanation explain_weights(const CoverageInput& input, const std::array<Real, 3
   const std::vector<double> values(weights.begin(), weights.end());
   if (corner < 0) return {"no weight is negative", values};
   const auto k = static_cast<std::size_t>(corner);
-  return {fmt::format("the weight of corner {} is {}", corner,
-                      weights[k] == 0 ? "0, on an edge that belongs to the neighbour" : "negative"),
+  return {fmt::format("the weight of vertex {} is {}", corner,
+                      weights[k] == 0 ? "0, on an edge that the neighbour owns" : "negative"),
           values};
 }
 
 Explanation explain_span(const CoverageInput& input, int column, int row) {
   const RowSpan span = SpanWalk(input, row).span();
   const std::vector<double> values{static_cast<double>(span.first), static_cast<double>(span.last)};
-  if (span.first > span.last) return {fmt::format("row {} passes between its samples", row), {}};
+  if (span.first > span.last) return {fmt::format("row {} covers none of its samples", row), {}};
   const std::string text = fmt::format("row {} is covered from column {} to {}", row, span.first, span.last);
-  if (column < span.first) return {text + ", this one lies left of that", values};
-  if (column > span.last) return {text + ", this one lies right of that", values};
+  if (column < span.first) return {text + "; this sample lies left of them", values};
+  if (column > span.last) return {text + "; this sample lies right of them", values};
   return {text, values};
 }
 
@@ -101,7 +101,7 @@ Explanation explain_tile(const CoverageInput& input, int column, int row) {
 
 Explanation explain_pieces(const CoverageInput& input, bool covered) {
   const int levels = Micropolygons(input).levels();
-  return {fmt::format("cut {} times into four, {} pieces in all: {}", levels, std::int64_t{1} << (2 * levels),
+  return {fmt::format("split {} times into four, {} pieces in all: {}", levels, std::int64_t{1} << (2 * levels),
                       covered ? "one of them covers the sample" : "none of them covers the sample"),
           {}};
 }
@@ -170,7 +170,7 @@ CoverageEvent explain_coverage(const CoverageChoice& choice, const CoverageInput
   event.tests = decision.tests;
   const bool everywhere = choice.strategy == Coverage::ray_test;
   if (!everywhere && is_empty(intersection({column, row, column + 1, row + 1}, input.whole))) {
-    event.how = "outside the triangle's box";
+    event.how = "outside the triangle's bounding box";
     return event;
   }
   Explanation explanation = explain<Real>(choice, input, column, row, decision.covered);

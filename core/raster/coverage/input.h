@@ -3,9 +3,9 @@
 
 namespace ps::raster {
 
-/// What a coverage strategy is given: a triangle whose corners were rounded to the sub-pixel grid, so that all
+/// What a coverage strategy is given: a triangle whose vertices were rounded to the sub-pixel grid, so that all
 /// strategies can answer the same question, and exactly. A strategy walks the pixels of a box, a part of `whole`, and
-/// tells its sink:
+/// reports to its sink:
 ///   test(column, row)             a sample was tested by itself
 ///   test_all(box)                 all samples of the box were
 ///   region(box)                   a row, a cell or a piece with this box was tested as a whole

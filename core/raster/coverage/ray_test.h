@@ -22,8 +22,8 @@ inline SampleRay sample_ray(const CoverageInput& input, int column, int row) {
   return {{x, y, 0}, {0, 0, 1}};
 }
 
-/// Six times the volume of the tetrahedron that the ray spans with a line from a to b; its sign tells on which side of
-/// the line the ray passes.
+/// Six times the volume of the tetrahedron that the ray spans with a line from a to b; its sign is the side of the line
+/// on which the ray passes.
 inline std::int64_t ray_side(const SampleRay& ray, const FixedPoint& a, const FixedPoint& b) {
   const CanvasPoint p{a.x - ray.origin.x, a.y - ray.origin.y, 1}, q{b.x - ray.origin.x, b.y - ray.origin.y, 1};
   const CanvasPoint across{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};

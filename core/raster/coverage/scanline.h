@@ -46,7 +46,7 @@ struct RowSpan {
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
 };
 
-/// Goes down the triangle's rows along its left and right edges. The triangle is cut at its middle corner: each row
+/// Goes down the triangle's rows along its left and right edges. The triangle is cut at its middle vertex: each row
 /// uses the two edges that reach it, so there is nothing to test for the samples between them.
 class SpanWalk {
  public:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double near_limit = 1e-3;  // world units
 
-/// The picture's own settings, but for the camera's and for mirrors: those show their own colour in a map.
+/// The picture's own settings, except for the camera's and for mirrors, which show their local colour in a map.
 Settings map_settings(const Settings& settings) {
   const Settings defaults;
   Settings plain = settings;
@@ -32,7 +32,7 @@ Settings map_settings(const Settings& settings) {
   return plain;
 }
 
-/// How much an object mirrors: the most of any of its materials.
+/// An object's reflectivity: the largest of its materials.
 double reflective(const Scene& scene, const Object& object) {
   const auto of = [&](std::uint32_t material) { return scene.materials->at(material).reflective; };
   if (const auto* sphere = std::get_if<Sphere>(&object.shape)) return of(sphere->material);

@@ -24,15 +24,16 @@ struct EnvironmentMap {
   }
 };
 
-/// The map in which each object looks up what it mirrors; null for those that mirror nothing.
+/// The map in which each object looks up its reflections; null for objects without reflections.
 using EnvironmentMaps = std::vector<std::shared_ptr<const EnvironmentMap>>;
 
 /// Is the option on, and does anything mirror?
 bool uses_environment(const Settings& settings, const Scene& scene);
 
 /// With environment = cube-map each mirroring object has a map of its own, made at its centre, of all other objects
-/// (without what those mirror themselves). With room-map all share one: that of the objects that mirror nothing, made
-/// in their middle, whatever the mirroring ones do. Kept in `prepared` until something changes that can be seen in one.
+/// (without what those mirror themselves). With room-map all share one: that of the objects without reflections,
+/// rendered from their centre, wherever the reflective objects are. Kept in `prepared` until something changes that can
+/// be seen in one.
 std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
                                                         Prepared& prepared, WorkerPriority priority,
                                                         Progress& progress);

@@ -40,7 +40,7 @@ struct Edge {
 
 HWY_INLINE VI number(std::int32_t value) { return hn::Set(DI(), value); }
 HWY_INLINE VI zero() { return hn::Zero(DI()); }
-/// Those bits of VertexPlace::outside that stand for planes.
+/// The bits of VertexPlace::outside that are planes.
 HWY_INLINE VI planes() { return number(static_cast<std::int32_t>(VertexPlace::no_place - 1)); }
 
 /// The vertices of the triangles from number `first` on, one array for each corner; lanes beyond the last get the last.

@@ -82,7 +82,7 @@ std::array<std::array<float, 3>, 2> weight_steps(const std::array<std::array<std
 constexpr std::size_t run = 16;
 static_assert(TileFragments::samples % run == 0);
 
-/// So many triangles of a tile that the order in which their vertices are read matters.
+/// From this number of triangles in a tile on, the order in which their vertices are read matters.
 constexpr std::uint32_t enough_to_sort = 256;
 
 bool all_are(std::uint32_t id, const std::uint32_t* ids) {
@@ -96,7 +96,7 @@ bool all_are(std::uint32_t id, const std::uint32_t* ids) {
 void AttributeRows::start(const TileFragments& tile) {
   tile_ = &tile;
   const std::uint32_t count = tile.triangle_count;
-  begin_.assign(count + 1, missing);  // the last stands for samples that show nothing
+  begin_.assign(count + 1, missing);  // the last one is for samples that show nothing
   used_ = 0;
   if (count < enough_to_sort) return;
   static_assert(TileFragments::none == 0xffffffff);

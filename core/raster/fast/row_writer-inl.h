@@ -35,7 +35,7 @@ class RowWriter {
     put(colours_, output_.pixels + at, wide_ * sizeof(Vec3f), output_.colour_stores);
     if (output_.levels) put(levels_.data(), output_.levels + at, wide_ * sizeof(Rgb8), output_.level_stores);
   }
-  /// What has been written can be read by whoever is told of it from now on.
+  /// Publishes what has been written to other threads.
   HWY_INLINE void end() {
     if (output_.colour_stores == Stores::past_cache) hwy::FlushStream();
   }

@@ -23,8 +23,8 @@ struct ReplacedFragment {
 };
 
 /// What is seen in one tile so far: of each sample the nearest fragment's depth and triangle. All else about it is
-/// found out again when all triangles have been drawn, so that little memory is touched for fragments that nobody will
-/// see. Rows are fast_tile samples apart, also in the narrower tiles at the edges of the picture.
+/// found out again when all triangles have been drawn, so that little memory is touched for hidden fragments. Rows are
+/// fast_tile samples apart, also in the narrower tiles at the edges of the picture.
 struct TileFragments {
   static constexpr std::size_t samples = std::size_t{fast_tile} * fast_tile;
   static constexpr std::uint32_t none = 0xffffffff;

@@ -43,7 +43,7 @@ struct Fragments {
   bool in_row = true;                                                ///< columns follow each other
 };
 
-/// An edge's values where they fit 32 bits; products may wrap around in lanes that nobody asks for.
+/// An edge's values where they fit 32 bits; products may wrap around in unused lanes.
 HWY_INLINE std::int32_t edge_value(std::int32_t value, std::int32_t step_x, std::int32_t step_y, int dx, int dy) {
   const auto u = [](std::int32_t v) { return static_cast<std::uint32_t>(v); };
   return static_cast<std::int32_t>(u(value) + u(step_x) * u(dx) + u(step_y) * u(dy));

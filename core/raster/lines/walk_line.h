@@ -10,8 +10,8 @@
 
 namespace ps::raster {
 
-/// The book's name (math/conventions.h, book_pixel) of the pixel that a canvas point lights. With the sample in the
-/// middle that is the pixel that contains the point; with the book's convention both coordinates lose their fraction,
+/// The book's name (math/conventions.h, book_pixel) of the pixel that a canvas point lights. With the sample at the
+/// centre that is the pixel that contains the point; with the book's convention both coordinates lose their fraction,
 /// as in the book's own programs.
 template <class Real>
 inline Vec2i book_pixel_at(const Vec2<Real>& point, SamplePosition position) {

@@ -17,7 +17,7 @@ struct ShadowComparison {
   Real surface_error = 0;  ///< world units: how far triangles may lie within the round surface; for a derived bias
 };
 
-/// The slope bias, in texels, at which no surface shadows itself: from the middle of a filter of `taps` x `taps` texels
+/// The slope bias, in texels, at which no surface shadows itself: from the centre of a filter of `taps` x `taps` texels
 /// to the farthest corner that it compares with along any direction, and 1/256 for the rounding of the map's vertices.
 template <class Real>
 inline Real needed_slope_bias(int taps) {
@@ -99,9 +99,9 @@ MapTexel<Real> read_texel(const ShadowMap& map, const MapPoint<Real>& point, con
   return texel;
 }
 
-/// The share of a light that a point sees: that of the texels around it whose surface is not nearer to the light than
-/// the point, less the bias (CGFS ch. 15; percentage-closer filtering where more than one is asked). `normal` has any
-/// length.
+/// The fraction of a light that reaches a point: the fraction of texels around it whose surface is not nearer to the
+/// light than the point, minus the bias (CGFS ch. 15; percentage-closer filtering where more than one is asked).
+/// `normal` has any length.
 template <class Real, class Recorder>
 Real look_up_shadow(const ShadowMap& map, int light, const Vec3<Real>& position, const Vec3<Real>& normal,
                     const ShadowComparison<Real>& how, Recorder& recorder) {
@@ -123,7 +123,7 @@ Real look_up_shadow(const ShadowMap& map, int light, const Vec3<Real>& position,
   if (derived)
     bias += rounding_of_depth<Real> * std::abs(point.depth) +
             how.surface_error * std::sqrt(Real(1) + point.slope * point.slope);
-  // The taps whose middle is nearest to the position; an odd number has the position's own texel in its middle.
+  // The taps whose centre is nearest to the position; an odd number has the position's own texel in its middle.
   const auto first = [&](Real place) {
     const int texel = static_cast<int>(std::floor(how.filter % 2 == 0 ? place + Real(0.5) : place));
     return std::clamp(texel, 0, map.size - 1) - how.filter / 2;

@@ -33,7 +33,7 @@ Settings map_settings(const Settings& settings, bool cube) {
   return plain;
 }
 
-/// The scene with what throws shadows, with nothing else that costs time.
+/// The scene with only the objects that cast shadows, to save time.
 Scene dense_part(const Scene& scene) {
   Scene dark = scene;
   dark.canvas_items = {};
@@ -74,7 +74,7 @@ ShadowMap frame_around(const ShadowCasters& casters, const Light& light, int siz
   const Vec3d right = cross(other, forward);
   map.frame.right = right / std::sqrt(dot(right, right));
   map.frame.up = cross(forward, map.frame.right);
-  // The square around them as the light sees them. Balls are rounder than the triangles that stand for them here.
+  // The square around them as the light sees them. Spheres are rounder than their triangles here.
   Vec3d low(1e300), high(-1e300);
   const auto reach = [&](const Vec3d& p, double radius) {
     const Vec3d local = in_face(map.frame, p);

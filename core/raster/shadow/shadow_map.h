@@ -18,7 +18,7 @@ struct ShadowMap {
   int size = 0;  ///< texels along an edge; 0 = the light casts no shadows
   bool cube = false;
   std::vector<Image<float>> faces;  ///< depth along the face's forward axis
-  Vec3d position{0, 0, 0};          ///< world space: the light, or where depth is 0 in the middle of the square
+  Vec3d position{0, 0, 0};          ///< world space: the light, or where depth is 0 at the centre of the square
   CubeFace frame{};                 ///< of the square
   double half = 0;                  ///< half the side of the square, world units
 
@@ -50,7 +50,7 @@ std::shared_ptr<const ShadowMaps> shadow_maps(const Scene& scene, const Settings
 
 /// All objects but those that dwarf the rest, such as a ground, so that a map spends its texels where shadows begin:
 /// along a directional light a shadow lies straight behind its object, so nothing that is beside these can be in their
-/// shadow. What dwarfs them throws shadows into a map only from behind its nearest of them.
+/// shadow. Much larger objects cast shadows into a map only from behind its nearest of them.
 struct ShadowCasters {
   Vec3d centre{0, 0, 0};  ///< of a ball around them, world space
   double radius = 1;      ///< of that ball

@@ -68,7 +68,7 @@ bool faces(const Welded& welded, const Corners& triangle, const Light& light) {
   return dot(normal, light.kind == LightKind::point ? light.position - a : light.direction) > 0;
 }
 
-/// The triangles that throw the shadow, each facing the light.
+/// The triangles that cast the shadow, each facing the light.
 std::vector<Corners> lit_triangles(const Welded& welded, const Light& light) {
   std::vector<Corners> lit, turned;
   for (const Corners& triangle : welded.triangles) {

@@ -20,8 +20,8 @@ struct SilhouetteEdge {
 struct ShadowVolume {
   int object = 0;  ///< index into Geometry::objects
   std::vector<SilhouetteEdge> silhouette;
-  /// The triangles of `surface`: lit ones and their copies at the far end in turns, so many in all, or none if they are
-  /// left out; then those of the sides.
+  /// The triangles of `surface`: lit ones and their copies at the far end in turns, or none if caps are left out; then
+  /// those of the sides.
   std::size_t caps = 0;
   std::vector<std::uint32_t> edge_of_side;  ///< for each triangle after the caps, the index into `silhouette`
   std::shared_ptr<const Mesh> surface;      ///< world space
@@ -38,12 +38,12 @@ struct ShadowVolumeOptions {
   bool caps = true;  ///< lit triangles and far end; without, the surface is open at both ends
 };
 
-/// Closed models throw shadows with the triangles that face the light. In an open one any triangle may be the only one
+/// Closed models cast shadows with the triangles that face the light. In an open one any triangle may be the only one
 /// in the light's way, so all do, each turned to face the light; where two lie behind each other the count is 2, which
 /// is as dark as 1. Empty for ambient light. Throws Cancelled (base/stop.h).
 ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, const ShadowVolumeOptions& options);
 
-/// The volumes of all objects that throw shadows, for each light: transparent ones do not. As the settings say.
+/// The volumes of all objects that cast shadows, for each light: transparent ones do not. As the settings say.
 std::vector<std::vector<ShadowVolume>> make_shadow_volumes(const Scene& scene, const std::vector<DrawObject>& objects,
                                                            const Settings& settings);
 

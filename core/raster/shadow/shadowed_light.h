@@ -19,7 +19,7 @@ struct KnownShares {
   }
 };
 
-/// How far the fragment may lie from the round surface that its triangle stands for: so many pixels (option
+/// Maximum distance of the fragment from the curved surface that its triangle approximates: that many pixels (option
 /// tessellation), in world units. The map has triangles of its own, so its surface is another one.
 template <class Real>
 Real tessellation_error(const Pass<Real>& pass, const TriangleSetup<Real>& setup, const Fragment<Real>& fragment) {
@@ -31,7 +31,7 @@ Real tessellation_error(const Pass<Real>& pass, const TriangleSetup<Real>& setup
 }
 
 /// Light on a fragment in a picture with shadows. Whether a light is seen is always found out at the fragment itself;
-/// where the light is computed at the corners (Gouraud) or once for the triangle (flat), what they get of a light is
+/// where the light is computed at the vertices (Gouraud) or once for the triangle (flat), what they get of a light is
 /// multiplied by the share of it that the fragment sees.
 template <class Real, class Recorder>
 Lighting<Real> shadowed_light(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,

@@ -6,7 +6,8 @@
 
 namespace ps {
 
-/// How many samples of an inspected pixel tell their whole story; of the others only place, weight and colour are kept.
+/// How many samples of an inspected pixel record their whole story; of the others only position, weight and colour are
+/// kept.
 inline constexpr int most_sample_stories = 16;
 
 /// Supersampling (CGFS ch. 5): the mean of several rays, added up in their order.

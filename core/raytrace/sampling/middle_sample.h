@@ -5,7 +5,7 @@
 
 namespace ps {
 
-/// Finds the sample nearest to the middle of its pixel (ties: the first): it stands for the pixel in channels that
+/// Finds the sample nearest to the centre of its pixel (ties: the first): it represents the pixel in channels that
 /// cannot be averaged, such as ids.
 class MiddleSample {
  public:

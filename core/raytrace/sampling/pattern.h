@@ -6,7 +6,7 @@ namespace ps {
 
 /// Where the samples of a pixel lie (CGFS ch. 5 asks for more of them, not where).
 ///
-/// grid    n cells of equal area, a sample in the middle of each. A square number gives sqrt(n) x sqrt(n); otherwise
+/// grid    n cells of equal area, a sample at the centre of each. A square number gives sqrt(n) x sqrt(n); otherwise
 /// rows
 ///         of nearly equal numbers, each as high as its share of the samples.
 /// jitter  the same cells, the sample anywhere in its cell (Cook 1986): noise in the place of regular patterns.

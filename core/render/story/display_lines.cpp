@@ -36,7 +36,7 @@ std::vector<LedgerLine> display_lines(const PixelStory& story, const Settings& s
   const int event = story.events.empty() ? -1 : static_cast<int>(story.events.size()) - 1;
   std::vector<LedgerLine> lines;
   const auto tell = [&](std::string text) { lines.push_back({0, std::move(text), Vec3d{0, 0, 0}, event}); };
-  if (settings.exposure != 1) tell(fmt::format("times exposure {}", number_text(settings.exposure)));
+  if (settings.exposure != 1) tell(fmt::format("multiplied by exposure {}", number_text(settings.exposure)));
   for (int channel = 0; channel < 3; ++channel) {
     const double value = story.linear[channel] * settings.exposure;
     if (!(value >= 0 && value <= 1)) tell(clamp_text(channel_names.at(static_cast<std::size_t>(channel)), value));

@@ -6,7 +6,7 @@
 namespace ps {
 
 /// What happens to the finished sum on its way to the screen (exposure, clamping, gamma, rounding to the colour depth),
-/// as ledger lines of level 0 whose value is zero: they tell, they add nothing.
+/// as ledger lines of level 0 whose value is zero: they explain and add nothing.
 std::vector<LedgerLine> display_lines(const PixelStory& story, const Settings& settings);
 
 }  // namespace ps

@@ -12,8 +12,8 @@ void finish_story(PixelStory& story, const Scene& scene, const Settings& setting
 /// One sentence that says what the pixel shows and why. Never empty.
 std::string story_verdict(const PixelStory& story, const Scene& scene);
 
-/// The pixel's colour as a sum (see LedgerLine), followed by lines without value that tell what the display does with
-/// it.
+/// The pixel's colour as a sum (see LedgerLine), followed by lines without value that describe what the display does
+/// with it.
 std::vector<LedgerLine> story_ledger(const PixelStory& story, const Scene& scene, const Settings& settings);
 
 }  // namespace ps

@@ -28,25 +28,25 @@ void add_rays_of_kind(const PixelStory& story, const Scene& scene, int ray, RayK
     if (event_as<RayEvent>(story.events, child).kind == kind) add_ray(story, scene, child, share, level, lines);
 }
 
-/// A transparent surface: its own colour, what it mirrors and what comes through, each by its share (CGFS ch. 5).
+/// A transparent surface: local, reflected and transmitted colour, each times its share (CGFS ch. 5).
 void add_boundary(const PixelStory& story, const Scene& scene, int ray, int index, const ShadingEvents& shading,
                   double share, int level, Lines& lines) {
   const auto& event = event_as<RefractionEvent>(story.events, index);
   const std::string name = primitive_name(scene, shading.id);
   if (event.own_share > 0) {
-    lines.push_back({level, fmt::format("{}: {} of its own colour", name, number_text(event.own_share)),
+    lines.push_back({level, fmt::format("{}: {} x local colour", name, number_text(event.own_share)),
                      share * event.own_share * event.local, shading.shade});
     append(lines, light_terms(story, scene, shading, share * event.own_share, level + 1));
   }
   if (event.mirrored_share > 0) {
     lines.push_back({level,
-                     fmt::format("{}: {} of what it mirrors{}", name, number_text(event.mirrored_share),
+                     fmt::format("{}: {} x reflected colour{}", name, number_text(event.mirrored_share),
                                  event.total ? " (total internal reflection)" : ""),
                      share * event.mirrored_share * event.mirrored, index});
     add_rays_of_kind(story, scene, ray, RayKind::reflection, share * event.mirrored_share, level + 1, lines);
   }
   if (event.refracted_share > 0) {
-    lines.push_back({level, fmt::format("{}: {} of what comes through", name, number_text(event.refracted_share)),
+    lines.push_back({level, fmt::format("{}: {} x transmitted colour", name, number_text(event.refracted_share)),
                      share * event.refracted_share * event.refracted, index});
     add_rays_of_kind(story, scene, ray, RayKind::refraction, share * event.refracted_share, level + 1, lines);
   }
@@ -72,16 +72,16 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
   if (!boundaries.empty()) return add_boundary(story, scene, ray, boundaries.back(), shading, share, level, lines);
   const auto mirrors = events_of_ray<ReflectionEvent>(events, ray);
   if (mirrors.empty()) {
-    lines.push_back({level, fmt::format("{}: its own colour", name), share * local, shading.shade});
+    lines.push_back({level, fmt::format("{}: local colour", name), share * local, shading.shade});
     append(lines, light_terms(story, scene, shading, share, level + 1));
     return;
   }
   const auto& mirror = event_as<ReflectionEvent>(events, mirrors.back());
   const double own = 1 - mirror.reflective;
   lines.push_back(
-      {level, fmt::format("{}: {} of its own colour", name, number_text(own)), share * own * local, shading.shade});
+      {level, fmt::format("{}: {} x local colour", name, number_text(own)), share * own * local, shading.shade});
   append(lines, light_terms(story, scene, shading, share * own, level + 1));
-  lines.push_back({level, fmt::format("{}: {} of what it mirrors", name, number_text(mirror.reflective)),
+  lines.push_back({level, fmt::format("{}: {} x reflected colour", name, number_text(mirror.reflective)),
                    share * mirror.reflective * mirror.reflected, mirrors.back()});
   add_rays_of_kind(story, scene, ray, RayKind::reflection, share * mirror.reflective, level + 1, lines);
 }
@@ -102,14 +102,14 @@ Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, d
   if (mirror < 0) return shading.shade < 0 ? Lines{} : light_terms(story, scene, shading, share, level);
   const auto& event = event_as<ReflectionEvent>(story.events, mirror);
   const double own = 1 - event.reflective;
-  Lines lines{{level, fmt::format("{} of its own colour", number_text(own)), share * own * event.local, mirror}};
+  Lines lines{{level, fmt::format("{} x local colour", number_text(own)), share * own * event.local, mirror}};
   if (shading.shade >= 0) append(lines, light_terms(story, scene, shading, share * own, level + 1));
-  lines.push_back({level, fmt::format("{} of what its cube map shows", number_text(event.reflective)),
+  lines.push_back({level, fmt::format("{} x colour from its cube map", number_text(event.reflective)),
                    share * event.reflective * event.reflected, mirror});
   return lines;
 }
 
-/// The numbers of the samples that write `index` reached, with multisampling: the kernel tells them beside it.
+/// The numbers of the samples that write `index` reached, with multisampling: the kernel reports them with it.
 const CoverageEvent* written_samples(const PixelStory& story, int index) {
   const int parent = story.events[static_cast<std::size_t>(index)].parent;
   const FragmentEvent* fragment =
@@ -128,7 +128,7 @@ class SampleOwners {
     if (owners_.empty()) owners_.assign(static_cast<std::size_t>(samples.tests), background);
     for (const double sample : samples.values) owners_.at(static_cast<std::size_t>(sample)) = index;
   }
-  /// The pixel as the mean of its samples, those of one write told together.
+  /// The pixel as the mean of its samples, with one line for all samples of a write.
   Lines lines(const PixelStory& story, const Scene& scene) const {
     Lines lines;
     std::vector<int> order(owners_);
@@ -144,7 +144,7 @@ class SampleOwners {
       }
       const auto& write = event_as<WriteEvent>(story.events, owner);
       lines.push_back(
-          {0, fmt::format("{}: its colour {}", primitive_name(scene, write.id), of), share * write.shaded, owner});
+          {0, fmt::format("{}: colour {}", primitive_name(scene, write.id), of), share * write.shaded, owner});
       append(lines, shading_of_write(story, scene, owner, share, 1));
     }
     return lines;
@@ -161,17 +161,17 @@ void add_write(const PixelStory& story, const Scene& scene, int index, Lines& li
   switch (mixing_of(write)) {
   case Mixing::replaces:
     lines.clear();
-    lines.push_back({0, fmt::format("{}: its colour", name), write.shaded, index});
+    lines.push_back({0, fmt::format("{}: colour", name), write.shaded, index});
     append(lines, shading_of_write(story, scene, index, 1, 1));
     return;
   case Mixing::adds:
     if (lines.empty()) lines.push_back({0, "background", write.before, index});
-    lines.push_back({0, fmt::format("{}: adds its colour", name), write.shaded, index});
+    lines.push_back({0, fmt::format("{}: added colour", name), write.shaded, index});
     return;
   case Mixing::filters:
     lines.clear();
     lines.push_back({0,
-                     fmt::format("{}: {} taken out of {}", name, vector_text(write.shaded), vector_text(write.before)),
+                     fmt::format("{}: {} multiplied by {}", name, vector_text(write.shaded), vector_text(write.before)),
                      write.after, index});
     return;
   }
@@ -192,7 +192,7 @@ Lines sample_lines(const PixelStory& story, const Scene& scene, const std::vecto
   for (const int index : samples) {
     const auto& sample = event_as<SampleEvent>(story.events, index);
     lines.push_back({0,
-                     fmt::format("sample {} of {} at {}: {} of {}", sample.index + 1, sample.count,
+                     fmt::format("sample {} of {} at {}: weight {}, colour {}", sample.index + 1, sample.count,
                                  vector_text(sample.position), number_text(sample.weight), vector_text(sample.colour)),
                      sample.weight * sample.colour, index});
     for (int i = index + 1; i < static_cast<int>(story.events.size()); ++i) {

@@ -25,18 +25,19 @@ bool adds_nothing(double intensity) { return std::abs(intensity) < least_light; 
 std::string light_effect_text(const Scene& scene, const LightEvent& light, LightWords words) {
   const bool whole = words == LightWords::whole;
   if (light.kind == LightKind::ambient)
-    return adds_nothing(light.diffuse) ? "gives no light" : fmt::format("{} everywhere", number_text(light.diffuse));
+    return adds_nothing(light.diffuse) ? "emits no light" : fmt::format("{} everywhere", number_text(light.diffuse));
   if (light.below_horizon) {
     // The book's highlight does not ask which way the surface faces.
     if (!adds_nothing(light.specular)) return "surface faces away, no diffuse" + highlight_text(light);
-    return whole ? "adds nothing, the surface faces away from it" : "surface faces away";
+    return whole ? "adds nothing: the surface faces away from it" : "surface faces away";
   }
   if (light.blocker) return "blocked by " + primitive_name(scene, *light.blocker);
   if (light.visible <= 0) return "in shadow";
   // What faces a light that nothing hides is lit, unless the light is switched off.
-  if (light.diffuse == 0 && light.specular == 0) return "gives no light";
-  const std::string share =
-      whole && light.visible < 1 ? fmt::format("{} of it seen, ", number_text(light.visible)) : std::string();
+  if (light.diffuse == 0 && light.specular == 0) return "emits no light";
+  const std::string share = whole && light.visible < 1
+                                ? fmt::format("{} % reaches the point, ", number_text(100 * light.visible))
+                                : std::string();
   const std::string diffuse =
       adds_nothing(light.diffuse) ? "diffuse adds nothing" : fmt::format("diffuse {}", number_text(light.diffuse));
   return share + diffuse + highlight_text(light);

@@ -6,19 +6,19 @@
 
 namespace ps {
 
-/// Whether an intensity (linear, 1 = white) is too small to be a part of any sum that is told. Far from a highlight a
+/// Whether an intensity (linear, 1 = white) is too small to change any sum that is shown. Far from a highlight a
 /// high power of a cosine is a number like 1e-98; whatever is below 1e-13 leaves each float sum from 2e-6 on, a
 /// two-thousandth of a display level, as it is.
 bool adds_nothing(double intensity);
 
-/// How much is told of a light beside what it does.
+/// How much of a light is described beside its effect.
 enum class LightWords {
   brief,  ///< for a row among many: "surface faces away"
-  whole   ///< for a sentence by itself: "adds nothing, the surface faces away from it"
+  whole   ///< for a sentence by itself: "adds nothing: the surface faces away from it"
 };
 
 /// What a light does at a point of a surface, without its name: "0.2 everywhere", "diffuse 0.47, specular 0.32",
-/// "blocked by sphere 3", "in shadow", "gives no light". Terms that add nothing are told without their number.
+/// "blocked by sphere 3", "in shadow", "emits no light". Terms that add nothing are described without their number.
 std::string light_effect_text(const Scene& scene, const LightEvent& light, LightWords words);
 
 }  // namespace ps

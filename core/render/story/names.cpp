@@ -28,11 +28,11 @@ std::string material_suffix(const Scene& scene, const Object& object) {
 std::string object_name(const Scene& scene, int object) {
   const auto& objects = scene.geometry->objects;
   if (object < 0) return "nothing";
-  if (static_cast<std::size_t>(object) >= objects.size()) return fmt::format("object {}", object + 1);
+  if (static_cast<std::size_t>(object) >= objects.size()) return fmt::format("object {}", object);
   const Object& thing = objects[static_cast<std::size_t>(object)];
   if (!thing.name.empty()) return thing.name;
   const std::string kind = kind_of(*scene.geometry, thing);
-  int number = 0;
+  int number = -1;
   for (int i = 0; i <= object; ++i)
     if (kind_of(*scene.geometry, objects[static_cast<std::size_t>(i)]) == kind) ++number;
   return fmt::format("{} {}{}", kind, number, material_suffix(scene, thing));
@@ -46,17 +46,17 @@ std::string primitive_name(const Scene& scene, const PixelId& id) {
   if (const auto* csg = std::get_if<Csg>(&shape)) {
     const auto parts = csg_parts(csg->root);
     if (id.triangle < 0 || static_cast<std::size_t>(id.triangle) >= parts.size()) return name;
-    return fmt::format("part {} ({}) of {}", id.triangle + 1,
-                       form_name(parts[static_cast<std::size_t>(id.triangle)]->form), name);
+    return fmt::format("part {} ({}) of {}", id.triangle, form_name(parts[static_cast<std::size_t>(id.triangle)]->form),
+                       name);
   }
   if (id.triangle < 0 || !std::holds_alternative<Instance>(shape)) return name;
   return fmt::format("triangle {} of {}", id.triangle, name);
 }
 
 std::string light_name(const Scene& scene, int light) {
-  if (light < 0 || static_cast<std::size_t>(light) >= scene.lights->size()) return fmt::format("light {}", light + 1);
+  if (light < 0 || static_cast<std::size_t>(light) >= scene.lights->size()) return fmt::format("light {}", light);
   const LightKind kind = (*scene.lights)[static_cast<std::size_t>(light)].kind;
-  return fmt::format("light {} ({})", light + 1, light_kind_key(kind));
+  return fmt::format("light {} ({})", light, light_kind_key(kind));
 }
 
 }  // namespace ps

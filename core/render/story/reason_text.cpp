@@ -13,19 +13,19 @@ std::string_view outcome_text(TestOutcome outcome) {
   case TestOutcome::missed:
     return "missed";
   case TestOutcome::before_range:
-    return "hit too near: before the ray's range";
+    return "intersection below t min";
   case TestOutcome::beyond_range:
-    return "hit too far: beyond the ray's range";
+    return "intersection above t max";
   case TestOutcome::farther:
-    return "hit, but a nearer one is known";
+    return "hit, but farther than the nearest so far";
   case TestOutcome::tie_lost:
-    return "hit at the same t as one with a lower index";
+    return "hit at the same t as a primitive with a lower index";
   case TestOutcome::back_side:
-    return "seen from behind, and it has only a front";
+    return "back side of a one-sided surface";
   case TestOutcome::parallel:
-    return "missed: the ray is parallel to its plane";
+    return "missed: ray parallel to its plane";
   case TestOutcome::degenerate:
-    return "skipped: it has no area";
+    return "skipped: zero area";
   }
   return "";
 }
@@ -57,23 +57,23 @@ std::string_view outcome_key(TestOutcome outcome) {
 std::string_view reject_reason_text(RejectReason reason) {
   switch (reason) {
   case RejectReason::outside_view:
-    return "the whole object lies outside the view";
+    return "the whole object lies outside the view volume";
   case RejectReason::clipped_near:
     return "clipped: nearer than the near plane";
   case RejectReason::clipped_side:
-    return "clipped: outside a side of the view";
+    return "clipped: outside a side plane of the view volume";
   case RejectReason::clipped_far:
     return "clipped: beyond the far plane";
   case RejectReason::back_face:
-    return "culled: it turns its back to the camera";
+    return "culled: its back faces the camera";
   case RejectReason::zero_area:
-    return "dropped: it has no area";
+    return "dropped: zero area";
   case RejectReason::cut_out:
     return "cut out: its opacity map is below 1/2 here";
   case RejectReason::not_covered:
-    return "near, but does not cover the pixel";
+    return "close to the pixel, but does not cover it";
   case RejectReason::behind_camera:
-    return "cannot be projected: a corner lies behind the camera and clipping is off";
+    return "cannot be projected: a vertex lies behind the camera and clipping is off";
   }
   return "";
 }
@@ -185,21 +185,21 @@ std::string reject_count_text(RejectReason reason, std::size_t count) {
   const std::string_view triangles = one ? "triangle" : "triangles";
   switch (reason) {
   case RejectReason::outside_view:
-    return fmt::format("{} {} outside the view", count, triangles);
+    return fmt::format("{} {} outside the view volume", count, triangles);
   case RejectReason::clipped_near:
     return fmt::format("{} {} nearer than the near plane", count, triangles);
   case RejectReason::clipped_side:
-    return fmt::format("{} {} beyond a side of the view", count, triangles);
+    return fmt::format("{} {} outside a side plane", count, triangles);
   case RejectReason::clipped_far:
     return fmt::format("{} {} beyond the far plane", count, triangles);
   case RejectReason::back_face:
     return fmt::format("{} back {} culled", count, one ? "face" : "faces");
   case RejectReason::zero_area:
-    return fmt::format("{} {} without area", count, triangles);
+    return fmt::format("{} {} with zero area", count, triangles);
   case RejectReason::cut_out:
     return fmt::format("{} {} cut out by an opacity map", count, triangles);
   case RejectReason::not_covered:
-    return fmt::format("{} {} near by {} not cover the pixel", count, triangles, one ? "does" : "do");
+    return fmt::format("{} {} close to the pixel {} not cover it", count, triangles, one ? "does" : "do");
   case RejectReason::behind_camera:
     return fmt::format("{} {} behind the camera", count, triangles);
   }
@@ -211,8 +211,8 @@ std::string behind_camera_text(const FragmentEvent& fragment) {
   const auto behind =
       std::count_if(fragment.corner_depth.begin(), fragment.corner_depth.end(), [](double z) { return !(z > 0); });
   if (behind == 0) return {};
-  if (behind == 3) return "all its corners lie behind the camera";
-  return behind == 1 ? "one of its corners lies behind the camera" : "two of its corners lie behind the camera";
+  if (behind == 3) return "all its vertices lie behind the camera";
+  return behind == 1 ? "one of its vertices lies behind the camera" : "two of its vertices lie behind the camera";
 }
 
 }  // namespace ps

@@ -36,16 +36,16 @@ void add_light_remarks(const PixelStory& story, const Scene& scene, int ray, con
                        std::vector<std::string>& parts) {
   for (const int index : events_of_ray<LightEvent>(story.events, ray)) {
     const auto& light = event_as<LightEvent>(story.events, index);
-    if (light.below_horizon)  // said first: such a surface shades itself, which is no news
-      parts.push_back(fmt::format("it faces away from light {}", light.light + 1));
+    if (light.below_horizon)  // reported first: such a surface always blocks its own light
+      parts.push_back(fmt::format("it faces away from light {}", light.light));
     else if (light.blocker && *light.blocker == hit)
-      parts.push_back(fmt::format("light {} is blocked by the surface itself", light.light + 1));
+      parts.push_back(fmt::format("light {} is blocked by the surface itself", light.light));
     else if (light.blocker)
-      parts.push_back(fmt::format("light {} is blocked by {}", light.light + 1, primitive_name(scene, *light.blocker)));
+      parts.push_back(fmt::format("light {} is blocked by {}", light.light, primitive_name(scene, *light.blocker)));
   }
 }
 
-/// "16 samples: 9 see sphere 1 (red), 7 background", for as many as tell what they saw.
+/// "mean of 16 samples: 9 of sphere 1 (red), 7 of background", for those samples whose rays are recorded.
 std::string samples_verdict(const PixelStory& story, const Scene& scene, const std::vector<int>& samples) {
   const auto& events = story.events;
   std::map<int, std::size_t> seen;  // by object; -1 = background
@@ -62,7 +62,7 @@ std::string samples_verdict(const PixelStory& story, const Scene& scene, const s
     text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", count,
                         object < 0 ? "background" : object_name(scene, object));
   }
-  const std::string which = told < samples.size() ? fmt::format(", the first {}", told) : "";
+  const std::string which = told < samples.size() ? fmt::format(", of which the first {} are shown", told) : "";
   const bool subdivided = !events_of_ray<CompareEvent>(events, -1).empty();
   return fmt::format("mean of {}{}: {}{}", plural(samples.size(), "sample", "samples"), which, text,
                      subdivided ? "; subdivided, since a neighbour differs" : "");
@@ -75,13 +75,13 @@ std::string ray_verdict(const PixelStory& story, const Scene& scene, int eye) {
     const std::size_t tests = events_of_ray<SphereTestEvent>(events, eye).size() +
                               events_of_ray<TriangleTestEvent>(events, eye).size() +
                               events_of_ray<SolidTestEvent>(events, eye).size();
-    if (tests == 0) return "nothing is in the way of the eye ray: background";
-    return fmt::format("the eye ray hit nothing ({}): background",
+    if (tests == 0) return "the eye ray hits nothing: background";
+    return fmt::format("the eye ray hits nothing ({}): background",
                        plural(tests, "primitive was tested", "primitives were tested"));
   }
   const auto& hit = event_as<HitEvent>(events, hits.back());
   std::vector<std::string> parts{fmt::format("{} won at t = {}", primitive_name(scene, hit.id), number_text(hit.t))};
-  if (hit.back_face) parts.push_back("its back is seen");
+  if (hit.back_face) parts.push_back("seen from behind");
   add_light_remarks(story, scene, eye, hit.id, parts);
   std::size_t bounces = 0, refractions = 0;
   for (const Event& event : events)
@@ -119,8 +119,8 @@ void add_paint_remarks(const PixelStory& story, std::vector<std::string>& parts)
     ++seen;
   }
   const std::string below = seen > 1 ? plural(seen - 1, "earlier colour", "earlier colours") : "the background";
-  if (last == Mixing::adds) parts.push_back("it adds its light to " + below);
-  if (last == Mixing::filters) parts.push_back("it takes light out of " + below);
+  if (last == Mixing::adds) parts.push_back("its colour is added to " + below);
+  if (last == Mixing::filters) parts.push_back("it filters " + below);
   if (covered > 0) parts.push_back(plural(covered, "earlier colour was", "earlier colours were") + " painted over");
 }
 
@@ -138,14 +138,14 @@ void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vect
       if (fragment->depth == FragmentEvent::Depth::off) depth_off = true;
     }
   if (shaded_later)
-    parts.push_back("shaded when visibility was known" + (writes > 1 ? fmt::format(", in {} passes", writes) : ""));
+    parts.push_back("shaded after the depth pass" + (writes > 1 ? fmt::format(", in {} passes", writes) : ""));
   else
     add_paint_remarks(story, parts);
-  if (failed > 0) parts.push_back(plural(failed, "fragment", "fragments") + " failed depth");
+  if (failed > 0) parts.push_back(plural(failed, "fragment", "fragments") + " failed the depth test");
   if (depth_off) parts.push_back("the depth test is off");
 }
 
-/// Which lights the seen surface does not see, or sees in part.
+/// Which lights are blocked at the visible surface, wholly or in part.
 void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts) {
   std::map<int, double> current, seen;  // share by light
   for (const Event& event : story.events) {
@@ -155,8 +155,8 @@ void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts
     if (std::holds_alternative<WriteEvent>(event.data)) seen = current;
   }
   for (const auto& [light, share] : seen)
-    parts.push_back(share > 0 ? fmt::format("{} of light {} is seen", number_text(share), light + 1)
-                              : fmt::format("it lies in the shadow of light {}", light + 1));
+    parts.push_back(share > 0 ? fmt::format("{} % of light {} reaches it", number_text(100 * share), light)
+                              : fmt::format("it lies in the shadow of light {}", light));
 }
 
 /// Of the fragment that wrote last.
@@ -180,9 +180,9 @@ std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
   std::vector<std::string> parts;
   if (!write && !line) {
     add_rejections(story, true, parts);
-    if (parts.empty() && story.triangles_elsewhere > 0) parts.push_back("all triangles lie elsewhere");
-    if (parts.empty()) parts.push_back("no triangle came near");
-    return fmt::format("nothing drew here: background ({})", joined(parts));
+    if (parts.empty() && story.triangles_elsewhere > 0) parts.push_back("no triangle lies close to the pixel");
+    if (parts.empty()) parts.push_back("no triangle lies close to the pixel");
+    return fmt::format("nothing is drawn here: background ({})", joined(parts));
   }
   if (line)
     parts.push_back(line->id.object >= 0 ? fmt::format("an edge of {} won", primitive_name(scene, line->id))

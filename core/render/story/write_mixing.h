@@ -6,7 +6,7 @@ namespace ps {
 /// How the colour of a write met what the pixel had before.
 enum class Mixing { replaces, adds, filters };
 
-/// Told from its numbers: the kernels mix in their own precision, so equal means equal but for that.
+/// Derived from its numbers: the kernels blend in their own precision, so equal means equal but for that.
 Mixing mixing_of(const WriteEvent& write);
 
 }  // namespace ps

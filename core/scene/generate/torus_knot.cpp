@@ -12,7 +12,7 @@ namespace {
 
 Vec3d unit_length(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
 
-/// First and second derivative of the middle line.
+/// First and second derivative of the centre line.
 std::array<Vec3d, 2> derivatives(const TorusKnotOptions& options, double t) {
   const double p = options.turns_around_axis, q = options.turns_around_tube;
   const double c = portable::cos(p * t), s = portable::sin(p * t);

@@ -9,7 +9,7 @@
 
 namespace ps::stability {
 
-/// A ray from the middle of a closed sphere to a place on it.
+/// A ray from the centre of a closed sphere to a point on it.
 struct AimedRay {
   Vec3f origin, direction;
   Shear<float> shear;  ///< of the direction, for the watertight test

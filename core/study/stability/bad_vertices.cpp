@@ -12,8 +12,8 @@ namespace {
 /// 3,200 triangles.
 ClosedSphere small_sphere() { return closed_sphere(33, 50, 2, {0, 0, 0}); }
 
-/// Percentages of rays from the middle that leave a sphere of which so many vertices are NaN, other than through its
-/// holes, by the form in which the boxes are taken.
+/// Percentages of rays from the centre that leave a sphere with this number of NaN vertices other than through its
+/// holes, for each form of the boxes.
 struct Escaping {
   double new_first = 0, accumulated_first = 0, fmin = 0;
 };
@@ -144,12 +144,10 @@ const StabilityExperiment infinite_vertex{
     .knob = "coordinate of one vertex",
     .naive = "build with it",
     .robust = "refuse it",
-    .explanation =
-        "The surface areas of all boxes above are infinite, so the heuristic cannot tell good splits from bad ones and "
-        "the list is halved as it stands: hits stay right, the search slows down. Of triangles in no order each half "
-        "fills "
-        "the room of the whole, so that halves, quarters and so on are searched one after another; of a mesh "
-        "neighbours stay together.",
+    .explanation = "The surface areas of all boxes above are infinite, so the heuristic cannot compare splits and "
+                   "halves the list in its order. Hits stay right, but the search slows down. If the triangles have no "
+                   "order, each half fills the space of the whole, and halves, quarters and so on are searched one "
+                   "after another. In a mesh, neighbours stay together.",
     .safe = "Coordinates whose squares are finite, up to 1e18.",
     .window = {nowhere, 1e18},
     .measure = measure_infinite};

@@ -67,7 +67,7 @@ struct Holes {
   double naive_nodes = 0, robust_nodes = 0;  ///< visited, per ray
 };
 
-/// Rays from the middle of a closed sphere of 101,760 triangles to its vertices or edges: none may leave it.
+/// Rays from the centre of a closed sphere of 101,760 triangles to its vertices or edges: none may leave it.
 Holes holes_at(const Vec3d& centre, AimAt what, const StabilityRun& run) {
   run.check();
   const ClosedSphere mesh = closed_sphere(160, 320, 2, centre);

@@ -19,7 +19,7 @@ struct ClosedSphere {
   }
 };
 
-/// A middle as far off all axes, and as little round, as that of Embree's own test of watertightness.
+/// A centre off all axes and not round in binary, such as that of Embree's own test of watertightness.
 constexpr Vec3d far_centre{148376, 1234, -223423};
 
 inline ClosedSphere closed_sphere(int rings, int segments, double radius, const Vec3d& centre) {

@@ -117,8 +117,8 @@ Rates rates_at(double distance, const StabilityRun& run) {
   return rates;
 }
 
-/// The rays that the bound does not save from plain Moeller-Trumbore all leave a dozen of 40,000 hits, so their share
-/// takes ten times as many to tell. Percent.
+/// The rays that the bound does not save from plain Moeller-Trumbore all leave a dozen of 40,000 hits, so measuring
+/// their share takes ten times as many rays. Percent.
 double bound_alone(double distance, const StabilityRun& run) {
   double rays = 0, met_again = 0;
   const auto nothing = [](const Met&) {};
@@ -147,7 +147,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
                     rates.bound_offset / rates.rays, "length"});
     rows.push_back({distance, "mean distance from the plane, o + t d and weights", rates.along_off_plane / rates.hits,
                     rates.weighed_off_plane / rates.hits, "length"});
-    rows.push_back({distance, "o + t d so many times as far from the plane as the weights' point",
+    rows.push_back({distance, "distance to plane: (o + t d) / barycentric",
                     rates.along_off_plane / rates.weighed_off_plane, std::nan(""), "times"});
   }
   rows.push_back({0, "bound of the error, plain Moeller-Trumbore, 400,000 triangles", bound_alone(0, run), std::nan(""),
@@ -163,8 +163,8 @@ const StabilityExperiment constant_normal_bump{
     .knob = "distance of the world from the origin",
     .naive = "start as found, or 0.0001 along the normal",
     .robust = "offset by the bound of the point's own error",
-    .explanation = "A hit point lies on either side of its triangle as rounding will have it. A constant bump lifts it "
-                   "as long as the grid of floats there is finer than the bump.",
+    .explanation = "Rounding puts a hit point on either side of its triangle. A constant bump lifts it if floats there "
+                   "are spaced more closely than the bump.",
     .safe = "A bump of 0.0001 up to a few hundred units from the origin.",
     .window = {nowhere, 100},
     .measure = measure};

@@ -29,7 +29,7 @@ Vertices ordered(const ClosedSphere& sphere, const Vertices& v, Order order) {
   return v;
 }
 
-/// The closed sphere seen from its middle: nothing but cracks shows the background.
+/// The closed sphere seen from its centre: only cracks show the background.
 Scene inside_of_sphere(Order order) {
   const ClosedSphere sphere = closed_sphere(160, 320, 2, {0, 0, 0});
   auto mesh = std::make_shared<Mesh>();

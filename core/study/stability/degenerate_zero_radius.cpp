@@ -77,9 +77,8 @@ const StabilityExperiment degenerate_zero_radius{
     .knob = "none",
     .naive = "if (bad) return miss",
     .robust = "return good, and refuse bad input when it is read",
-    .explanation =
-        "Every comparison with NaN is false, so a test that looks for reasons to turn a ray away finds none. "
-        "One that asks for reasons to accept it does not either, and misses.",
+    .explanation = "Every comparison with NaN is false. A test that lists reasons to reject a ray finds none and "
+                   "reports a hit. A test that lists reasons to accept it finds none either and reports a miss.",
     .safe = "Input that was checked.",
     .window = nowhere_safe,
     .measure = measure};

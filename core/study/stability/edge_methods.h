@@ -6,7 +6,7 @@
 
 namespace ps::stability {
 
-/// Ways to ask whether a triangle covers a sample, for triangles in pixels that share edges. Each corner is a float as
+/// Ways to ask whether a triangle covers a sample, for triangles in pixels that share edges. Each vertex is a float as
 /// the projection left it.
 using Corners = std::array<Vec2f, 3>;
 
@@ -36,7 +36,7 @@ inline bool covers_inclusive(const Corners& p, const Vec2f& s) {
 inline bool covers_exclusive(const Corners& p, const Vec2f& s) {
   return all_edges(p, [&](const Vec2f& a, const Vec2f& b) { return relative_value(a, b, s) > 0; });
 }
-/// Weights u and v of two corners by Cramer's rule, the third one's from 1 - u - v; none may be negative.
+/// Weights u and v of two vertices by Cramer's rule, the third one's from 1 - u - v; none may be negative.
 inline bool covers_barycentric(const Corners& p, const Vec2f& s) {
   const Vec2f e1 = p[1] - p[0], e2 = p[2] - p[0], to = s - p[0];
   const float area = e1.x * e2.y - e1.y * e2.x;
@@ -68,7 +68,7 @@ inline bool covers_stepped(const Corners& p, const Vec2f& s) {
     return inside(value, a, b);
   });
 }
-/// Corners rounded to `bits` after the point, edge values in 64-bit integers.
+/// Vertices rounded to `bits` after the point, edge values in 64-bit integers.
 template <int bits>
 inline bool covers_fixed(const Corners& p, const Vec2f& s) {
   const raster::CoverageGrid grid{bits, FillRule::top_left, {0.5, 0.5}};

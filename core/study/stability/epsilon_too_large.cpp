@@ -83,8 +83,8 @@ const StabilityExperiment epsilon_too_large{
     .knob = "shadow epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon",
     .robust = "bounded offset, no epsilon",
-    .explanation = "An epsilon jumps over whatever lies nearer, also over the very thing whose shadow begins there. "
-                   "Towards the directional light (1, 4, 4) it jumps nearly six times as far as its number says.",
+    .explanation = "An epsilon skips everything nearer, also the object whose shadow begins there. Towards the "
+                   "directional light (1, 4, 4) it skips nearly six times its value.",
     .safe = "Up to 0.01 for this scene.",
     .window = {nowhere, 0.01},
     .measure = measure,

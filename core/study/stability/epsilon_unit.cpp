@@ -47,7 +47,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 const StabilityExperiment epsilon_unit{
     .key = "epsilon-unit",
-    .title = "Epsilon in t is no distance",
+    .title = "Epsilon in t is not a distance",
     .knob = "length of the light's direction",
     .naive = "t > 0.001",
     .robust = "distance > 0.001",

@@ -15,7 +15,8 @@
 
 namespace ps {
 
-/// One measured place of a curve. A method that does not exist in a series is NaN.
+/// One measured place of a curve. A method that a series does not have is NaN: a series of one method, a closed form or
+/// a ratio has its value in `naive` or in `robust` alone.
 struct StabilityRow {
   double knob = 0;
   std::string series;
@@ -30,12 +31,12 @@ struct StabilityRun {
   Progress* progress = nullptr;                        ///< asked between knobs; may stop the experiment with Cancelled
   double effort = 1;                                   ///< share of the full number of rays, triangles or pixels
   StudyControl* control = nullptr;                     ///< asked as well; the experiment waits while it is paused
-  std::function<void(const StabilityRow&)> arrived{};  ///< told each row when it is measured
+  std::function<void(const StabilityRow&)> arrived{};  ///< called with each row when it is measured
   void check() const {
     if (control) control->wait_here();
     if (progress) progress->check();
   }
-  /// So many of `full` are tried, at least `least`.
+  /// The number of trials: a share of `full`, at least `least`.
   int count(int full, int least = 1) const { return std::max(least, static_cast<int>(full * effort)); }
   /// Side of a picture of `full` x `full` pixels, the same parity kept.
   int side(int full, int least = 64) const {

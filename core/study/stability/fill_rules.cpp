@@ -136,11 +136,10 @@ const StabilityExperiment fill_rule_easy{
     .knob = "rule (0: inside where >= 0, 1: inside where > 0)",
     .naive = "inside where all edge values are >= 0, or > 0 (fill-rule = inclusive, exclusive)",
     .robust = "top-left rule",
-    .explanation =
-        "If a sample lies exactly on a shared edge, both triangles decide alike: both paint it, or neither does. The "
-        "top-left rule gives it to one of them. How many samples lie on edges depends on the mesh: here it has 60 x 60 "
-        "cells of 15 px, with each vertex moved by up to a fifth of a cell, turned by half a radian, and rounded to "
-        "half pixels.",
+    .explanation = "If a sample lies exactly on a shared edge, both triangles decide alike: both paint it, or neither "
+                   "does. The top-left rule gives it to one of them. The number of samples on edges depends on the "
+                   "mesh. Here it has 60 x 60 cells of 15 px and is turned by half a radian. Each vertex is moved by "
+                   "up to a fifth of a cell and rounded to half pixels.",
     .safe = "Meshes without a sample on an edge.",
     .window = nowhere_safe,
     .measure = measure_easy};

@@ -69,7 +69,7 @@ struct KnownRay {
   double t;
 };
 
-/// The rays that meet something, of so many from all around; every primitive was tested.
+/// The rays that hit something, of this number from all directions; every primitive was tested.
 std::vector<KnownRay> known_rays(const Scene& scene, Random& random, const StabilityRun& run) {
   Prepared prepared;
   Silent silent;
@@ -182,9 +182,8 @@ const StabilityExperiment grid_octree_borders{
     .knob = "cells along a side",
     .naive = "short cuts in where primitives are kept and in when the search ends",
     .robust = "keep a primitive in every cell it touches, and the nearest hit until no cell begins before it",
-    .explanation =
-        "A ball that reaches into other cells is not found there, or it is found in one cell and hit in another. What "
-        "decides is where the hit lies, not which cell was searched.",
+    .explanation = "A ball that reaches into other cells is not found there, or it is found in one cell and hit in "
+                   "another. The position of the hit must decide, not the cell that was searched.",
     .safe = "Nowhere.",
     .window = nowhere_safe,
     .measure = measure};

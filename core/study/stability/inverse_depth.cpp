@@ -116,7 +116,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
   const std::vector<double> robust = depths(book_wall, DepthValue::inverse_z, run);
   const auto centre = static_cast<std::size_t>(middle - book_wall.first_column());
   rows.push_back(
-      {book_wall.ratio(), "the book's edge", naive[centre], robust[centre], "z in the middle of the canvas"});
+      {book_wall.ratio(), "the book's edge", naive[centre], robust[centre], "z at the centre of the canvas"});
   rows.push_back({book_wall.ratio(), "the book's edge before objects of one depth", wrongly_ordered(naive),
                   wrongly_ordered(robust), "% of pixels that show the wrong one"});
   return rows;

@@ -42,7 +42,7 @@ inline FlatMesh jittered_mesh(int cells, double first, double last, double jitte
   return mesh;
 }
 
-/// The mesh turned about its middle by `angle` (radians) and rounded to `grid` pixels, 0 = not at all.
+/// The mesh turned about its centre by `angle` (radians) and rounded to `grid` pixels, 0 = not at all.
 inline FlatMesh turned(FlatMesh mesh, const Vec2d& middle, double angle, double grid) {
   const double cosine = std::cos(angle), sine = std::sin(angle);
   const auto place = [&](double v) { return grid > 0 ? std::round(v / grid) * grid : v; };

@@ -59,7 +59,7 @@ struct Error {
   double texels = 0;          ///< read for a pixel
 };
 
-/// Derivatives in the middle of a pixel, in texels.
+/// Derivatives at the centre of a pixel, in texels.
 TextureDerivatives<double> derivatives_at(double x, double y) {
   const Vec2d uv = floor_at(x, y), right = floor_at(x + 0.5, y) - floor_at(x - 0.5, y);
   const double z = height / y;  // the derivative downwards, of z = height / row and x proportional to z
@@ -68,7 +68,7 @@ TextureDerivatives<double> derivatives_at(double x, double y) {
   return {right * size, down * size};
 }
 
-/// `colour_at(x, y)` looks the floor up for the pixel with this middle.
+/// `colour_at(x, y)` looks up the floor for the pixel with this centre.
 template <class ColourAt>
 Error error_of(const Floor& floor, ColourAt&& colour_at) {
   Error error;

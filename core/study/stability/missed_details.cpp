@@ -181,11 +181,10 @@ const StabilityExperiment subsampling_bars{
     .knob = "subsampling: every k-th pixel is searched",
     .naive = "subsampling = k",
     .robust = "subsampling = 1",
-    .explanation =
-        "If every k-th column is searched, 1 - w / k of all bars w pixels wide lie between two of them; a few less "
-        "here, since the last column of each tile of 32 pixels is searched as well. Searching where neighbours differ "
-        "does not help, since both sides of the bar agree.",
-    .safe = "Things at least k pixels wide.",
+    .explanation = "If every k-th column is traced, 1 - w / k of all bars w pixels wide lie between two traced "
+                   "columns. Here it is a few less, because the last column of each tile of 32 pixels is traced as "
+                   "well. Tracing where neighbours differ does not help, because both sides of the bar agree.",
+    .safe = "Objects at least k pixels wide.",
     .window = {1, 1},
     .measure = measure_bars,
     .picture = picture_bars,

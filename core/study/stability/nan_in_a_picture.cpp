@@ -150,12 +150,11 @@ const StabilityExperiment nan_in_a_picture{
     .key = "nan-in-a-picture",
     .title = "A NaN in a picture",
     .knob = "width of the blur in pixels, 0 = none",
-    .naive = "take it as any number",
-    .robust = "ask what is good, count what is not finite",
-    .explanation =
-        "A sum that has taken in a NaN stays NaN, so one pixel spoils all means around it and all later ones of a "
-        "running sum. No comparison with NaN holds: clamping gives NaN or 1 by the order of its operands, and an error "
-        "of NaN is not above the limit.",
+    .naive = "treat it as any number",
+    .robust = "test for valid values, count those that are not finite",
+    .explanation = "A sum with a NaN is NaN, so one pixel spoils all means around it and all later values of a running "
+                   "sum. Every comparison with NaN is false: clamping returns NaN or 1, depending on the order of its "
+                   "operands, and an error of NaN is not above the limit.",
     .safe = "No NaN.",
     .window = nowhere_safe,
     .measure = measure};

@@ -54,9 +54,8 @@ const StabilityExperiment nan_in_moller_trumbore{
     .knob = "none",
     .naive = "if (u < 0 || ...) return miss",
     .robust = "return u >= 0 && ...",
-    .explanation =
-        "No comparison with NaN holds, so none of the reasons to miss applies and the triangle is hit. Asked "
-        "the other way round, none of the reasons to hit applies.",
+    .explanation = "Every comparison with NaN is false. If the code tests for reasons to miss, none applies and the "
+                   "triangle is hit. If it tests for reasons to hit, none applies and the triangle is missed.",
     .safe = "Finite coordinates whose products are finite.",
     .window = nowhere_safe,
     .measure = measure};

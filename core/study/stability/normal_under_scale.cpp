@@ -41,7 +41,7 @@ LambertError lambert_error(const Transform& transform, const Mat3d& normals, con
     const double light = lambert_levels(normal_to_world(normals, place), to_light);
     const double truth = lambert_levels(right, to_light);
     squares += (light - truth) * (light - truth);
-    // The same place to within rounding is no flip.
+    // The same place to within rounding is not a flip.
     flips += (light > 0) != (truth > 0) && std::abs(light - truth) > 1e-9 ? 1 : 0;
   }
   return {std::sqrt(squares / places), percent(flips, places)};

@@ -92,7 +92,7 @@ class Judge {
 };
 
 /// Three bars 2.7 x 0.3 around a point 4 before the camera, each nearer at one end, where it lies over the next bar,
-/// and farther at the other, where it lies under the one before. Each is made of so many pieces of two triangles.
+/// and farther at the other, where it lies under the one before. Each is made of `pieces` quads of two triangles.
 Sheets bars(int pieces) {
   Sheets sheets;
   for (int k = 0; k < 3; ++k) {
@@ -205,9 +205,8 @@ const StabilityExperiment painters_cycle{
     .knob = "number of sheets",
     .naive = "draw from far to near (painter's algorithm)",
     .robust = "depth buffer",
-    .explanation =
-        "Three bars that overlap in a cycle have no order from far to near, and a triangle that reaches from near to "
-        "far has no single depth to be sorted by. A depth buffer decides for each pixel.",
+    .explanation = "Three bars that overlap in a cycle have no order from far to near. A triangle that reaches from "
+                   "near to far has no single depth for the sort. A depth buffer decides for each pixel.",
     .safe = "Sheets that have an order from far to near, such as one alone.",
     .window = {0, 1},
     .measure = measure,

@@ -142,10 +142,9 @@ const StabilityExperiment peter_panning{
     .knob = "constant bias (world units)",
     .naive = "constant bias",
     .robust = "slope bias of half a texel and 1/256",
-    .explanation =
-        "A bias large enough to cure acne under a low sun reaches through the thin part of an object where it touches "
-        "the ground, so the shadow begins too late; more texels do not help. What half a texel's slope loses is the "
-        "jagged front of the shadow, and more texels make it smaller.",
+    .explanation = "A bias large enough to cure acne under a low sun is larger than the thin part of an object where "
+                   "it touches the ground. The shadow then begins too late, and more texels do not help. A slope bias "
+                   "of half a texel only loses the jagged front of the shadow, which more texels make smaller.",
     .safe = "Biases far below the size of objects.",
     .window = {nowhere, 0.02},
     .measure = measure,

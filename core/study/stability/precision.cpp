@@ -67,9 +67,8 @@ const StabilityExperiment precision{
     .knob = "reflection epsilon (ray parameter)",
     .naive = "the book's tests with an epsilon",
     .robust = "offset by the error bound, no epsilon",
-    .explanation =
-        "In float the ground reflects itself near the horizon, in double it does not. A larger epsilon brings the two "
-        "together, and takes both away from the truth.",
+    .explanation = "In float the ground reflects itself near the horizon, in double it does not. A larger epsilon "
+                   "makes the two more alike, and both less accurate.",
     .safe = "No epsilon: the offset gives the same picture in both but for a few pixels.",
     .window = nowhere_safe,
     .measure = measure,

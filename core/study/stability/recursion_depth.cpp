@@ -115,9 +115,8 @@ const StabilityExperiment recursion_depth{
     .knob = "depth (reflections in a row)",
     .naive = "a small depth",
     .robust = "depth 8",
-    .explanation =
-        "What a limit cuts off is weighted by the product of the reflectivities along the path. At a reflectivity of "
-        "0.5 it takes a depth of 8 to fall below half a level.",
+    .explanation = "The error of a limit is weighted by the product of the reflectivities along the path. At a "
+                   "reflectivity of 0.5 it falls below half a level at depth 8.",
     .safe = "From a depth of 3 for this scene: an error of 0.4 levels (RMS).",
     .window = {3, everywhere},
     .measure = measure_recursion_depth,

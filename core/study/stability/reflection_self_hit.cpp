@@ -51,7 +51,7 @@ std::vector<StabilityRow> measure_reflection_self_hit(const StabilityRun& run) {
       Settings naive = picture_reflection_self_hit(epsilon).naive;
       naive.precision = precision;
       rows.push_back({epsilon, precision == Precision::float32 ? "float" : "double",
-                      self_reflections(scene, naive, run), robust_wrong, "% of ground pixels that mirror the ground"});
+                      self_reflections(scene, naive, run), robust_wrong, "% of ground pixels that reflect the ground"});
     }
   }
   return rows;
@@ -67,7 +67,7 @@ const StabilityExperiment reflection_self_hit{
     .knob = "reflection epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon",
     .robust = "bounded offset, no epsilon",
-    .explanation = "Towards the horizon mirrored rays leave the ground almost along it and stay within its rounding "
+    .explanation = "Towards the horizon reflected rays leave the ground almost along it and stay within its rounding "
                    "error for long. The book's 0.001 is enough in double and not in float.",
     .safe = "0.1 in float; 0.001 in double.",
     .window = {0.1, everywhere},

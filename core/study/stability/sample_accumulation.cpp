@@ -57,7 +57,7 @@ std::vector<StabilityRow> measure_sample_accumulation(const StabilityRun& run) {
       rows.push_back(
           {most, "running mean of uniform samples", errors.running_mean, errors.corrected, "relative error"});
   }
-  // Roundings up and down make a random walk of the error, so one draw tells little of its size.
+  // Roundings up and down make a random walk of the error, so one draw says little about its size.
   constexpr std::uint32_t draws = 32;
   for (const int n : {1000, 100000, 1000000}) {
     double naive = 0, robust = 0;

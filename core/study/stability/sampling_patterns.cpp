@@ -125,9 +125,8 @@ const StabilityExperiment grid_moire{
     .knob = "samples per pixel",
     .naive = "grid",
     .robust = "jittered grid",
-    .explanation =
-        "If the spacing of the samples is a multiple of the pattern's period, all samples see the same phase: 16 "
-        "samples are no better than one. Jitter turns that error into noise.",
+    .explanation = "If the spacing of the samples is a multiple of the pattern's period, all samples see the same "
+                   "phase: 16 samples are as bad as one. Jitter turns that error into noise.",
     .safe = "Grids as fine as the pattern: 64 samples here.",
     .window = {64, everywhere},
     .measure = measure_moire,

@@ -138,11 +138,9 @@ const StabilityExperiment pcf_one_tap_bias{
     .knob = "taps along a side",
     .naive = "slope bias of one texel",
     .robust = "slope bias of half the taps and 1/256",
-    .explanation =
-        "The outer taps of a filter lie texels away, where the surface is nearer to the light by as many slopes. With "
-        "a bias of one texel, one of three rows of taps is dark half of the time. A filter of k taps to each side "
-        "needs "
-        "k + 1/2 texels.",
+    .explanation = "The outer taps of a filter lie several texels away, where a sloping surface is nearer to the "
+                   "light. With a bias of one texel, one of three rows of taps is dark half of the time. A filter with "
+                   "k taps on each side needs a slope bias of k + 1/2 texels.",
     .safe = "One tap.",
     .window = {1, 1},
     .measure = measure_filter,

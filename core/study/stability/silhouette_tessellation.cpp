@@ -106,12 +106,12 @@ constexpr std::array frames{7.0, 10.0, 20.0, 45.0};
 
 const StabilityExperiment silhouette_tessellation{
     .key = "silhouette-tessellation",
-    .title = "Corners on round outlines",
+    .title = "Polygonal outlines of round objects",
     .knob = "segments of the outline, or the ball's radius (px)",
     .naive = "the same number of segments at any size",
     .robust = "as many as half a pixel of error asks for (tessellation = 0.5)",
-    .explanation = "A chord strays from its circle by R (1 - cos(pi / n)), which grows with the radius on the screen. "
-                   "How many segments are enough follows from that radius and the error that may be seen.",
+    .explanation = "The distance between a chord and its circle is R (1 - cos(pi / n)), which grows with the radius on "
+                   "the screen. The number of segments that are enough follows from that radius and the visible error.",
     .safe = "100 segments up to a radius of 1,000 pixels.",
     .window = {100, everywhere},
     .measure = measure,

@@ -40,7 +40,7 @@ class Random {
   std::mt19937_64 bits_;
 };
 
-/// What an experiment has measured so far; whoever watches the run is told of each row.
+/// What an experiment has measured so far; each row is reported to the run's observer.
 class Rows {
  public:
   explicit Rows(const StabilityRun& run) : run_(run) {}

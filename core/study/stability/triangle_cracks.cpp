@@ -9,7 +9,7 @@ std::string name_of(AimAt what) {
   return what == AimAt::interior ? "inside triangles" : what == AimAt::edge ? "at edges" : "at vertices";
 }
 
-/// Rays between floats in the middle of a far sphere of 9,800 triangles and floats at its edges: they lie so coarsely
+/// Rays between floats at the centre of a far sphere of 9,800 triangles and floats at its edges: they lie so coarsely
 /// out there that a test's differences and most of its products are exact, and that some triangles are flat.
 void add_far_sphere(Rows& rows, const StabilityRun& run) {
   run.check();
@@ -90,7 +90,7 @@ std::vector<StabilityRow> measure_pluecker(const StabilityRun& run) {
   return rows;
 }
 
-/// Rays of length 1 at the edges of a sphere of triangles, from its middle: the percentage that each test lets out.
+/// Rays of length 1 at the edges of a sphere of triangles, from its centre: the percentage that escapes each test.
 std::vector<double> escaped(double radius, const std::vector<TriangleHits>& tests, const StabilityRun& run) {
   run.check();
   const ClosedSphere mesh = closed_sphere(160, 320, radius, {0, 0, 0});

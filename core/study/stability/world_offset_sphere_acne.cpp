@@ -29,8 +29,8 @@ Settings with_epsilon(double epsilon) {
 
 constexpr std::uint32_t not_counted = ~0u;
 
-/// Which lights are blocked where the ball is seen and faces the light, by more than this cosine, as the numbers there
-/// tell it.
+/// Which lights are blocked where the ball is seen and faces the light, by more than this cosine, computed from the
+/// numbers there.
 Image<std::uint32_t> dark_pixels(double distance, const Settings& settings, double least_cosine,
                                  const StabilityRun& run) {
   const Vec3d light_from_centre(2, 2, -3);
@@ -93,7 +93,7 @@ const StabilityExperiment world_offset_sphere_acne{
     .naive = "ignore hits up to epsilon",
     .robust = "bounded offset, no epsilon",
     .explanation = "A point far from the origin is rounded to a coarser grid, so it lies farther off its surface. An "
-                   "epsilon that served near the origin is soon smaller than that.",
+                   "epsilon that is enough near the origin is soon smaller than that.",
     .safe = "Up to 10 units for 0.001.",
     .window = {nowhere, 10},
     .measure = measure,

@@ -62,10 +62,9 @@ const StabilityExperiment z_fail_caps{
     .knob = "length of the volumes, or distance of the far plane (world units)",
     .naive = "open volumes, short ones, or volumes cut at the far plane",
     .robust = "caps at both ends, nothing cut at the far plane",
-    .explanation =
-        "Depth fail counts the faces of volumes behind a surface, so volumes must be closed there. Where a line of "
-        "sight leaves a volume through a missing cap, or behind the far plane, a face is not counted, and a lit floor "
-        "lies in its own shadow.",
+    .explanation = "Depth fail counts the faces of volumes behind a surface, so volumes must be closed there. If a "
+                   "line of sight leaves a volume through a missing cap or behind the far plane, a face is not "
+                   "counted. A lit floor then lies in its own shadow.",
     .safe = "Closed volumes that reach beyond everything, with a far plane at infinity.",
     .window = nowhere_safe,
     .measure = measure,

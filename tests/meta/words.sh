@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Texts for users are in plain English and in the field's terms: none has a word of words.txt or a sentence of more than
+# 30 words (CONTRIBUTING.md, "Words").
+set -euo pipefail
+shopt -s globstar nullglob
+export LC_ALL=C
+
+if ! command -v perl >/dev/null; then
+  echo "perl is not installed"
+  exit 77
+fi
+check() { perl tests/meta/words.pl tests/meta/words.txt "$@"; }
+
+# What is planted must be found, in its line, and what is like it but right must not.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cat > "$scratch/planted.cpp" <<'END'
+// A comment may be told anything.
+const char* right = "Shows the vertex at the pixel's corner.";
+const char* wrong =
+    "The kernel tells "
+    "its caller.";
+END
+{
+  echo 'A page on `told`.'
+  echo
+  printf 'word %.0s' {1..31}
+} > "$scratch/planted.md"
+expected="$scratch/planted.cpp:4: \"tells\": write report, show, return or encode"
+if found=$(check "$scratch/planted.cpp") || [[ $found != "$expected" ]]; then
+  printf 'A planted word gives:\n%s\nexpected:\n%s\n' "$found" "$expected"
+  exit 1
+fi
+if found=$(check "$scratch/planted.md") || [[ $found != "$scratch/planted.md:"*"a sentence of 31 words"* ]]; then
+  printf 'A planted sentence of 31 words gives:\n%s\n' "$found"
+  exit 1
+fi
+
+check {core,app}/**/*.{h,cpp} assets/scenes/**/*.scene {,core/}README.md CONTRIBUTING.md assets/gallery/*.md {assets/*,tests/golden/reference}/ORIGIN.md
