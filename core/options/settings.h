@@ -13,7 +13,7 @@ enum class ViewportFit { height, width, stretch };
 enum class FieldOfViewSpan { edges, centres };
 enum class Clipping { full, near_only, none };
 enum class Visibility { depth_buffer, painter, draw_order };
-enum class DepthValue { inverse_z, z, distance };
+enum class DepthValue { inverse_z, z, distance, ray_plane };
 enum class DepthFormat { plain, unit_float, unorm };
 enum class Coverage {
   edge_function,

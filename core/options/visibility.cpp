@@ -76,13 +76,20 @@ std::vector<Option> visibility_rows() {
           {.key = "depth-value",
            .label = "Depth value",
            .help =
-               {"What the depth buffer stores and interpolates along the screen.", "CGFS ch. 12",
+               {"What the depth buffer stores, and how it is found at each sample: interpolated along the screen, or "
+                "from "
+                "the sample's own ray.",
+                "CGFS ch. 12; OCT (ray-plane-intersection)",
                 "z is not linear on the screen: midway between z = 2 and z = 10 it says 6 where the truth is 3.33."},
            .truth = exactly("depth-value=inverse-z"),
            .inactive = needs_depth_buffer},
           {{"inverse-z", "1/z", "Linear on the screen, so interpolation is exact."},
            {"z", "z, interpolated linearly", "Wrong between the corners; close surfaces may swap."},
-           {"distance", "distance to the eye", "Taken per pixel from the perspective-correct position."}}),
+           {"distance", "distance to the eye", "Taken per pixel from the perspective-correct position."},
+           {"ray-plane", "z by ray and plane",
+            "The z at which the sample's ray meets the triangle's plane. It costs a plane for each triangle and a "
+            "division for each sample, and nothing draws it several samples at a time; it gives the true z, untouched "
+            "by the rounding of corners to sub-pixels and by clipping."}}),
       choice<&Settings::depth_format>(
           {.key = "depth-format",
            .label = "Depth format",

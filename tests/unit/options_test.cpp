@@ -30,7 +30,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"field-of-view-span", up_to(FieldOfViewSpan::centres)},
       {"clipping", up_to(Clipping::none)},
       {"visibility", up_to(Visibility::draw_order)},
-      {"depth-value", up_to(DepthValue::distance)},
+      {"depth-value", up_to(DepthValue::ray_plane)},
       {"depth-format", up_to(DepthFormat::unorm)},
       {"coverage", up_to(Coverage::micropolygon)},
       {"edge-arithmetic", up_to(EdgeArithmetic::int32)},
