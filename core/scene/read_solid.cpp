@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "math/unit.h"
+#include "scene/place_body.h"
 #include "scene/scene_draft.h"
 
 namespace ps {
@@ -73,7 +74,7 @@ class CsgReader {
     CsgNode part;
     part.part = read_part(source_, fields, draft_);
     part.part.place = around.after(read_part_place(source_, fields));
-    require_invertible(entry, part.part.place);
+    require_invertible(source_, entry, part.part.place);
     return part;
   }
 
@@ -116,19 +117,6 @@ class CsgReader {
     return read_part_place(source_, fields);
   }
 
-  /// Factors multiply, so even numbers that are allowed one by one may end beyond all bounds.
-  void require_invertible(const SceneEntry& entry, const PartPlace& place) const {
-    constexpr double largest = 1e9;
-    double reach = 0;
-    const Mat3d back = inverse(place.linear);
-    for (int axis = 0; axis < 3; ++axis)
-      for (const Vec3d& v : {place.linear[axis], back[axis]})
-        for (int i = 0; i < 3; ++i) reach = std::abs(v[i]) <= largest ? std::max(reach, std::abs(v[i])) : largest * 2;
-    if (!(reach <= largest))
-      source_.values.fail_at(entry.line, entry.column, "transforms whose product is too large, too small or flat",
-                             fmt::format("scales from {:g} to {:g} in all", 1 / largest, largest));
-  }
-
   const SceneSource& source_;
   const SceneEntry& root_;
   SceneDraft& draft_;
@@ -136,6 +124,18 @@ class CsgReader {
 };
 
 }  // namespace
+
+void require_invertible(const SceneSource& source, const SceneEntry& entry, const PartPlace& place) {
+  constexpr double largest = 1e9;
+  double reach = 0;
+  const Mat3d back = inverse(place.linear);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const Vec3d& v : {place.linear[axis], back[axis]})
+      for (int i = 0; i < 3; ++i) reach = std::abs(v[i]) <= largest ? std::max(reach, std::abs(v[i])) : largest * 2;
+  if (!(reach <= largest))
+    source.values.fail_at(entry.line, entry.column, "transforms whose product is too large, too small or flat",
+                          fmt::format("scales from {:g} to {:g} in all", 1 / largest, largest));
+}
 
 bool has_right_angle(const Rectangle& rectangle) {
   const Vec3d a = brought_near_one(rectangle.side_a), b = brought_near_one(rectangle.side_b);
@@ -153,7 +153,10 @@ void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   const SceneFields fields(
       source.values, entry,
       joined_keys(joined_keys({"name", "material", "sides"}, form_keys(entry.key)), surface_keys()));
-  add_object(source, fields, {{}, read_part(source, fields, draft)}, draft);
+  const Solid solid = read_part(source, fields, draft);
+  const PartPlace around{draft.group.linear, draft.group.translation};
+  require_invertible(source, entry, around);
+  add_object(source, fields, {{}, placed_body(solid, around, draft.materials[solid.material])}, draft);
 }
 
 void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {

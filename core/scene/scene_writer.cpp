@@ -289,11 +289,24 @@ class SceneWriter {
 
   void solid(std::size_t index, const Solid& solid) {
     materials_up_to(solid.material + std::size_t{1});
-    line("\n{} {{\n    name = {}", form_name(solid.form), scene_name(objects_[index]));
-    text_ += form_lines(solid.form, "    ");
-    line("    material = {}", scene_name(materials_[solid.material]));
-    if (solid.sides == Sides::front) line("    sides = front");
-    line("}}");
+    const bool in_group = !solid.place.is_identity();
+    const std::string indent = in_group ? "    " : "";
+    text_ += '\n';
+    if (in_group) {
+      line("group {{");
+      place(solid.place, indent);
+    }
+    line("{0}{1} {{\n{0}    name = {2}", indent, form_name(solid.form), scene_name(objects_[index]));
+    text_ += form_lines(solid.form, indent + "    ");
+    line("{}    material = {}", indent, scene_name(materials_[solid.material]));
+    if (solid.sides == Sides::front) line("{}    sides = front", indent);
+    line("{}}}", indent);
+    if (in_group) line("}}");
+  }
+
+  void place(const PartPlace& place, const std::string& indent) {
+    line("{0}transform {{\n{0}    rotation = {1}\n{0}    translation = {2}\n{0}}}", indent,
+         scene_rotation(place.linear), scene_vec(place.translation));
   }
 
   void csg(std::size_t index, const Csg& csg) {
@@ -309,9 +322,7 @@ class SceneWriter {
     for (const CsgNode& child : node.children) csg_node(child, indent + "    ");
     if (part) {
       text_ += form_lines(node.part.form, indent + "    ");
-      if (const PartPlace& place = node.part.place; !place.is_identity())
-        line("{0}    transform {{\n{0}        rotation = {1}\n{0}        translation = {2}\n{0}    }}", indent,
-             scene_rotation(place.linear), scene_vec(place.translation));
+      if (!node.part.place.is_identity()) place(node.part.place, indent + "    ");
       line("{}    material = {}", indent, scene_name(materials_[node.part.material]));
     }
     line("{}}}", indent);
