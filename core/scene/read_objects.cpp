@@ -13,6 +13,7 @@ void add_object(const SceneSource& source, const SceneFields& fields, Object obj
     const auto [earlier, is_new] = draft.object_lines.try_emplace(object.name, name->line);
     if (!is_new) source.values.fail(*name, fmt::format("a name other than that in line {}", earlier->second));
   }
+  if (const SceneTerm* dynamic = fields.find("dynamic")) object.dynamic = source.values.on_off(*dynamic);
   draft.geometry.objects.push_back(std::move(object));
   if (draft.geometry.objects.size() > max_scene_objects)
     source.values.fail_at(fields.block().line, fields.block().column, fmt::format("'{}'", fields.block().key),
@@ -87,7 +88,8 @@ Material base_material(const SceneSource& source, const SceneFields& fields, con
 }  // namespace
 
 void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
-  const SceneFields fields(source.values, entry, joined_keys({"name", "center", "radius", "material"}, surface_keys()));
+  const SceneFields fields(source.values, entry,
+                           joined_keys({"name", "dynamic", "center", "radius", "material"}, surface_keys()));
   Sphere sphere;
   sphere.centre = source.values.vec3(fields.require("center"));
   sphere.radius = source.values.positive(fields.require("radius"));
@@ -101,7 +103,7 @@ void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft&
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneFields fields(
       source.values, entry,
-      joined_keys({"name", "model", "position", "transform", "material", "sides"}, surface_keys()));
+      joined_keys({"name", "dynamic", "model", "position", "transform", "material", "sides"}, surface_keys()));
   const SceneTerm& model = fields.require("model");
   const auto mesh = draft.mesh_index.find(source.values.name(model, "the name of a model"));
   if (mesh == draft.mesh_index.end()) {

@@ -112,8 +112,8 @@ class CsgReader {
   PartPlace place_of(const SceneEntry& entry) const {
     SceneEntry own = entry;
     std::erase_if(own.value.entries, [](const SceneEntry& child) { return is_part(child.key); });
-    const SceneFields fields(source_.values, own, {"name", "position", "transform"});
-    if (&entry != &root_) fields.forbid({"name"}, "a name of the whole object alone");
+    const SceneFields fields(source_.values, own, {"name", "dynamic", "position", "transform"});
+    if (&entry != &root_) fields.forbid({"name", "dynamic"}, "a name and a mark of the whole object alone");
     return read_part_place(source_, fields);
   }
 
@@ -152,7 +152,7 @@ Vec3d read_brick_size(const SceneValues& values, const SceneTerm& term) {
 void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneFields fields(
       source.values, entry,
-      joined_keys(joined_keys({"name", "material", "sides"}, form_keys(entry.key)), surface_keys()));
+      joined_keys(joined_keys({"name", "dynamic", "material", "sides"}, form_keys(entry.key)), surface_keys()));
   const Solid solid = read_part(source, fields, draft);
   const PartPlace around{draft.group.linear, draft.group.translation};
   require_invertible(source, entry, around);
@@ -164,7 +164,7 @@ void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& dr
   Csg csg{CsgReader(source, entry, draft).node(entry, {draft.group.linear, draft.group.translation})};
   SceneEntry rest = entry;
   std::erase_if(rest.value.entries, [](const SceneEntry& child) { return is_part(child.key); });
-  const SceneFields fields(source.values, rest, {"name", "position", "transform"});
+  const SceneFields fields(source.values, rest, {"name", "dynamic", "position", "transform"});
   add_object(source, fields, {{}, std::move(csg)}, draft);
 }
 

@@ -73,7 +73,7 @@ PartPlace read_part_place(const SceneSource& source, const SceneFields& fields);
 /// InputError for a place that cannot be inverted in numbers of a reasonable size.
 void require_invertible(const SceneSource& source, const SceneEntry& entry, const PartPlace& place);
 
-/// Adds an object with the name that its block gives, if any.
+/// Adds an object with the name that its block gives, if any, and the mark `dynamic = on`.
 void add_object(const SceneSource& source, const SceneFields& fields, Object object, SceneDraft& draft);
 /// `sides = two` or `front`.
 Sides read_sides(const SceneValues& values, const SceneTerm& term);

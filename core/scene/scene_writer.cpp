@@ -257,6 +257,7 @@ class SceneWriter {
     if (instance.material) materials_up_to(*instance.material + std::size_t{1});
     line("\ninstance {{\n    name = {}\n    model = {}", scene_name(objects_[index]),
          scene_name(meshes_[instance.mesh]));
+    mark(object, "    ");
     if (instance.material) line("    material = {}", scene_name(materials_[*instance.material]));
     if (instance.sides == Sides::front) line("    sides = front");
     const Transform& transform = instance.transform;
@@ -273,12 +274,17 @@ class SceneWriter {
     line("        translation = {}\n    }}\n}}", scene_vec(transform.translation));
   }
 
+  void mark(const Object& object, const std::string& indent) {
+    if (object.dynamic) line("{}dynamic = on", indent);
+  }
+
   void sphere(std::size_t index, const Sphere& sphere) {
     const bool own = sphere.material == next_material_ && uses_[sphere.material] == 1 &&
                      materials_[sphere.material] == objects_[index];
     if (!own) materials_up_to(sphere.material + std::size_t{1});
     line("\nsphere {{\n    name = {}\n    center = {}\n    radius = {}", scene_name(objects_[index]),
          scene_vec(sphere.centre), scene_number(sphere.radius));
+    mark(scene_.geometry->objects[index], "    ");
     if (own) {
       surface(scene_.materials->at(next_material_++));
     } else {
@@ -297,6 +303,7 @@ class SceneWriter {
       place(solid.place, indent);
     }
     line("{0}{1} {{\n{0}    name = {2}", indent, form_name(solid.form), scene_name(objects_[index]));
+    mark(scene_.geometry->objects[index], indent + "    ");
     text_ += form_lines(solid.form, indent + "    ");
     line("{}    material = {}", indent, scene_name(materials_[solid.material]));
     if (solid.sides == Sides::front) line("{}    sides = front", indent);
@@ -312,6 +319,7 @@ class SceneWriter {
   void csg(std::size_t index, const Csg& csg) {
     for (const Solid* part : csg_parts(csg.root)) materials_up_to(part->material + std::size_t{1});
     line("\n{} {{\n    name = {}", operation_name(csg.root.operation), scene_name(objects_[index]));
+    mark(scene_.geometry->objects[index], "    ");
     for (const CsgNode& child : csg.root.children) csg_node(child, "    ");
     line("}}");
   }

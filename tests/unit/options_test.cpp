@@ -49,6 +49,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"texture-wrap", up_to(TextureWrap::mirror)},
       {"shadows", up_to(Shadows::stencil_depth_pass)},
       {"environment", up_to(Environment::room_map)},
+      {"environment-objects", up_to(EnvironmentObjects::fixed)},
       {"sample-pattern", up_to(SamplePattern::r2)},
       {"self-hit", up_to(SelfHit::normal_bump)},
       {"shadow-rays", up_to(ShadowRays::useful)},
