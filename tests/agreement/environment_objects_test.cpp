@@ -14,17 +14,17 @@
 namespace ps {
 namespace {
 
-constexpr int side = 120;
+constexpr int side = 240;
 constexpr std::size_t mirror = 0, moving = 1, still = 2;
 
 /// All that is mirrored is far from the mirror, so the map shows what its rays would meet.
 Scene mirror_and_far_balls() {
   return parse_scene("viewport_size = 1 x 1\nprojection_plane_d = 1\nbackground = (40, 60, 90)\n"
-                     "camera { position = (0, 0, -1) }\n"
+                     "camera { position = (0, 0, -2) }\n"
                      "light { type = ambient intensity = 1 }\n"
                      "sphere { name = mirror center = (0, 0, 0) radius = 0.4 color = white reflective = 0.8 }\n"
-                     "sphere { name = moving dynamic = on center = (120, 40, -60) radius = 50 color = red }\n"
-                     "sphere { name = still center = (-110, 70, -80) radius = 50 color = green }\n",
+                     "sphere { name = moving dynamic = on center = (120, 40, -60) radius = 90 color = red }\n"
+                     "sphere { name = still center = (-110, 70, -80) radius = 90 color = green }\n",
                      "far.scene", ".");
 }
 
