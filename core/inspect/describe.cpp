@@ -129,8 +129,11 @@ struct Describer {
     return what;
   }
   std::string operator()(const EnvironmentEvent& e) const {
-    return fmt::format("cube map rendered from {}: face {} along {} shows {}", vector_text(e.centre),
-                       cube_face_name(e.face), vector_text(e.direction), vector_text(e.result));
+    std::string text = fmt::format("cube map rendered from {}: face {} along {} shows {}", vector_text(e.centre),
+                                   cube_face_name(e.face), vector_text(e.direction), vector_text(e.result));
+    if (e.left_out > 0)
+      text += fmt::format("; {} dynamic object{} left out of it", e.left_out, e.left_out == 1 ? " is" : "s are");
+    return text;
   }
   std::string operator()(const RejectEvent& e) const {
     std::string text = fmt::format("{}: {}", e.id.object < 0 ? "a triangle on the canvas" : primitive_name(scene, e.id),

@@ -258,11 +258,9 @@ Fields fields(const StencilEvent& e) {
 }
 
 Fields fields(const EnvironmentEvent& e) {
-  return {{"centre", list(e.centre)},
-          {"direction", list(e.direction)},
-          {"face", std::string(cube_face_name(e.face))},
-          {"position", list(e.position)},
-          {"result", list(e.result)}};
+  return {
+      {"centre", list(e.centre)},     {"direction", list(e.direction)}, {"face", std::string(cube_face_name(e.face))},
+      {"position", list(e.position)}, {"result", list(e.result)},       {"left-out", whole(e.left_out)}};
 }
 
 Fields fields(const ParallaxEvent& e) {

@@ -50,7 +50,7 @@ void take_objects(const SpaceInputs& inputs, Extent& extent) {
       continue;
     }
     if (const auto* solid = std::get_if<Solid>(&object.shape)) {
-      take_box(form_box(form_frame(solid->form)), extent);
+      take_box(solid_box(*solid), extent);
       continue;
     }
     if (const auto* csg = std::get_if<Csg>(&object.shape)) {

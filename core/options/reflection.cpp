@@ -101,6 +101,21 @@ std::vector<Option> reflection_rows() {
                                       {"room-map", "one map of the room",
                                        "Rendered once from the centre of the non-reflective objects. Mirrors do not "
                                        "appear in it and may move without a new map; the error then grows."}}),
+      choice<&Settings::environment_objects>(
+          {.key = "environment-objects",
+           .label = "Objects in environment maps",
+           .help = {"Which objects the cube map of a mirror shows. Objects that a scene marks with dynamic = on can be "
+                    "left out: the map is then made once, and stays right for all others while those move.",
+                    "CGFS ch. 15", "What is left out is not reflected, however near it is."},
+           .truth = exactly("renderer=ray-tracer"),
+           .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
+             if (const auto reason = needs_mirrors(s, t)) return reason;
+             if (s.environment != Environment::cube_map) return "needs environment = cube-map";
+             if (!t.dynamic) return "no object of the scene is dynamic";
+             return {};
+           }},
+          {{"all", "all", "Six pictures for each mirror, rendered again whenever anything moves."},
+           {"static", "static ones", "Rendered again only when a static object, a mirror or the light changes."}}),
       integer<&Settings::environment_size>(
           {.key = "environment-size",
            .label = "Environment map size",

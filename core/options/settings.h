@@ -13,7 +13,7 @@ enum class ViewportFit { height, width, stretch };
 enum class FieldOfViewSpan { edges, centres };
 enum class Clipping { full, near_only, none };
 enum class Visibility { depth_buffer, painter, draw_order };
-enum class DepthValue { inverse_z, z, distance };
+enum class DepthValue { inverse_z, z, distance, ray_plane };
 enum class DepthFormat { plain, unit_float, unorm };
 enum class Coverage {
   edge_function,
@@ -38,6 +38,7 @@ enum class Parallax { off, offset, limited, steep, occlusion };
 enum class Patches { as_made, projected_error };
 enum class LightPasses { one, many };
 enum class Environment { none, cube_map, room_map };
+enum class EnvironmentObjects { all, fixed };
 enum class Shadows { traced, none, map, stencil_depth_fail, stencil_depth_pass };
 enum class ShadowRays { all, useful };
 enum class SelfHit { offset, epsilon, normal_bump };
@@ -114,6 +115,7 @@ struct Settings {
   Parallax parallax = Parallax::off;
   int parallax_steps = 32;
   Environment environment = Environment::none;
+  EnvironmentObjects environment_objects = EnvironmentObjects::all;
   int environment_size = 256;  ///< texels along an edge of a cube map
 
   Shadows shadows = Shadows::traced;

@@ -19,8 +19,8 @@ struct DepthCode {
 
   bool larger_is_nearer() const { return format == DepthFormat::plain ? value == DepthValue::inverse_z : reversed; }
 
-  /// What is stored for 1 / z, z or the distance, whichever `value` names. Values outside the range are clamped to it;
-  /// NaN stays NaN, which is nearer than nothing.
+  /// What is stored for 1 / z, z (however it is found) or the distance, whichever `value` names. Values outside the
+  /// range are clamped to it; NaN stays NaN, which is nearer than nothing.
   template <class Real>
   Real encode(Real raw) const {
     switch (format) {

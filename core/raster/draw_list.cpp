@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/stop.h"
+#include "raster/place_mesh.h"
 #include "raster/tessellate.h"
 #include "raster/tessellate_patches.h"
 #include "raster/tessellate_solid.h"
@@ -62,6 +63,16 @@ std::shared_ptr<const Mesh> curved_model(const Scene& scene, const Object& objec
   return std::make_shared<const Mesh>(std::move(mesh));
 }
 
+/// A box, plane or the like in the world.
+Mesh mesh_of_solid(const Scene& scene, const Solid& solid, const TessellationView& view) {
+  if (solid.place.is_identity()) return tessellate_solid(solid, view);
+  Mesh mesh = tessellate_solid(solid, seen_from_within(solid.place, view));
+  const auto* ball = std::get_if<Ball>(&solid.form);
+  if (ball && needs_uv(scene.materials->at(solid.material))) add_world_map_uvs(mesh, ball->centre);
+  place_mesh(solid.place, mesh);
+  return mesh;
+}
+
 FarSide far_side(const Settings& settings) {
   switch (settings.shadows) {
   case Shadows::stencil_depth_fail:
@@ -102,7 +113,7 @@ std::shared_ptr<const Meshes> tessellations(const Scene& scene, const View& view
         if (needs_uv(material)) add_world_map_uvs(mesh, sphere->centre);
         meshes.add(std::make_shared<const Mesh>(std::move(mesh)));
       } else if (solid) {
-        meshes.add(std::make_shared<const Mesh>(tessellate_solid(*solid, seen_from)));
+        meshes.add(std::make_shared<const Mesh>(mesh_of_solid(scene, *solid, seen_from)));
       } else {
         meshes.add(curved_model(scene, object, settings.patches, seen_from));
       }
@@ -121,15 +132,6 @@ std::shared_ptr<const Models> known_models(const Scene& scene, Prepared& prepare
     }
     return models;
   });
-}
-
-/// An upper bound of how much the matrix stretches any vector; exact for a rotation with one scale.
-double largest_stretch(const Mat3d& m) {
-  const Mat3d square = glm::transpose(m) * m;
-  double bound = 0;
-  for (int column = 0; column < 3; ++column)
-    bound = std::max(bound, std::abs(square[column][0]) + std::abs(square[column][1]) + std::abs(square[column][2]));
-  return std::sqrt(bound);
 }
 
 Mat3d normal_matrix(const Mat3d& linear, bool mirrored, NormalTransform how) {

@@ -17,7 +17,8 @@ class TriangleDrawer {
   TriangleDrawer(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, const DrawStep& step,
                  Target<Real>& target, Recorder& recorder)
       : pass_(pass), geometry_(geometry), step_(step), target_(target), recorder_(recorder),
-        depth_buffer_(pass.settings.visibility == Visibility::depth_buffer) {}
+        depth_buffer_(pass.settings.visibility == Visibility::depth_buffer),
+        depth_by_plane_(depth_buffer_ && pass.settings.depth_value == DepthValue::ray_plane) {}
 
   void set_up(const PrimitiveRef& ref) {
     const Batch<Real>& batch = geometry_.batches[ref.batch];
@@ -30,6 +31,7 @@ class TriangleDrawer {
     setup_.attributes = batch.attributes.data() + triangle.attributes;
     setup_.edges = *edges;
     setup_.inverse_area = Real(1) / static_cast<Real>(edges->area);
+    if (depth_by_plane_) setup_.plane = make_depth_plane(camera_corners(pass_, geometry_, triangle), triangle.z);
   }
 
   void draw(const PrimitiveRef& ref) {
@@ -61,9 +63,8 @@ class TriangleDrawer {
     Real stored = 0;
     auto verdict = FragmentEvent::Depth::off;
     if (depth_buffer_) {
-      recorder_.count(Counter::depth_tests);
-      recorder_.count(Counter::attributes_interpolated);
-      depth = pass_.depth.encode(depth_value(pass_, setup_, fragment));
+      count_depth_test();
+      depth = pass_.depth.encode(depth_value(pass_, setup_, fragment, pass_.grid.sample));
       stored = target_.depth(column, row);
       const bool passed =
           step_.is_first() ? is_nearer(pass_.depth, depth, stored) : depth == stored && is_next(column, row);
@@ -182,9 +183,9 @@ class TriangleDrawer {
       if (!sub.inside(values)) continue;
       visible[s] = true;
       if (depth_buffer_) {
-        recorder_.count(Counter::depth_tests);
-        recorder_.count(Counter::attributes_interpolated);
-        const Real depth = pass_.depth.encode(depth_value(pass_, setup_, sample_fragment(sub, column, row, values)));
+        count_depth_test();
+        const Real depth = pass_.depth.encode(depth_value(pass_, setup_, sample_fragment(sub, column, row, values),
+                                                          place_in_pixel(pattern[s], pass_.grid.sample)));
         Real& stored = target_.sample_depth(column, row, static_cast<int>(s));
         if (covered == 0) first_stored = stored, first_depth = depth;
         visible[s] = is_nearer(pass_.depth, depth, stored);
@@ -247,6 +248,11 @@ class TriangleDrawer {
     return event;
   }
 
+  /// A test, and what is interpolated for it.
+  void count_depth_test() {
+    recorder_.count(Counter::depth_tests);
+    if (!depth_by_plane_) recorder_.count(Counter::attributes_interpolated);
+  }
   static std::uint64_t sample_count(const PixelBox& box) {
     return static_cast<std::uint64_t>(box.x1 - box.x0) * static_cast<std::uint64_t>(box.y1 - box.y0);
   }
@@ -442,7 +448,7 @@ class TriangleDrawer {
   DrawStep step_;
   Target<Real>& target_;
   Recorder& recorder_;
-  bool depth_buffer_;
+  bool depth_buffer_, depth_by_plane_;
   PrimitiveRef ref_;
   ShadeBatch batch_;
   TriangleSetup<Real> setup_;

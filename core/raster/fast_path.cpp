@@ -27,6 +27,8 @@ std::string_view no_batches(const Settings& s, const SceneTraits& t, Channel cha
   if (!CoverageChoice{s.coverage, s.edge_arithmetic}.is_common())
     return "SIMD needs coverage = edge-function in 64-bit integers";
   if (s.depth_format != DepthFormat::plain) return "SIMD needs depth-format = plain";
+  if (s.visibility == Visibility::depth_buffer && s.depth_value == DepthValue::ray_plane)
+    return "SIMD interpolates depth: it needs another depth-value than ray-plane";
   if (draw_steps(s, 1).front().stage != DrawStage::whole)
     return "SIMD needs one pass: no early depth, deferred shading or light passes";
   if (s.illumination != Illumination::book) return "SIMD needs illumination = book";

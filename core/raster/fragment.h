@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "raster/depth_plane.h"
 #include "raster/pass.h"
 #include "raster/screen_triangle.h"
 
@@ -15,6 +16,7 @@ struct TriangleSetup {
   const Real* attributes = nullptr;  ///< of corner 0; corners follow each other
   TriangleEdges edges;
   Real inverse_area = 1;
+  DepthPlane<Real> plane;  ///< only where depth is found by ray and plane
 };
 
 /// A covered sample. Weights are taken from the exact edge values of this sample alone, so a fragment does not depend

@@ -32,4 +32,14 @@ inline CornerSource<Real> corner_source(const Pass<Real>& pass, const ScreenGeom
           triangle.face_normal};
 }
 
+/// Its corners in camera space, before they were rounded to the canvas and before clipping.
+template <class Real>
+inline std::array<Vec3<Real>, 3> camera_corners(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
+                                                const ScreenTriangle<Real>& triangle) {
+  const CornerSource<Real> source = corner_source(pass, geometry, triangle);
+  std::array<Vec3<Real>, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = Vec3<Real>(source.vertices->camera[source.triangle->position[k]]);
+  return corners;
+}
+
 }  // namespace ps::raster

@@ -11,6 +11,11 @@ struct SubSample {
   int x = 0, y = 0;
 };
 
+/// Where a sub-sample lies in its pixel, from 0 to 1, if the pixel's middle sample lies at `middle`.
+inline Vec2d place_in_pixel(const SubSample& sample, const Vec2d& middle) {
+  return {middle.x + sample.x / 16.0, middle.y + sample.y / 16.0};
+}
+
 inline std::span<const SubSample> sample_pattern(int samples) {
   static constexpr std::array<SubSample, 2> two{{{4, 4}, {-4, -4}}};
   static constexpr std::array<SubSample, 4> four{{{-2, -6}, {6, -2}, {-6, 2}, {2, 6}}};

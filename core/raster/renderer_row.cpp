@@ -29,6 +29,11 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
     all.push_back({LeftOutKind::effect, "leaves out reflections",
                    "The rasterizer traces no reflected rays, so it leaves out reflections. Set environment = cube-map "
                    "to see them."});
+  if (asks_for_reflections(traits, settings) && traits.dynamic && settings.environment == Environment::cube_map &&
+      settings.environment_objects == EnvironmentObjects::fixed)
+    all.push_back({LeftOutKind::effect, "leaves dynamic objects out of mirrors",
+                   "The rasterizer leaves dynamic objects out of the environment maps, so no mirror shows them. Set "
+                   "environment-objects = all to see them there."});
   return all;
 }
 

@@ -156,7 +156,8 @@ HWY_AFTER_NAMESPACE();
 namespace ps::raster {
 
 bool can_scan(const TriangleScan& scan) {
-  if (scan.depth_value == DepthValue::distance && scan.depth) return false;
+  const bool interpolated = scan.depth_value == DepthValue::inverse_z || scan.depth_value == DepthValue::z;
+  if (!interpolated && scan.depth) return false;
   const auto far = [](std::int64_t v) { return v > (std::int64_t{1} << 43) || v < -(std::int64_t{1} << 43); };
   const auto value = scan.edges->at(scan.box.x0, scan.box.y0);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -15,7 +15,7 @@ struct TriangleScan {
   float inverse_area = 1;
   std::array<float, 3> inverse_z{};
   std::array<float, 3> stored_depth{};             ///< of the corners: 1 / z or z, as `depth_value` says
-  DepthValue depth_value = DepthValue::inverse_z;  ///< distance is left to the clear path
+  DepthValue depth_value = DepthValue::inverse_z;  ///< others are left to the clear path
   float* depth = nullptr;  ///< the depth buffer at the box's first pixel; nullptr = no depth test
   int depth_stride = 0;    ///< from one row to the next
   int frame_width = 0;     ///< of the picture

@@ -71,7 +71,9 @@ void build_plane(const FormFrame& f, const TessellationView& view, Builder& buil
   const Vec3d& n = f.axes[2];
   const double height = dot(view.eye - f.centre, n);
   const Vec3d below = view.eye - n * height;
-  const double first = std::max(std::abs(height), view.nearest);
+  // A quarter of it, the first ring, must not round to 0: it would never grow.
+  constexpr double least = 1e-300;
+  const double first = std::max({std::abs(height), view.nearest, least});
   const double widest = 2 * first * std::max(view.pixels_per_unit, 16.0);
   const auto corner = [&](double radius, int segment) {
     const double turn = 2 * pi * segment / plane_segments;

@@ -29,7 +29,7 @@ FormBox box_of_body(const Scene& scene, const Object& object) {
   FormBox box;
   if (const auto* sphere = std::get_if<Sphere>(&object.shape))
     return {sphere->centre - sphere->radius, sphere->centre + sphere->radius};
-  if (const auto* solid = std::get_if<Solid>(&object.shape)) return form_box(form_frame(solid->form));
+  if (const auto* solid = std::get_if<Solid>(&object.shape)) return solid_box(*solid);
   if (const auto* csg = std::get_if<Csg>(&object.shape)) return csg_box(csg->root);
   const auto& instance = std::get<Instance>(object.shape);
   for (const Vec3d& position : scene.geometry->meshes.at(instance.mesh)->positions) {

@@ -57,6 +57,7 @@ struct EnvironmentEvent {
   int face = 0;              ///< 0..5 = +x -x +y -y +z -z
   Vec2d position{0, 0};      ///< in texels, from the face's top left
   Vec3d result{0, 0, 0};
+  int left_out = 0;  ///< dynamic objects that the map does not show
 };
 
 /// "+x", "-x", "+y", "-y", "+z", "-z".

@@ -124,8 +124,10 @@ FormBox form_box(const FormFrame& frame) {
   return {};
 }
 
+FormBox solid_box(const Solid& solid) { return moved_box(form_box(form_frame(solid.form)), solid.place); }
+
 FormBox csg_box(const CsgNode& node) {
-  if (node.children.empty()) return moved_box(form_box(form_frame(node.part.form)), node.part.place);
+  if (node.children.empty()) return solid_box(node.part);
   FormBox box = csg_box(node.children.front());
   for (std::size_t i = 1; i < node.children.size(); ++i) {
     switch (node.operation) {

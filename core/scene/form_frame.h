@@ -28,6 +28,8 @@ struct FormBox {
   Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
 };
 FormBox form_box(const FormFrame& frame);
+/// A box around the body where its place puts it.
+FormBox solid_box(const Solid& solid);
 /// A box around what the operations leave; it may be infinite.
 FormBox csg_box(const CsgNode& node);
 bool is_bounded(const FormBox& box);

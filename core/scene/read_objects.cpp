@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/spelling.h"
+#include "scene/place_body.h"
 #include "scene/scene_draft.h"
 
 namespace ps {
@@ -12,6 +13,7 @@ void add_object(const SceneSource& source, const SceneFields& fields, Object obj
     const auto [earlier, is_new] = draft.object_lines.try_emplace(object.name, name->line);
     if (!is_new) source.values.fail(*name, fmt::format("a name other than that in line {}", earlier->second));
   }
+  if (const SceneTerm* dynamic = fields.find("dynamic")) object.dynamic = source.values.on_off(*dynamic);
   draft.geometry.objects.push_back(std::move(object));
   if (draft.geometry.objects.size() > max_scene_objects)
     source.values.fail_at(fields.block().line, fields.block().column, fmt::format("'{}'", fields.block().key),
@@ -86,18 +88,22 @@ Material base_material(const SceneSource& source, const SceneFields& fields, con
 }  // namespace
 
 void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
-  const SceneFields fields(source.values, entry, joined_keys({"name", "center", "radius", "material"}, surface_keys()));
+  const SceneFields fields(source.values, entry,
+                           joined_keys({"name", "dynamic", "center", "radius", "material"}, surface_keys()));
   Sphere sphere;
   sphere.centre = source.values.vec3(fields.require("center"));
   sphere.radius = source.values.positive(fields.require("radius"));
   sphere.material = material_for(source, fields, {}, draft);
-  add_object(source, fields, {{}, sphere}, draft);
+  const PartPlace around{draft.group.linear, draft.group.translation};
+  require_invertible(source, entry, around);
+  const Solid body{Ball{sphere.centre, sphere.radius}, sphere.material};
+  add_object(source, fields, {{}, placed_body(body, around, draft.materials[sphere.material])}, draft);
 }
 
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneFields fields(
       source.values, entry,
-      joined_keys({"name", "model", "position", "transform", "material", "sides"}, surface_keys()));
+      joined_keys({"name", "dynamic", "model", "position", "transform", "material", "sides"}, surface_keys()));
   const SceneTerm& model = fields.require("model");
   const auto mesh = draft.mesh_index.find(source.values.name(model, "the name of a model"));
   if (mesh == draft.mesh_index.end()) {
@@ -139,14 +145,16 @@ void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   const auto is_operation = [](const SceneEntry& child) {
     return child.key == "union" || child.key == "intersection" || child.key == "difference";
   };
+  const auto is_body = [](const SceneEntry& child) { return child.key == "box" || child.key == "cylinder"; };
   const auto is_member = [&](const SceneEntry& child) {
-    return child.key == "instance" || child.key == "group" || is_operation(child);
+    return child.key == "instance" || child.key == "group" || child.key == "sphere" || is_body(child) ||
+           is_operation(child);
   };
   for (const SceneEntry& child : entry.value.entries)
-    for (const std::string_view solid : {"sphere", "plane", "rectangle", "box", "cylinder"})
+    for (const std::string_view solid : {"plane", "rectangle"})
       if (child.key == solid)
         source.values.fail_at(child.line, child.column, fmt::format("'{}' inside 'group'", solid),
-                              "instance, group, union, intersection or difference; a body on its own has no transform");
+                              "sphere, box, cylinder, instance, group, union, intersection or difference");
   SceneEntry own = entry;
   std::erase_if(own.value.entries, is_member);
   const SceneFields fields(source.values, own, {"position", "transform"});
@@ -157,7 +165,12 @@ void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   ++draft.group_depth;
   for (const SceneEntry& child : entry.value.entries) {
     if (!is_member(child)) continue;
-    (child.key == "group" ? read_group : is_operation(child) ? read_csg : read_instance)(source, child, draft);
+    const auto read = child.key == "group"    ? read_group
+                      : child.key == "sphere" ? read_sphere
+                      : is_body(child)        ? read_solid
+                      : is_operation(child)   ? read_csg
+                                              : read_instance;
+    read(source, child, draft);
   }
   --draft.group_depth;
   draft.group = around;

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "math/unit.h"
+#include "scene/place_body.h"
 #include "scene/scene_draft.h"
 
 namespace ps {
@@ -73,7 +74,7 @@ class CsgReader {
     CsgNode part;
     part.part = read_part(source_, fields, draft_);
     part.part.place = around.after(read_part_place(source_, fields));
-    require_invertible(entry, part.part.place);
+    require_invertible(source_, entry, part.part.place);
     return part;
   }
 
@@ -111,22 +112,9 @@ class CsgReader {
   PartPlace place_of(const SceneEntry& entry) const {
     SceneEntry own = entry;
     std::erase_if(own.value.entries, [](const SceneEntry& child) { return is_part(child.key); });
-    const SceneFields fields(source_.values, own, {"name", "position", "transform"});
-    if (&entry != &root_) fields.forbid({"name"}, "a name of the whole object alone");
+    const SceneFields fields(source_.values, own, {"name", "dynamic", "position", "transform"});
+    if (&entry != &root_) fields.forbid({"name", "dynamic"}, "a name and a mark of the whole object alone");
     return read_part_place(source_, fields);
-  }
-
-  /// Factors multiply, so even numbers that are allowed one by one may end beyond all bounds.
-  void require_invertible(const SceneEntry& entry, const PartPlace& place) const {
-    constexpr double largest = 1e9;
-    double reach = 0;
-    const Mat3d back = inverse(place.linear);
-    for (int axis = 0; axis < 3; ++axis)
-      for (const Vec3d& v : {place.linear[axis], back[axis]})
-        for (int i = 0; i < 3; ++i) reach = std::abs(v[i]) <= largest ? std::max(reach, std::abs(v[i])) : largest * 2;
-    if (!(reach <= largest))
-      source_.values.fail_at(entry.line, entry.column, "transforms whose product is too large, too small or flat",
-                             fmt::format("scales from {:g} to {:g} in all", 1 / largest, largest));
   }
 
   const SceneSource& source_;
@@ -136,6 +124,18 @@ class CsgReader {
 };
 
 }  // namespace
+
+void require_invertible(const SceneSource& source, const SceneEntry& entry, const PartPlace& place) {
+  constexpr double largest = 1e9;
+  double reach = 0;
+  const Mat3d back = inverse(place.linear);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const Vec3d& v : {place.linear[axis], back[axis]})
+      for (int i = 0; i < 3; ++i) reach = std::abs(v[i]) <= largest ? std::max(reach, std::abs(v[i])) : largest * 2;
+  if (!(reach <= largest))
+    source.values.fail_at(entry.line, entry.column, "transforms whose product is too large, too small or flat",
+                          fmt::format("scales from {:g} to {:g} in all", 1 / largest, largest));
+}
 
 bool has_right_angle(const Rectangle& rectangle) {
   const Vec3d a = brought_near_one(rectangle.side_a), b = brought_near_one(rectangle.side_b);
@@ -152,8 +152,11 @@ Vec3d read_brick_size(const SceneValues& values, const SceneTerm& term) {
 void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneFields fields(
       source.values, entry,
-      joined_keys(joined_keys({"name", "material", "sides"}, form_keys(entry.key)), surface_keys()));
-  add_object(source, fields, {{}, read_part(source, fields, draft)}, draft);
+      joined_keys(joined_keys({"name", "dynamic", "material", "sides"}, form_keys(entry.key)), surface_keys()));
+  const Solid solid = read_part(source, fields, draft);
+  const PartPlace around{draft.group.linear, draft.group.translation};
+  require_invertible(source, entry, around);
+  add_object(source, fields, {{}, placed_body(solid, around, draft.materials[solid.material])}, draft);
 }
 
 void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
@@ -161,7 +164,7 @@ void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& dr
   Csg csg{CsgReader(source, entry, draft).node(entry, {draft.group.linear, draft.group.translation})};
   SceneEntry rest = entry;
   std::erase_if(rest.value.entries, [](const SceneEntry& child) { return is_part(child.key); });
-  const SceneFields fields(source.values, rest, {"name", "position", "transform"});
+  const SceneFields fields(source.values, rest, {"name", "dynamic", "position", "transform"});
   add_object(source, fields, {{}, std::move(csg)}, draft);
 }
 

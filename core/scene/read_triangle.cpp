@@ -15,8 +15,9 @@ bool in_space(const SceneEntry& entry) {
 /// A model of one triangle with one instance: nothing else has to know single triangles.
 void read_space_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneValues& values = source.values;
-  const SceneFields fields(values, entry,
-                           joined_keys({"name", "vertices", "normals", "uvs", "material", "sides"}, surface_keys()));
+  const SceneFields fields(
+      values, entry,
+      joined_keys({"name", "dynamic", "vertices", "normals", "uvs", "material", "sides"}, surface_keys()));
   Mesh mesh;
   MeshTriangle triangle;
   for (const SceneTerm& term : source.values.corners(fields.require("vertices")))

@@ -36,6 +36,7 @@ SceneTraits scene_traits(const Scene& scene) {
   SceneTraits traits;
   const auto& materials = *scene.materials;
   for (const Object& object : scene.geometry->objects) {
+    traits.dynamic = traits.dynamic || object.dynamic;
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
       traits.spheres = true;
       ++traits.sphere_count;

@@ -81,6 +81,7 @@ struct SceneTraits {
   bool odd_highlights = false;    ///< a highlight's exponent is not a positive finite number
   bool any_transparency = false;  ///< a transparency above 0, even one that cannot be seen
   bool one_sided = false;         ///< triangles that are seen from their front alone
+  bool dynamic = false;           ///< objects that are marked so
   std::size_t sphere_count = 0;
 };
 SceneTraits scene_traits(const Scene& scene);

@@ -50,7 +50,7 @@ void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft&
 void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
-/// A group of instances, operations of CSG and groups with a transform of its own: a hierarchical model (CGFS ch. 10;
+/// A group of instances, bodies, operations of CSG and groups with a transform of its own: a hierarchical model (CGFS ch. 10;
 /// LAB 7). It leaves only what it holds behind, each with the product of the transforms around it.
 void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
@@ -69,7 +69,11 @@ void read_canvas_triangle(const SceneSource& source, const SceneEntry& entry, Sc
 /// The `position` and `transform` of a block within CSG.
 PartPlace read_part_place(const SceneSource& source, const SceneFields& fields);
 
-/// Adds an object with the name that its block gives, if any.
+/// Factors of nested maps multiply, so even numbers that are allowed one by one may end beyond all bounds. Throws
+/// InputError for a place that cannot be inverted in numbers of a reasonable size.
+void require_invertible(const SceneSource& source, const SceneEntry& entry, const PartPlace& place);
+
+/// Adds an object with the name that its block gives, if any, and the mark `dynamic = on`.
 void add_object(const SceneSource& source, const SceneFields& fields, Object object, SceneDraft& draft);
 /// `sides = two` or `front`.
 Sides read_sides(const SceneValues& values, const SceneTerm& term);

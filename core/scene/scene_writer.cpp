@@ -257,6 +257,7 @@ class SceneWriter {
     if (instance.material) materials_up_to(*instance.material + std::size_t{1});
     line("\ninstance {{\n    name = {}\n    model = {}", scene_name(objects_[index]),
          scene_name(meshes_[instance.mesh]));
+    mark(object, "    ");
     if (instance.material) line("    material = {}", scene_name(materials_[*instance.material]));
     if (instance.sides == Sides::front) line("    sides = front");
     const Transform& transform = instance.transform;
@@ -273,12 +274,17 @@ class SceneWriter {
     line("        translation = {}\n    }}\n}}", scene_vec(transform.translation));
   }
 
+  void mark(const Object& object, const std::string& indent) {
+    if (object.dynamic) line("{}dynamic = on", indent);
+  }
+
   void sphere(std::size_t index, const Sphere& sphere) {
     const bool own = sphere.material == next_material_ && uses_[sphere.material] == 1 &&
                      materials_[sphere.material] == objects_[index];
     if (!own) materials_up_to(sphere.material + std::size_t{1});
     line("\nsphere {{\n    name = {}\n    center = {}\n    radius = {}", scene_name(objects_[index]),
          scene_vec(sphere.centre), scene_number(sphere.radius));
+    mark(scene_.geometry->objects[index], "    ");
     if (own) {
       surface(scene_.materials->at(next_material_++));
     } else {
@@ -289,16 +295,31 @@ class SceneWriter {
 
   void solid(std::size_t index, const Solid& solid) {
     materials_up_to(solid.material + std::size_t{1});
-    line("\n{} {{\n    name = {}", form_name(solid.form), scene_name(objects_[index]));
-    text_ += form_lines(solid.form, "    ");
-    line("    material = {}", scene_name(materials_[solid.material]));
-    if (solid.sides == Sides::front) line("    sides = front");
-    line("}}");
+    const bool in_group = !solid.place.is_identity();
+    const std::string indent = in_group ? "    " : "";
+    text_ += '\n';
+    if (in_group) {
+      line("group {{");
+      place(solid.place, indent);
+    }
+    line("{0}{1} {{\n{0}    name = {2}", indent, form_name(solid.form), scene_name(objects_[index]));
+    mark(scene_.geometry->objects[index], indent + "    ");
+    text_ += form_lines(solid.form, indent + "    ");
+    line("{}    material = {}", indent, scene_name(materials_[solid.material]));
+    if (solid.sides == Sides::front) line("{}    sides = front", indent);
+    line("{}}}", indent);
+    if (in_group) line("}}");
+  }
+
+  void place(const PartPlace& place, const std::string& indent) {
+    line("{0}transform {{\n{0}    rotation = {1}\n{0}    translation = {2}\n{0}}}", indent,
+         scene_rotation(place.linear), scene_vec(place.translation));
   }
 
   void csg(std::size_t index, const Csg& csg) {
     for (const Solid* part : csg_parts(csg.root)) materials_up_to(part->material + std::size_t{1});
     line("\n{} {{\n    name = {}", operation_name(csg.root.operation), scene_name(objects_[index]));
+    mark(scene_.geometry->objects[index], "    ");
     for (const CsgNode& child : csg.root.children) csg_node(child, "    ");
     line("}}");
   }
@@ -309,9 +330,7 @@ class SceneWriter {
     for (const CsgNode& child : node.children) csg_node(child, indent + "    ");
     if (part) {
       text_ += form_lines(node.part.form, indent + "    ");
-      if (const PartPlace& place = node.part.place; !place.is_identity())
-        line("{0}    transform {{\n{0}        rotation = {1}\n{0}        translation = {2}\n{0}    }}", indent,
-             scene_rotation(place.linear), scene_vec(place.translation));
+      if (!node.part.place.is_identity()) place(node.part.place, indent + "    ");
       line("{}    material = {}", indent, scene_name(materials_[node.part.material]));
     }
     line("{}}}", indent);

@@ -50,7 +50,7 @@ using Form = std::variant<Ball, Plane, Rectangle, Brick, Cylinder>;
 /// with two sides can be seen from within.
 enum class Sides { two, front };
 
-/// Where a part of a CSG tree lies: `linear` * p + `translation`, any affine map that can be inverted (CGPP ex. 15.7b).
+/// Where a part of a CSG tree lies, or a body in a group that stretches it: `linear` * p + `translation`, any affine map that can be inverted (CGPP ex. 15.7b).
 struct PartPlace {
   Mat3d linear{1.0};
   Vec3d translation{0, 0, 0};
@@ -67,7 +67,7 @@ struct Solid {
   Form form;
   std::uint32_t material = 0;  ///< index into Scene::materials
   Sides sides = Sides::two;
-  PartPlace place{};  ///< of the form; only parts of CSG trees have one
+  PartPlace place{};  ///< of the form; parts of CSG trees have one, and bodies that a group stretches
   bool operator==(const Solid&) const = default;
 };
 

@@ -123,22 +123,36 @@ CsgNode csg_tree(Random& random, int depth) {
   return node;
 }
 
+/// Turned, stretched and mirrored.
+PartPlace place(Random& random) {
+  PartPlace place;
+  const Mat3d turn = rotation(random);
+  place.linear =
+      Mat3d(turn[0] * random.between(0.5, 2), turn[1] * random.between(0.5, 2), turn[2] * random.between(-2, -0.5));
+  place.translation = random.point(-0.5, 0.5);
+  return place;
+}
+
+/// Bodies as a group that stretches leaves them behind.
+void stretch_bodies(unsigned seed, Geometry& geometry) {
+  Random random(seed + 15485863);  // of its own, so that all else stays as it was
+  for (Object& object : geometry.objects)
+    if (auto* solid = std::get_if<Solid>(&object.shape))
+      if (!is_flat(solid->form) && random.chance(0.5)) solid->place = place(random);
+}
+
 void add_solids(unsigned seed, Geometry& geometry) {
   Random random(seed + 7919);
   for (unsigned kind = 1; kind < 5; ++kind)
     if (random.chance(0.3))
       geometry.objects.push_back(
           {"solid", Solid{form(random, kind), random.below(6), random.chance(0.5) ? Sides::two : Sides::front}});
+  stretch_bodies(seed, geometry);
   if (!random.chance(0.3)) return;
   Csg csg{csg_tree(random, 2)};
   Random placing(seed + 104729);  // of its own, so that all else stays as it was
-  for (Solid* part : csg_parts(csg.root)) {
-    if (!placing.chance(0.3)) continue;
-    const Mat3d turn = rotation(placing);
-    part->place.linear = Mat3d(turn[0] * placing.between(0.5, 2), turn[1] * placing.between(0.5, 2),
-                               turn[2] * placing.between(-2, -0.5));
-    part->place.translation = placing.point(-0.5, 0.5);
-  }
+  for (Solid* part : csg_parts(csg.root))
+    if (placing.chance(0.3)) part->place = place(placing);
   geometry.objects.push_back({"csg", std::move(csg)});
 }
 

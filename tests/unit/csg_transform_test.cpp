@@ -191,7 +191,9 @@ TEST(CsgTransform, ErrorsNameTheBlockAtFault) {
   EXPECT_EQ(
       error("union { " + ball + ball + "\ninstance { model = x } }"),
       "e.scene:2:1: found an instance inside 'union', expected a solid body: a model of triangles may have no inside");
-  EXPECT_NE(error("group {\n" + ball + "}").find("e.scene:2:1: found 'sphere' inside 'group'"), std::string::npos);
+  EXPECT_NE(error("group {\nplane { point = (0, 0, 0) normal = (0, 1, 0) } }")
+                .find("e.scene:2:1: found 'plane' inside 'group'"),
+            std::string::npos);
   EXPECT_NE(
       error("union { " + ball + "group {\n transform { rotation = [(1, 0, 0), (2, 0, 0), (0, 0, 1)] } " + ball + "} }")
           .find("too large, too small or flat"),

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "raster/tessellate_solid.h"
+
 namespace ps::raster {
 namespace {
 
@@ -77,6 +79,18 @@ TEST(Tessellation, GroundReachesExactlyToTheHorizon) {
     if (p.z > 0) highest = std::max(highest, p.y / length(p));
   // The horizon dips by acos(r / D) below the level line.
   EXPECT_NEAR(std::asin(-highest), std::acos(5000.0 / 5001.0), 1e-9);
+}
+
+/// The rings of a plane grow by a factor until they reach the horizon, also from the least height that a double holds.
+TEST(Tessellation, PlaneUnderTheSmallestHeightsEnds) {
+  for (const double height : {5e-324, 1e-310, 1e-300, 1.0}) {
+    TessellationView view;
+    view.eye = {0, height, 0};
+    view.nearest = 5e-324;
+    const Mesh mesh = tessellate_solid(Solid{Plane{}}, view);
+    EXPECT_GT(mesh.triangles.size(), 100u);
+    EXPECT_LT(mesh.triangles.size(), 10000u);
+  }
 }
 
 TEST(Tessellation, SurvivesOddViews) {

@@ -89,7 +89,7 @@ TEST(SceneGroup, RefusesWhatItCannotHold) {
     }
     return "";
   };
-  EXPECT_NE(message("group { sphere { center = (0, 0, 0) radius = 1 } }").find("sphere"), std::string::npos);
+  EXPECT_NE(message("group { plane { point = (0, 0, 0) normal = (0, 1, 0) } }").find("plane"), std::string::npos);
   EXPECT_NE(message("group = 3"), "");
   std::string deep;
   for (int i = 0; i < 17; ++i) deep += "group { ";

@@ -126,9 +126,10 @@ void App::set_option(Side side, const std::string& assignment) {
 
 bool App::busy() const {
   return session_.busy() || session_.has_news() || space_.worker.busy() || space_.worker.has_news() ||
-         microscope_.worker.busy() || microscope_.worker.has_news() || history_.thumbnails.busy() || studies_.busy() ||
-         listing_.worker.busy() || listing_.worker.has_news() || pixels_.cost.busy() || pixels_.cost.has_news() ||
-         pictures_.meter->busy() || pictures_.meter->has_news() || pin_busy(pixel_panel_.pin);
+         space_.tree_worker.busy() || space_.tree_worker.has_news() || microscope_.worker.busy() ||
+         microscope_.worker.has_news() || history_.thumbnails.busy() || studies_.busy() || listing_.worker.busy() ||
+         listing_.worker.has_news() || pixels_.cost.busy() || pixels_.cost.has_news() || pictures_.meter->busy() ||
+         pictures_.meter->has_news() || pin_busy(pixel_panel_.pin);
 }
 
 std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {

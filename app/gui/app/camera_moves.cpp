@@ -71,7 +71,7 @@ Vec3d scene_centre(const Scene& scene) {
       if (sphere->radius > ground_radius) continue;
       sum += sphere->centre;
     } else if (const auto* solid = std::get_if<Solid>(&object.shape)) {
-      const FormBox box = form_box(form_frame(solid->form));
+      const FormBox box = solid_box(*solid);
       if (!is_bounded(box)) continue;
       sum += (box.low + box.high) * 0.5;
     } else if (const auto* csg = std::get_if<Csg>(&object.shape)) {

@@ -163,6 +163,7 @@ void App::publish() {
   out.publish("space/rays", space_.rays);
   out.publish("space/shadow-rays", space_.shadow_rays);
   out.publish("space/boxes", space_.boxes);
+  out.publish("space/tree-nodes", space_.tree ? static_cast<int>(space_.tree->nodes) : 0);
   out.publish("space/steps", static_cast<int>(space_.model.steps.size()));
   out.publish("space/playing", space_.play.running);
   out.publish("space/up-to", space_.play.up_to);

@@ -274,6 +274,19 @@ bool same_vertex(const std::optional<VertexChain>& a, const std::optional<Vertex
   return a.has_value() == b.has_value() && (!a || (a->id == b->id && a->world == b->world && a->camera == b->camera));
 }
 
+/// Adds the rest of the accelerator to the model once it is known. Only where a story has come: then there is one.
+void update_tree(Session& session, SpacePanelState& state) {
+  if (!state.whole_tree || !state.told) return state.tree_worker.rest();
+  const SpaceTreeRequest wanted{session.scene(), state.settings, state.told, &session.prepared()};
+  state.tree_worker.request(wanted);
+  state.tree_worker.take_news();
+  const auto found = state.tree_worker.result();
+  if (state.tree || !found || !same_request(found->of, wanted)) return;
+  state.tree = found->tree;
+  state.model.items.insert(state.model.items.end(), found->nodes.items.begin(), found->nodes.items.end());
+  state.model.deepest_level = std::max(state.model.deepest_level, found->nodes.deepest_level);
+}
+
 }  // namespace
 
 void update_space(Session& session, SpacePanelState& state) {
@@ -284,8 +297,8 @@ void update_space(Session& session, SpacePanelState& state) {
   const std::array revisions{scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
   if (story == state.told && revisions == state.revisions && session.view() == state.view &&
       session.settings(side) == state.settings && same_vertex(state.vertex, state.followed) &&
-      (state.whole_tree && story != nullptr) == state.tree.has_value())
-    return;
+      (!state.tree || (state.whole_tree && story)))
+    return update_tree(session, state);
   if (story != state.told) state.play.up_to = -1;
   state.told = story;
   state.revisions = revisions;
@@ -295,10 +308,8 @@ void update_space(Session& session, SpacePanelState& state) {
   state.followed = state.vertex;
   state.model = build_space(scene, state.view, state.settings, story.get());
   state.tree.reset();
-  // Only where a story has come: then the accelerator is there already.
-  if (state.whole_tree && story)
-    state.tree = add_tree(scene, state.settings, story.get(), session.prepared(), state.model);
   if (state.vertex) add_vertex(*state.vertex, state.view.camera, state.model);
+  update_tree(session, state);
 }
 
 std::string space_drawing(const Session& session, const SpacePanelState& state) {

@@ -7,6 +7,7 @@
 #include "gui/app/pictures_panel.h"
 #include "gui/app/pixel_panel.h"
 #include "gui/app/space_style.h"
+#include "gui/app/space_tree_worker.h"
 #include "gui/app/space_worker.h"
 #include "inspect/space_orbit.h"
 #include "inspect/space_tree.h"
@@ -24,7 +25,7 @@ struct StoryPlay {
 
 /// What the view from outside remembers of itself.
 struct SpacePanelState {
-  explicit SpacePanelState(std::function<void()> wake) : worker(std::move(wake)) {
+  explicit SpacePanelState(const std::function<void()>& wake) : tree_worker(wake), worker(wake) {
     for (const auto& row : space_groups) groups[static_cast<std::size_t>(row.group)] = row.shown;
   }
 
@@ -47,6 +48,7 @@ struct SpacePanelState {
   std::optional<VertexChain> followed;
   SpaceModel model;
   std::optional<SpaceTree> tree;  ///< what is known of the accelerator, if the whole of it is in the model
+  SpaceTreeWorker tree_worker;
 
   // What is on the screen.
   SpaceWorker worker;

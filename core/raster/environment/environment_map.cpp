@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "options/option.h"
+#include "raster/environment/map_sources.h"
 #include "raster/renderer.h"
 #include "raster/shadow/map_picture.h"
 #include "raster/shadow/shadow_map.h"
@@ -18,6 +19,7 @@ Settings map_settings(const Settings& settings) {
   Settings plain = settings;
   plain.renderer = Renderer::rasterizer;
   plain.environment = Environment::none;
+  plain.environment_objects = EnvironmentObjects::all;
   plain.projection = Projection::perspective;
   plain.viewport_fit = ViewportFit::height;
   plain.field_of_view_span = FieldOfViewSpan::edges;
@@ -59,14 +61,16 @@ Scene only(const Scene& scene, Keep&& keep) {
   return rest;
 }
 
-std::shared_ptr<const EnvironmentMap> look_around(const Scene& scene, const Vec3d& centre, const Settings& settings,
-                                                  WorkerPriority priority, Progress& progress) {
+std::shared_ptr<const EnvironmentMap> look_around(const Scene& scene, const Vec3d& centre, int left_out,
+                                                  const Settings& settings, WorkerPriority priority,
+                                                  Progress& progress) {
   Prepared own;  // the scene is one of its own; its products would push out the picture's
   RenderRequest request;
   request.priority = priority;
   auto map = std::make_shared<EnvironmentMap>();
   map->centre = centre;
   map->size = settings.environment_size;
+  map->left_out = left_out;
   for (const CubeFace& face : cube_faces()) {
     const View view{cube_camera(face, centre), map->size, map->size};
     map->faces.push_back(render_rasterized(scene, view, map_settings(settings), request, own, progress).colour);
@@ -78,13 +82,36 @@ Vec3d centre_of(const Scene& scene, std::size_t object) {
   return shadow_casters(only(scene, [&](const Object&, std::size_t i) { return i == object; })).centre;
 }
 
-Key map_key(const Scene& scene, const Settings& settings) {
+bool shows_static_only(const Settings& settings) {
+  return settings.environment == Environment::cube_map && settings.environment_objects == EnvironmentObjects::fixed;
+}
+
+MapSources map_sources(const Scene& scene) {
+  MapSources sources;
+  const auto& objects = scene.geometry->objects;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (!objects[i].dynamic || reflective(scene, objects[i]) > 0) sources.objects.emplace_back(i, objects[i]);
+  sources.meshes = scene.geometry->meshes;
+  sources.scene_objects = objects.size();
+  return sources;
+}
+
+/// What the maps show of the scene's geometry, as a number.
+std::uint64_t shown_geometry(const Scene& scene, const Settings& settings, Prepared& prepared) {
+  if (!shows_static_only(settings)) return scene.geometry.revision();
+  const auto numbers =
+      prepared.get<MapSourceNumbers>(Key("environment-map-sources"), [] { return MapSourceNumbers(); });
+  return numbers->number_of(map_sources(scene));
+}
+
+Key map_key(const Scene& scene, const Settings& settings, Prepared& prepared) {
   Key key = Key("environment-maps")
-                .add(scene.geometry.revision())
+                .add(shown_geometry(scene, settings, prepared))
                 .add(scene.lights.revision())
                 .add(scene.materials.revision())
                 .add(scene.textures.revision())
                 .add(settings.environment)
+                .add(settings.environment_objects)
                 .add(std::uint64_t(settings.environment_size));
   for (int axis = 0; axis < 3; ++axis) key.add(scene.background[axis]);
   Settings plain = map_settings(settings);
@@ -103,7 +130,7 @@ bool uses_environment(const Settings& settings, const Scene& scene) {
 std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
                                                         Prepared& prepared, WorkerPriority priority,
                                                         Progress& progress) {
-  return prepared.get<EnvironmentMaps>(map_key(scene, settings), [&] {
+  return prepared.get<EnvironmentMaps>(map_key(scene, settings, prepared), [&] {
     const auto& objects = scene.geometry->objects;
     EnvironmentMaps maps(objects.size());
     std::shared_ptr<const EnvironmentMap> room;
@@ -113,14 +140,18 @@ std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, cons
       case Environment::none:
         break;
       case Environment::cube_map: {
-        const Scene others = only(scene, [&](const Object&, std::size_t k) { return k != i; });
-        maps[i] = look_around(others, centre_of(scene, i), settings, priority, progress);
+        const bool fixed_only = shows_static_only(settings);
+        const auto is_left_out = [&](const Object& o, std::size_t k) { return k != i && fixed_only && o.dynamic; };
+        const Scene others = only(scene, [&](const Object& o, std::size_t k) { return k != i && !is_left_out(o, k); });
+        int left_out = 0;
+        for (std::size_t k = 0; k < objects.size(); ++k) left_out += is_left_out(objects[k], k);
+        maps[i] = look_around(others, centre_of(scene, i), left_out, settings, priority, progress);
         break;
       }
       case Environment::room_map:
         if (!room) {
           const Scene fixed = only(scene, [&](const Object& o, std::size_t) { return !(reflective(scene, o) > 0); });
-          room = look_around(fixed, shadow_casters(fixed).centre, settings, priority, progress);
+          room = look_around(fixed, shadow_casters(fixed).centre, 0, settings, priority, progress);
         }
         maps[i] = room;
         break;

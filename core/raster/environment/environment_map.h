@@ -16,6 +16,7 @@ struct EnvironmentMap {
   Vec3d centre{0, 0, 0};  ///< world space
   int size = 0;           ///< pixels along an edge
   std::vector<Image<Vec3f>> faces;
+  int left_out = 0;  ///< dynamic objects that it does not show, since `environment-objects` asks for static ones
 
   std::size_t heap_bytes() const {
     std::size_t bytes = faces.capacity() * sizeof faces[0];
@@ -33,7 +34,7 @@ bool uses_environment(const Settings& settings, const Scene& scene);
 /// With environment = cube-map each mirroring object has a map of its own, made at its centre, of all other objects
 /// (without what those mirror themselves). With room-map all share one: that of the objects without reflections,
 /// rendered from their centre, wherever the reflective objects are. Kept in `prepared` until something changes that can
-/// be seen in one.
+/// be seen in one; with environment-objects = static a dynamic object that moves changes none.
 std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
                                                         Prepared& prepared, WorkerPriority priority,
                                                         Progress& progress);

@@ -26,7 +26,9 @@ Vec3<Real> look_up_environment(const EnvironmentMap& map, const Vec3<Real>& dire
   const Vec3<Real> result =
       (texel(0, 0) * (1 - u) + texel(1, 0) * u) * (1 - v) + (texel(0, 1) * (1 - u) + texel(1, 1) * u) * v;
   recorder.count(Counter::environment_reads);
-  recorder.event([&] { return EnvironmentEvent{map.centre, Vec3d(direction), face, Vec2d(position), Vec3d(result)}; });
+  recorder.event([&] {
+    return EnvironmentEvent{map.centre, Vec3d(direction), face, Vec2d(position), Vec3d(result), map.left_out};
+  });
   return result;
 }
 

@@ -74,7 +74,7 @@ std::vector<double> depths(const Wall& wall, DepthValue value, const StabilityRu
   std::vector<double> row;
   for (int column = wall.first_column(); column <= wall.last_column(); ++column) {
     const auto fragment = raster::make_fragment(pass, setup, column, middle, setup.edges.at(column, middle));
-    const double stored = static_cast<double>(raster::depth_value(pass, setup, fragment));
+    const double stored = static_cast<double>(raster::depth_value(pass, setup, fragment, pass.grid.sample));
     row.push_back(value == DepthValue::inverse_z ? 1 / stored : stored);
   }
   return row;
