@@ -1,10 +1,11 @@
+#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
 namespace {
 
 Reason needs_eye_rays(const Settings& s, const SceneTraits&) {
-  if (s.renderer != Renderer::ray_tracer) return "only rays can be sent anywhere; fragments have multisampling";
+  if (!sends_rays(s.renderer)) return "only rays can be sent anywhere; fragments have multisampling";
   return {};
 }
 
