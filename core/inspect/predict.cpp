@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "inspect/vertex_chain.h"
+#include "options/renderer_kind.h"
 #include "render/story/names.h"
 
 namespace ps {
@@ -45,9 +46,9 @@ Question parse_question(std::string_view text) {
 }
 
 std::optional<std::string_view> not_askable(Question question, const PixelStory& story) {
-  if (question == Question::rays && story.renderer != Renderer::ray_tracer)
+  if (question == Question::rays && !sends_rays(story.renderer))
     return "Only the ray tracer sends rays; ask for the colour or the winner here.";
-  if ((question == Question::winner || question == Question::triangle) && story.renderer == Renderer::textbook)
+  if ((question == Question::winner || question == Question::triangle) && runs_listing(story.renderer))
     return "A listing reports no winner; ask for the colour here.";
   return {};
 }

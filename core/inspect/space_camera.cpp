@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "inspect/space_parts.h"
+#include "options/renderer_kind.h"
 #include "render/story/names.h"
 
 namespace ps {
@@ -39,7 +40,7 @@ void add_grid(const SpaceImage& image, SpaceModel& model) {
 /// the near plane outwards, and the far plane where it is in sight.
 void add_clip_volume(const SpaceInputs& inputs, SpaceModel& model) {
   constexpr double length = 1.6;  // of the side planes, in radii of what is worth seeing
-  if (inputs.settings.renderer != Renderer::rasterizer || inputs.settings.clipping != Clipping::full) return;
+  if (!draws_fragments(inputs.settings.renderer) || inputs.settings.clipping != Clipping::full) return;
   const SpaceImage& image = inputs.image;
   const double w = image.columns(), h = image.rows();
   const double limit = length * inputs.bounds.radius;
@@ -76,7 +77,7 @@ void add_camera(const SpaceInputs& inputs, SpaceModel& model) {
   add_grid(image, model);
   model.items.push_back({SpaceKind::image_plane, SpaceShape::outline, corners});
   const double near = image.near_depth(inputs.settings.near);
-  const bool cuts = inputs.settings.renderer == Renderer::ray_tracer || inputs.settings.clipping != Clipping::none;
+  const bool cuts = sends_rays(inputs.settings.renderer) || inputs.settings.clipping != Clipping::none;
   if (cuts && near > 0 && near < 10 * inputs.bounds.radius) {
     model.items.push_back({SpaceKind::clip_plane, SpaceShape::outline, rectangle(image, {0, 0}, {w, h}, near)});
     model.items.back().label = near == plane ? "near plane = image plane" : "near plane";

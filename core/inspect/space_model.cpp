@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "inspect/space_parts.h"
+#include "options/renderer_kind.h"
 
 namespace ps {
 
@@ -16,14 +17,14 @@ SpaceModel build_space(const Scene& scene, const View& view, const Settings& set
   add_lights(inputs, model);
   add_shadow_methods(inputs, model);
   if (story) {
-    switch (story->renderer) {
-    case Renderer::ray_tracer:
+    switch (picture_way(story->renderer)) {
+    case PictureWay::rays:
       add_rays(inputs, model);
       break;
-    case Renderer::rasterizer:
+    case PictureWay::fragments:
       add_fragments(inputs, model);
       break;
-    case Renderer::textbook:  // the lines of the listing show its story
+    case PictureWay::listing:  // the lines of the listing show its story
       break;
     }
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "inspect/space_parts.h"
+#include "options/renderer_kind.h"
 #include "raster/shadow/cube_face.h"
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/shadow_volume.h"
@@ -73,7 +74,7 @@ void add_map(const SpaceInputs& inputs, const Light& light, const std::string& n
 }  // namespace
 
 void add_shadow_methods(const SpaceInputs& inputs, SpaceModel& model) {
-  if (inputs.settings.renderer != Renderer::rasterizer || !inputs.settings.lighting) return;
+  if (!draws_fragments(inputs.settings.renderer) || !inputs.settings.lighting) return;
   switch (inputs.settings.shadows) {
   case Shadows::traced:
   case Shadows::none:

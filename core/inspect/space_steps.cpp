@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "inspect/space_model.h"
+#include "options/renderer_kind.h"
 #include "render/story/story_tree.h"
 
 namespace ps {
@@ -42,7 +43,7 @@ int shown_event(const SpaceModel& model, const PixelStory& story, int selected) 
     const auto hits = events_of_ray<HitEvent>(events, ray_of(events, selected));
     if (!hits.empty() && has_items(hits.front())) return hits.front();
   }
-  if (story.renderer == Renderer::rasterizer)
+  if (draws_fragments(story.renderer))
     if (const int fragment = fragment_before(events, selected); has_items(fragment)) return fragment;
   for (int above = events[static_cast<std::size_t>(selected)].parent; above >= 0;
        above = events[static_cast<std::size_t>(above)].parent)

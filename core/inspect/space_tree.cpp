@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "inspect/space_parts.h"
+#include "options/renderer_kind.h"
 #include "raytrace/accelerators.h"
 
 namespace ps {
@@ -110,7 +111,7 @@ TreeNodes nodes_of_tree(const Scene& scene, const Settings& settings, Prepared& 
 
 SpaceTree add_tree(const Scene& scene, const Settings& settings, const PixelStory* story, Prepared& prepared,
                    SpaceModel& model, std::size_t most) {
-  if (settings.renderer != Renderer::ray_tracer) return {};
+  if (!sends_rays(settings.renderer)) return {};
   const TreeNodes nodes = settings.precision == Precision::float64
                               ? nodes_of_tree<double>(scene, settings, prepared, most)
                               : nodes_of_tree<float>(scene, settings, prepared, most);

@@ -4,6 +4,7 @@
 
 #include "inspect/describe.h"
 #include "math/conventions.h"
+#include "options/renderer_kind.h"
 #include "record/value_text.h"
 
 namespace ps {
@@ -31,9 +32,8 @@ std::string story_markdown(const PixelStory& story, const Scene& scene, const Vi
                                  plain(story.verdict));
   text += fmt::format("- picture: {} x {}, in the book's coordinates ({}, {})\n- renderer: {}\n- linear colour: {}\n- "
                       "stored as: {}, {}, {}\n\n",
-                      view.width, view.height, book.x, book.y,
-                      story.renderer == Renderer::ray_tracer ? "ray tracer" : "rasterizer", vector_text(story.linear),
-                      d[0], d[1], d[2]);
+                      view.width, view.height, book.x, book.y, renderer_label(story.renderer),
+                      vector_text(story.linear), d[0], d[1], d[2]);
   text += "## What happened\n\n";
   std::vector<int> depth(story.events.size(), 0);
   for (std::size_t i = 0; i < story.events.size(); ++i) {

@@ -1,5 +1,22 @@
 #include "options/listing.h"
+#include "options/renderer_kind.h"
 #include "options/rows.h"
+
+namespace ps {
+
+PictureWay picture_way(Renderer renderer) {
+  switch (renderer) {
+  case Renderer::ray_tracer:
+    return PictureWay::rays;
+  case Renderer::rasterizer:
+    return PictureWay::fragments;
+  case Renderer::textbook:
+    return PictureWay::listing;
+  }
+  return PictureWay::rays;
+}
+
+}  // namespace ps
 
 namespace ps::rows {
 namespace {
@@ -12,7 +29,7 @@ Option listing_row() {
                 "A listing draws only what its chapter covers: a chapter on lines leaves out spheres."},
        .truth = exactly("renderer=ray-tracer"),
        .inactive = [](const Settings& s, const SceneTraits&) -> Reason {
-         if (s.renderer != Renderer::textbook) return "only textbook listings use it";
+         if (!runs_listing(s.renderer)) return "only textbook listings use it";
          return {};
        }},
       OptionKind::choice);
@@ -48,7 +65,7 @@ std::vector<Option> renderer_rows() {
                     "With the bug, highlights are right only for a camera at the origin."},
            .truth = exactly("demo-slips=off"),
            .inactive = [](const Settings& s, const SceneTraits&) -> Reason {
-             if (s.renderer != Renderer::textbook) return "only textbook listings use it";
+             if (!runs_listing(s.renderer)) return "only textbook listings use it";
              return {};
            }}),
   };

@@ -2,6 +2,7 @@
 #include <initializer_list>
 
 #include "options/option.h"
+#include "options/renderer_kind.h"
 
 /// Helpers for writing rows of the option table. Each group has a file with one function that returns its rows;
 /// table.cpp puts them in order.
@@ -88,11 +89,11 @@ using Reason = std::optional<std::string_view>;
 
 /// Reasons used by several groups.
 inline Reason needs_rays(const Settings& s, const SceneTraits&) {
-  if (s.renderer != Renderer::ray_tracer) return "only the ray tracer uses it";
+  if (!sends_rays(s.renderer)) return "only the ray tracer uses it";
   return {};
 }
 inline Reason needs_fragments(const Settings& s, const SceneTraits&) {
-  if (s.renderer != Renderer::rasterizer) return "only the rasterizer uses it";
+  if (!draws_fragments(s.renderer)) return "only the rasterizer uses it";
   return {};
 }
 

@@ -1,10 +1,11 @@
+#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
 namespace {
 
 Reason needs_eye_rays(const Settings& s, const SceneTraits&) {
-  if (s.renderer != Renderer::ray_tracer) return "ray tracer only; the rasterizer has multisampling";
+  if (!sends_rays(s.renderer)) return "ray tracer only; the rasterizer has multisampling";
   return {};
 }
 

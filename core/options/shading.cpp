@@ -1,10 +1,11 @@
+#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
 namespace {
 
 Reason needs_lighting(const Settings& s, const SceneTraits& t) {
-  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
   if (!t.casting_lights) return "the scene has no point or directional light";
   if (!s.lighting) return "needs lighting = on";
   return {};
@@ -17,7 +18,7 @@ Reason needs_lit_fragments(const Settings& s, const SceneTraits& t) {
 
 Reason needs_vertex_normals(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_lighting(s, t)) return reason;
-  if (s.renderer == Renderer::rasterizer && t.spheres) return {};
+  if (draws_fragments(s.renderer) && t.spheres) return {};
   if (!t.vertex_normals) return "no model of the scene has vertex normals";
   return {};
 }
@@ -25,7 +26,7 @@ Reason needs_vertex_normals(const Settings& s, const SceneTraits& t) {
 Reason needs_interpolated_normals(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_vertex_normals(s, t)) return reason;
   if (s.normals != Normals::vertex) return "needs normals = vertex";
-  if (s.renderer == Renderer::rasterizer && s.shading != Shading::phong) return "needs shading = phong";
+  if (draws_fragments(s.renderer) && s.shading != Shading::phong) return "needs shading = phong";
   return {};
 }
 
@@ -47,7 +48,7 @@ Reason needs_surfaces(const Settings&, const SceneTraits& t) {
 }
 
 Reason needs_several_lights(const Settings& s, const SceneTraits& t) {
-  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
   if (!t.several_lights) return "the scene has fewer than two lights";
   if (!s.lighting) return "needs lighting = on";
   return {};

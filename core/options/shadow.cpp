@@ -1,10 +1,11 @@
+#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
 namespace {
 
 Reason needs_casting_light(const Settings& s, const SceneTraits& t) {
-  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
   if (!s.lighting) return "needs lighting = on";
   if (!t.casting_lights) return "the scene has no light that casts shadows";
   return {};

@@ -8,6 +8,7 @@
 #include "base/spelling.h"
 #include "options/listing.h"
 #include "options/option.h"
+#include "options/renderer_kind.h"
 
 namespace ps {
 namespace {
@@ -35,6 +36,10 @@ std::string allowed_values(const Option& option) {
 }
 
 }  // namespace
+
+std::string_view renderer_label(Renderer renderer) {
+  return find_option("renderer")->choices[static_cast<std::size_t>(renderer)].label;
+}
 
 const Option* find_option(std::string_view key) {
   const auto table = option_table();
@@ -96,7 +101,7 @@ std::vector<std::string> changed_options(const Settings& settings) {
 
 std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
                                                 const SceneTraits& traits) {
-  if (settings.renderer == Renderer::textbook && option.effect == OptionEffect::picture && option.key != "renderer" &&
+  if (runs_listing(settings.renderer) && option.effect == OptionEffect::picture && option.key != "renderer" &&
       option.key != "listing") {
     if (listing_reads(listing_of(settings, traits), option.key)) return {};
     return "the listing does not use it";

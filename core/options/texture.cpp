@@ -1,3 +1,4 @@
+#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
@@ -5,7 +6,7 @@ namespace {
 
 Reason needs_texture(const Settings& s, const SceneTraits& t) {
   if (!t.textures) return "the scene has no texture";
-  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
   return {};
 }
 
@@ -18,7 +19,7 @@ Reason needs_textures_on(const Settings& s, const SceneTraits& t) {
 Reason needs_normal_map(const Settings& s, const SceneTraits& t) {
   if (!t.normal_maps) return "the scene has no normal map";
   if (!s.lighting) return "needs lighting";
-  if (s.renderer == Renderer::ray_tracer) return {};
+  if (sends_rays(s.renderer)) return {};
   if (s.draw != Draw::filled) return "needs draw = filled";
   if (s.shading != Shading::phong)
     return "needs shading = phong: other shading evaluates the lighting per vertex or triangle";
@@ -27,7 +28,7 @@ Reason needs_normal_map(const Settings& s, const SceneTraits& t) {
 
 Reason needs_height_map(const Settings& s, const SceneTraits& t) {
   if (!t.height_maps) return "the scene has no height map";
-  if (s.renderer == Renderer::rasterizer && s.draw != Draw::filled) return "needs draw = filled";
+  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
   return {};
 }
 
@@ -39,7 +40,7 @@ Reason needs_relief_steps(const Settings& s, const SceneTraits& t) {
 
 Reason needs_mipmaps(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_textures_on(s, t)) return reason;
-  if (s.renderer == Renderer::ray_tracer) return "no effect: rays have no footprint and read level 0";
+  if (sends_rays(s.renderer)) return "no effect: rays have no footprint and read level 0";
   if (s.texture_filter != TextureFilter::trilinear && s.texture_filter != TextureFilter::mipmap)
     return "needs texture-filter = mipmap or trilinear";
   return {};

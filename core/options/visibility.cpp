@@ -76,32 +76,21 @@ std::vector<Option> visibility_rows() {
       choice<&Settings::depth_value>(
           {.key = "depth-value",
            .label = "Depth value",
-<<<<<<< HEAD
-           .help = {"What the depth buffer stores and interpolates along the screen.", "CGFS ch. 12",
+           .help = {"What the depth buffer stores, and how it is found at each sample: interpolated along the screen, "
+                    "or from "
+                    "the ray of the sample.",
+                    "CGFS ch. 12; OCT (ray-plane-intersection)",
                     "z is not linear on the screen: midway between z = 2 and z = 10 interpolation gives 6, and the "
                     "true depth is 3.33."},
            .truth = exactly("depth-value=inverse-z"),
            .inactive = needs_depth_buffer},
           {{"inverse-z", "1/z", "Linear on the screen, so interpolation is exact."},
            {"z", "z, interpolated linearly", "Wrong between the vertices; surfaces close to each other may swap."},
-           {"distance", "distance to the eye", "Computed per pixel from the perspective-correct position."}}),
-=======
-           .help =
-               {"What the depth buffer stores, and how it is found at each sample: interpolated along the screen, or "
-                "from "
-                "the sample's own ray.",
-                "CGFS ch. 12; OCT (ray-plane-intersection)",
-                "z is not linear on the screen: midway between z = 2 and z = 10 it says 6 where the truth is 3.33."},
-           .truth = exactly("depth-value=inverse-z"),
-           .inactive = needs_depth_buffer},
-          {{"inverse-z", "1/z", "Linear on the screen, so interpolation is exact."},
-           {"z", "z, interpolated linearly", "Wrong between the corners; close surfaces may swap."},
-           {"distance", "distance to the eye", "Taken per pixel from the perspective-correct position."},
+           {"distance", "distance to the eye", "Computed per pixel from the perspective-correct position."},
            {"ray-plane", "z by ray and plane",
             "The z at which the sample's ray meets the triangle's plane. It costs a plane for each triangle and a "
-            "division for each sample, and nothing draws it several samples at a time; it gives the true z, untouched "
-            "by the rounding of corners to sub-pixels and by clipping."}}),
->>>>>>> rest
+            "division for each sample, without SIMD. It is the true z: neither vertices rounded to sub-pixels nor "
+            "clipping change it."}}),
       choice<&Settings::depth_format>(
           {.key = "depth-format",
            .label = "Depth format",

@@ -41,7 +41,6 @@ std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Sett
 
 RendererRow rasterizer_row() {
   return {.renderer = Renderer::rasterizer,
-          .draws_fragments = true,
           .render = render_rasterized,
           .inspect = inspect_rasterized,
           .fast_path = rasterized_fast_path,

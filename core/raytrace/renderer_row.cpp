@@ -18,7 +18,6 @@ std::vector<LeftOut> left_out_by_rays(const SceneTraits& traits, const Settings&
 
 RendererRow ray_tracer_row() {
   return {.renderer = Renderer::ray_tracer,
-          .sends_rays = true,
           .render = render_traced,
           .inspect = inspect_traced,
           .fast_path = traced_fast_path,

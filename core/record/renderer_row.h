@@ -15,8 +15,6 @@ namespace ps {
 /// functions are there.
 struct RendererRow {
   Renderer renderer = Renderer::ray_tracer;
-  bool sends_rays = false;       ///< it asks for each pixel which surface its ray meets
-  bool draws_fragments = false;  ///< it asks for each triangle which pixels it covers
 
   /// The picture; see render() in render/render.h. Of the channels it fills those that it can.
   Frame (*render)(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,

@@ -1,5 +1,7 @@
 #include "study/chart_style.h"
 
+#include "options/renderer_kind.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,12 +48,12 @@ std::string chart_provenance(const Chart& chart) {
 
 Rgb8 mark_colour(const Settings& settings) {
   const bool twice = settings.precision == Precision::float64;
-  switch (settings.renderer) {
-  case Renderer::ray_tracer:
+  switch (picture_way(settings.renderer)) {
+  case PictureWay::rays:
     return twice ? Rgb8{86, 180, 233} : Rgb8{0, 114, 178};
-  case Renderer::rasterizer:
+  case PictureWay::fragments:
     return twice ? Rgb8{230, 159, 0} : Rgb8{213, 94, 0};
-  case Renderer::textbook:
+  case PictureWay::listing:
     return {0, 158, 115};
   }
   return {};

@@ -6,6 +6,7 @@
 
 #include "image/svg.h"
 #include "options/option.h"
+#include "options/renderer_kind.h"
 #include "render/provenance.h"
 #include "study/axis.h"
 #include "study/chart_files.h"
@@ -87,13 +88,13 @@ std::string front_line(const Chart& chart, const ChartAxes& axes) {
 /// Round for rays, square for fragments, a triangle for the textbook. `words` are shown to a pointer over it.
 std::string sign(Renderer renderer, Vec2d at, double radius, std::string_view look, std::string_view words) {
   const std::string rest = fmt::format("{}><title>{}</title>", look, xml_escaped(words));
-  switch (renderer) {
-  case Renderer::ray_tracer:
+  switch (picture_way(renderer)) {
+  case PictureWay::rays:
     return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}</circle>\n", at.x, at.y, radius, rest);
-  case Renderer::rasterizer:
+  case PictureWay::fragments:
     return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}</rect>\n", at.x - radius,
                        at.y - radius, 2 * radius, 2 * radius, rest);
-  case Renderer::textbook:
+  case PictureWay::listing:
     return fmt::format("<polygon points=\"{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}\" {}</polygon>\n", at.x,
                        at.y - radius, at.x + radius, at.y + radius, at.x - radius, at.y + radius, rest);
   }

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "options/option.h"
+#include "options/renderer_kind.h"
 
 namespace ps {
 namespace {
@@ -94,7 +95,7 @@ std::optional<std::string_view> unused_reason(const Feature& feature, const Sett
 std::vector<Saving> savings(const Settings& settings, const SceneTraits& traits) {
   std::vector<Saving> usable;
   const TextureFilter filter = settings.texture_filter;
-  const bool finest_only = settings.renderer == Renderer::ray_tracer && filter != TextureFilter::nearest;
+  const bool finest_only = sends_rays(settings.renderer) && filter != TextureFilter::nearest;
   for (const Saving& saving : all_savings) {
     const Option* option = find_option(saving.option);
     if (!option || inactive_reason(*option, settings, traits)) continue;

@@ -8,6 +8,7 @@
 
 #include "frame/display_frame.h"
 #include "options/option.h"
+#include "options/renderer_kind.h"
 #include "study/reference.h"
 #include "study/same_machinery.h"
 #include "study/timing.h"
@@ -33,7 +34,7 @@ class Search {
     // Whether a line goes through one pixel or its neighbour is a tie more often than not: there is no better truth.
     if (request_.base.draw != Draw::filled) best.precision = request_.base.precision;
     // Fragments cannot trace shadows: who asks them to has asked for none.
-    if (request_.base.renderer == Renderer::rasterizer && request_.base.shadows == Shadows::traced)
+    if (draws_fragments(request_.base.renderer) && request_.base.shadows == Shadows::traced)
       best.shadows = Shadows::none;
     best.samples_per_pixel = request_.base.samples_per_pixel;
     best.sample_pattern = request_.base.sample_pattern;

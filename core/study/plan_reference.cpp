@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "options/option.h"
+#include "options/renderer_kind.h"
 #include "options/robust_rays.h"
 #include "study/reference.h"
 
@@ -40,7 +41,7 @@ bool differs(const Option& option, std::span<const SweepPoint> points) {
 std::string assignment_for(std::string_view text, Renderer renderer) {
   const auto bar = text.find('|');
   if (bar == std::string_view::npos) return std::string(text);
-  if (renderer != Renderer::rasterizer) return std::string(text.substr(0, bar));
+  if (!draws_fragments(renderer)) return std::string(text.substr(0, bar));
   return fmt::format("{}={}", text.substr(0, text.find('=')), text.substr(bar + 1));
 }
 
@@ -83,7 +84,7 @@ class Planner {
           plan_.settings = before;
           continue;
         }
-        if (option.key != "renderer" && before.renderer == Renderer::rasterizer)
+        if (option.key != "renderer" && draws_fragments(before.renderer))
           trace_what_fragments_show(before, plan_.settings);
       }
       if (std::find(exact_.begin(), exact_.end(), assignment) == exact_.end()) exact_.push_back(assignment);
@@ -109,7 +110,7 @@ class Planner {
     s.subsampling = 1;
     s.multisampling = 1;
     const double pixels = static_cast<double>(view.width) * view.height;
-    if (s.renderer == Renderer::ray_tracer) {
+    if (sends_rays(s.renderer)) {
       plan_.samples = asked > 1 ? asked : samples;
       const bool swept_precision = std::any_of(
           exact_.begin(), exact_.end(), [](const std::string& assignment) { return assignment == "precision=double"; });
@@ -134,9 +135,7 @@ class Planner {
   }
 
   /// Rays take the samples twice, at places of two patterns.
-  int all_samples() const {
-    return plan_.settings.renderer == Renderer::ray_tracer ? 2 * plan_.samples : plan_.samples;
-  }
+  int all_samples() const { return sends_rays(plan_.settings.renderer) ? 2 * plan_.samples : plan_.samples; }
 
   std::string_view option_label(std::string_view key) const {
     const Option& option = *find_option(key);

@@ -11,6 +11,7 @@
 #include "frame/viewport.h"
 #include "image/display.h"
 #include "image/file.h"
+#include "options/renderer_kind.h"
 #include "options/robust_rays.h"
 
 namespace ps {
@@ -123,7 +124,7 @@ Reference read_reference(const std::filesystem::path& file, const View& view) {
 
 bool shown_by_rays(const Settings& base, const SceneTraits& traits) {
   const bool only_canvas = traits.canvas_items && !traits.spheres && !traits.triangles && !traits.solids && !traits.csg;
-  const bool outlines = base.renderer == Renderer::rasterizer && base.draw != Draw::filled;
+  const bool outlines = draws_fragments(base.renderer) && base.draw != Draw::filled;
   return !only_canvas && !outlines;
 }
 
@@ -137,7 +138,7 @@ Settings reference_settings(const Settings& base, const SceneTraits& traits) {
   best.self_hit = SelfHit::offset;
   best.reflection_depth = std::max(base.reflection_depth, least_bounces);
   best.reflection_cutoff = 0;
-  if (best.renderer == Renderer::ray_tracer && base.shadows != Shadows::none) best.shadows = Shadows::traced;
+  if (sends_rays(best.renderer) && base.shadows != Shadows::none) best.shadows = Shadows::traced;
   best.colour_depth = ColourDepth::bits24;
   return best;
 }
@@ -161,7 +162,7 @@ Reference make_reference(const Scene& scene, const View& view, const ReferencePl
     reference.picture = measured(colours(view, plan.settings), plan.settings);
     return reference;
   }
-  const bool rays = plan.settings.renderer == Renderer::ray_tracer;
+  const bool rays = sends_rays(plan.settings.renderer);
   const Halves halves =
       rays ? sampled_halves(view, plan, colours) : enlarged_halves(view, plan.settings, side, colours);
   reference.picture = measured(halves.mean(), plan.settings);

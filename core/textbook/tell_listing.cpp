@@ -1,5 +1,6 @@
 #include "textbook/tell_listing.h"
 
+#include "options/renderer_kind.h"
 #include "textbook/tell_parts.h"
 
 namespace ps {
@@ -21,7 +22,7 @@ std::vector<Event> tell_listing(const BookScene& book, const ListingTrace& trace
   const textbook::WatchReader reader(trace);
   PixelRecorder recorder(trace.pixel);
   const int chapter = chapter_of(trace.listing);
-  if (way_of(trace.listing) == Renderer::ray_tracer)
+  if (sends_rays(way_of(trace.listing)))
     textbook::tell_rays(book, reader, recorder);
   else if (chapter < scenes_chapter)
     textbook::tell_canvas_items(book, reader, recorder);

@@ -7,6 +7,7 @@
 
 #include "gui/widgets/draw.h"
 #include "image/display.h"
+#include "options/renderer_kind.h"
 
 namespace ps::gui {
 namespace {
@@ -62,7 +63,7 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
     state.stepped_to = -1;
     session.set_settings(side, settings, fmt::format("{}: another listing", letter_of(side)));
   }
-  const bool shown = session.settings(side).renderer == Renderer::textbook;
+  const bool shown = runs_listing(session.settings(side).renderer);
   const std::string label = fmt::format("Its picture in {}", letter_of(side));
   same_line_if_room(button_width(label));
   if (button_on_off("picture", label, shown,

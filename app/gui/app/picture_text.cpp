@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "options/option.h"
+#include "options/renderer_kind.h"
 
 namespace ps::gui {
 namespace {
@@ -42,8 +43,8 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
   };
   const bool other_renderer = key_differs("renderer");
   std::vector<TitlePart> parts{{label_of("renderer", settings), other_renderer}};
-  switch (settings.renderer) {
-  case Renderer::ray_tracer: {
+  switch (picture_way(settings.renderer)) {
+  case PictureWay::rays: {
     const bool other_depth = key_differs("reflection-depth");
     const int depth = settings.reflection_depth;
     if (traits.reflective && (depth > 0 || (other_depth && !other_renderer)))
@@ -51,11 +52,11 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
                        other_renderer || other_depth});
     break;
   }
-  case Renderer::rasterizer:
+  case PictureWay::fragments:
     if (settings.draw == Draw::filled && settings.lighting)
       parts.push_back({label_of("shading", settings), other_renderer || key_differs("shading")});
     break;
-  case Renderer::textbook:
+  case PictureWay::listing:
     if (settings.listing > 0 || (key_differs("listing") && !other_renderer)) {
       parts.front().text += " " + label_of("listing", settings);
       parts.front().differs = other_renderer || key_differs("listing");
@@ -116,19 +117,19 @@ std::string footer_text(const RenderStatus& status, const RenderResult* result) 
   if (!result) return "rendering";
   const Counters& c = result->frame.counters;
   std::string text = time_text(result->milliseconds);
-  switch (result->request.settings.renderer) {
-  case Renderer::ray_tracer: {
+  switch (picture_way(result->request.settings.renderer)) {
+  case PictureWay::rays: {
     const auto rays = c[Counter::eye_rays] + c[Counter::shadow_rays] + c[Counter::reflection_rays];
     text += fmt::format("   {}", plural(rays, "ray"));
     break;
   }
-  case Renderer::rasterizer: {
+  case PictureWay::fragments: {
     const bool lines = c[Counter::lines_drawn] > 0 && c[Counter::fragments] == 0;
     text += fmt::format("   {}   {}", plural(c[Counter::triangles_drawn], "triangle"),
                         lines ? plural(c[Counter::lines_drawn], "line") : plural(c[Counter::fragments], "fragment"));
     break;
   }
-  case Renderer::textbook:  // a listing counts nothing
+  case PictureWay::listing:  // a listing counts nothing
     break;
   }
   // A pixel without a number is worth more attention than all the others.

@@ -8,6 +8,7 @@
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
 #include "math/conventions.h"
+#include "options/renderer_kind.h"
 #include "render/channel_picture.h"
 #include "render/story/names.h"
 
@@ -112,7 +113,7 @@ std::string hover_text(Session& session, const PicturesState& pictures) {
   const ShownChannel channel = session.shown(side);
   if (channel != ShownChannel::colour && (result->channels | shown_channel(channel).needs) == result->channels)
     text += "   " + channel_value_text(result->frame, channel, session.settings(side), pixel);
-  const bool knows_objects = result->request.settings.renderer != Renderer::textbook;  // a listing makes colours alone
+  const bool knows_objects = !runs_listing(result->request.settings.renderer);  // a listing makes colours alone
   if (knows_objects && has(result->channels, Channel::ids)) {
     const PixelId id = result->frame.ids.at(pixel.x, pixel.y);
     text += "   " + (id.object < 0 ? std::string("background") : primitive_name(result->request.scene, id));

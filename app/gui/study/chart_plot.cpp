@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "gui/study/plot_frame.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/record.h"
+#include "options/renderer_kind.h"
 #include "study/chart_style.h"
 
 namespace ps::gui {
@@ -64,22 +66,32 @@ void draw_error_bar(ImDrawList& list, const ChartPoint& point, const PlotFrame& 
   for (const ImVec2 end : {low, high}) list.AddLine({end.x, end.y - cap}, {end.x, end.y + cap}, colour, px(1.5));
 }
 
+/// Round for rays, square for fragments, a triangle for a listing.
+void fill_mark(ImDrawList& list, Renderer renderer, ImVec2 at, float r, ImU32 fill) {
+  switch (picture_way(renderer)) {
+  case PictureWay::rays:
+    return list.AddCircleFilled(at, r, fill, 24);
+  case PictureWay::fragments:
+    return list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, fill);
+  case PictureWay::listing:
+    return list.AddTriangleFilled({at.x, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}, fill);
+  }
+}
+
 void draw_mark(ImDrawList& list, const Mark& mark, const ChartPoint& point, bool strong) {
   const ImU32 fill = colour_of(mark_colour(point.what.value));
   const ImU32 edge = colour_u32(point.on_front || strong ? palette().text : palette().field);
   const float r = mark.radius, width = px(strong ? 2.5 : 1.5);
   const ImVec2 low{mark.at.x - r, mark.at.y - r}, high{mark.at.x + r, mark.at.y + r};
-  switch (point.what.value.renderer) {
-  case Renderer::ray_tracer:
-    list.AddCircleFilled(mark.at, r, fill, 24);
+  fill_mark(list, point.what.value.renderer, mark.at, r, fill);
+  switch (picture_way(point.what.value.renderer)) {
+  case PictureWay::rays:
     list.AddCircle(mark.at, r, edge, 24, width);
     break;
-  case Renderer::rasterizer:
-    list.AddRectFilled(low, high, fill);
+  case PictureWay::fragments:
     list.AddRect(low, high, edge, 0, 0, width);
     break;
-  case Renderer::textbook:
-    list.AddTriangleFilled({mark.at.x, low.y}, high, {low.x, high.y}, fill);
+  case PictureWay::listing:
     list.AddTriangle({mark.at.x, low.y}, high, {low.x, high.y}, edge, width);
     break;
   }
@@ -200,9 +212,8 @@ void draw_chart_legend(ImDrawList& list, const Area& area, const Chart& chart) {
   const auto width_of = [&](const std::string& text) {
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
   };
-  bool rays = false, fragments = false;
-  for (const ChartPoint& point : chart.points)
-    (point.what.value.renderer == Renderer::ray_tracer ? rays : fragments) = true;
+  std::set<Renderer> shown;
+  for (const ChartPoint& point : chart.points) shown.insert(point.what.value.renderer);
   const auto entry = [&](const std::string& text, const auto& draw_sign) {
     const float sign = px(22), width = sign + width_of(text) + px(14);
     if (x + width > area.max.x) return;
@@ -211,13 +222,11 @@ void draw_chart_legend(ImDrawList& list, const Area& area, const Chart& chart) {
     x += width;
   };
   const float r = px(5);
-  if (rays)
-    entry("ray tracer", [&](ImVec2 at) { list.AddCircleFilled(at, r, colour_of(mark_colour(Settings{})), 20); });
-  if (fragments)
-    entry("rasterizer", [&](ImVec2 at) {
+  for (const Renderer renderer : shown)
+    entry(std::string(renderer_label(renderer)), [&](ImVec2 at) {
       Settings settings;
-      settings.renderer = Renderer::rasterizer;
-      list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, colour_of(mark_colour(settings)));
+      settings.renderer = renderer;
+      fill_mark(list, renderer, at, r, colour_of(mark_colour(settings)));
     });
   entry("Pareto front", [&](ImVec2 at) {
     list.AddLine({at.x - px(8), at.y}, {at.x - px(2), at.y}, ink, px(1.2));

@@ -10,6 +10,7 @@
 #include "inspect/microscope/enlarge.h"
 #include "inspect/microscope/fragments.h"
 #include "inspect/microscope/texels.h"
+#include "options/renderer_kind.h"
 #include "render/render.h"
 #include "render/story/names.h"
 #include "render/story/story_tree.h"
@@ -38,7 +39,7 @@ Microscope::~Microscope() = default;
 Microscope::Microscope(Scene scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
                        Progress& progress, MicroDetail detail)
     : scene_(std::move(scene)), view_(view), settings_(settings), pixel_(pixel) {
-  if (settings.renderer != Renderer::rasterizer) scene_.canvas_items = {};  // they are drawn nowhere else
+  if (!draws_fragments(settings.renderer)) scene_.canvas_items = {};  // they are drawn nowhere else
   if (detail == MicroDetail::first) {
     const Timer timer;
     draw_enlarged(coarse_pixels, prepared, progress);
@@ -46,15 +47,15 @@ Microscope::Microscope(Scene scene, const View& view, const Settings& settings, 
     detail_ = timer.milliseconds() * more < at_once ? MicroDetail::whole : MicroDetail::first;
   }
   if (detail_ == MicroDetail::whole) draw_enlarged(enlarged_pixels, prepared, progress);
-  switch (settings.renderer) {
-  case Renderer::rasterizer:
+  switch (picture_way(settings.renderer)) {
+  case PictureWay::fragments:
     fragments_ = make_micro_fragments(scene_, view, settings, pixel, prepared, progress);
     samples_ = fragments_->samples();
     break;
-  case Renderer::ray_tracer:
+  case PictureWay::rays:
     find_ray_samples(prepared, progress);
     break;
-  case Renderer::textbook:  // a listing has neither samples nor fragments of its own
+  case PictureWay::listing:  // a listing has neither samples nor fragments of its own
     break;
   }
 }

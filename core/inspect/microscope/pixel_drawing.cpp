@@ -3,6 +3,7 @@
 
 #include "inspect/microscope/drawing.h"
 #include "inspect/microscope/window_clip.h"
+#include "options/renderer_kind.h"
 
 namespace ps {
 namespace {
@@ -100,7 +101,7 @@ MicroDrawing pixel_drawing(const Microscope& microscope, const MicroReading& rea
   drawing.high = shown.high;
   drawing.backdrop = microscope.enlarged();
   const Settings& settings = microscope.settings();
-  if (settings.renderer == Renderer::rasterizer) add_grids(drawing, settings.subpixel_bits);
+  if (draws_fragments(settings.renderer)) add_grids(drawing, settings.subpixel_bits);
   for (const double border : {0.0, 1.0}) add_cross_lines(drawing, MicroKind::neighbour, border);
   drawing.items.push_back({MicroKind::pixel, MicroShape::outline, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
   const int chosen = shown_triangle(reading, selected);

@@ -8,6 +8,7 @@
 #include "inspect/describe.h"
 #include "inspect/event_fields.h"
 #include "inspect/parting/align_parts.h"
+#include "options/renderer_kind.h"
 #include "render/story/reason_text.h"
 #include "textbook/tell_listing.h"
 
@@ -89,7 +90,7 @@ std::vector<AlignedRow> align_stories(const PixelStory& a, const PixelStory& b, 
   const EventTree tree_a(a), tree_b(b);
   const Renderer way_a = steps_of(a), way_b = steps_of(b);
   if (way_a != way_b) {
-    const bool ray_first = way_a == Renderer::ray_tracer;
+    const bool ray_first = sends_rays(way_a);
     auto rows = parting::align_ray_and_fragment(ray_first ? tree_a : tree_b, ray_first ? tree_b : tree_a, scene);
     if (!ray_first)
       for (AlignedRow& row : rows) std::swap(row.a, row.b);

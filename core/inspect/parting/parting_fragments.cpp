@@ -3,6 +3,7 @@
 
 #include "inspect/parting/fragment_fate.h"
 #include "inspect/parting/parting_parts.h"
+#include "options/renderer_kind.h"
 #include "record/value_text.h"
 #include "render/story/names.h"
 #include "render/story/reason_text.h"
@@ -180,7 +181,7 @@ bool is_csg(const Scene& scene, const PixelId& id) {
 }  // namespace
 
 Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Sighting& b) {
-  const bool ray_is_a = c.a.story.renderer == Renderer::ray_tracer;
+  const bool ray_is_a = sends_rays(c.a.story.renderer);
   const Sighting& ray = ray_is_a ? a : b;
   const Sighting& drawn = ray_is_a ? b : a;
   const StorySide& raster = ray_is_a ? c.b : c.a;

@@ -6,6 +6,7 @@
 
 #include "inspect/parting/parting.h"
 #include "inspect/parting/sighting.h"
+#include "options/renderer_kind.h"
 
 namespace ps::parting {
 
@@ -17,12 +18,8 @@ struct Comparison {
   double slack = 0;  ///< least tolerance; for a first look at what is far more than rounding
   /// One of the two is a textbook listing, with the events of the renderer whose steps it takes.
   bool with_listing() const { return a.story.listing || b.story.listing; }
-  bool both_rays() const {
-    return a.story.renderer == Renderer::ray_tracer && b.story.renderer == Renderer::ray_tracer;
-  }
-  bool both_fragments() const {
-    return a.story.renderer == Renderer::rasterizer && b.story.renderer == Renderer::rasterizer;
-  }
+  bool both_rays() const { return sends_rays(a.story.renderer) && sends_rays(b.story.renderer); }
+  bool both_fragments() const { return draws_fragments(a.story.renderer) && draws_fragments(b.story.renderer); }
   /// Relative difference below which two numbers count as the same. Renderers that share their arithmetic must agree to
   /// the last bit; other arithmetic, or a ray that starts a little elsewhere, moves all that follows in the last
   /// digits; a ray and a fragment see a point through other roundings, and snapped corners move it a little more.

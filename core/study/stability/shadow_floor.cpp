@@ -1,5 +1,7 @@
 #include "study/stability/shadow_floor.h"
 
+#include "options/renderer_kind.h"
+
 #include <array>
 
 #include <fmt/format.h>
@@ -22,7 +24,7 @@ Settings shadow_settings(Renderer renderer, Shadows shadows, double near) {
   settings.renderer = renderer;
   settings.shadows = shadows;
   settings.near = near;
-  settings.precision = renderer == Renderer::ray_tracer ? Precision::float64 : Precision::float32;
+  settings.precision = sends_rays(renderer) ? Precision::float64 : Precision::float32;
   return settings;
 }
 
