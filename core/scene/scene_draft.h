@@ -50,8 +50,8 @@ void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft&
 void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
-/// A group of instances, bodies, operations of CSG and groups with a transform of its own: a hierarchical model (CGFS ch. 10;
-/// LAB 7). It leaves only what it holds behind, each with the product of the transforms around it.
+/// A group of instances, bodies, operations of CSG and groups with a transform of its own: a hierarchical model (CGFS
+/// ch. 10; LAB 7). It leaves only what it holds behind, each with the product of the transforms around it.
 void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_model(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 void read_material(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);

@@ -50,7 +50,8 @@ using Form = std::variant<Ball, Plane, Rectangle, Brick, Cylinder>;
 /// with two sides can be seen from within.
 enum class Sides { two, front };
 
-/// Where a part of a CSG tree lies, or a body in a group that stretches it: `linear` * p + `translation`, any affine map that can be inverted (CGPP ex. 15.7b).
+/// Where a part of a CSG tree lies, or a body in a group that stretches it: `linear` * p + `translation`, any affine
+/// map that can be inverted (CGPP ex. 15.7b).
 struct PartPlace {
   Mat3d linear{1.0};
   Vec3d translation{0, 0, 0};

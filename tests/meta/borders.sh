@@ -1,18 +1,22 @@
-#!/ usr / bin / env bash
-#Which part may use which library, and that core / uses nothing above it(layers.sh holds the order within).The headers
-#of libraries all lie in / usr / include, so not linking one is not enough.
-set - euo pipefail shopt - s globstar nullglob export LC_ALL = C status = 0
+#!/usr/bin/env bash
+# Which part may use which library, and that core/ uses nothing above it (layers.sh holds the order within). The headers
+# of libraries all lie in /usr/include, so not linking one is not enough.
+set -euo pipefail
+shopt -s globstar nullglob
+export LC_ALL=C
+status=0
 
-    sources = $(printf '%s\n' {core, chapters, app, tests} /**/ *.{h, cpp, inc})
+sources=$(printf '%s\n' {core,chapters,app,tests}/**/*.{h,cpp,inc})
 
-#forbid WHAT PATTERN WHERE[EXCEPT] : no line of a source file whose path matches WHERE and not EXCEPT may match PATTERN
-#(Perl syntax).
-        forbid() {
-  local what = $1 pattern = $2 where = $3 except = ${4 : -^$} found found =
-      $(grep - E "$where" < < < "$sources" | grep - Ev "$except" | xargs - r - d '\n' grep - nHP "$pattern" ||
-        true) if[[-n $found]];
-  then printf '%s:\n%s\n' "$what"
-                          "$found" status = 1 fi
+# forbid WHAT PATTERN WHERE [EXCEPT]: no line of a source file whose path matches WHERE and not EXCEPT may match PATTERN
+# (Perl syntax).
+forbid() {
+  local what=$1 pattern=$2 where=$3 except=${4:-^$} found
+  found=$(grep -E "$where" <<<"$sources" | grep -Ev "$except" | xargs -r -d '\n' grep -nHP "$pattern" || true)
+  if [[ -n $found ]]; then
+    printf '%s:\n%s\n' "$what" "$found"
+    status=1
+  fi
 }
 
 includes() { printf '^\\s*#\\s*include\\s*[<"](%s)' "$1"; }
@@ -27,7 +31,7 @@ forbid 'OpenGL outside core/hardware, app/gui and its yardstick' \
 forbid 'X11 or Wayland' "$(includes '(X11|xcb|wayland)[/-]')" "$all"
 forbid 'stb outside core/image' "$(includes '(.*/)?stb_')" "$all" '^core/image/'
 forbid 'A thread started outside core/base' 'std::(jthread|async|thread(?!::))\b|pthread_create' "$library" '^core/base/'
-#The C library's results depend on the processor and on its version; math/portable.h and math/power.h replace them.
+# The C library's results depend on the processor and on its version; math/portable.h and math/power.h replace them.
 forbid 'Functions of the C library whose last bits differ, in what makes pictures' \
   'std::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot|fma)f?\(' \
   '^core/(accel|frame|raster|raytrace|record|render|scene|shade|textbook)/|^chapters/' '^core/record/value_text'
