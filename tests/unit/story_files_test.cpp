@@ -74,6 +74,18 @@ TEST(StoryFiles, CsvKeepsEveryDigit) {
   EXPECT_EQ(red, story.linear.x);
 }
 
+TEST(StoryFiles, MarkdownNamesTheRenderer) {
+  const Scene scene = test::book_spheres();
+  const std::string_view names[] = {"ray tracer", "rasterizer", "textbook listing"};
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer, Renderer::textbook}) {
+    PixelStory story = test::mirrored_story();
+    story.renderer = renderer;
+    const std::string page = story_markdown(story, scene, {scene.camera, 600, 600}, provenance_of(Settings{}));
+    const std::string line = "- renderer: " + std::string(names[static_cast<std::size_t>(renderer)]) + "\n";
+    EXPECT_NE(page.find(line), std::string::npos) << page;
+  }
+}
+
 TEST(StoryFiles, MarkdownTellsEverything) {
   const Scene scene = test::book_spheres();
   const PixelStory story = test::mirrored_story();
