@@ -1,7 +1,7 @@
 // Random scenes under random options, drawn again in every way that may not change a bit: on each SIMD target, with
 // more threads, with another accelerator, in part, and pixel by pixel by the inspector. PIXELSCOPE_TEST_SEED repeats a
 // run, PIXELSCOPE_FUZZ_SECONDS lengthens it; `tests/run --fuzz` does. Then a quarter of the scenes hold extreme
-// numbers, of which a few take minutes.
+// numbers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -91,6 +91,10 @@ Settings random_settings(const Scene& scene, Random& random) {
   const double density = share(random) * 0.25;
   for (const Option& option : option_table())
     if (share(random) < density) option.set(settings, test::random_value(option, random));
+  // Six pictures of every mirror and light, made anew for each way to draw: at their usual size one scene with thirty
+  // mirrors would take a minute, and their pixels come from the same code as all others.
+  settings.environment_size = std::min(settings.environment_size, 24);
+  settings.shadow_map_size = std::min(settings.shadow_map_size, 64);
   settings.renderer = below(random, 5) == 0   ? Renderer::textbook
                       : below(random, 2) == 0 ? Renderer::ray_tracer
                                               : Renderer::rasterizer;

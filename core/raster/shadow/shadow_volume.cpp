@@ -1,9 +1,11 @@
 #include "raster/shadow/shadow_volume.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "base/stop.h"
 #include "raster/shadow/shadow_map.h"
@@ -40,26 +42,46 @@ Welded weld(const DrawObject& object) {
   return welded;
 }
 
-/// How often each edge is run through from its lower to its higher corner, less how often the other way. All 0 for a
-/// closed surface.
-using EdgeBalance = std::map<std::pair<CornerIndex, CornerIndex>, int>;
+/// An edge, and how often it is run through from its lower to its higher corner, less how often the other way.
+struct BalancedEdge {
+  CornerIndex low = 0, high = 0;
+  int count = 0;
+};
 
-void add_edges(const Corners& triangle, EdgeBalance& balance) {
+void add_edges(const Corners& triangle, std::vector<BalancedEdge>& edges) {
   for (std::size_t k = 0; k < 3; ++k) {
     const CornerIndex a = triangle[k], b = triangle[(k + 1) % 3];
-    balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+    edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
   }
 }
 
+/// Each edge once, in the order of its corners, with the sum of its counts: 0 for all edges of a closed surface. A
+/// sphere seen from nearby has two hundred thousand of them, for each light; a tree of edges would take several times
+/// as long as sorting.
+std::vector<BalancedEdge> balanced(std::vector<BalancedEdge> edges) {
+  std::sort(edges.begin(), edges.end(), [](const BalancedEdge& a, const BalancedEdge& b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (edges[i].low == edges[last].low && edges[i].high == edges[last].high)
+      edges[last].count += edges[i].count;
+    else
+      edges[++last] = edges[i];
+  }
+  if (!edges.empty()) edges.resize(last + 1);
+  return edges;
+}
+
 bool is_closed(const Welded& welded) {
-  EdgeBalance balance;
+  std::vector<BalancedEdge> edges;
+  edges.reserve(3 * welded.triangles.size());
   for (std::size_t i = 0; i < welded.triangles.size(); ++i) {
     if (i % 1024 == 0) check_stop();
-    add_edges(welded.triangles[i], balance);
+    add_edges(welded.triangles[i], edges);
   }
-  for (const auto& edge : balance)
-    if (edge.second != 0) return false;
-  return !balance.empty();
+  edges = balanced(std::move(edges));
+  return !edges.empty() && std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.count == 0; });
 }
 
 bool faces(const Welded& welded, const Corners& triangle, const Light& light) {
@@ -133,17 +155,17 @@ ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, co
     surface->positions = welded.positions;
     for (const Vec3d& p : welded.positions) surface->positions.push_back(extrude(p));
     const auto far = [&](CornerIndex c) { return c + static_cast<CornerIndex>(welded.positions.size()); };
-    EdgeBalance balance;
+    std::vector<BalancedEdge> edges;
     for (const Corners& t : lit_triangles(welded, light)) {
       if (surface->triangles.size() % 1024 == 0) check_stop();
-      add_edges(t, balance);
+      add_edges(t, edges);
       if (!options.caps) continue;
       surface->triangles.push_back(surface_triangle(t[0], t[1], t[2]));
       surface->triangles.push_back(surface_triangle(far(t[0]), far(t[2]), far(t[1])));
     }
     volume.caps = surface->triangles.size();
-    for (const auto& [edge, count] : balance) {
-      const CornerIndex a = count > 0 ? edge.first : edge.second, b = count > 0 ? edge.second : edge.first;
+    for (const auto& [low, high, count] : balanced(std::move(edges))) {
+      const CornerIndex a = count > 0 ? low : high, b = count > 0 ? high : low;
       if (count != 0) volume.silhouette.push_back({welded.positions[a], welded.positions[b]});
       for (int i = 0; i < std::abs(count); ++i) {
         surface->triangles.push_back(surface_triangle(b, a, far(a)));
