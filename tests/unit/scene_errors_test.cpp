@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"unknown_light", "light { type = sun intensity = 1 }", 1, 16, "'sun'",
                  "ambient, point or directional"},
         BadScene{"ambient_position", "light { type = ambient intensity = 1 position = (0,0,0) }", 1, 38, "'position'",
-                 "no place or direction: ambient light has none"},
+                 "no position or direction: ambient light has none"},
         BadScene{"rotation_axis",
                  model + "triangles { 0, 1, 2 } }\ninstance { model = m transform { rotation = "
                          "<45 degrees around the W axis> } }",
