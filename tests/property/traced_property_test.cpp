@@ -182,7 +182,7 @@ TEST(TracedProperty, AStoryEndsInTheColourOfThePicture) {
       Progress progress;
       for (int i = 0; i < 40; ++i) {
         const Vec2i pixel{static_cast<int>(random() % 97), static_cast<int>(random() % 61)};
-        const PixelStory story = inspect_traced(scene, View{scene.camera, 97, 61}, settings, pixel, prepared, progress);
+        const PixelStory story = inspect(scene, View{scene.camera, 97, 61}, settings, pixel, prepared, progress);
         const Vec3d stored = wide ? frame.colour_double.at(pixel.x, pixel.y) : Vec3d(frame.colour.at(pixel.x, pixel.y));
         EXPECT_EQ(story.linear, stored);
         const Rgb8 level = shown.at(pixel.x, pixel.y);
