@@ -124,9 +124,11 @@ TEST(ShortDirections, AttenuationThatFloatsRoundToNothingStaysFinite) {
                   "light { type=point intensity=0.6 position=(1,2,0) } light { type=ambient intensity=0.2 }"
                   "light { type=directional intensity=0.3 direction=(1,4,4) }",
                   "bright.scene", ".");
-  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer})
-    for (const Vec3f& pixel : picture_of(scene, renderer, Shadows::none).colour.pixels())
+  for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
+    const Frame frame = picture_of(scene, renderer, Shadows::none);
+    for (const Vec3f& pixel : frame.colour.pixels())
       for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(pixel[c]));
+  }
 }
 
 }  // namespace
