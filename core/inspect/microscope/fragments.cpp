@@ -125,8 +125,8 @@ class FragmentsIn final : public Microscope::Fragments {
   }
 
   TriangleSetup<Real> set_up(const NearTriangle<Real>& near, const TriangleEdges& edges) const {
-    return {&near.triangle, &pass_.surfaces[near.triangle.surface], near.attributes.data(), edges,
-            Real(1) / static_cast<Real>(edges.area)};
+    return {&near.triangle, &pass_.surfaces[near.triangle.surface],  near.attributes.data(),
+            edges,          Real(1) / static_cast<Real>(edges.area), {}};
   }
 
   ps::MicroTriangle measure(const NearTriangle<Real>& near, const CoverageGrid& grid) const {
