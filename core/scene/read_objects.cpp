@@ -45,12 +45,30 @@ Transform read_transform(const SceneSource& source, const SceneFields& instance)
   return transform;
 }
 
+/// The transform as one map.
+PartPlace as_place(const Transform& transform) {
+  const Mat3d& r = transform.rotation;
+  const Vec3d& scale = transform.scale;
+  return {Mat3d(r[0] * scale.x, r[1] * scale.y, r[2] * scale.z), transform.translation};
+}
+
+/// An instance's own transform, seen from outside the group. A map of the group that is more than a translation goes
+/// into `rotation` whole, with the instance's scale: together they may shear.
+Transform seen_from_outside(const PartPlace& group, const Transform& inner) {
+  Transform outer = inner;
+  outer.translation = group.linear * inner.translation + group.translation;
+  if (group.linear == Mat3d(1.0)) return outer;
+  outer.rotation = group.linear * as_place(inner).linear;
+  outer.scale = {1, 1, 1};
+  return outer;
+}
+
 /// The transform in the groups around the block. Factors multiply, so even numbers that are allowed one by one may end
 /// beyond all bounds.
 Transform placed(const SceneSource& source, const SceneEntry& entry, const SceneFields& fields,
                  const SceneDraft& draft) {
   constexpr double largest = 1e18;
-  const Transform transform = draft.group.outside(read_transform(source, fields));
+  const Transform transform = seen_from_outside(draft.group, read_transform(source, fields));
   const Mat3d& r = transform.rotation;
   for (const Vec3d& v : {r[0], r[1], r[2], transform.translation})
     for (int axis = 0; axis < 3; ++axis)
@@ -63,9 +81,7 @@ Transform placed(const SceneSource& source, const SceneEntry& entry, const Scene
 }  // namespace
 
 PartPlace read_part_place(const SceneSource& source, const SceneFields& fields) {
-  const Transform t = read_transform(source, fields);
-  const Mat3d& r = t.rotation;
-  return {Mat3d(r[0] * t.scale.x, r[1] * t.scale.y, r[2] * t.scale.z), t.translation};
+  return as_place(read_transform(source, fields));
 }
 
 namespace {
@@ -94,10 +110,9 @@ void read_sphere(const SceneSource& source, const SceneEntry& entry, SceneDraft&
   sphere.centre = source.values.vec3(fields.require("center"));
   sphere.radius = source.values.positive(fields.require("radius"));
   sphere.material = material_for(source, fields, {}, draft);
-  const PartPlace around{draft.group.linear, draft.group.translation};
-  require_invertible(source, entry, around);
+  require_invertible(source, entry, draft.group);
   const Solid body{Ball{sphere.centre, sphere.radius}, sphere.material};
-  add_object(source, fields, {{}, placed_body(body, around, draft.materials[sphere.material])}, draft);
+  add_object(source, fields, {{}, placed_body(body, draft.group, draft.materials[sphere.material])}, draft);
 }
 
 void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
@@ -127,51 +142,40 @@ void read_instance(const SceneSource& source, const SceneEntry& entry, SceneDraf
   add_object(source, fields, {{}, instance}, draft);
 }
 
-Transform GroupPlace::outside(const Transform& inner) const {
-  Transform outer = inner;
-  outer.translation = linear * inner.translation + translation;
-  if (linear == Mat3d(1.0)) return outer;
-  const Mat3d& r = inner.rotation;
-  outer.rotation = linear * Mat3d(r[0] * inner.scale.x, r[1] * inner.scale.y, r[2] * inner.scale.z);
-  outer.scale = {1, 1, 1};
-  return outer;
+namespace {
+
+using ReadBlock = void (*)(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+
+/// What reads a member of a group; nullptr for what a group cannot hold.
+ReadBlock member_reader(std::string_view key) {
+  if (key == "group") return read_group;
+  if (key == "instance") return read_instance;
+  if (key == "sphere") return read_sphere;
+  if (key == "box" || key == "cylinder") return read_solid;
+  if (key == "union" || key == "intersection" || key == "difference") return read_csg;
+  return nullptr;
 }
+
+}  // namespace
 
 void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   constexpr int deepest = 16;
   if (entry.value.kind != SceneTerm::Kind::block) source.values.fail(entry.value, "'{' after 'group'");
   if (draft.group_depth >= deepest)
     source.values.fail_at(entry.line, entry.column, "a group", fmt::format("at most {} nested groups", deepest));
-  const auto is_operation = [](const SceneEntry& child) {
-    return child.key == "union" || child.key == "intersection" || child.key == "difference";
-  };
-  const auto is_body = [](const SceneEntry& child) { return child.key == "box" || child.key == "cylinder"; };
-  const auto is_member = [&](const SceneEntry& child) {
-    return child.key == "instance" || child.key == "group" || child.key == "sphere" || is_body(child) ||
-           is_operation(child);
-  };
   for (const SceneEntry& child : entry.value.entries)
     for (const std::string_view solid : {"plane", "rectangle"})
       if (child.key == solid)
         source.values.fail_at(child.line, child.column, fmt::format("'{}' inside 'group'", solid),
                               "sphere, box, cylinder, instance, group, union, intersection or difference");
   SceneEntry own = entry;
-  std::erase_if(own.value.entries, is_member);
+  std::erase_if(own.value.entries, [](const SceneEntry& child) { return member_reader(child.key) != nullptr; });
   const SceneFields fields(source.values, own, {"position", "transform"});
-  const GroupPlace around = draft.group;
-  const Transform place = placed(source, entry, fields, draft);
-  const Mat3d& r = place.rotation;
-  draft.group = {Mat3d(r[0] * place.scale.x, r[1] * place.scale.y, r[2] * place.scale.z), place.translation};
+  const PartPlace around = draft.group;
+  draft.group = as_place(placed(source, entry, fields, draft));
   ++draft.group_depth;
-  for (const SceneEntry& child : entry.value.entries) {
-    if (!is_member(child)) continue;
-    const auto read = child.key == "group"    ? read_group
-                      : child.key == "sphere" ? read_sphere
-                      : is_body(child)        ? read_solid
-                      : is_operation(child)   ? read_csg
-                                              : read_instance;
-    read(source, child, draft);
-  }
+  for (const SceneEntry& child : entry.value.entries)
+    if (const ReadBlock read = member_reader(child.key)) read(source, child, draft);
   --draft.group_depth;
   draft.group = around;
 }

@@ -154,14 +154,13 @@ void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
       source.values, entry,
       joined_keys(joined_keys({"name", "dynamic", "material", "sides"}, form_keys(entry.key)), surface_keys()));
   const Solid solid = read_part(source, fields, draft);
-  const PartPlace around{draft.group.linear, draft.group.translation};
-  require_invertible(source, entry, around);
-  add_object(source, fields, {{}, placed_body(solid, around, draft.materials[solid.material])}, draft);
+  require_invertible(source, entry, draft.group);
+  add_object(source, fields, {{}, placed_body(solid, draft.group, draft.materials[solid.material])}, draft);
 }
 
 void read_csg(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   if (entry.value.kind != SceneTerm::Kind::block) source.values.fail(entry.value, "'{' after the operation");
-  Csg csg{CsgReader(source, entry, draft).node(entry, {draft.group.linear, draft.group.translation})};
+  Csg csg{CsgReader(source, entry, draft).node(entry, draft.group)};
   SceneEntry rest = entry;
   std::erase_if(rest.value.entries, [](const SceneEntry& child) { return is_part(child.key); });
   const SceneFields fields(source.values, rest, {"name", "dynamic", "position", "transform"});

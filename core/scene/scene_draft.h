@@ -10,15 +10,6 @@
 
 namespace ps {
 
-/// Where a group puts what it holds: any affine map.
-struct GroupPlace {
-  Mat3d linear{1.0};
-  Vec3d translation{0, 0, 0};
-  /// An instance's own transform, seen from outside the group. A map of the group that is more than a translation goes
-  /// into `rotation` whole, with the instance's scale: together they may shear.
-  Transform outside(const Transform& inner) const;
-};
-
 /// A scene while its file is being read.
 struct SceneDraft {
   Scene scene;  ///< its parts are filled by finish_draft
@@ -32,7 +23,7 @@ struct SceneDraft {
   std::map<std::string, int> texture_index;
   std::map<std::string, int> object_lines;  ///< given names and the line in which each stands
   std::map<std::string, int> single_keys;   ///< top-level keys that may stand once, and their lines
-  GroupPlace group;                         ///< of the groups around the block being read
+  PartPlace group;                          ///< of the groups around the block being read
   int group_depth = 0;
   std::vector<std::filesystem::path> including;  ///< the chain of files being read, outermost first
   std::size_t triangles = 0;                     ///< of models and of instances
