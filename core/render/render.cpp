@@ -2,7 +2,9 @@
 
 #include "base/check.h"
 #include "base/stop.h"
+#include "frame/fast_kernels.h"
 #include "image/image.h"
+#include "render/left_out.h"
 #include "render/precision_channels.h"
 #include "render/renderer_table.h"
 #include "render/story/finish_story.h"
@@ -34,7 +36,8 @@ PixelStory inspect(const Scene& scene, const View& view, const Settings& setting
   const StopScope stop(&progress);
   PS_ASSERT(pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height, "pixel outside the view");
   PixelStory story = renderer_row(settings.renderer).inspect(scene, view, settings, pixel, prepared, progress);
-  finish_story(story, scene, settings);
+  if (!story.listing) finish_story(story, scene, settings);  // a listing gives its own verdict and sum
+  story.verdict += left_out_words(prepared_traits(scene, prepared), settings);
   return story;
 }
 

@@ -5,8 +5,7 @@
 namespace ps {
 
 /// Fills in the verdict and the ledger of a story whose events, colour and counters are complete. Both come from the
-/// events alone; the scene only lends names and the colours of its lights and materials. A listing gives its own; to
-/// every verdict is added what the renderer leaves out.
+/// events alone; the scene only lends names and the colours of its lights and materials.
 void finish_story(PixelStory& story, const Scene& scene, const Settings& settings);
 
 /// One sentence that says what the pixel shows and why. Never empty.
