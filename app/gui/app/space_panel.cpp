@@ -274,14 +274,16 @@ bool same_vertex(const std::optional<VertexChain>& a, const std::optional<Vertex
   return a.has_value() == b.has_value() && (!a || (a->id == b->id && a->world == b->world && a->camera == b->camera));
 }
 
-/// Adds the rest of the accelerator to the model once it is known. Only where a story has come: then there is one.
+/// Adds the rest of the accelerator to the model once it is known. A story must be there: the picture has then built
+/// it.
 void update_tree(Session& session, SpacePanelState& state) {
   if (!state.whole_tree || !state.told) return state.tree_worker.rest();
+  if (state.tree) return;
   const SpaceTreeRequest wanted{session.scene(), state.settings, state.told, &session.prepared()};
   state.tree_worker.request(wanted);
   state.tree_worker.take_news();
   const auto found = state.tree_worker.result();
-  if (state.tree || !found || !same_request(found->of, wanted)) return;
+  if (!found || !same_request(found->of, wanted)) return;
   state.tree = found->tree;
   state.model.items.insert(state.model.items.end(), found->nodes.items.begin(), found->nodes.items.end());
   state.model.deepest_level = std::max(state.model.deepest_level, found->nodes.deepest_level);

@@ -141,11 +141,10 @@ std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, cons
         break;
       case Environment::cube_map: {
         const bool fixed_only = shows_static_only(settings);
-        const auto is_left_out = [&](const Object& o, std::size_t k) { return k != i && fixed_only && o.dynamic; };
-        const Scene others = only(scene, [&](const Object& o, std::size_t k) { return k != i && !is_left_out(o, k); });
-        int left_out = 0;
-        for (std::size_t k = 0; k < objects.size(); ++k) left_out += is_left_out(objects[k], k);
-        maps[i] = look_around(others, centre_of(scene, i), left_out, settings, priority, progress);
+        const Scene shown =
+            only(scene, [&](const Object& o, std::size_t k) { return k != i && !(fixed_only && o.dynamic); });
+        const auto left_out = static_cast<int>(objects.size() - 1 - shown.geometry->objects.size());
+        maps[i] = look_around(shown, centre_of(scene, i), left_out, settings, priority, progress);
         break;
       }
       case Environment::room_map:
