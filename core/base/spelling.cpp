@@ -45,6 +45,11 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
   return similar.empty() ? std::string(otherwise) : "; did you mean '" + std::string(similar) + "'?";
 }
 
+std::string expected_word(std::string_view word, std::span<const std::string_view> known) {
+  const std::string_view similar = similar_word(word, known);
+  return similar.empty() ? fmt::format("one of {}", fmt::join(known, " ")) : fmt::format("'{}'", similar);
+}
+
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> known) {
   const std::string_view asked = word.substr(0, longest_typed);
   const auto nearest = std::min_element(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {

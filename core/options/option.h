@@ -76,6 +76,9 @@ std::span<const Option> option_table();
 /// The row with this key, or nullptr.
 const Option* find_option(std::string_view key);
 
+/// The choice that the settings name; the option must be one of choices.
+const Choice& chosen(const Option& option, const Settings& settings);
+
 /// The value as text that parse_option reads back exactly: "on", "3", "0.001", "depth-buffer".
 std::string option_text(const Option& option, const Settings& settings);
 /// Sets the option from text. Throws InputError naming the key, what was found and what is allowed.

@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/check.h"
 #include "base/spelling.h"
@@ -20,10 +19,9 @@ SourcePlace place_in(const Scene& scene, const SourcePlace& place) {
 [[noreturn]] void fail_unknown(const SceneSetting& setting, const Scene& scene) {
   std::vector<std::string_view> known;
   for (const Option& option : option_table()) known.push_back(option.key);
-  const std::string_view similar = similar_word(setting.key, known);
   throw InputError(place_in(scene, setting.key_place),
                    fmt::format("unknown key '{}' in settings", setting.key.substr(0, 60)),
-                   similar.empty() ? fmt::format("one of {}", fmt::join(known, " ")) : fmt::format("'{}'", similar));
+                   expected_word(setting.key, known));
 }
 
 }  // namespace

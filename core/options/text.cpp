@@ -37,14 +37,20 @@ std::string allowed_values(const Option& option) {
 
 }  // namespace
 
-std::string_view renderer_label(Renderer renderer) {
-  return find_option("renderer")->choices[static_cast<std::size_t>(renderer)].label;
-}
-
 const Option* find_option(std::string_view key) {
   const auto table = option_table();
   const auto found = std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.key == key; });
   return found == table.end() ? nullptr : &*found;
+}
+
+const Choice& chosen(const Option& option, const Settings& settings) {
+  return option.choices.at(static_cast<std::size_t>(option.get(settings)));
+}
+
+std::string_view renderer_label(Renderer renderer) {
+  Settings settings;
+  settings.renderer = renderer;
+  return chosen(*find_option("renderer"), settings).label;
 }
 
 std::string option_text(const Option& option, const Settings& settings) {
@@ -57,7 +63,7 @@ std::string option_text(const Option& option, const Settings& settings) {
   case OptionKind::real:
     return fmt::format("{}", value);
   case OptionKind::choice:
-    return std::string(option.choices.at(static_cast<std::size_t>(value)).key);
+    return std::string(chosen(option, settings).key);
   }
   return {};
 }
@@ -117,7 +123,7 @@ std::optional<std::string_view> inactive_choice_reason(const Choice& choice, con
 std::optional<std::string_view> inactive_value_reason(const Option& option, const Settings& settings,
                                                       const SceneTraits& traits) {
   if (option.kind != OptionKind::choice) return {};
-  return inactive_choice_reason(option.choices.at(static_cast<std::size_t>(option.get(settings))), settings, traits);
+  return inactive_choice_reason(chosen(option, settings), settings, traits);
 }
 
 }  // namespace ps

@@ -77,8 +77,7 @@ std::vector<Option> visibility_rows() {
           {.key = "depth-value",
            .label = "Depth value",
            .help = {"What the depth buffer stores, and how it is found at each sample: interpolated along the screen, "
-                    "or from "
-                    "the ray of the sample.",
+                    "or from the ray of the sample.",
                     "CGFS ch. 12; OCT (ray-plane-intersection)",
                     "z is not linear on the screen: midway between z = 2 and z = 10 interpolation gives 6, and the "
                     "true depth is 3.33."},

@@ -1,9 +1,8 @@
 #include "frame/fast_kernels.h"
-#include "raster/renderer.h"
-
 #include "raster/coverage/choice.h"
 #include "raster/draw_stage.h"
 #include "raster/fast/assembly.h"
+#include "raster/renderer.h"
 
 namespace ps {
 namespace {

@@ -11,9 +11,9 @@ struct SubSample {
   int x = 0, y = 0;
 };
 
-/// Where a sub-sample lies in its pixel, from 0 to 1, if the pixel's middle sample lies at `middle`.
-inline Vec2d place_in_pixel(const SubSample& sample, const Vec2d& middle) {
-  return {middle.x + sample.x / 16.0, middle.y + sample.y / 16.0};
+/// Where a sub-sample lies in its pixel, from 0 to 1, if the sample that the pattern surrounds lies at `centre`.
+inline Vec2d place_in_pixel(const SubSample& sample, const Vec2d& centre) {
+  return {centre.x + sample.x / 16.0, centre.y + sample.y / 16.0};
 }
 
 inline std::span<const SubSample> sample_pattern(int samples) {

@@ -1,9 +1,8 @@
-#include "frame/fast_kernels.h"
-#include "raytrace/renderer.h"
-
 #include "accel/bvh.h"
+#include "frame/fast_kernels.h"
 #include "options/simd_choice.h"
 #include "raytrace/accelerators.h"
+#include "raytrace/renderer.h"
 #include "raytrace/sampling/plan.h"
 
 namespace ps {

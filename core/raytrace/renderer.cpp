@@ -1,4 +1,5 @@
 #include "raytrace/renderer.h"
+
 #include "base/timer.h"
 #include "frame/display_frame.h"
 #include "frame/region.h"

@@ -13,9 +13,8 @@
 ///   PS_WATCH(name, value)      this value, on this line
 ///   PS_EACH(name, value)       what follows in this block is one instance of a loop (or call): sphere "red", light 2
 ///   PS_REACHING(name, value)   the same, forgotten at its end unless the pixel was reached inside
-///   PS_PIXEL(x, y)             what follows in this block is work for pixel (x, y) of the canvas; it is listened to
-///   for
-///                              the pixel that is asked for alone, and reaches it
+///   PS_PIXEL(x, y)             what follows in this block is work for pixel (x, y) of the canvas; it is kept for the
+///                              pixel that is asked for alone, and reaches it
 /// and a WatchCollector that is open on its thread keeps all that. Without one each costs a test of a pointer.
 
 namespace ps {

@@ -1,9 +1,24 @@
 #pragma once
+#include <string_view>
+
 #include "math/vec.h"
 
 namespace ps {
 
 enum class LightKind { ambient, point, directional };
+
+/// "ambient", "point", "directional"
+constexpr std::string_view light_kind_key(LightKind kind) {
+  switch (kind) {
+  case LightKind::ambient:
+    return "ambient";
+  case LightKind::point:
+    return "point";
+  case LightKind::directional:
+    return "directional";
+  }
+  return "";
+}
 
 /// A light of CGFS ch. 3. Display-referred: intensities that add up to 1 cannot overexpose.
 struct Light {

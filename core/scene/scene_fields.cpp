@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/spelling.h"
 
@@ -13,10 +12,7 @@ void fail_unknown_key(const SceneValues& values, const SceneEntry& entry, std::s
                       const std::vector<std::string_view>& known) {
   const std::string found =
       entry.key.empty() ? entry.value.shown() : fmt::format("unknown key '{}' in {}", entry.key.substr(0, 60), where);
-  const std::string_view similar = similar_word(entry.key, known);
-  const std::string expected = entry.key.empty()  ? "KEY = VALUE"
-                               : !similar.empty() ? fmt::format("'{}'", similar)
-                                                  : fmt::format("one of {}", fmt::join(known, " "));
+  const std::string expected = entry.key.empty() ? "KEY = VALUE" : expected_word(entry.key, known);
   values.fail_at(entry.line, entry.column, found, expected);
 }
 

@@ -137,10 +137,7 @@ class Planner {
   /// Rays take the samples twice, at places of two patterns.
   int all_samples() const { return sends_rays(plan_.settings.renderer) ? 2 * plan_.samples : plan_.samples; }
 
-  std::string_view option_label(std::string_view key) const {
-    const Option& option = *find_option(key);
-    return option.choices[static_cast<std::size_t>(option.get(plan_.settings))].label;
-  }
+  std::string_view option_label(std::string_view key) const { return chosen(*find_option(key), plan_.settings).label; }
 
   std::span<const SweepPoint> points_;
   const SceneTraits& traits_;

@@ -52,16 +52,6 @@ Vec3d texel_of(const Texture& texture, std::size_t index) {
   return {level(texel.x), level(texel.y), level(texel.z)};
 }
 
-std::string_view kind_name(const Light& light) {
-  switch (light.kind) {
-  case LightKind::ambient:
-    return "ambient";
-  case LightKind::point:
-    return "point";
-  case LightKind::directional:
-    return "directional";
-  }
-  return "";
-}
+std::string_view kind_name(const Light& light) { return light_kind_key(light.kind); }
 
 }  // namespace ps

@@ -13,7 +13,7 @@ namespace {
 std::string label_of(std::string_view key, const Settings& settings) {
   const Option* option = find_option(key);
   if (!option) return {};
-  return std::string(option->choices[static_cast<std::size_t>(option->get(settings))].label);
+  return std::string(chosen(*option, settings).label);
 }
 
 std::string plural(std::uint64_t count, const std::string& one) {

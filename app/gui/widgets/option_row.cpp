@@ -28,7 +28,7 @@ void option_tooltip(const Option& option, const Settings& settings, const Option
   }
   ImGui::TextUnformatted(option.help.what.data(), option.help.what.data() + option.help.what.size());
   if (option.kind == OptionKind::choice) {
-    const Choice& now = option.choices[static_cast<std::size_t>(option.get(settings))];
+    const Choice& now = chosen(option, settings);
     paragraph(std::string(now.label) + ": ", now.help);
   }
   paragraph("How it fails: ", option.help.fails);

@@ -132,18 +132,6 @@ std::string_view ray_kind_key(RayKind kind) {
   return "";
 }
 
-std::string_view light_kind_key(LightKind kind) {
-  switch (kind) {
-  case LightKind::ambient:
-    return "ambient";
-  case LightKind::point:
-    return "point";
-  case LightKind::directional:
-    return "directional";
-  }
-  return "";
-}
-
 std::string_view depth_verdict_key(FragmentEvent::Depth depth) {
   switch (depth) {
   case FragmentEvent::Depth::passed:

@@ -15,7 +15,6 @@ std::string_view reject_reason_key(RejectReason reason);
 std::string_view ray_kind_key(RayKind kind);
 /// "surface", "highlight"
 std::string_view texture_use_key(TextureUse use);
-std::string_view light_kind_key(LightKind kind);
 std::string_view coverage_key(Coverage strategy);
 std::string_view depth_verdict_key(FragmentEvent::Depth depth);
 
