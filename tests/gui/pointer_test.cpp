@@ -33,11 +33,9 @@ void use_pointer(const std::filesystem::path& folder, const std::string& argumen
   const std::string clicker =
       "bash " + (folder / "click.sh").string() + " >" + (folder / "clicker.log").string() + " 2>&1";
   std::thread hand([&] { EXPECT_EQ(std::system(clicker.c_str()), 0); });
-  // stdbuf preloads a library, which the address sanitizer takes for a wrong order of linking.
-  const std::string command =
-      "ASAN_OPTIONS=$ASAN_OPTIONS:verify_asan_link_order=0 stdbuf -oL timeout 60 " PIXELSCOPE_BIN_DIR "/pixelscope " +
-      arguments + " --script " + (folder / "pointer.script").string() + " >" + (folder / "place").string() + " 2>" +
-      (folder / "errors").string();
+  const std::string command = "timeout 60 " PIXELSCOPE_BIN_DIR "/pixelscope " + arguments + " --script " +
+                              (folder / "pointer.script").string() + " >" + (folder / "place").string() + " 2>" +
+                              (folder / "errors").string();
   const int ended = std::system(command.c_str());
   hand.join();
   EXPECT_EQ(ended, 0) << ps::test::read_file(folder / "errors") << ps::test::read_file(folder / "clicker.log");
