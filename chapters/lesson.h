@@ -25,7 +25,7 @@ struct LessonState {
   ShownChannel show_a{}, show_b{};
   CompareMode compare = CompareMode::side_by_side;
   std::string tab;         ///< below the pictures, one of bottom_tabs; empty: the one that is open
-  std::string sweep;       ///< of the chart, as sweep_text() tells it; empty: the one that is chosen
+  std::string sweep;       ///< of the chart, as sweep_text() writes it; empty: the one that is chosen
   std::string experiment;  ///< of the stability tab; empty: the one that is shown
 };
 
@@ -64,7 +64,7 @@ struct Claim {
   SourcePlace place;
 };
 
-/// A question that a step asks about its pixel before the inspector tells its story.
+/// A question that a step asks about its pixel before the inspector shows its story.
 struct Prediction {
   Question question = Question::colour;
   std::string text;  ///< as the step puts it

@@ -22,6 +22,7 @@
 #include "inspect/story_markdown.h"
 #include "math/conventions.h"
 #include "number_option.h"
+#include "options/renderer_kind.h"
 #include "record/value_text.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -80,6 +81,10 @@ std::string draw_space(const Document& document, const View& view, const PixelSt
 
 std::string draw_microscope(const Document& document, const View& view, Vec2i pixel, const std::string& point,
                             Prepared& prepared) {
+  if (runs_listing(document.a.settings.renderer))
+    throw InputError(
+        "--svg microscope: found renderer=textbook, expected a renderer that samples pixels: ray-tracer or "
+        "rasterizer");
   const Microscope microscope(document.scene, view, document.a.settings, pixel, prepared, interruptible_progress());
   Vec2d at = microscope.samples().front().position;
   if (!point.empty()) {

@@ -66,7 +66,7 @@ void print_text(const Document& document, const Needs& needs) {
   for (const FeatureShare& share : needs.shares)
     if (share.used)
       fmt::print("{:<30} {:>14.4g} {:>11} {:>10.1f}%\n", share.feature.label, share.error_without,
-                 share.cost_told ? fmt::format("{:.1f}%", 100 * share.cost_share) : "noise", 100 * share.work_share);
+                 share.cost_differs ? fmt::format("{:.1f}%", 100 * share.cost_share) : "noise", 100 * share.work_share);
   for (const FeatureShare& share : needs.shares)
     if (!share.used) fmt::print("{}\n", needs_free_sentence(share));
   fmt::print("\n{:<30} {:>14} {:>23}\n", "tried", "error", "work");
@@ -80,7 +80,7 @@ void print_text(const Document& document, const Needs& needs) {
   fmt::print("error      {:.4g} of {:.4g} allowed (largest mean FLIP of a tile); now {:.4g}\n", needs.error,
              needs.tolerance, needs.default_error);
   fmt::print("time       {:.4g} ms, now {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
-             needs.time_told ? "" : ": the same within noise", needs.machinery);
+             needs.time_differs ? "" : ": the same within noise", needs.machinery);
   fmt::print("work       {} rays, tests, fragments and texels, now {}\n", needs.work, needs.default_work);
   const Provenance made = provenance_of(document.a.settings);
   fmt::print("made by    {}, {}, {}, {} threads{}{}\n", made.program, made.processor, made.simd, made.threads,

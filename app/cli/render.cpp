@@ -21,7 +21,7 @@
 #include "number_option.h"
 #include "options/option.h"
 #include "raster/coverage/efficiency.h"
-#include "render/channel_floats.h"
+#include "render/channel_picture.h"
 #include "render/left_out.h"
 #include "render/render.h"
 #include "scene/load.h"

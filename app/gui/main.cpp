@@ -11,7 +11,7 @@
 #include "base/standard_output.h"
 #include "base/version.h"
 #include "document/number_list.h"
-#include "gui/app/app.h"
+#include "gui/frame/app.h"
 #include "gui/platform/end_signals.h"
 #include "gui/platform/window.h"
 #include "gui/script/script.h"

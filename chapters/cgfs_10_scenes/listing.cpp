@@ -80,6 +80,7 @@ const Listing cgfs_10_scenes{
     .order = ListingOrder::object_by_object,
     .reads = {},
     .draws = {.models = true},
+    .as_settings = [](Settings& settings) { settings.draw = Draw::wireframe; },
     .suits = [](const SceneTraits& traits,
                 const Settings& settings) { return !traits.triangles                  ? 0
                                                    : settings.draw == Draw::wireframe ? 6

@@ -184,6 +184,12 @@ const Listing cgfs_13_shading{
     .order = ListingOrder::object_by_object,
     .reads = {"shading", "normals", "specular", "demo-slips"},
     .draws = {.models = true, .light = true},
+    .as_settings =
+        [](Settings& settings) {
+          settings.backface_culling = true;
+          settings.visibility = Visibility::depth_buffer;
+          settings.interpolation = Interpolation::affine;
+        },
     .suits = [](const SceneTraits& traits, const Settings&) { return traits.triangles ? 3 : 0; },
     .draw = draw,
 };

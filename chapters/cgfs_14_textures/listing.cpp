@@ -187,6 +187,13 @@ const Listing cgfs_14_textures{
     .order = ListingOrder::object_by_object,
     .reads = {"interpolation", "specular", "demo-slips"},
     .draws = {.models = true, .light = true, .textures = true},
+    .as_settings =
+        [](Settings& settings) {
+          settings.backface_culling = true;
+          settings.visibility = Visibility::depth_buffer;
+          settings.shading = Shading::phong;
+          settings.normals = Normals::vertex;
+        },
     .suits = [](const SceneTraits& traits, const Settings&) { return !traits.triangles ? 0
                                                                      : traits.textures ? 4
                                                                                        : 1; },

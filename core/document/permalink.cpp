@@ -48,7 +48,8 @@ using detail::text_unless;
 using Field = detail::PermalinkField;
 using Text = std::optional<std::string>;
 
-constexpr std::array<std::string_view, 5> compare_keys{"side-by-side", "split", "difference", "only-a", "only-b"};
+constexpr std::array compare_modes{CompareMode::side_by_side, CompareMode::split, CompareMode::difference,
+                                   CompareMode::only_a, CompareMode::only_b};
 
 Text show_text(ShownChannel show) {
   return show == ShownChannel{} ? Text{} : Text{std::string(shown_channel(show).key)};
@@ -100,7 +101,7 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.b.show = parse_shown_channel(t); }},
       {"compare",
        [](const Document& d) {
-         return text_unless(std::string(compare_keys.at(static_cast<std::size_t>(d.compare))), "side-by-side");
+         return text_unless(std::string(compare_key(d.compare)), std::string(compare_key(CompareMode::side_by_side)));
        },
        [](Document& d, std::string_view t) { d.compare = parse_compare_mode(t); }},
       {"split", [](const Document& d) { return number_unless(d.split, 0.5); },
@@ -172,10 +173,29 @@ void detail::add_options(std::string_view prefix, const Settings& settings, cons
   }
 }
 
+std::string_view compare_key(CompareMode mode) {
+  switch (mode) {
+  case CompareMode::side_by_side:
+    return "side-by-side";
+  case CompareMode::split:
+    return "split";
+  case CompareMode::difference:
+    return "difference";
+  case CompareMode::only_a:
+    return "only-a";
+  case CompareMode::only_b:
+    return "only-b";
+  }
+  return "";
+}
+
 CompareMode parse_compare_mode(std::string_view text) {
-  for (std::size_t i = 0; i < compare_keys.size(); ++i)
-    if (compare_keys[i] == text) return static_cast<CompareMode>(i);
-  throw InputError(fmt::format("compare: found '{}', expected one of {}", text, fmt::join(compare_keys, " ")));
+  std::vector<std::string_view> keys;
+  for (const CompareMode mode : compare_modes) {
+    if (compare_key(mode) == text) return mode;
+    keys.push_back(compare_key(mode));
+  }
+  throw InputError(fmt::format("compare: found '{}', expected one of {}", text, fmt::join(keys, " ")));
 }
 
 std::string permalink(const Document& document) {

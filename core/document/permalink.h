@@ -18,6 +18,7 @@ Document parse_permalink(std::string_view text);
 
 /// "side-by-side", "split", "difference", "only-a", "only-b"; throws InputError for anything else.
 CompareMode parse_compare_mode(std::string_view text);
+std::string_view compare_key(CompareMode mode);
 
 /// "#cgfs" as "%23cgfs" and back. Throws InputError for a broken escape.
 std::string percent_escape(std::string_view text);

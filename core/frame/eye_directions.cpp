@@ -1,8 +1,7 @@
 #include "frame/eye_directions.h"
 
-#include <cmath>
-
 #include "frame/viewport.h"
+#include "math/unit.h"
 
 namespace ps {
 
@@ -15,7 +14,7 @@ Image<Vec3f> eye_directions(const View& view, const Settings& settings) {
       const Vec2d place = viewport.at(x, y);
       if (settings.projection == Projection::perspective)
         direction += view.camera.right * place.x + view.camera.up * place.y;
-      directions.at(x, y) = Vec3f(direction / std::sqrt(dot(direction, direction)));
+      directions.at(x, y) = Vec3f(unit(direction));
     }
   return directions;
 }

@@ -1,12 +1,11 @@
 #include "image/pnm_text.h"
 
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/number_text.h"
 
 namespace ps {
 namespace {
@@ -60,11 +59,10 @@ std::int64_t PnmText::integer(std::int64_t low, std::int64_t high, std::string_v
 
 double PnmText::real(std::string_view what) {
   const std::string expected = fmt::format("{}: a number", what);
-  const std::string text(word(expected));
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end != text.c_str() + text.size() || !std::isfinite(value)) fail(shown(text), expected);
-  return value;
+  const std::string_view text = word(expected);
+  const auto value = parse_number(text);
+  if (!value) fail(shown(text), expected);
+  return *value;
 }
 
 std::string_view PnmText::rest() {

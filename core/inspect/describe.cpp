@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "record/event_fields.h"
+#include "record/event_keys.h"
 #include "record/value_text.h"
 #include "render/story/light_words.h"
 #include "render/story/names.h"
@@ -18,7 +20,7 @@ struct Describer {
 
   std::string operator()(const RayEvent& e) const {
     std::string text =
-        fmt::format("{} ray from {} along {}", ray_kind_key(e.kind), vector_text(e.origin), vector_text(e.direction));
+        fmt::format("{} ray from {} along {}", event_key(e.kind), vector_text(e.origin), vector_text(e.direction));
     for (std::size_t i = 0; i < e.inside.size(); ++i)
       text += fmt::format("{}{} (refraction index {})", i == 0 ? ", origin inside " : ", inside ",
                           object_name(scene, e.inside[i].object), number_text(e.inside[i].index));
@@ -54,7 +56,7 @@ struct Describer {
     return fmt::format("no hit: background {}", vector_text(e.background));
   }
   std::string operator()(const TextureEvent& e) const {
-    const std::string use = e.use == TextureUse::surface ? "" : fmt::format(" for {}", texture_use_key(e.use));
+    const std::string use = e.use == TextureUse::surface ? "" : fmt::format(" for {}", event_key(e.use));
     return fmt::format("texture read{} at uv {}, level {}: {} of {}", use, vector_text(e.uv), number_text(e.level),
                        vector_text(e.result),
                        e.texels.size() == 1 ? "1 texel" : fmt::format("{} texels", e.texels.size()));
@@ -155,9 +157,7 @@ struct Describer {
     }
     return text;
   }
-  std::string operator()(const CoverageEvent& e) const {
-    return fmt::format("{}: {}", coverage_key(e.strategy), e.how);
-  }
+  std::string operator()(const CoverageEvent& e) const { return fmt::format("{}: {}", event_key(e.strategy), e.how); }
   std::string operator()(const WriteEvent& e) const {
     if (e.id.object < 0 && mixing_of(e) == Mixing::adds)
       return fmt::format("a shape adds its colour {} to {}: {}", vector_text(e.shaded), vector_text(e.before),
@@ -237,17 +237,6 @@ struct ValueText {
   }
 };
 
-/// The key of a field in words: most read well without their hyphens.
-std::string field_label(std::string_view key) {
-  if (key == "least") return "minimum";
-  if (key == "extra") return "other light";
-  if (key == "below-horizon") return "faces away";
-  if (key == "tie-owned") return "owns edge";
-  std::string label(key);
-  std::replace(label.begin(), label.end(), '-', ' ');
-  return label;
-}
-
 }  // namespace
 
 std::string describe(const Event& event, const Scene& scene) { return std::visit(Describer{scene}, event.data); }
@@ -255,7 +244,7 @@ std::string describe(const Event& event, const Scene& scene) { return std::visit
 std::vector<FieldText> event_table(const Event& event, const Scene& scene) {
   std::vector<FieldText> table;
   for (const EventField& field : event_fields(event.data)) {
-    table.push_back({field_label(field.key), std::visit(ValueText{scene, number_text}, field.value),
+    table.push_back({field_label(field), std::visit(ValueText{scene, number_text}, field.value),
                      std::visit(ValueText{scene, exact_number_text}, field.value)});
   }
   return table;

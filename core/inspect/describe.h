@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "inspect/event_fields.h"
+#include "record/events.h"
 #include "scene/scene.h"
 
 namespace ps {

@@ -60,26 +60,27 @@ std::vector<LedgerChange> ledger_changes(const PixelStory& before, const PixelSt
     old_keys.push_back(key_of(line, line.event < 0 ? -1 : partner[static_cast<std::size_t>(line.event)]));
   std::vector<bool> used(before.ledger.size(), false);
   std::vector<LedgerChange> changes;
-  std::size_t told = 0;  // old lines before this have their place
-  const auto tell_gone = [&](std::size_t end) {
-    for (; told < end; ++told)
-      if (!used[told])
-        changes.push_back({before.ledger[told].level, before.ledger[told].term, before.ledger[told].value, {}, -1});
+  std::size_t placed = 0;  // old lines before this have their place
+  const auto add_gone = [&](std::size_t end) {
+    for (; placed < end; ++placed)
+      if (!used[placed])
+        changes.push_back(
+            {before.ledger[placed].level, before.ledger[placed].term, before.ledger[placed].value, {}, -1});
   };
   for (const LedgerLine& line : after.ledger) {
     LedgerChange change{line.level, line.term, {}, line.value, line.event};
     const std::string key = key_of(line, line.event);
-    for (std::size_t i = told; i < old_keys.size(); ++i)
+    for (std::size_t i = placed; i < old_keys.size(); ++i)
       if (!used[i] && old_keys[i] == key) {
         used[i] = true;
-        tell_gone(i);
-        told = i + 1;
+        add_gone(i);
+        placed = i + 1;
         change.before = before.ledger[i].value;
         break;
       }
     changes.push_back(std::move(change));
   }
-  tell_gone(before.ledger.size());
+  add_gone(before.ledger.size());
   return changes;
 }
 

@@ -1,23 +1,14 @@
 #include <fmt/format.h>
 
+#include "base/csv.h"
 #include "inspect/describe.h"
-#include "inspect/event_fields.h"
 #include "inspect/story_markdown.h"
+#include "record/event_fields.h"
 #include "record/value_text.h"
 #include "render/story/names.h"
 
 namespace ps {
 namespace {
-
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string safe = "\"";
-  for (const char c : text) {
-    if (c == '"') safe += '"';
-    safe += c;
-  }
-  return safe + '"';
-}
 
 /// Lines that share their first four columns.
 class CsvRows {

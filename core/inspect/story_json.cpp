@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "inspect/describe.h"
-#include "inspect/event_fields.h"
 #include "math/conventions.h"
-#include "options/option.h"
+#include "options/choice_key.h"
+#include "record/event_fields.h"
 #include "render/provenance_json.h"
 #include "render/story/names.h"
 #include "textbook/trace_listing.h"
@@ -70,14 +70,6 @@ Json listing_json(const ListingTrace& trace) {
   return json;
 }
 
-std::string renderer_key(Renderer renderer) {
-  Settings settings;
-  settings.renderer = renderer;
-  const Option* option = find_option("renderer");
-  PS_ASSERT(option, "the option table has a row for the renderer");
-  return option_text(*option, settings);
-}
-
 }  // namespace
 
 std::string story_json(const PixelStory& story, const Scene& scene, const View& view, const Provenance& provenance) {
@@ -85,7 +77,7 @@ std::string story_json(const PixelStory& story, const Scene& scene, const View& 
   Json json{{"pixel", {story.pixel.x, story.pixel.y}},
             {"book-pixel", {book.x, book.y}},
             {"size", {view.width, view.height}},
-            {"renderer", renderer_key(story.renderer)},
+            {"renderer", choice_key<&Settings::renderer>(story.renderer)},
             {"verdict", story.verdict},
             {"colour", {{"linear", list(story.linear)}, {"display", story.display}}}};
   json["events"] = Json::array();

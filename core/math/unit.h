@@ -6,6 +6,20 @@
 
 namespace ps {
 
+/// `v` divided by its length, as kernels compute it: in the type of `v`, and not for vectors whose square vanishes or
+/// overflows there.
+template <class Real>
+inline Vec3<Real> unit(const Vec3<Real>& v) {
+  return v / std::sqrt(dot(v, v));
+}
+
+/// The same; a vector whose square vanishes stays as it is.
+template <class Real>
+inline Vec3<Real> unit_or_zero(const Vec3<Real>& v) {
+  const Real size = std::sqrt(dot(v, v));
+  return size > 0 ? v / size : v;
+}
+
 inline double largest_component(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// `v` times the power of two that brings its largest component to 0.5 or more, but below 1: the same direction to the

@@ -43,6 +43,13 @@ const Option* find_option(std::string_view key) {
   return found == table.end() ? nullptr : &*found;
 }
 
+const Option& option_that_differs(const Settings& one, const Settings& other) {
+  const auto table = option_table();
+  const auto differs = [&](const Option& option) { return option.get(one) != option.get(other); };
+  PS_ASSERT(std::count_if(table.begin(), table.end(), differs) == 1, "the settings differ in one option");
+  return *std::find_if(table.begin(), table.end(), differs);
+}
+
 const Choice& chosen(const Option& option, const Settings& settings) {
   return option.choices.at(static_cast<std::size_t>(option.get(settings)));
 }

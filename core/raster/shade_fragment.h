@@ -4,6 +4,7 @@
 #include "image/anisotropic.h"
 #include "image/mip_level.h"
 #include "image/texture_sampling.h"
+#include "math/unit.h"
 #include "raster/corner_attributes.h"
 #include "raster/environment/mirror_environment.h"
 #include "raster/fragment.h"
@@ -152,12 +153,6 @@ Vec2<Real> relief_uv(const Pass<Real>& pass, const TriangleSetup<Real>& setup, c
   return parallax_uv(material.height_map, uv, *shift, pass.settings, depth_at, recorder);
 }
 
-template <class Real>
-Vec3<Real> unit(const Vec3<Real>& v) {
-  const Real size = length(v);
-  return size > 0 ? v / size : v;
-}
-
 /// Light on the fragment: computed here (Phong), or carried over from the corners (Gouraud) or the triangle (flat); the
 /// inspector then hears how it was computed there.
 template <class Real, class Recorder>
@@ -270,7 +265,7 @@ ShadedFragment<Real> own_colour(const Pass<Real>& pass, const ScreenGeometry<Rea
   }
   if (layout.shading_normal) {
     if (layout.mapped_normal) normal = map_normal(pass, setup, fragment, place, normal, recorder);
-    shaded.normal = unit(normal);
+    shaded.normal = unit_or_zero(normal);
     if (pass.settings.renormalise) normal = shaded.normal;
   }
   shaded.colour = colour;

@@ -6,22 +6,13 @@
 #include <fmt/ranges.h>
 
 #include "base/check.h"
+#include "base/csv.h"
 #include "base/parallel.h"
 #include "image/svg.h"
 #include "options/option.h"
 #include "options/simd_choice.h"
 
 namespace ps {
-namespace {
-
-std::string quoted_field(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
-
 Provenance provenance_of(const Settings& settings, const std::optional<Machinery>& drawn_by) {
   Provenance result = provenance_of(this_machine(), fmt::format("{}", fmt::join(changed_options(settings), ";")));
   result.simd = drawn_by == Machinery::clear ? "none" : chosen_simd(settings.simd);
@@ -69,8 +60,8 @@ std::string provenance_markdown(const Provenance& provenance) {
 
 std::string csv_with_provenance(std::string_view csv, const Provenance& p, std::string_view settings_key) {
   const std::string heading = fmt::format(",program,processor,simd,threads,{}", settings_key);
-  const std::string fields = fmt::format(",{},{},{},{},{}", quoted_field(p.program), quoted_field(p.processor),
-                                         quoted_field(p.simd), p.threads, quoted_field(p.settings));
+  const std::string fields = fmt::format(",{},{},{},{},{}", quoted_csv_field(p.program), quoted_csv_field(p.processor),
+                                         quoted_csv_field(p.simd), p.threads, quoted_csv_field(p.settings));
   std::string text;
   for (bool first = true; !csv.empty(); first = false) {
     const std::size_t end = std::min(csv.find('\n'), csv.size());

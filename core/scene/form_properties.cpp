@@ -46,7 +46,8 @@ Properties properties(const Brick& brick) {
           {"size", scene_vec(brick.size),
            [](Form& f, const Values& v, const Term& t) { std::get<Brick>(f).size = read_brick_size(v, t); }},
           {"rotation", scene_rotation(brick.rotation),
-           [](Form& f, const Values& v, const Term& t) { std::get<Brick>(f).rotation = v.frame(t); }}};
+           [](Form& f, const Values& v, const Term& t) { std::get<Brick>(f).rotation = v.frame(t); },
+           brick.rotation == Mat3d(1.0)}};
 }
 
 void set_end(Form& form, const Values& values, const Term& term, Vec3d Cylinder::*end) {

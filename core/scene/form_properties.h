@@ -13,6 +13,7 @@ struct FormProperty {
   std::string value;  ///< as a scene file has it
   /// Throws InputError for a value that a scene file could not have. The form must be of the kind that was asked.
   void (*set)(Form&, const SceneValues&, const SceneTerm&);
+  bool usual = false;  ///< the value that a scene file need not name
 };
 
 std::vector<FormProperty> form_properties(const Form& form);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scene/scene_draft.h"
+#include "scene/scene_keys.h"
 
 namespace ps {
 namespace {
@@ -10,11 +11,9 @@ namespace {
 Blend read_blend(const SceneSource& source, const SceneFields& fields) {
   const SceneTerm* term = fields.find("blend");
   if (term == nullptr) return Blend::replace;
-  const std::string blend = source.values.name(*term, "replace, additive or subtractive");
-  if (blend == "replace") return Blend::replace;
-  if (blend == "additive") return Blend::additive;
-  if (blend == "subtractive") return Blend::subtractive;
-  source.values.fail(*term, "replace, additive or subtractive");
+  constexpr const char* expected = "replace, additive or subtractive";
+  if (const auto blend = blend_named(source.values.name(*term, expected))) return *blend;
+  source.values.fail(*term, expected);
 }
 
 /// The values of a list, one for each vertex.

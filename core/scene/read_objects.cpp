@@ -5,6 +5,7 @@
 #include "base/spelling.h"
 #include "scene/place_body.h"
 #include "scene/scene_draft.h"
+#include "scene/scene_keys.h"
 
 namespace ps {
 void add_object(const SceneSource& source, const SceneFields& fields, Object object, SceneDraft& draft) {
@@ -21,9 +22,9 @@ void add_object(const SceneSource& source, const SceneFields& fields, Object obj
 }
 
 Sides read_sides(const SceneValues& values, const SceneTerm& term) {
-  const std::string text = values.name(term, "two or front");
-  if (text != "two" && text != "front") values.fail(term, "two or front");
-  return text == "two" ? Sides::two : Sides::front;
+  constexpr const char* expected = "two or front";
+  if (const auto sides = sides_named(values.name(term, expected))) return *sides;
+  values.fail(term, expected);
 }
 
 namespace {
@@ -150,9 +151,9 @@ using ReadBlock = void (*)(const SceneSource& source, const SceneEntry& entry, S
 ReadBlock member_reader(std::string_view key) {
   if (key == "group") return read_group;
   if (key == "instance") return read_instance;
-  if (key == "sphere") return read_sphere;
-  if (key == "box" || key == "cylinder") return read_solid;
-  if (key == "union" || key == "intersection" || key == "difference") return read_csg;
+  if (key == form_key<Ball>) return read_sphere;
+  if (const auto form = form_named(key); form && !is_flat(*form)) return read_solid;
+  if (operation_named(key)) return read_csg;
   return nullptr;
 }
 
@@ -164,7 +165,7 @@ void read_group(const SceneSource& source, const SceneEntry& entry, SceneDraft& 
   if (draft.group_depth >= deepest)
     source.values.fail_at(entry.line, entry.column, "a group", fmt::format("at most {} nested groups", deepest));
   for (const SceneEntry& child : entry.value.entries)
-    for (const std::string_view solid : {"plane", "rectangle"})
+    for (const std::string_view solid : {form_key<Plane>, form_key<Rectangle>})
       if (child.key == solid)
         source.values.fail_at(child.line, child.column, fmt::format("'{}' inside 'group'", solid),
                               "sphere, box, cylinder, instance, group, union, intersection or difference");

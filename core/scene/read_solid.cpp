@@ -5,57 +5,63 @@
 
 #include "base/check.h"
 #include "math/unit.h"
+#include "scene/form_properties.h"
 #include "scene/place_body.h"
 #include "scene/scene_draft.h"
+#include "scene/scene_keys.h"
 
 namespace ps {
 namespace {
 
-const std::vector<std::string_view>& form_keys(std::string_view kind) {
-  static const std::vector<std::string_view> sphere{"center", "radius"}, plane{"point", "normal"},
-      rectangle{"corner", "side_a", "side_b"}, box{"center", "size", "rotation"}, cylinder{"from", "to", "radius"};
-  return kind == "sphere"      ? sphere
-         : kind == "plane"     ? plane
-         : kind == "rectangle" ? rectangle
-         : kind == "box"       ? box
-                               : cylinder;
+/// What a scene file may say of this form.
+std::vector<std::string_view> property_keys(std::string_view kind) {
+  std::vector<std::string_view> keys;
+  for (const FormProperty& property : form_properties(*form_named(kind))) keys.emplace_back(property.name);
+  return keys;
 }
 
-Form read_form(const SceneSource& source, const SceneFields& fields, std::string_view kind) {
-  const SceneValues& values = source.values;
-  const auto vec = [&](std::string_view key) { return values.vec3(fields.require(key)); };
-  if (kind == "sphere") return Ball{vec("center"), values.positive(fields.require("radius"))};
-  if (kind == "plane") return Plane{vec("point"), values.direction(fields.require("normal"))};
-  if (kind == "rectangle") {
-    const Rectangle rectangle{vec("corner"), values.side(fields.require("side_a")),
-                              values.side(fields.require("side_b"))};
+struct FormReader {
+  const SceneFields& fields;
+  const SceneValues& values;
+
+  Form operator()(Ball ball) const {
+    ball.centre = vec("center");
+    ball.radius = values.positive(fields.require("radius"));
+    return ball;
+  }
+  Form operator()(const Plane&) const { return Plane{vec("point"), values.direction(fields.require("normal"))}; }
+  Form operator()(Rectangle rectangle) const {
+    rectangle.corner = vec("corner");
+    rectangle.side_a = values.side(fields.require("side_a"));
+    rectangle.side_b = values.side(fields.require("side_b"));
     if (!has_right_angle(rectangle)) values.fail(fields.require("side_b"), "a side perpendicular to 'side_a'");
     return rectangle;
   }
-  if (kind == "box") {
-    Brick brick;
+  Form operator()(Brick brick) const {
     brick.centre = vec("center");
     brick.size = read_brick_size(values, fields.require("size"));
     if (const auto* term = fields.find("rotation")) brick.rotation = values.frame(*term);
     return brick;
   }
-  PS_ASSERT(kind == "cylinder", "a form that the block table knows");
-  const Cylinder cylinder{vec("from"), vec("to"), values.positive(fields.require("radius"))};
-  if (cylinder.from == cylinder.to) values.fail(fields.require("to"), "a point other than 'from'");
-  return cylinder;
-}
+  Form operator()(Cylinder cylinder) const {
+    cylinder = {vec("from"), vec("to"), values.positive(fields.require("radius"))};
+    if (cylinder.from == cylinder.to) values.fail(fields.require("to"), "a point other than 'from'");
+    return cylinder;
+  }
+  Vec3d vec(std::string_view key) const { return values.vec3(fields.require(key)); }
+};
 
 Solid read_part(const SceneSource& source, const SceneFields& fields, SceneDraft& draft) {
   Solid solid;
-  solid.form = read_form(source, fields, fields.block().key);
+  solid.form = std::visit(FormReader{fields, source.values}, *form_named(fields.block().key));
   solid.material = material_for(source, fields, {}, draft);
   if (const auto* term = fields.find("sides")) solid.sides = read_sides(source.values, *term);
   return solid;
 }
 
-bool is_operation(std::string_view key) { return key == "union" || key == "intersection" || key == "difference"; }
 bool is_part(std::string_view key) {
-  return key == "sphere" || key == "plane" || key == "box" || key == "cylinder" || key == "group" || is_operation(key);
+  const auto form = form_named(key);
+  return (form && !std::holds_alternative<Rectangle>(*form)) || key == "group" || operation_named(key);
 }
 
 class CsgReader {
@@ -65,12 +71,13 @@ class CsgReader {
 
   /// `around`: the transforms of the groups and operations around the block.
   CsgNode node(const SceneEntry& entry, const PartPlace& around) {
-    if (is_operation(entry.key) || entry.key == "group") return combination(entry, around);
+    if (operation_named(entry.key) || entry.key == "group") return combination(entry, around);
     if (++parts_ > max_csg_parts)
       source_.values.fail_at(entry.line, entry.column, "one part more",
                              fmt::format("at most {} parts in one object", max_csg_parts));
-    const SceneFields fields(source_.values, entry,
-                             joined_keys(joined_keys({"material", "transform"}, form_keys(entry.key)), surface_keys()));
+    const SceneFields fields(
+        source_.values, entry,
+        joined_keys(joined_keys({"material", "transform"}, property_keys(entry.key)), surface_keys()));
     CsgNode part;
     part.part = read_part(source_, fields, draft_);
     part.part.place = around.after(read_part_place(source_, fields));
@@ -84,11 +91,9 @@ class CsgReader {
       source_.values.fail(entry.value, fmt::format("'{{' after '{}'", entry.key));
     const bool is_group = entry.key == "group";
     CsgNode node;
-    node.operation = entry.key == "intersection" ? CsgOperation::intersection
-                     : entry.key == "difference" ? CsgOperation::difference
-                                                 : CsgOperation::union_of;
+    node.operation = operation_named(entry.key).value_or(CsgOperation::union_of);
     for (const SceneEntry& child : entry.value.entries) {
-      if (child.key == "rectangle")
+      if (child.key == form_key<Rectangle>)
         source_.values.fail_at(child.line, child.column, "a rectangle", "a solid body: a rectangle has no inside");
       if (child.key == "instance")
         source_.values.fail_at(child.line, child.column, fmt::format("an instance inside '{}'", entry.key),
@@ -152,7 +157,7 @@ Vec3d read_brick_size(const SceneValues& values, const SceneTerm& term) {
 void read_solid(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneFields fields(
       source.values, entry,
-      joined_keys(joined_keys({"name", "dynamic", "material", "sides"}, form_keys(entry.key)), surface_keys()));
+      joined_keys(joined_keys({"name", "dynamic", "material", "sides"}, property_keys(entry.key)), surface_keys()));
   const Solid solid = read_part(source, fields, draft);
   require_invertible(source, entry, draft.group);
   add_object(source, fields, {{}, placed_body(solid, draft.group, draft.materials[solid.material])}, draft);

@@ -1,10 +1,10 @@
 #include "scene/rotation.h"
 
-#include <cstdlib>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "math/portable.h"
 
 namespace ps {
@@ -37,7 +37,7 @@ std::optional<AxisAngle> axis_angle_of(const Mat3d& rotation) {
     const double exact = portable::atan2(sine, cosine) * 180 / pi;
     // People write angles with few digits, and those do not survive the arc tangent: the shortest that fits is theirs.
     for (const int digits : {4, 7, 10, 13, 15, 17}) {
-      const double degrees = std::strtod(fmt::format("{:.{}g}", exact, digits).c_str(), nullptr);
+      const double degrees = parse_number(fmt::format("{:.{}g}", exact, digits)).value_or(0);
       if (rotation_about(axis, degrees) == rotation) return AxisAngle{axis, degrees};
     }
   }

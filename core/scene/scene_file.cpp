@@ -7,6 +7,7 @@
 
 #include "scene/finish_draft.h"
 #include "scene/scene_draft.h"
+#include "scene/scene_keys.h"
 
 namespace ps {
 namespace {
@@ -19,17 +20,26 @@ struct BlockReader {
   ReadBlock read;
   bool once;
 };
-constexpr std::array<BlockReader, 20> blocks{
-    {{"sphere", read_sphere, false},     {"light", read_light, false},
-     {"camera", read_camera, true},      {"material", read_material, false},
-     {"texture", read_texture, false},   {"model", read_model, false},
-     {"instance", read_instance, false}, {"group", read_group, false},
-     {"line", read_line, false},         {"triangle", read_any_triangle, false},
-     {"polygon", read_polygon, false},   {"plane", read_solid, false},
-     {"rectangle", read_solid, false},   {"box", read_solid, false},
-     {"cylinder", read_solid, false},    {"union", read_csg, false},
-     {"intersection", read_csg, false},  {"difference", read_csg, false},
-     {"settings", read_settings, true},  {"include", read_include, false}}};
+constexpr std::array<BlockReader, 20> blocks{{{form_key<Ball>, read_sphere, false},
+                                              {"light", read_light, false},
+                                              {"camera", read_camera, true},
+                                              {"material", read_material, false},
+                                              {"texture", read_texture, false},
+                                              {"model", read_model, false},
+                                              {"instance", read_instance, false},
+                                              {"group", read_group, false},
+                                              {"line", read_line, false},
+                                              {"triangle", read_any_triangle, false},
+                                              {"polygon", read_polygon, false},
+                                              {form_key<Plane>, read_solid, false},
+                                              {form_key<Rectangle>, read_solid, false},
+                                              {form_key<Brick>, read_solid, false},
+                                              {form_key<Cylinder>, read_solid, false},
+                                              {operation_key(CsgOperation::union_of), read_csg, false},
+                                              {operation_key(CsgOperation::intersection), read_csg, false},
+                                              {operation_key(CsgOperation::difference), read_csg, false},
+                                              {"settings", read_settings, true},
+                                              {"include", read_include, false}}};
 
 struct AssignmentReader {
   std::string_view key;

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cctype>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "scene/rotation.h"
 
 namespace ps {
@@ -15,7 +15,7 @@ namespace {
 std::string level_text(double share) {
   for (const int digits : {3, 6, 9, 12, 15, 17}) {
     std::string text = fmt::format("{:.{}g}", share * 255, digits);
-    const double level = std::strtod(text.c_str(), nullptr);
+    const double level = parse_number(text).value_or(-1);
     if (level >= 0 && level <= 255 && level / 255.0 == share) return text;
   }
   return {};

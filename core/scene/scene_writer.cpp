@@ -6,8 +6,10 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "scene/form_properties.h"
 #include "scene/free_names.h"
 #include "scene/rotation.h"
+#include "scene/scene_keys.h"
 #include "scene/scene_text.h"
 #include "scene/texture_generator.h"
 
@@ -33,28 +35,8 @@ int teapot_divisions(double triangles) {
 /// A form's own lines.
 std::string form_lines(const Form& form, const std::string& indent) {
   std::string text;
-  const auto line = [&](std::string_view key, const std::string& value) {
-    text += fmt::format("{}{} = {}\n", indent, key, value);
-  };
-  if (const auto* ball = std::get_if<Ball>(&form)) {
-    line("center", scene_vec(ball->centre));
-    line("radius", scene_number(ball->radius));
-  } else if (const auto* plane = std::get_if<Plane>(&form)) {
-    line("point", scene_vec(plane->point));
-    line("normal", scene_vec(plane->normal));
-  } else if (const auto* rectangle = std::get_if<Rectangle>(&form)) {
-    line("corner", scene_vec(rectangle->corner));
-    line("side_a", scene_vec(rectangle->side_a));
-    line("side_b", scene_vec(rectangle->side_b));
-  } else if (const auto* brick = std::get_if<Brick>(&form)) {
-    line("center", scene_vec(brick->centre));
-    line("size", scene_vec(brick->size));
-    if (brick->rotation != Mat3d(1.0)) line("rotation", scene_rotation(brick->rotation));
-  } else if (const auto* cylinder = std::get_if<Cylinder>(&form)) {
-    line("from", scene_vec(cylinder->from));
-    line("to", scene_vec(cylinder->to));
-    line("radius", scene_number(cylinder->radius));
-  }
+  for (const FormProperty& property : form_properties(form))
+    if (!property.usual) text += fmt::format("{}{} = {}\n", indent, property.name, property.value);
   return text;
 }
 
@@ -259,7 +241,7 @@ class SceneWriter {
          scene_name(meshes_[instance.mesh]));
     mark(object, "    ");
     if (instance.material) line("    material = {}", scene_name(materials_[*instance.material]));
-    if (instance.sides == Sides::front) line("    sides = front");
+    if (instance.sides == Sides::front) line("    sides = {}", sides_key(instance.sides));
     const Transform& transform = instance.transform;
     const bool turned = transform.rotation != Mat3d(1.0);
     if (!turned && transform.scale == Vec3d{1, 1, 1}) {
@@ -306,7 +288,7 @@ class SceneWriter {
     mark(scene_.geometry->objects[index], indent + "    ");
     text_ += form_lines(solid.form, indent + "    ");
     line("{}    material = {}", indent, scene_name(materials_[solid.material]));
-    if (solid.sides == Sides::front) line("{}    sides = front", indent);
+    if (solid.sides == Sides::front) line("{}    sides = {}", indent, sides_key(solid.sides));
     line("{}}}", indent);
     if (in_group) line("}}");
   }
@@ -356,16 +338,7 @@ class SceneWriter {
   }
 
   void blend(Blend blend) {
-    switch (blend) {
-    case Blend::replace:
-      break;
-    case Blend::additive:
-      line("    blend = additive");
-      break;
-    case Blend::subtractive:
-      line("    blend = subtractive");
-      break;
-    }
+    if (blend != Blend::replace) line("    blend = {}", blend_key(blend));
   }
 
   void canvas_item(const CanvasLine& item) {

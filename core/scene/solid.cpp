@@ -1,7 +1,5 @@
 #include "scene/solid.h"
 
-#include <array>
-
 namespace ps {
 namespace {
 
@@ -23,23 +21,6 @@ std::vector<Solid*> csg_parts(CsgNode& root) {
   std::vector<Solid*> parts;
   collect(root, parts);
   return parts;
-}
-
-std::string_view form_name(const Form& form) {
-  constexpr std::array<std::string_view, 5> names{"sphere", "plane", "rectangle", "box", "cylinder"};
-  return names.at(form.index());
-}
-
-std::string_view operation_name(CsgOperation operation) {
-  switch (operation) {
-  case CsgOperation::union_of:
-    return "union";
-  case CsgOperation::intersection:
-    return "intersection";
-  case CsgOperation::difference:
-    return "difference";
-  }
-  return {};
 }
 
 bool is_flat(const Form& form) {

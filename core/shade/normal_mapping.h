@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "math/vec.h"
+#include "math/unit.h"
 
 namespace ps {
 
@@ -48,7 +48,6 @@ struct TangentSpace {
 /// Nothing where the tangent runs along the normal.
 template <class Real>
 inline std::optional<TangentSpace<Real>> tangent_space(const Vec3<Real>& normal, const TangentFrame<Real>& frame) {
-  const auto unit = [](const Vec3<Real>& v) { return v / std::sqrt(dot(v, v)); };
   TangentSpace<Real> space;
   space.normal = unit(normal);
   const Vec3<Real> across = frame.along_u - space.normal * dot(space.normal, frame.along_u);

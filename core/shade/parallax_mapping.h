@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "math/vec.h"
+#include "math/unit.h"
 #include "options/settings.h"
 #include "record/events.h"
 #include "shade/normal_mapping.h"
@@ -23,8 +23,8 @@ namespace ps {
 template <class Real>
 inline std::optional<Vec2<Real>> relief_shift(const Vec3<Real>& normal, const TangentFrame<Real>& frame,
                                               const Vec3<Real>& to_eye, Real depth, Parallax method) {
-  const Vec3<Real> n = normal / std::sqrt(dot(normal, normal));
-  const Vec3<Real> v = to_eye / std::sqrt(dot(to_eye, to_eye));
+  const Vec3<Real> n = unit(normal);
+  const Vec3<Real> v = unit(to_eye);
   const Real cosine = dot(n, v);
   if (!(cosine > 0)) return {};
   Vec3<Real> along = n * cosine - v;  // within the surface, for a cosine of depth

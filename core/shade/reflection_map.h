@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/texture_sampling.h"
+#include "math/unit.h"
 #include "record/events.h"
 #include "record/recorder.h"
 #include "scene/material.h"
@@ -20,7 +21,7 @@ inline Vec2<Real> reflection_uv(Surroundings surroundings, const Vec3<Real>& dir
   const Vec2<Real> half_texel{Real(0.5) / static_cast<Real>(width), Real(0.5) / static_cast<Real>(height)};
   switch (surroundings) {
   case Surroundings::sphere: {
-    const Vec2<Real> uv = world_map_uv(direction / std::sqrt(dot(direction, direction)));
+    const Vec2<Real> uv = world_map_uv(unit(direction));
     return {uv.x, std::clamp(uv.y, half_texel.y, 1 - half_texel.y)};
   }
   case Surroundings::cube: {

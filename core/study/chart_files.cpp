@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
-#include "options/option.h"
+#include "base/csv.h"
+#include "options/choice_key.h"
 #include "render/provenance.h"
 #include "study/comparison_json.h"
 #include "study/missing_points.h"
@@ -16,15 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A field of a CSV file: in quotes where it needs them.
-std::string field(std::string_view text) {
-  if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string renderer_key(const Settings& settings) { return option_text(*find_option("renderer"), settings); }
+std::string_view renderer_key(const Settings& settings) { return choice_key<&Settings::renderer>(settings.renderer); }
 
 Json point_json(const ChartPoint& point) {
   Json json{{"label", point.what.label},       {"renderer", renderer_key(point.what.value)},
@@ -53,10 +46,10 @@ std::string chart_csv(const Chart& chart) {
       "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth\n";
   for (const ChartPoint& point : chart.points)
     if (point.measured())
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", field(point.what.label),
-                          renderer_key(point.what.value), field(point.what.settings), point.time_ms.median,
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(point.what.label),
+                          renderer_key(point.what.value), csv_field(point.what.settings), point.time_ms.median,
                           point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb, point.on_front ? 1 : 0,
-                          point.work, field(chart.identity.machinery), field(chart.identity.reference));
+                          point.work, csv_field(chart.identity.machinery), csv_field(chart.identity.reference));
   return csv_with_provenance(text, chart_machine_provenance(chart), "base_settings");
 }
 

@@ -160,16 +160,16 @@ std::string legend(const Chart& chart, double largest_memory) {
     svg += text_at(x, y + 5, "start", text, tick_size);
     x += estimated_width(text, tick_size) + 22;
   };
-  std::vector<std::string> told;
+  std::vector<std::string> named;
   for (const ChartPoint& point : chart.points) {
     const Settings& value = point.what.value;
     std::string name = option_text(*find_option("renderer"), value);
     if (value.precision == Precision::float64) name += ", double";
-    if (!point.measured() || std::find(told.begin(), told.end(), name) != told.end()) continue;
+    if (!point.measured() || std::find(named.begin(), named.end(), name) != named.end()) continue;
     svg += sign(value.renderer, {x + 6, y}, 6, fmt::format("fill=\"{}\"", hex_colour(mark_colour(value))), name);
     x += 19;
     words(name);
-    told.push_back(std::move(name));
+    named.push_back(std::move(name));
   }
   svg += line({x, y}, {x + 26, y}, "#000000", 2, " stroke-dasharray=\"7 5\"");
   x += 34;

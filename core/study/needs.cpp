@@ -158,11 +158,11 @@ class Search {
     const Quartiles base = quartiles(samples[0]), advice = quartiles(samples[1]);
     needs_.default_time_ms = base.median;
     needs_.time_ms = advice.median;
-    needs_.time_told = lie_apart(base, advice);
+    needs_.time_differs = lie_apart(base, advice);
     for (std::size_t i = 0; i < measured.size(); ++i) {
       const Quartiles less = quartiles(samples[i + 2]);
       measured[i]->cost_share = 1 - less.median / base.median;
-      measured[i]->cost_told = lie_apart(base, less);
+      measured[i]->cost_differs = lie_apart(base, less);
     }
   }
 

@@ -24,11 +24,11 @@ struct NeedsRequest {
 struct FeatureShare {
   Feature feature;
   bool used = false;
-  std::string reason;        ///< why it is free to drop, if it is not used
-  double error_without = 0;  ///< worst_tile_flip against the reference when it is switched off
-  double cost_share = 0;     ///< share of the time of a picture that it takes
-  bool cost_told = false;    ///< the quartiles of both times lie apart; else the share is within noise
-  double work_share = 0;     ///< the same of the counted work
+  std::string reason;         ///< why it is free to drop, if it is not used
+  double error_without = 0;   ///< worst_tile_flip against the reference when it is switched off
+  double cost_share = 0;      ///< share of the time of a picture that it takes
+  bool cost_differs = false;  ///< the quartiles of both times lie apart; else the share is within noise
+  double work_share = 0;      ///< the same of the counted work
 };
 
 /// Why a feature that is not used is free to drop.
@@ -47,8 +47,8 @@ struct Needs {
   Settings advice;
   double error = 0, default_error = 0;  ///< worst_tile_flip against the reference
   double time_ms = 0, default_time_ms = 0;
-  bool time_told = false;  ///< the quartiles of both times lie apart; else they are the same within noise
-  std::string machinery;   ///< which code was timed, the same for all: TimedSettings::reason
+  bool time_differs = false;  ///< the quartiles of both times lie apart; else they are the same within noise
+  std::string machinery;      ///< which code was timed, the same for all: TimedSettings::reason
   std::uint64_t work = 0, default_work = 0;
   std::vector<FeatureShare> shares;
   std::vector<NeedsStep> trail;

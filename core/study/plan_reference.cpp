@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
-#include "options/option.h"
+#include "options/choice_key.h"
 #include "options/renderer_kind.h"
 #include "options/robust_rays.h"
 #include "study/reference.h"
@@ -128,7 +128,7 @@ class Planner {
   void describe() {
     const Settings& s = plan_.settings;
     plan_.description =
-        fmt::format("{} in {}, {}", option_label("renderer"), s.precision == Precision::float64 ? "double" : "float",
+        fmt::format("{} in {}, {}", option_label("renderer"), choice_key<&Settings::precision>(s.precision),
                     plan_.samples > 1 ? fmt::format("the mean of {} samples over each pixel", all_samples())
                                       : "sampled as the points are");
     for (const std::string& assignment : exact_) plan_.description += ", " + assignment;

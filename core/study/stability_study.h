@@ -29,7 +29,7 @@ struct StabilityRequest {
 };
 
 /// The default series: the first one in which naive and robust values differ, or the very first. "" without rows.
-std::string telling_series(const std::vector<StabilityRow>& rows);
+std::string default_series(const std::vector<StabilityRow>& rows);
 
 /// Called after each row and each complete experiment, on the thread that runs the study; the status counts
 /// experiments.

@@ -71,12 +71,12 @@ ListingView::ListingView(const ListingTrace& trace, const ListingText& text) : t
     depth_.push_back(parent < 0 ? 0 : depth_[static_cast<std::size_t>(parent)] + 1);
     instances_[instances[i].line].push_back(static_cast<int>(i));
   }
-  std::vector<int> told(instances.size());
+  std::vector<int> watched(instances.size());
   for (const Watch& watch : trace.watches)
-    if (watch.instance >= 0) ++told[static_cast<std::size_t>(watch.instance)];
+    if (watch.instance >= 0) ++watched[static_cast<std::size_t>(watch.instance)];
   for (std::size_t i = 0; i < instances.size(); ++i) {
     if (instances[i].name != "pixel") continue;
-    if (focus_ < 0 || told[i] >= told[static_cast<std::size_t>(focus_)]) focus_ = static_cast<int>(i);
+    if (focus_ < 0 || watched[i] >= watched[static_cast<std::size_t>(focus_)]) focus_ = static_cast<int>(i);
   }
   choose();
 }

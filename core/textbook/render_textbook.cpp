@@ -10,8 +10,8 @@
 #include "image/display.h"
 #include "textbook/book_canvas.h"
 #include "textbook/book_scene.h"
+#include "textbook/listing_events.h"
 #include "textbook/renderer.h"
-#include "textbook/tell_listing.h"
 #include "textbook/trace_listing.h"
 
 namespace ps {
@@ -78,7 +78,7 @@ PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings
   story.verdict = lines.empty() ? fmt::format("no line of the listing of {} reached this pixel", listing.source)
                                 : fmt::format("the listing of {} computed this pixel's colour: {} values on {} lines",
                                               listing.source, trace->watches.size(), lines.size());
-  story.events = tell_listing(book_scene(scene, view, settings), *trace);
+  story.events = listing_events(book_scene(scene, view, settings), *trace);
   story.events.push_back({-1, EventData(PixelEvent{story.linear, story.display})});
   story.ledger.push_back({0, fmt::format("as the listing of {} computes it", listing.source), story.linear,
                           static_cast<int>(story.events.size()) - 1});

@@ -84,7 +84,7 @@ TEST(CoveragePictures, ChannelOfTestsAddsUpToTheCounter) {
   }
 }
 
-TEST(CoveragePictures, StoriesTellHowTheStrategyDecided) {
+TEST(CoveragePictures, StoriesShowHowTheStrategyDecided) {
   Pictures pictures("cgfs/cubes", 600, 600);
   const Vec2i pixel = pictures.scene.telling_pixel;
   for (const Coverage strategy : all) {

@@ -309,8 +309,8 @@ TEST(Parting, NamesTheMirrorAtTheFirstPixel) {
   }
 }
 
-// A ray's story beside a fragment's: what both tell of stands in one row, where both see the same thing it counts as
-// the same, and no event is lost or told twice.
+// A ray's story beside a fragment's: what both report stands in one row, where both see the same thing it counts as
+// the same, and no event is lost or listed twice.
 TEST(AlignStories, PutsARayBesideAFragment) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, scene.canvas_width, scene.canvas_height};
@@ -324,11 +324,11 @@ TEST(AlignStories, PutsARayBesideAFragment) {
   for (const bool swapped : {false, true}) {
     const PixelStory &a = swapped ? fragment : ray, &b = swapped ? ray : fragment;
     const auto rows = align_stories(a, b, scene);
-    std::multiset<int> told_a, told_b;
+    std::multiset<int> listed_a, listed_b;
     int lights = 0, seen = 0;
     for (const AlignedRow& row : rows) {
-      if (row.a >= 0) told_a.insert(row.a);
-      if (row.b >= 0) told_b.insert(row.b);
+      if (row.a >= 0) listed_a.insert(row.a);
+      if (row.b >= 0) listed_b.insert(row.b);
       if (row.a < 0 || row.b < 0) continue;
       const EventData &of_a = a.events[static_cast<std::size_t>(row.a)].data,
                       &of_b = b.events[static_cast<std::size_t>(row.b)].data;
@@ -342,8 +342,8 @@ TEST(AlignStories, PutsARayBesideAFragment) {
     }
     EXPECT_EQ(lights, 3);
     EXPECT_EQ(seen, 1);
-    for (std::size_t i = 0; i < a.events.size(); ++i) EXPECT_EQ(told_a.count(static_cast<int>(i)), 1u) << i;
-    for (std::size_t i = 0; i < b.events.size(); ++i) EXPECT_EQ(told_b.count(static_cast<int>(i)), 1u) << i;
+    for (std::size_t i = 0; i < a.events.size(); ++i) EXPECT_EQ(listed_a.count(static_cast<int>(i)), 1u) << i;
+    for (std::size_t i = 0; i < b.events.size(); ++i) EXPECT_EQ(listed_b.count(static_cast<int>(i)), 1u) << i;
   }
 }
 

@@ -24,28 +24,28 @@ struct Inspected {
   Vec2d point{0, 0};
 };
 
-enum class Teller {
+enum class InspectKind {
   story,
   microscope,       ///< what is shown at once
   whole_microscope  ///< with the fine picture, which follows
 };
 
-Job teller_job(const std::shared_ptr<Inspected>& inspected, Renderer renderer, Teller teller) {
+Job inspect_job(const std::shared_ptr<Inspected>& inspected, Renderer renderer, InspectKind kind) {
   inspected->settings.renderer = renderer;
   inspected->point = Vec2d(inspected->pixel) + 0.5;
   Job job;
-  job.ours = [inspected, teller] {
+  job.ours = [inspected, kind] {
     Inspected& i = *inspected;
     Progress progress;
-    switch (teller) {
-    case Teller::story:
+    switch (kind) {
+    case InspectKind::story:
       inspect(i.scene, i.view, i.settings, i.pixel, i.prepared, progress);
       break;
-    case Teller::microscope:
+    case InspectKind::microscope:
       Microscope(i.scene, i.view, i.settings, i.pixel, i.prepared, progress, MicroDetail::first)
           .read(i.point, i.prepared, progress);
       break;
-    case Teller::whole_microscope:
+    case InspectKind::whole_microscope:
       Microscope(i.scene, i.view, i.settings, i.pixel, i.prepared, progress, MicroDetail::whole)
           .read(i.point, i.prepared, progress);
       break;
@@ -81,18 +81,19 @@ std::shared_ptr<Inspected> million_triangles() {
 
 Benches inspect_benches() {
   Benches benches;
-  const auto add = [&](const std::string& what, const std::string& scene, auto make, Renderer renderer, Teller teller) {
+  const auto add = [&](const std::string& what, const std::string& scene, auto make, Renderer renderer,
+                       InspectKind kind) {
     benches.push_back(
-        {fmt::format("inspect/{}/{}", what, scene), "ms", "", [=] { return teller_job(make(), renderer, teller); }});
+        {fmt::format("inspect/{}/{}", what, scene), "ms", "", [=] { return inspect_job(make(), renderer, kind); }});
   };
   const auto add_all = [&](const std::string& scene, auto make) {
-    add("traced", scene, make, Renderer::ray_tracer, Teller::story);
-    add("rasterized", scene, make, Renderer::rasterizer, Teller::story);
-    add("listing", scene, make, Renderer::textbook, Teller::story);
-    add("microscope-traced", scene, make, Renderer::ray_tracer, Teller::microscope);
-    add("microscope-rasterized", scene, make, Renderer::rasterizer, Teller::microscope);
-    add("whole-microscope-traced", scene, make, Renderer::ray_tracer, Teller::whole_microscope);
-    add("whole-microscope-rasterized", scene, make, Renderer::rasterizer, Teller::whole_microscope);
+    add("traced", scene, make, Renderer::ray_tracer, InspectKind::story);
+    add("rasterized", scene, make, Renderer::rasterizer, InspectKind::story);
+    add("listing", scene, make, Renderer::textbook, InspectKind::story);
+    add("microscope-traced", scene, make, Renderer::ray_tracer, InspectKind::microscope);
+    add("microscope-rasterized", scene, make, Renderer::rasterizer, InspectKind::microscope);
+    add("whole-microscope-traced", scene, make, Renderer::ray_tracer, InspectKind::whole_microscope);
+    add("whole-microscope-rasterized", scene, make, Renderer::rasterizer, InspectKind::whole_microscope);
   };
   for (const BuiltinScene& scene : builtin_scenes())
     add_all(scene.name, [name = scene.name] { return builtin_scene(name); });

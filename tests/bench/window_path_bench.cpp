@@ -1,5 +1,5 @@
 // A picture on its way into the window: the renderer writes display levels while it has the colours at hand, and each
-// tile is copied to what the window shows (app/gui/app/render_worker.h), beside levels made from each finished tile.
+// tile is copied to what the window shows (app/gui/work/render_worker.h), beside levels made from each finished tile.
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 // Moving the camera by hand: what must hold for any frame, whichever way its axes point.
-#include "gui/app/camera_moves.h"
+#include "gui/session/camera_moves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The number beside the difference of A and B.
-#include "gui/app/difference_meter.h"
+#include "gui/work/difference_meter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Handles of lights and spheres: places against the rays of the renderer's own viewport, and drags against both.
-#include "gui/app/handles.h"
+#include "gui/session/handles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-// The advice in words: work is not time, and what the clock cannot tell is not told.
-#include "gui/study/needs_view.h"
+// The advice in words: work is not time, and what the clock cannot distinguish is not shown.
+#include "gui/panels/studies/needs_view.h"
 
 #include <gtest/gtest.h>
 
 namespace ps::gui {
 namespace {
 
-Needs needs_with(double time, double default_time, bool told) {
+Needs needs_with(double time, double default_time, bool differs) {
   Needs needs;
   needs.advice.shadows = Shadows::none;
   needs.work = 60'000;
@@ -14,17 +14,17 @@ Needs needs_with(double time, double default_time, bool told) {
   needs.tolerance = 0.05;
   needs.time_ms = time;
   needs.default_time_ms = default_time;
-  needs.time_told = told;
+  needs.time_differs = differs;
   return needs;
 }
 
 TEST(NeedsAdvice, SaysWhatWorkIs) {
-  const NeedsAdvice told = needs_advice(needs_with(10, 20, true), Settings{});
-  EXPECT_NE(told.verdict.find("94 % of the counted work"), std::string::npos) << told.verdict;
-  EXPECT_NE(told.saving.find("60,000 instead of 1 M rays, tests, fragments and reads of textures and maps"),
+  const NeedsAdvice words = needs_advice(needs_with(10, 20, true), Settings{});
+  EXPECT_NE(words.verdict.find("94 % of the counted work"), std::string::npos) << words.verdict;
+  EXPECT_NE(words.saving.find("60,000 instead of 1 M rays, tests, fragments and reads of textures and maps"),
             std::string::npos)
-      << told.saving;
-  EXPECT_EQ(told.time, "Here the time is less, too: 10 ms instead of 20 ms.");
+      << words.saving;
+  EXPECT_EQ(words.time, "Here the time is less, too: 10 ms instead of 20 ms.");
 }
 
 TEST(NeedsAdvice, SaysThatLessWorkWasNotLessTime) {
@@ -34,14 +34,14 @@ TEST(NeedsAdvice, SaysThatLessWorkWasNotLessTime) {
     EXPECT_NE(time(needs).find("within noise"), std::string::npos) << time(needs);
 }
 
-TEST(NeedsAdvice, SharesOfTimeWithinNoiseAreNotTold) {
+TEST(NeedsAdvice, SharesOfTimeWithinNoiseAreNotShown) {
   FeatureShare share;
   share.cost_share = -0.22;
-  EXPECT_FALSE(needs_time_told(share)) << "the quartiles overlap";
-  share.cost_told = true;
-  EXPECT_TRUE(needs_time_told(share));
+  EXPECT_FALSE(needs_time_shown(share)) << "the quartiles overlap";
+  share.cost_differs = true;
+  EXPECT_TRUE(needs_time_shown(share));
   share.cost_share = 0.01;
-  EXPECT_FALSE(needs_time_told(share));
+  EXPECT_FALSE(needs_time_shown(share));
 }
 
 TEST(NeedsAdvice, WhatIsFreeToDropIsASentence) {

@@ -1,5 +1,5 @@
 // What stands over the pictures: what tells them apart comes first, where no ellipsis reaches it.
-#include "gui/app/picture_text.h"
+#include "gui/panels/pictures/picture_text.h"
 
 #include <gtest/gtest.h>
 
@@ -22,28 +22,28 @@ class Title : public testing::Test {
   SceneTraits traits = scene_traits(load_scene("cgfs/reflections"));
 };
 
-TEST_F(Title, AloneTellsTheRendererFirst) {
+TEST_F(Title, AloneNamesTheRendererFirst) {
   EXPECT_EQ(title_text(Settings{}, traits), "ray tracer, 3 reflections");
   EXPECT_EQ(title_text(with({"renderer=rasterizer", "shadows=stencil-depth-fail"}), traits),
             "rasterizer, Phong, shadows = stencil-depth-fail");
 }
 
-TEST_F(Title, OfTwoTellsFirstWhatDiffers) {
+TEST_F(Title, OfTwoNamesFirstWhatDiffers) {
   const Settings a = with({"renderer=rasterizer", "shadows=stencil-depth-fail", "volume-caps=off"});
   const Settings b = with({"renderer=rasterizer", "shadows=stencil-depth-fail"});
   EXPECT_EQ(title_text(a, traits, &b), "volume-caps = off · rasterizer, Phong, shadows = stencil-depth-fail");
   EXPECT_EQ(title_text(b, traits, &a), "volume-caps = on · rasterizer, Phong, shadows = stencil-depth-fail")
-      << "a default is told where the other picture has something else";
+      << "a default is named where the other picture has something else";
   EXPECT_EQ(title_text(a, traits, &a), title_text(a, traits));
 }
 
-TEST_F(Title, OfTwoRenderersTellsWhatIsSharedLast) {
+TEST_F(Title, OfTwoRenderersNamesWhatIsSharedLast) {
   const Settings a = with({"exposure=2"}), b = with({"renderer=rasterizer", "exposure=2"});
   EXPECT_EQ(title_text(a, traits, &b), "ray tracer, 3 reflections · exposure = 2");
   EXPECT_EQ(title_text(b, traits, &a), "rasterizer, Phong · exposure = 2");
 }
 
-TEST_F(Title, TellsNumbersWithFourDigitsUnlessTheseAreTheSame) {
+TEST_F(Title, ShowsNumbersWithFourDigitsUnlessTheseAreTheSame) {
   const Settings third = with({"exposure=0.33333333333333331"}), other = with({"exposure=0.33333333333333337"});
   EXPECT_EQ(title_text(third, traits), "ray tracer, 3 reflections, exposure = 0.3333");
   const Settings near = with({"exposure=0.33334"});

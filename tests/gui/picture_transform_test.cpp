@@ -1,5 +1,5 @@
 // Zooming and panning: which pixel is under the mouse, and that it stays there.
-#include "gui/app/picture_transform.h"
+#include "gui/panels/pictures/picture_transform.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "frame/display_frame.h"
-#include "gui/app/inspect_worker.h"
-#include "gui/app/render_worker.h"
+#include "gui/work/inspect_worker.h"
+#include "gui/work/render_worker.h"
 #include "options/option.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -269,7 +269,7 @@ TEST(RenderWorker, LevelsAreThoseOfTheFinishedFrame) {
       }
 }
 
-TEST(InspectWorker, TellsTheNewestPixelOnly) {
+TEST(InspectWorker, ReportsTheNewestPixelOnly) {
   std::atomic<bool> open{false};
   std::atomic<int> calls{0};
   InspectWorker worker(

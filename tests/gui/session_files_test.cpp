@@ -8,8 +8,8 @@
 #include <fstream>
 #include <thread>
 
-#include "gui/app/autosave.h"
-#include "gui/app/file_watch.h"
+#include "gui/session/autosave.h"
+#include "gui/work/file_watch.h"
 
 namespace ps::gui {
 namespace {
@@ -37,7 +37,7 @@ bool becomes_true(const std::function<bool()>& condition) {
   return false;
 }
 
-TEST_F(SessionFiles, WatchTellsOfAWriteOnce) {
+TEST_F(SessionFiles, WatchReportsAWriteOnce) {
   write("a.scene", "one");
   std::atomic<int> wakes{0};
   FileWatch watch([&] { ++wakes; });

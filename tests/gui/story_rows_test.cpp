@@ -1,5 +1,5 @@
-// Which events of a story are told together, against runs counted by hand.
-#include "gui/app/story_rows.h"
+// Which events of a story share a row, against runs counted by hand.
+#include "gui/panels/story/story_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ std::vector<StoryRow> rows_of(const std::vector<Event>& events) {
   return story_rows(events, subtree_ends(events), 1, static_cast<int>(events.size()));
 }
 
-TEST(StoryRows, BoxesAreToldTogetherAndHitsAreNot) {
+TEST(StoryRows, BoxesShareARowAndHitsDoNot) {
   const auto events = ray_with({node(true),
                                 node(true),
                                 node(false),
@@ -46,7 +46,7 @@ TEST(StoryRows, BoxesAreToldTogetherAndHitsAreNot) {
   EXPECT_EQ(run_text(events, rows[0]), "3 boxes visited, 2 entered; 1 primitive missed");
   EXPECT_FALSE(rows[1].run);
   EXPECT_EQ(rows[1].first, 5);
-  EXPECT_FALSE(rows[2].run) << "one box by itself is told by itself";
+  EXPECT_FALSE(rows[2].run) << "one box by itself has a row of its own";
   EXPECT_EQ(rows[3].first, 7);
 }
 
@@ -82,7 +82,7 @@ TEST(StoryRows, AShadowRayNamesItsLight) {
   EXPECT_EQ(row_text(events, subtree_ends(events), Scene{}, 1), "shadow ray to light 1: not blocked (1 test)");
 }
 
-TEST(StoryRows, ALightThatAddsNothingIsNotTold) {
+TEST(StoryRows, ALightThatAddsNothingHasNoRow) {
   LightEvent lamp;
   lamp.light = 1;
   lamp.kind = LightKind::point;

@@ -1,5 +1,5 @@
 // Pixels that are followed while options change, and results made in the background.
-#include "gui/app/watched_pixels.h"
+#include "gui/session/watched_pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-#include "gui/app/latest_result.h"
+#include "gui/work/latest_result.h"
 
 namespace ps::gui {
 namespace {

@@ -58,7 +58,7 @@ Scene sheets(double z, double gap) {
                      "sheets", ".");
 }
 
-TEST(PrecisionMap, TheGapIsToldInUnitsOfTheStoredDepth) {
+TEST(PrecisionMap, TheGapIsInUnitsOfTheStoredDepth) {
   Settings settings;
   settings.renderer = Renderer::rasterizer;
   settings.near = 0.1;

@@ -79,7 +79,7 @@ TEST(Rasterized, ChannelsDoNotChangeTheColour) {
   }
 }
 
-TEST(Rasterized, InspectorTellsThePicturesOwnBits) {
+TEST(Rasterized, InspectorReportsThePicturesOwnBits) {
   constexpr unsigned seed = 404;
   std::mt19937 random(seed);
   for (const auto& [name, assignments] : cases) {
@@ -227,10 +227,10 @@ TEST(Rasterized, StoryAccountsForEveryTriangle) {
   const View view{scene.camera, 600, 600};
   for (const Vec2i pixel : {scene.telling_pixel, Vec2i{300, 300}, Vec2i{0, 0}, Vec2i{150, 330}}) {
     const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
-    std::uint64_t told = 0;
+    std::uint64_t reported = 0;
     for (const Event& event : story.events)
-      told += std::holds_alternative<FragmentEvent>(event.data) || std::holds_alternative<RejectEvent>(event.data);
-    EXPECT_EQ(told + story.triangles_elsewhere, 474u);
+      reported += std::holds_alternative<FragmentEvent>(event.data) || std::holds_alternative<RejectEvent>(event.data);
+    EXPECT_EQ(reported + story.triangles_elsewhere, 474u);
   }
 }
 
@@ -253,7 +253,7 @@ TEST(Rasterized, PaysOnlyForWhatTheSceneNeeds) {
   EXPECT_EQ(textured.counters[Counter::texel_reads], textured.counters[Counter::pixels_written]);
 }
 
-TEST(Rasterized, TellsOfEachTileAndStopsWhenAsked) {
+TEST(Rasterized, ReportsEachTileAndStopsWhenAsked) {
   const Scene scene = load_scene("cgfs/reflections");
   const View view{scene.camera, 200, 130};
   Prepared prepared;
@@ -321,8 +321,8 @@ TEST(Rasterized, LowestIndexWinsTies) {
   }
 }
 
-/// A pixel inside a triangle of which only edges or corners are drawn is told why it stays empty; a sphere's events
-/// name the sphere, as rays' do, and keep the number of the triangle that stands for it as a detail.
+/// A pixel inside a triangle of which only edges or corners are drawn gets the reason why it stays empty; a sphere's
+/// events name the sphere, as rays' do, and keep the number of the triangle that stands for it as a detail.
 TEST(Rasterized, InspectorNamesWhatPassesBy) {
   Prepared prepared;
   Progress progress;
@@ -331,12 +331,12 @@ TEST(Rasterized, InspectorNamesWhatPassesBy) {
        {std::pair{"draw=wireframe", "no edge passes through it"}, std::pair{"draw=points", "no vertex lies in it"}}) {
     const Settings settings = settings_of({how, "backface-culling=off"});
     const PixelStory story = inspect(cubes, {cubes.camera, 600, 600}, settings, {200, 320}, prepared, progress);
-    int told = 0;
+    int reported = 0;
     for (const Event& event : story.events)
       if (const auto* reject = std::get_if<RejectEvent>(&event.data))
-        told += reject->reason == RejectReason::not_covered && reject->detail == detail;
-    EXPECT_EQ(told, 4) << how;  // both triangles of the front square and of the back one have it in their boxes
-    EXPECT_EQ(story.triangles_elsewhere + static_cast<std::uint64_t>(told), 24u) << how;
+        reported += reject->reason == RejectReason::not_covered && reject->detail == detail;
+    EXPECT_EQ(reported, 4) << how;  // both triangles of the front square and of the back one have it in their boxes
+    EXPECT_EQ(story.triangles_elsewhere + static_cast<std::uint64_t>(reported), 24u) << how;
   }
   const Scene spheres = load_scene("cgfs/spheres");
   const PixelStory story =

@@ -6,7 +6,7 @@
 
 namespace {
 
-TEST(AgainstText, ShowsAsManyDigitsAsTellTheNumbersApart) {
+TEST(AgainstText, ShowsAsManyDigitsAsDistinguishTheNumbers) {
   EXPECT_EQ(ps::against_text(2, 1.5), "2 against 1.5");
   EXPECT_EQ(ps::against_text(65534, 65533), "65534 against 65533") << "four digits would show 6.553e+04 twice";
   EXPECT_EQ(ps::against_text(65534, 65534), "65534 against the same");

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "inspect/describe.h"
-#include "inspect/event_fields.h"
 #include "inspect/space_model.h"
 #include "raytrace/accelerators.h"
+#include "record/event_fields.h"
 #include "render/render.h"
 #include "scene/load.h"
 

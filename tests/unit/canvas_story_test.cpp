@@ -1,4 +1,4 @@
-// What is told of triangles on the canvas that a pixel lies on the side of: CGFS ch. 7, and the fill rule.
+// What a story shows of triangles on the canvas that a pixel lies on the side of: CGFS ch. 7, and the fill rule.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 struct Square {
   Scene scene = load_scene("chapters/cgfs_07_filled_triangles/square.scene");
 
-  PixelStory tell(FillRule rule) const {
+  PixelStory inspect_with(FillRule rule) const {
     Settings settings = settings_for(scene);
     settings.renderer = Renderer::rasterizer;
     settings.sample_position = SamplePosition::corner;
@@ -44,7 +44,7 @@ std::size_t fragments(const PixelStory& story) {
 
 TEST(CanvasStory, ASideThatNobodyOwnsIsRefusedByBoth) {
   const Square square;
-  const PixelStory story = square.tell(FillRule::exclusive);
+  const PixelStory story = square.inspect_with(FillRule::exclusive);
   EXPECT_EQ(fragments(story), 0u);
   const auto refused = refusals(story);
   ASSERT_EQ(refused.size(), 2u);
@@ -61,15 +61,15 @@ TEST(CanvasStory, ASideThatNobodyOwnsIsRefusedByBoth) {
 
 TEST(CanvasStory, WithTheRuleOneTakesItAndTheOtherGivesItUp) {
   const Square square;
-  const PixelStory story = square.tell(FillRule::top_left);
+  const PixelStory story = square.inspect_with(FillRule::top_left);
   EXPECT_EQ(fragments(story), 1u);
   EXPECT_EQ(refusals(story).size(), 1u);
-  const PixelStory all = square.tell(FillRule::inclusive);
+  const PixelStory all = square.inspect_with(FillRule::inclusive);
   EXPECT_EQ(fragments(all), 2u);
   EXPECT_TRUE(refusals(all).empty());
 }
 
-// The microscope shows what the story tells: the sample on the side of both, and who owns it.
+// The microscope shows what the story shows: the sample on the side of both, and who owns it.
 TEST(CanvasStory, TheMicroscopeShowsTheTriangles) {
   const Square square;
   Settings settings = settings_for(square.scene);

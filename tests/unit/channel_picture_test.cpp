@@ -97,6 +97,7 @@ TEST(ChannelPicture, NeedsNoMoreThanItsRowSays) {
     EXPECT_EQ(result.legend.title, row.label);
     EXPECT_TRUE(result.legend.heat || !result.legend.entries.empty() || row.channel == ShownChannel::colour);
     for (int x = 0; x < 3; ++x) EXPECT_NE(ps::channel_value_text(frame, row.channel, {}, {x, 0}), "") << row.key;
+    std::visit([](const auto& floats) { EXPECT_EQ(floats.width(), 3); }, ps::channel_floats(frame, row.channel));
   }
 }
 

@@ -29,6 +29,13 @@ void expect_scene_refused(const std::string& text, const std::string& message) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"bad.scene"});
 }
 
+// A listing has neither samples nor fragments for the microscope to show.
+TEST(CliBadInput, MicroscopeOfAListing) {
+  expect_refused({"inspect", "cgfs/spheres", "--size", "8x8", "--pixel", "4,4", "--svg", "microscope", "--set",
+                  "renderer=textbook"},
+                 "found renderer=textbook");
+}
+
 TEST(CliBadInput, Scenes) {
   expect_scene_refused("", "bad.scene");
   expect_scene_refused("sphere { centre = (0, 0, 3) radius = 1 }", "bad.scene:1:10");

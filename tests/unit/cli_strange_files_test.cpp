@@ -105,7 +105,7 @@ TEST_F(StrangeFiles, IncludesInCirclesAndChains) {
 
 TEST_F(StrangeFiles, NamesWithControlCharacters) { expect_refused("two\nlines.scene", "no such file"); }
 
-TEST_F(StrangeFiles, WarningsAreToldAndThePictureIsMade) {
+TEST_F(StrangeFiles, WarningsAreShownAndThePictureIsMade) {
   folder_.write("m.obj", "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nf 1 2 3\n");
   const auto result = run_cli({"render", folder_.file("m.obj"), "--size", "8x8", "--out", folder_.file("picture.png")});
   EXPECT_EQ(result.status, 0);

@@ -127,7 +127,7 @@ TEST(Cli, PicturesHoldTheirPermalink) {
   FAIL() << "no permalink in the picture";
 }
 
-TEST(Cli, StatsTellOfTheWork) {
+TEST(Cli, StatsShowTheWork) {
   const ScratchFolder folder;
   const std::string stats = folder.file("stats.json");
   ASSERT_EQ(run_cli({"render", "cgfs/spheres", "--size", "20x10", "--set", "threads=1", "--out", folder.file("a.ppm"),
@@ -203,12 +203,12 @@ TEST(Cli, StabilityPrintsADashWhereThereIsNoSuchMethod) {
   EXPECT_NE(printed.out.find("            -            1  not finite"), std::string::npos) << printed.out;
 }
 
-TEST(Cli, NeedsTellsItsAdviceAndHowItWasFound) {
+TEST(Cli, NeedsPrintsItsAdviceAndHowItWasFound) {
   const auto printed = run_cli({"needs", "cgfs/cubes", "--size", "40x30", "--repeats", "1"});
   ASSERT_EQ(printed.status, 0) << printed.err;
-  for (const char* told : {"Refraction can be left out at no loss: no material of the scene is transparent.",
-                           "advice     renderer=rasterizer\n", "  taken\n"})
-    EXPECT_NE(printed.out.find(told), std::string::npos) << told << "\n" << printed.out;
+  for (const char* sentence : {"Refraction can be left out at no loss: no material of the scene is transparent.",
+                               "advice     renderer=rasterizer\n", "  taken\n"})
+    EXPECT_NE(printed.out.find(sentence), std::string::npos) << sentence << "\n" << printed.out;
 }
 
 TEST(Cli, HelpAndVersionSucceed) {

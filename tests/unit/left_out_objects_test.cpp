@@ -1,4 +1,4 @@
-// Scenes of which the rasterizer leaves out an object: the others are drawn and told as without it.
+// Scenes of which the rasterizer leaves out an object: the others are drawn and reported as without it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ Scene with_lens(bool lens) {
 }
 
 // CSG is left out, so the numbers of drawn things are not those of the scene's objects.
-TEST(LeftOutObjects, ChangeNothingForTheOthersAndAreTold) {
+TEST(LeftOutObjects, ChangeNothingForTheOthersAndAreReported) {
   const Scene without = with_lens(false), with = with_lens(true);
   for (const char* assignment : {"draw=wireframe", "shading=gouraud", "shading=flat", "shadows=stencil-depth-fail",
                                  "shadows=map", "shading=phong"}) {

@@ -76,9 +76,9 @@ TEST(LightWords, StoryAndSumAgreeOnWhatAddsNothing) {
   const auto& light = std::get<LightEvent>(lit->data);
   ASSERT_GT(light.specular, 0) << "or there is nothing to leave out";
   EXPECT_LT(light.specular, 1e-30);
-  const std::string told = describe(*lit, scene);
-  EXPECT_NE(told.find("specular adds nothing"), std::string::npos) << told;
-  EXPECT_EQ(told.find("e-"), std::string::npos) << told;
+  const std::string text = describe(*lit, scene);
+  EXPECT_NE(text.find("specular adds nothing"), std::string::npos) << text;
+  EXPECT_EQ(text.find("e-"), std::string::npos) << text;
   for (const LedgerLine& line : story.ledger) EXPECT_EQ(line.term.find("specular"), std::string::npos) << line.term;
 
   // A lamp that is switched off faces the surface all the same.

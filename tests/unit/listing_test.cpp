@@ -12,6 +12,7 @@
 #include "support/run_cli.h"
 #include "support/trials.h"
 #include "textbook/book_math.h"
+#include "textbook/listing_events.h"
 #include "textbook/listing_view.h"
 
 namespace ps {
@@ -113,7 +114,7 @@ TEST(Listing, TraceNeedsOnlyWhatIsNearThePixel) {
   for (const char* name : {"cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates", "lab/tea-party",
                            "lab/depth-complexity", "lab/flattened", "models/dice", "lab/hierarchy"}) {
     const Scene scene = load_scene(name);
-    // Of tea-party's 54,240 triangles each trace tells all: too much for a sanitizer.
+    // Of tea-party's 54,240 triangles each trace lists all: too much for a sanitizer.
     if (test::trial_divisor > 1 && scene.geometry->objects.size() > 100) continue;
     const View view{scene.camera, 150, 100};
     std::size_t seen = 0;
@@ -150,7 +151,7 @@ Vec3d last_colour(const PixelStory& story) {
   return colour;
 }
 
-/// A listing's steps, told in the events of the renderers, come to the colour that it put into the canvas.
+/// A listing's steps, as the events of the renderers, come to the colour that it put into the canvas.
 TEST(Listing, EventsEndInItsColour) {
   for (const char* name :
        {"cgfs/spheres", "cgfs/lights", "cgfs/shadows", "cgfs/reflections", "cgfs/lines", "cgfs/triangles",
@@ -160,16 +161,16 @@ TEST(Listing, EventsEndInItsColour) {
     const View view{scene.camera, 120, 100};
     Prepared prepared;
     Progress progress;
-    int told = 0;
+    int compared = 0;
     for (int y = 2; y < 100; y += 17)
       for (int x = 4; x < 120; x += 7) {
         const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
         if (story.events.size() < 2) continue;  // nothing reached the pixel
-        ++told;
+        ++compared;
         EXPECT_LT(length(last_colour(story) - story.linear), 1e-9) << name << " " << x << "," << y;
         for (std::size_t i = 0; i < story.events.size(); ++i) EXPECT_LT(story.events[i].parent, static_cast<int>(i));
       }
-    EXPECT_GT(told, 0) << name;
+    EXPECT_GT(compared, 0) << name;
   }
 }
 
@@ -242,6 +243,67 @@ TEST(Listing, EventsAreThoseOfTheRayTracer) {
 
 /// A discriminant worked out by hand: cgfs/spheres through the middle of the canvas, D = (0, 0, 1) from the origin;
 /// for the red sphere (0, -1, 3) with r = 1: a = 1, b = -6, c = 9, so 36 - 36 = 0 and t = 3.
+// A listing says itself what it does; the name of its folder means nothing.
+TEST(Listing, SettingsComeFromTheListing) {
+  Listing listing;
+  listing.order = ListingOrder::object_by_object;
+  listing.draws = {.models = true, .light = true};
+  listing.as_settings = [](Settings& settings) { settings.draw = Draw::points; };
+  const NamedListing named{"a_folder_without_number", "a-folder-without-number", &listing};
+  Settings chosen;
+  chosen.reflection_depth = 5;
+  chosen.specular = false;
+  Settings as = settings_as_listed(named, Scene{}, chosen);
+  EXPECT_EQ(as.renderer, Renderer::rasterizer);
+  EXPECT_TRUE(as.lighting);
+  EXPECT_FALSE(as.textures);
+  EXPECT_EQ(as.shadows, Shadows::none);
+  EXPECT_EQ(as.draw, Draw::points);
+  EXPECT_EQ(as.precision, Precision::float64);
+  EXPECT_EQ(as.reflection_depth, 5) << "triangles reflect nothing anyway";
+  EXPECT_FALSE(as.specular) << "what the listing may read stays as it is";
+  listing.order = ListingOrder::pixel_by_pixel;
+  listing.as_settings = nullptr;
+  listing.draws = {.spheres = true, .shadows = true};
+  as = settings_as_listed(named, Scene{}, chosen);
+  EXPECT_EQ(as.renderer, Renderer::ray_tracer);
+  EXPECT_FALSE(as.lighting);
+  EXPECT_EQ(as.shadows, Shadows::traced);
+  EXPECT_EQ(as.reflection_depth, 0);
+  EXPECT_EQ(as.draw, Draw::filled);
+}
+
+// CGFS ch. 10 draws edges; ch. 13 interpolates affinely; ch. 14 shades each pixel, with whatever interpolation is
+// chosen.
+TEST(Listing, ChaptersOfTheBookSetWhatTheyDo) {
+  const auto as = [](std::string_view key, const Settings& chosen) {
+    for (const NamedListing& listing : listings())
+      if (listing.key == key) return settings_as_listed(listing, Scene{}, chosen);
+    ADD_FAILURE() << "no listing " << key;
+    return chosen;
+  };
+  Settings chosen;
+  chosen.backface_culling = false;
+  chosen.visibility = Visibility::painter;
+  chosen.shading = Shading::flat;
+  chosen.draw = Draw::points;
+  EXPECT_EQ(as("cgfs-10-scenes", chosen).draw, Draw::wireframe);
+  EXPECT_EQ(as("cgfs-12-hidden-surfaces", chosen).draw, Draw::filled);
+  EXPECT_EQ(as("cgfs-12-hidden-surfaces", chosen).visibility, Visibility::painter);
+  EXPECT_FALSE(as("cgfs-12-hidden-surfaces", chosen).lighting);
+  const Settings shading = as("cgfs-13-shading", chosen), textures = as("cgfs-14-textures", chosen);
+  EXPECT_TRUE(shading.lighting && textures.lighting && shading.backface_culling && textures.backface_culling);
+  EXPECT_EQ(shading.visibility, Visibility::depth_buffer);
+  EXPECT_EQ(shading.interpolation, Interpolation::affine);
+  EXPECT_EQ(textures.interpolation, Interpolation::perspective);
+  EXPECT_EQ(shading.shading, Shading::flat);
+  EXPECT_EQ(textures.shading, Shading::phong);
+  EXPECT_TRUE(textures.textures && !shading.textures);
+  EXPECT_EQ(as("cgfs-04-shadows-and-reflections", chosen).shadows, Shadows::traced);
+  EXPECT_EQ(as("cgfs-03-light", chosen).shadows, Shadows::none);
+  EXPECT_FALSE(as("cgfs-02-basic-ray-tracing", chosen).lighting);
+}
+
 TEST(Listing, NumbersAreThoseOfTheBook) {
   const Scene scene = load_scene("cgfs/spheres");
   const ListingTrace traced = trace(scene, textbook(scene), {300, 299});

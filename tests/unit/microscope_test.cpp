@@ -103,11 +103,12 @@ TEST(Microscope, ReadsTheKernelsOwnNumbersAtTheSample) {
       const Microscope scope(setup.scene, setup.view, setup.settings, pixel, setup.prepared, setup.progress);
       const MicroReading reading = scope.read({0.5, 0.5}, setup.prepared, setup.progress);
       for (const Event& event : story.events) {
-        const auto* told = std::get_if<FragmentEvent>(&event.data);
-        if (!told) continue;
+        const auto* reported = std::get_if<FragmentEvent>(&event.data);
+        if (!reported) continue;
         const auto same = [&](const MicroTriangle& triangle) {
-          return triangle.id == told->id && triangle.edges == told->edges && triangle.weights == told->weights &&
-                 triangle.weights_2d == told->weights_2d && triangle.z == told->z && triangle.covered;
+          return triangle.id == reported->id && triangle.edges == reported->edges &&
+                 triangle.weights == reported->weights && triangle.weights_2d == reported->weights_2d &&
+                 triangle.z == reported->z && triangle.covered;
         };
         EXPECT_TRUE(std::any_of(reading.triangles.begin(), reading.triangles.end(), same))
             << name << " " << pixel.x << "," << pixel.y << " seed " << seed;

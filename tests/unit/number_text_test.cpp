@@ -1,13 +1,25 @@
 #include "base/number_text.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <locale>
+#include <optional>
+#include <random>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "support/environment.h"
 
 namespace {
 
 using ps::parse_number;
+
+struct CommaForPoint : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
 
 TEST(NumberText, ReadsDecimalNumbersExactly) {
   EXPECT_EQ(parse_number("0"), 0.0);
@@ -21,9 +33,58 @@ TEST(NumberText, ReadsDecimalNumbersExactly) {
 }
 
 TEST(NumberText, RefusesAnythingElse) {
-  for (const char* text :
-       {"", " 1", "1 ", "1,5", "1.5f", "--1", "1e", "e5", "0x10", "inf", "nan", "NaN", "1e999", "-1e999", "1-2", "."})
+  for (const char* text : {"", " 1", "1 ", "1,5", "1.5f", "--1", "1e", "e5", "0x10", "inf", "nan", "NaN", "1e400",
+                           "0x1", "1e999", "-1e999", "1-2", "."})
     EXPECT_FALSE(parse_number(text).has_value()) << '\'' << text << '\'';
+}
+
+// The C library's strtod is another reader of the same notation; the text alone decides here, not the locale.
+TEST(NumberText, AgreesWithTheCLibrary) {
+  for (const char* text : {"1e-320", "4.9406564584124654e-324", "-2.2250738585072011e-308", "2.2250738585072014e-308",
+                           "9007199254740993", "0.1e1", "+.5e+2", "5.", "1e-400", "-1e-400"}) {
+    ASSERT_TRUE(parse_number(text)) << text;
+    EXPECT_EQ(*parse_number(text), std::strtod(text, nullptr)) << text;
+    EXPECT_EQ(std::signbit(*parse_number(text)), std::signbit(std::strtod(text, nullptr))) << text;
+  }
+  const unsigned seed = ps::test::test_seed();
+  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  for (int trial = 0; trial < 5000; ++trial) {
+    const auto value = std::bit_cast<double>(random());
+    if (!std::isfinite(value)) continue;
+    for (const char* form : {"{:.17g}", "{:.6g}", "{:.3e}"}) {
+      const std::string text = fmt::format(fmt::runtime(form), value);
+      const double expected = std::strtod(text.c_str(), nullptr);
+      if (std::isfinite(expected))
+        EXPECT_EQ(parse_number(text), expected) << text;
+      else
+        EXPECT_FALSE(parse_number(text)) << text;
+    }
+  }
+}
+
+// What looks like a number to a lenient reader: signs, dots and exponents in any order.
+TEST(NumberText, TakesWhatTheCLibraryTakesWhole) {
+  const unsigned seed = ps::test::test_seed();
+  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
+  std::mt19937 random(seed);
+  const std::string letters = "+-.012e";
+  std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1), length(1, 6);
+  for (int trial = 0; trial < 20000; ++trial) {
+    std::string text;
+    for (std::size_t i = length(random); i > 0; --i) text += letters[letter(random)];
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    const bool whole = end == text.c_str() + text.size() && std::isfinite(value);
+    EXPECT_EQ(parse_number(text), whole ? std::optional(value) : std::nullopt) << text;
+  }
+}
+
+TEST(NumberText, HasAPointInEveryLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaForPoint));
+  EXPECT_EQ(parse_number("1.5"), 1.5);
+  EXPECT_FALSE(parse_number("1,5"));
+  std::locale::global(before);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(ObjRelief, DirectionsStayAndWin) {
   }
 }
 
-TEST(ObjRelief, AMissingMapIsToldAndLeftOut) {
+TEST(ObjRelief, AMissingMapIsReportedAndLeftOut) {
   const test::ScratchFolder folder;
   const Scene scene = with_materials(folder, "norm nowhere.png\n");
   EXPECT_EQ(scene.materials->at(0).normal_map, -1);

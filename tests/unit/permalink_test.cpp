@@ -82,7 +82,7 @@ TEST(Permalink, BadTextIsAnInputError) {
     EXPECT_THROW(parse_permalink(bad), InputError) << bad;
 }
 
-TEST(Permalink, PinHoldsWhatThePixelWasToldWith) {
+TEST(Permalink, PinHoldsWhatThePixelWasInspectedWith) {
   Document document = open_document("spheres", test::book_spheres());
   document.pixel = {312, 204};
   document.a.settings = document.b.settings = Settings{};
@@ -97,7 +97,7 @@ TEST(Permalink, PinHoldsWhatThePixelWasToldWith) {
   EXPECT_EQ(parse_permalink(permalink(document)).pin, document.pin);
 }
 
-// A pin without a place in its scene is refused with the scene, not found out by whoever tells it.
+// A pin without a place in its scene is refused with the scene, not found out by whoever inspects it.
 TEST(Permalink, PinMustFitTheScene) {
   for (const char* bad :
        {"pin=600,10", "pin=10,600", "pin=100,10&pin.size=100x100", "pin=1,1&pin.edit.light.9.position=1"}) {

@@ -78,7 +78,7 @@ TEST(Png, AnyFlippedBitIsAnError) {
   }
 }
 
-TEST(Png, TellsWhatIsWrong) {
+TEST(Png, ReportsWhatIsWrong) {
   const std::string rgb("\x08\x02\0\0\0", 5);
   const std::string data = chunk("IDAT", stored(std::string(4, '\0')));
   const std::string end = chunk("IEND", "");

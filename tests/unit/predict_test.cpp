@@ -58,8 +58,8 @@ TEST(Predict, RaysAreCounted) {
   EXPECT_TRUE(not_askable(Question::rays, story_of(scene, Renderer::rasterizer, {300, 400})));
 }
 
-/// The blades are one object: only their triangles can be told apart.
-TEST(Predict, TrianglesAreToldApart) {
+/// The blades are one object: only their triangles can be distinguished.
+TEST(Predict, TrianglesAreDistinguished) {
   const Scene scene = load_scene("cgfs/depth");
   const std::vector<PixelId> ids = askable_triangles(scene);
   ASSERT_EQ(ids.size(), 5u);

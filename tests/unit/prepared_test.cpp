@@ -39,7 +39,7 @@ TEST(Prepared, ForgetsOldVersionsOfAProductButNotOtherProducts) {
   EXPECT_EQ(prepared.get<int>(Key("other"), [] { return 8; }), other);
 }
 
-TEST(Prepared, KeysTellRealsAndOrderApart) {
+TEST(Prepared, KeysDistinguishRealsAndOrder) {
   EXPECT_EQ(Key("a").add(0.5), Key("a").add(0.5));
   EXPECT_NE(Key("a").add(0.5), Key("a").add(0.25));
   EXPECT_NE(Key("a").add(0.0), Key("a").add(-0.0));

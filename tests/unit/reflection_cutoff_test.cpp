@@ -39,27 +39,27 @@ TEST(ReflectionCutoff, OfHalfMirrorsIsADepth) {
     }
 }
 
-TEST(ReflectionCutoff, IsTold) {
+TEST(ReflectionCutoff, IsReported) {
   const Scene scene = half_mirrors();
   Settings settings;
   settings.reflection_depth = 20;
   settings.reflection_cutoff = 0.2;
   Prepared prepared;
-  int told = 0;
+  int reported = 0;
   for (int y = 5; y < 90; y += 10)
     for (int x = 5; x < 90; x += 10) {
       Progress progress;
       const PixelStory story = inspect(scene, {scene.camera, 90, 90}, settings, {x, y}, prepared, progress);
       for (const Event& event : story.events)
         if (const auto* cutoff = std::get_if<CutoffEvent>(&event.data)) {
-          ++told;
+          ++reported;
           EXPECT_EQ(cutoff->share, 0.125);
           EXPECT_NEAR(cutoff->least, 0.2, 1e-7);
           EXPECT_EQ(describe(event, scene), "not followed: the next bounce would contribute 0.125 of the pixel's "
                                             "colour, less than reflection-cutoff = 0.2");
         }
     }
-  EXPECT_GT(told, 10);
+  EXPECT_GT(reported, 10);
 }
 
 // Glass lets all light through, so nothing is left out but branches.

@@ -1,4 +1,4 @@
-// One click on a pixel of several samples: the story must give the picture's number, and tell it in samples.
+// One click on a pixel of several samples: the story must give the picture's number, and show it in samples.
 #include <gtest/gtest.h>
 
 #include "frame/display_frame.h"
@@ -17,7 +17,7 @@ struct SampledPixel {
   PixelStory story;
 };
 
-SampledPixel told(const Scene& scene, const Settings& settings, Vec2i pixel) {
+SampledPixel inspected(const Scene& scene, const Settings& settings, Vec2i pixel) {
   Prepared prepared;
   Progress progress;
   const View view{scene.camera, width, height};
@@ -56,7 +56,7 @@ TEST(SamplingStory, LedgerOfSamplesSumsToTheFramebuffer) {
         settings.precision = precision;
         settings.samples_per_pixel = count;
         settings.sample_pattern = SamplePattern::jitter;
-        const SampledPixel t = told(scene, settings, pixel);
+        const SampledPixel t = inspected(scene, settings, pixel);
         EXPECT_EQ(t.story.linear, linear_at(t.frame, pixel));
         const Vec3d sum = top_level_sum(t.story);
         EXPECT_EQ(sum, t.story.linear);
@@ -78,7 +78,7 @@ TEST(SamplingStory, LedgerOfSamplesSumsToTheFramebuffer) {
       }
 }
 
-TEST(SamplingStory, AdaptiveTellsWhyItSubdivided) {
+TEST(SamplingStory, AdaptiveShowsWhyItSubdivided) {
   const Scene scene = load_scene("cgfs/reflections");
   Settings settings;
   settings.samples_per_pixel = 9;
@@ -87,7 +87,7 @@ TEST(SamplingStory, AdaptiveTellsWhyItSubdivided) {
   int subdivided = 0, left = 0;
   for (int y = 20; y < 60; y += 3)
     for (int x = 10; x < 70; x += 5) {
-      const SampledPixel t = told(scene, settings, {x, y});
+      const SampledPixel t = inspected(scene, settings, {x, y});
       const auto comparisons = events_of_ray<CompareEvent>(t.story.events, -1);
       ASSERT_EQ(comparisons.size(), 4u);
       bool any = false;
@@ -101,14 +101,14 @@ TEST(SamplingStory, AdaptiveTellsWhyItSubdivided) {
   EXPECT_GT(left, 10);
 }
 
-TEST(SamplingStory, SubsamplingTellsOfReuse) {
+TEST(SamplingStory, SubsamplingReportsReuse) {
   const Scene scene = load_scene("cgfs/reflections");
   Settings settings;
   settings.subsampling = 4;
   int met = 0, searched = 0;
   for (int y = 20; y < 60; y += 3)
     for (int x = 10; x < 70; x += 5) {
-      const SampledPixel t = told(scene, settings, {x, y});
+      const SampledPixel t = inspected(scene, settings, {x, y});
       ASSERT_EQ(t.story.linear, linear_at(t.frame, {x, y}));
       const int eye = eye_ray(t.story.events);
       const auto reuse = events_of_ray<ReuseEvent>(t.story.events, eye);

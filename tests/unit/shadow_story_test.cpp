@@ -1,4 +1,4 @@
-// What the inspector tells of shadow maps, stencil buffers and cube maps, against the picture and against itself.
+// What the inspector shows of shadow maps, stencil buffers and cube maps, against the picture and against itself.
 #include <gtest/gtest.h>
 
 #include "inspect/space_model.h"
@@ -55,22 +55,22 @@ std::vector<T> events_of(const PixelStory& story) {
   return events;
 }
 
-void expect_picture(ShadowedPicture& told) {
+void expect_picture(ShadowedPicture& drawn) {
   int dark = 0;
-  for (const Vec2i pixel : pixels_of(told.frame)) {
-    const PixelStory story = told.story(pixel);
-    ASSERT_EQ(Vec3f(story.linear), told.frame.colour.at(pixel.x, pixel.y)) << pixel.x << ", " << pixel.y;
+  for (const Vec2i pixel : pixels_of(drawn.frame)) {
+    const PixelStory story = drawn.story(pixel);
+    ASSERT_EQ(Vec3f(story.linear), drawn.frame.colour.at(pixel.x, pixel.y)) << pixel.x << ", " << pixel.y;
     Vec3d sum(0);
     for (const LedgerLine& line : story.ledger)
       if (line.level == 0) sum += line.value;
     for (int i = 0; i < 3; ++i) ASSERT_NEAR(sum[i], story.linear[i], 1e-5);
-    const bool told_dark = story.verdict.find("lies in the shadow of light") != std::string::npos;
-    if (told_dark) {
+    const bool reported_dark = story.verdict.find("lies in the shadow of light") != std::string::npos;
+    if (reported_dark) {
       ++dark;
-      EXPECT_NE(told.frame.shadow.at(pixel.x, pixel.y), 0u);
+      EXPECT_NE(drawn.frame.shadow.at(pixel.x, pixel.y), 0u);
     }
   }
-  if (told.settings.shadows != Shadows::none) {
+  if (drawn.settings.shadows != Shadows::none) {
     EXPECT_GT(dark, 5);
   }
 }
@@ -78,23 +78,23 @@ void expect_picture(ShadowedPicture& told) {
 TEST(ShadowStory, SaysWhatThePictureShows) {
   for (const Shadows method : {Shadows::map, Shadows::stencil_depth_fail, Shadows::stencil_depth_pass})
     for (const Shading shading : {Shading::phong, Shading::gouraud, Shading::flat}) {
-      ShadowedPicture told("lab/inside-shadow", method);
-      told.settings.shading = shading;
+      ShadowedPicture drawn("lab/inside-shadow", method);
+      drawn.settings.shading = shading;
       Progress progress;
       RenderRequest request;
       request.channels = Channel::shadow | Channel::stencil | Channel::ids;
-      told.frame = render(told.scene, told.view, told.settings, request, told.prepared, progress);
-      expect_picture(told);
+      drawn.frame = render(drawn.scene, drawn.view, drawn.settings, request, drawn.prepared, progress);
+      expect_picture(drawn);
     }
 }
 
 TEST(ShadowStory, SaysWhatACubeMapShows) {
   for (const Environment kind : {Environment::cube_map, Environment::room_map}) {
-    ShadowedPicture told("lab/mirror-room", Shadows::none, kind);
-    expect_picture(told);
+    ShadowedPicture drawn("lab/mirror-room", Shadows::none, kind);
+    expect_picture(drawn);
     int mirrored = 0;
-    for (const Vec2i pixel : pixels_of(told.frame)) {
-      const PixelStory story = told.story(pixel);
+    for (const Vec2i pixel : pixels_of(drawn.frame)) {
+      const PixelStory story = drawn.story(pixel);
       const auto maps = events_of<EnvironmentEvent>(story);
       const auto mirrors = events_of<ReflectionEvent>(story);
       ASSERT_EQ(maps.size(), mirrors.size());
@@ -108,10 +108,10 @@ TEST(ShadowStory, SaysWhatACubeMapShows) {
 }
 
 TEST(ShadowStory, StencilCountsAreTheSumOfTheirCrossings) {
-  ShadowedPicture told("lab/stacked-shadows", Shadows::stencil_depth_fail);
+  ShadowedPicture drawn("lab/stacked-shadows", Shadows::stencil_depth_fail);
   int crossed = 0;
-  for (const Vec2i pixel : pixels_of(told.frame)) {
-    const PixelStory story = told.story(pixel);
+  for (const Vec2i pixel : pixels_of(drawn.frame)) {
+    const PixelStory story = drawn.story(pixel);
     const auto counts = events_of<StencilEvent>(story);
     ASSERT_FALSE(counts.empty());
     const StencilEvent& last = counts.back();
@@ -125,17 +125,17 @@ TEST(ShadowStory, StencilCountsAreTheSumOfTheirCrossings) {
     }
     EXPECT_EQ(last.count, sum);
     EXPECT_EQ(last.stored, sum & 15);
-    EXPECT_EQ(told.frame.stencil.at(pixel.x, pixel.y), last.stored);
+    EXPECT_EQ(drawn.frame.stencil.at(pixel.x, pixel.y), last.stored);
   }
   EXPECT_GT(crossed, 100);
 }
 
-TEST(ShadowStory, MapsTellTheirTapsAndTheComparison) {
-  ShadowedPicture told("lab/shadow-acne", Shadows::map);
-  told.settings.shadow_filter = 3;
+TEST(ShadowStory, MapsReportTheirTapsAndTheComparison) {
+  ShadowedPicture drawn("lab/shadow-acne", Shadows::map);
+  drawn.settings.shadow_filter = 3;
   int compared = 0;
-  for (const Vec2i pixel : pixels_of(told.frame)) {
-    const PixelStory story = told.story(pixel);
+  for (const Vec2i pixel : pixels_of(drawn.frame)) {
+    const PixelStory story = drawn.story(pixel);
     for (const ShadowMapEvent& event : events_of<ShadowMapEvent>(story)) {
       if (event.outside) continue;
       ASSERT_EQ(event.taps.size(), 9u);
@@ -154,13 +154,13 @@ TEST(ShadowStory, MapsTellTheirTapsAndTheComparison) {
 }
 
 TEST(ShadowStory, SpaceShowsSilhouettesAndMaps) {
-  ShadowedPicture told("lab/inside-shadow", Shadows::stencil_depth_fail);
-  SpaceModel model = build_space(told.scene, told.view, told.settings, nullptr);
+  ShadowedPicture drawn("lab/inside-shadow", Shadows::stencil_depth_fail);
+  SpaceModel model = build_space(drawn.scene, drawn.view, drawn.settings, nullptr);
   EXPECT_GT(count_of(model, SpaceKind::silhouette), 4 + 4) << "floor, roof and two balls";
   EXPECT_EQ(count_of(model, SpaceKind::silhouette), count_of(model, SpaceKind::shadow_volume));
   EXPECT_EQ(count_of(model, SpaceKind::clip_plane), 5);
-  told.settings.shadows = Shadows::map;
-  model = build_space(told.scene, told.view, told.settings, nullptr);
+  drawn.settings.shadows = Shadows::map;
+  model = build_space(drawn.scene, drawn.view, drawn.settings, nullptr);
   EXPECT_EQ(count_of(model, SpaceKind::shadow_map), 6) << "both ends of one beam, and its edges";
   EXPECT_EQ(count_of(model, SpaceKind::silhouette), 0);
 }

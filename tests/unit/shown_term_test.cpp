@@ -13,7 +13,7 @@
 namespace ps {
 namespace {
 
-struct ToldSum {
+struct InspectedSum {
   PixelStory story;
   bool in_sum(int event) const {
     return std::any_of(story.ledger.begin(), story.ledger.end(),
@@ -21,7 +21,7 @@ struct ToldSum {
   }
 };
 
-ToldSum tell_pixel(const std::string& name, Vec2i pixel, Renderer renderer) {
+InspectedSum inspect_sum(const std::string& name, Vec2i pixel, Renderer renderer) {
   const Scene scene = load_scene(name);
   Settings settings = settings_for(scene);
   settings.renderer = renderer;
@@ -31,18 +31,18 @@ ToldSum tell_pixel(const std::string& name, Vec2i pixel, Renderer renderer) {
 }
 
 TEST(ShownTerm, EveryEventOfATracedPixelShowsTheLineOfItsOwnRay) {
-  const ToldSum told = tell_pixel("cgfs/reflections", {540, 340}, Renderer::ray_tracer);
-  const auto& events = told.story.events;
+  const InspectedSum inspected = inspect_sum("cgfs/reflections", {540, 340}, Renderer::ray_tracer);
+  const auto& events = inspected.story.events;
   int shadow_rays = 0, bounces = 0, hits = 0;
   for (int i = 0; i < static_cast<int>(events.size()); ++i) {
-    const int shown = shown_term(told.story, i);
-    if (told.in_sum(i)) {
+    const int shown = shown_term(inspected.story, i);
+    if (inspected.in_sum(i)) {
       EXPECT_EQ(shown, i);
       continue;
     }
     const EventData& data = events[static_cast<std::size_t>(i)].data;
     if (shown >= 0) {
-      EXPECT_TRUE(told.in_sum(shown)) << i;
+      EXPECT_TRUE(inspected.in_sum(shown)) << i;
     }
     if (const auto* ray = std::get_if<RayEvent>(&data); ray && ray->kind == RayKind::shadow) {
       ++shadow_rays;
@@ -63,18 +63,18 @@ TEST(ShownTerm, EveryEventOfATracedPixelShowsTheLineOfItsOwnRay) {
   EXPECT_GT(shadow_rays, 1);
   EXPECT_GT(bounces, 0);
   EXPECT_GT(hits, 1);
-  EXPECT_EQ(shown_term(told.story, -1), -1);
-  EXPECT_EQ(shown_term(told.story, static_cast<int>(events.size())), -1);
+  EXPECT_EQ(shown_term(inspected.story, -1), -1);
+  EXPECT_EQ(shown_term(inspected.story, static_cast<int>(events.size())), -1);
 }
 
 TEST(ShownTerm, AFragmentShowsWhatItWroteAndOneThatLostNothing) {
-  const ToldSum told = tell_pixel("cgfs/depth", {108, 262}, Renderer::rasterizer);
-  const auto& events = told.story.events;
+  const InspectedSum inspected = inspect_sum("cgfs/depth", {108, 262}, Renderer::rasterizer);
+  const auto& events = inspected.story.events;
   int won = 0, lost = 0;
   for (int i = 0; i < static_cast<int>(events.size()); ++i) {
     const auto* fragment = std::get_if<FragmentEvent>(&events[static_cast<std::size_t>(i)].data);
     if (!fragment) continue;
-    const int shown = shown_term(told.story, i);
+    const int shown = shown_term(inspected.story, i);
     if (fragment->depth == FragmentEvent::Depth::failed) {
       ++lost;
       EXPECT_EQ(shown, -1);

@@ -15,7 +15,7 @@
 namespace ps {
 namespace {
 
-struct ToldPixel {
+struct InspectedPixel {
   Scene scene;
   View view;
   Settings settings;
@@ -23,17 +23,17 @@ struct ToldPixel {
   SpaceModel model;
 };
 
-ToldPixel tell(const std::string& name, Vec2i pixel, Renderer renderer, int size = 600) {
-  ToldPixel told;
-  told.scene = load_scene(name);
-  told.view = {told.scene.camera, size, size};
-  told.settings.renderer = renderer;
-  told.settings.precision = Precision::float64;
+InspectedPixel inspect_in_space(const std::string& name, Vec2i pixel, Renderer renderer, int size = 600) {
+  InspectedPixel inspected;
+  inspected.scene = load_scene(name);
+  inspected.view = {inspected.scene.camera, size, size};
+  inspected.settings.renderer = renderer;
+  inspected.settings.precision = Precision::float64;
   Prepared prepared;
   Progress progress;
-  told.story = inspect(told.scene, told.view, told.settings, pixel, prepared, progress);
-  told.model = build_space(told.scene, told.view, told.settings, &told.story);
-  return told;
+  inspected.story = inspect(inspected.scene, inspected.view, inspected.settings, pixel, prepared, progress);
+  inspected.model = build_space(inspected.scene, inspected.view, inspected.settings, &inspected.story);
+  return inspected;
 }
 
 std::vector<const SpaceItem*> items_of(const SpaceModel& model, SpaceKind kind) {
@@ -61,10 +61,10 @@ TEST(SpaceModel, EyeRayPassesThroughItsPixelOnTheImage) {
   for (const char* name : {"cgfs/reflections", "cgfs/camera"})
     for (int i = 0; i < 20; ++i) {
       const Vec2i pixel(any(random), any(random));
-      const ToldPixel told = tell(name, pixel, Renderer::ray_tracer, 200);
-      const auto rays = items_of(told.model, SpaceKind::eye_ray);
+      const InspectedPixel inspected = inspect_in_space(name, pixel, Renderer::ray_tracer, 200);
+      const auto rays = items_of(inspected.model, SpaceKind::eye_ray);
       ASSERT_EQ(rays.size(), 1u);
-      const Camera& camera = told.view.camera;
+      const Camera& camera = inspected.view.camera;
       const Vec3d along = rays[0]->points[1] - rays[0]->points[0];
       const Mat3d frame(camera.right, camera.up, camera.forward);  // the book's is not quite orthonormal
       const Vec3d in_camera = glm::inverse(frame) * along;
@@ -74,7 +74,7 @@ TEST(SpaceModel, EyeRayPassesThroughItsPixelOnTheImage) {
       EXPECT_LT(x, (pixel.x + 1) / 200.0 - 0.5) << "seed " << seed;
       EXPECT_LT(y, 0.5 - pixel.y / 200.0) << "seed " << seed;
       EXPECT_GT(y, 0.5 - (pixel.y + 1) / 200.0) << "seed " << seed;
-      const auto cells = items_of(told.model, SpaceKind::pixel_cell);
+      const auto cells = items_of(inspected.model, SpaceKind::pixel_cell);
       ASSERT_EQ(cells.size(), 1u);
       Vec3d middle(0);
       for (const Vec3d& corner : cells[0]->points) middle += corner / 4.0;
@@ -83,19 +83,19 @@ TEST(SpaceModel, EyeRayPassesThroughItsPixelOnTheImage) {
 }
 
 TEST(SpaceModel, HitsLieOnTheirRaysAndOnTheirSpheres) {
-  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
-  EXPECT_EQ(count_of(told.model, SpaceKind::hit_point), count_events<HitEvent>(told.story));
-  EXPECT_GE(count_of(told.model, SpaceKind::reflection_ray), 1);
-  for (const SpaceItem* hit : items_of(told.model, SpaceKind::hit_point)) {
-    const auto& event = event_as<HitEvent>(told.story.events, hit->event);
+  const InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  EXPECT_EQ(count_of(inspected.model, SpaceKind::hit_point), count_events<HitEvent>(inspected.story));
+  EXPECT_GE(count_of(inspected.model, SpaceKind::reflection_ray), 1);
+  for (const SpaceItem* hit : items_of(inspected.model, SpaceKind::hit_point)) {
+    const auto& event = event_as<HitEvent>(inspected.story.events, hit->event);
     const auto& sphere =
-        std::get<Sphere>(told.scene.geometry->objects[static_cast<std::size_t>(event.id.object)].shape);
+        std::get<Sphere>(inspected.scene.geometry->objects[static_cast<std::size_t>(event.id.object)].shape);
     EXPECT_NEAR(glm::length(hit->points[0] - sphere.centre), sphere.radius, 1e-9 * sphere.radius);
-    const int ray = ray_of(told.story.events, hit->event);
-    const auto& from = event_as<RayEvent>(told.story.events, ray);
+    const int ray = ray_of(inspected.story.events, hit->event);
+    const auto& from = event_as<RayEvent>(inspected.story.events, ray);
     const Vec3d offset = hit->points[0] - from.origin;
     EXPECT_LT(glm::length(cross(offset, glm::normalize(from.direction))), 1e-9);
-    for (const SpaceItem& item : told.model.items)
+    for (const SpaceItem& item : inspected.model.items)
       if (item.event == ray && (item.kind == SpaceKind::eye_ray || item.kind == SpaceKind::reflection_ray)) {
         EXPECT_EQ(item.points[1], hit->points[0]);
       }
@@ -103,13 +103,13 @@ TEST(SpaceModel, HitsLieOnTheirRaysAndOnTheirSpheres) {
 }
 
 TEST(SpaceModel, NormalsAreAsLongAsTheRendererHadThem) {
-  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
-  const auto normals = items_of(told.model, SpaceKind::shading_normal);
-  ASSERT_EQ(static_cast<int>(normals.size()), count_events<HitEvent>(told.story));
+  const InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  const auto normals = items_of(inspected.model, SpaceKind::shading_normal);
+  ASSERT_EQ(static_cast<int>(normals.size()), count_events<HitEvent>(inspected.story));
   for (const SpaceItem* arrow : normals) {
     const Vec3d drawn = arrow->points[1] - arrow->points[0];
-    EXPECT_NEAR(glm::length(drawn), normal_length(told.model.bounds), 1e-9);
-    const auto& hit = event_as<HitEvent>(told.story.events, arrow->event);
+    EXPECT_NEAR(glm::length(drawn), normal_length(inspected.model.bounds), 1e-9);
+    const auto& hit = event_as<HitEvent>(inspected.story.events, arrow->event);
     EXPECT_NEAR(dot(glm::normalize(drawn), hit.shading_normal), 1, 1e-12);
   }
 }
@@ -117,28 +117,29 @@ TEST(SpaceModel, NormalsAreAsLongAsTheRendererHadThem) {
 TEST(SpaceModel, ShadowRaysEndAtTheirLightOrOnTheirBlocker) {
   int blocked = 0;
   for (const Vec2i pixel : {Vec2i(300, 420), Vec2i(180, 470), Vec2i(420, 330), Vec2i(250, 480), Vec2i(100, 400)}) {
-    const ToldPixel told = tell("cgfs/reflections", pixel, Renderer::ray_tracer);
+    const InspectedPixel inspected = inspect_in_space("cgfs/reflections", pixel, Renderer::ray_tracer);
     int shadow_rays = 0;
-    for (const Event& event : told.story.events)
+    for (const Event& event : inspected.story.events)
       if (const auto* ray = std::get_if<RayEvent>(&event.data)) shadow_rays += ray->kind == RayKind::shadow ? 1 : 0;
-    EXPECT_EQ(count_of(told.model, SpaceKind::shadow_ray_lit) + count_of(told.model, SpaceKind::shadow_ray_blocked),
+    EXPECT_EQ(count_of(inspected.model, SpaceKind::shadow_ray_lit) +
+                  count_of(inspected.model, SpaceKind::shadow_ray_blocked),
               shadow_rays);
     int blockers = 0;
-    for (const Event& event : told.story.events)
+    for (const Event& event : inspected.story.events)
       if (const auto* light = std::get_if<LightEvent>(&event.data)) blockers += light->blocker ? 1 : 0;
-    EXPECT_EQ(count_of(told.model, SpaceKind::shadow_ray_blocked), blockers);
-    EXPECT_EQ(count_of(told.model, SpaceKind::light_direction), 0);
-    for (const SpaceItem* ray : items_of(told.model, SpaceKind::shadow_ray_blocked)) {
+    EXPECT_EQ(count_of(inspected.model, SpaceKind::shadow_ray_blocked), blockers);
+    EXPECT_EQ(count_of(inspected.model, SpaceKind::light_direction), 0);
+    for (const SpaceItem* ray : items_of(inspected.model, SpaceKind::shadow_ray_blocked)) {
       double nearest = 1e30;  // distance from some sphere's surface
-      for (const Object& object : told.scene.geometry->objects) {
+      for (const Object& object : inspected.scene.geometry->objects) {
         const auto& sphere = std::get<Sphere>(object.shape);
         nearest = std::min(nearest, std::abs(glm::length(ray->points[1] - sphere.centre) - sphere.radius));
       }
       EXPECT_LT(nearest, 1e-6);
       ++blocked;
     }
-    for (const SpaceItem* ray : items_of(told.model, SpaceKind::shadow_ray_lit)) {
-      const auto& event = event_as<RayEvent>(told.story.events, ray->event);
+    for (const SpaceItem* ray : items_of(inspected.model, SpaceKind::shadow_ray_lit)) {
+      const auto& event = event_as<RayEvent>(inspected.story.events, ray->event);
       if (std::isfinite(event.t_max)) {
         EXPECT_LT(glm::length(ray->points[1] - Vec3d(2, 1, 0)), 1e-2);
       }
@@ -148,22 +149,22 @@ TEST(SpaceModel, ShadowRaysEndAtTheirLightOrOnTheirBlocker) {
 }
 
 TEST(SpaceModel, WithoutShadowsTheLightsAreOnlyDirections) {
-  ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
-  told.settings.shadows = Shadows::none;
-  told.settings.reflection_depth = 0;
+  InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  inspected.settings.shadows = Shadows::none;
+  inspected.settings.reflection_depth = 0;
   Prepared prepared;
   Progress progress;
-  told.story = inspect(told.scene, told.view, told.settings, {300, 420}, prepared, progress);
-  told.model = build_space(told.scene, told.view, told.settings, &told.story);
-  EXPECT_EQ(count_of(told.model, SpaceKind::shadow_ray_lit), 0);
-  EXPECT_EQ(count_of(told.model, SpaceKind::light_direction), 2);
+  inspected.story = inspect(inspected.scene, inspected.view, inspected.settings, {300, 420}, prepared, progress);
+  inspected.model = build_space(inspected.scene, inspected.view, inspected.settings, &inspected.story);
+  EXPECT_EQ(count_of(inspected.model, SpaceKind::shadow_ray_lit), 0);
+  EXPECT_EQ(count_of(inspected.model, SpaceKind::light_direction), 2);
 }
 
 TEST(SpaceModel, ThreeAreasFillTheHitTriangle) {
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    const ToldPixel told = tell("cgfs/crates", {180, 330}, renderer);
-    const auto triangles = items_of(told.model, SpaceKind::triangle);
-    const auto parts = items_of(told.model, SpaceKind::barycentric_area);
+    const InspectedPixel inspected = inspect_in_space("cgfs/crates", {180, 330}, renderer);
+    const auto triangles = items_of(inspected.model, SpaceKind::triangle);
+    const auto parts = items_of(inspected.model, SpaceKind::barycentric_area);
     ASSERT_EQ(parts.size(), 3u);
     const SpaceItem* whole = nullptr;
     for (const SpaceItem* triangle : triangles)
@@ -181,38 +182,39 @@ TEST(SpaceModel, ThreeAreasFillTheHitTriangle) {
 // Fragments know their corners on the canvas only; unprojected, they are the model's own corners again, as near as the
 // sub-pixel grid allows.
 TEST(SpaceModel, FragmentTrianglesAreTheModelsInTheWorld) {
-  const ToldPixel told = tell("cgfs/crates", {180, 330}, Renderer::rasterizer);
+  const InspectedPixel inspected = inspect_in_space("cgfs/crates", {180, 330}, Renderer::rasterizer);
   int compared = 0;
-  for (const SpaceItem* triangle : items_of(told.model, SpaceKind::triangle)) {
-    const auto& fragment = event_as<FragmentEvent>(told.story.events, triangle->event);
+  for (const SpaceItem* triangle : items_of(inspected.model, SpaceKind::triangle)) {
+    const auto& fragment = event_as<FragmentEvent>(inspected.story.events, triangle->event);
     if (fragment.clipped_into > 1) continue;
-    const auto world = world_triangle(told.scene, fragment.id);
+    const auto world = world_triangle(inspected.scene, fragment.id);
     ASSERT_TRUE(world);
     for (const Vec3d& corner : triangle->points) {
       double nearest = 1e30;
       for (const Vec3d& true_corner : *world) nearest = std::min(nearest, glm::length(corner - true_corner));
-      const double pixel_size = dot(corner - told.view.camera.position, told.view.camera.forward) / 600;
+      const double pixel_size = dot(corner - inspected.view.camera.position, inspected.view.camera.forward) / 600;
       EXPECT_LT(nearest, pixel_size / 256);
     }
     ++compared;
   }
   EXPECT_GT(compared, 0);
-  EXPECT_EQ(count_of(told.model, SpaceKind::hit_point), count_events<FragmentEvent>(told.story));
+  EXPECT_EQ(count_of(inspected.model, SpaceKind::hit_point), count_events<FragmentEvent>(inspected.story));
 }
 
 TEST(SpaceModel, StepsAreInOrderAndEachHasSomethingToShow) {
-  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
-  ASSERT_FALSE(told.model.steps.empty());
-  for (std::size_t i = 1; i < told.model.steps.size(); ++i) EXPECT_LT(told.model.steps[i - 1], told.model.steps[i]);
-  EXPECT_EQ(told.model.steps.front(), 0);
+  const InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  ASSERT_FALSE(inspected.model.steps.empty());
+  for (std::size_t i = 1; i < inspected.model.steps.size(); ++i)
+    EXPECT_LT(inspected.model.steps[i - 1], inspected.model.steps[i]);
+  EXPECT_EQ(inspected.model.steps.front(), 0);
 }
 
 // Whatever is selected in the tree or the sum shows something: a light its shadow ray, a colour the hit it belongs to.
 TEST(SpaceModel, EverySelectedEventShowsSomethingOfItsRay) {
-  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
-  const auto& events = told.story.events;
+  const InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  const auto& events = inspected.story.events;
   for (int i = 0; i + 1 < static_cast<int>(events.size()); ++i) {
-    const int shown = shown_event(told.model, told.story, i);
+    const int shown = shown_event(inspected.model, inspected.story, i);
     ASSERT_GE(shown, 0) << i;
     const EventData& data = events[static_cast<std::size_t>(i)].data;
     if (const auto* light = std::get_if<LightEvent>(&data); light && light->kind != LightKind::ambient) {
@@ -224,26 +226,26 @@ TEST(SpaceModel, EverySelectedEventShowsSomethingOfItsRay) {
       EXPECT_TRUE(std::holds_alternative<HitEvent>(events[static_cast<std::size_t>(shown)].data));
     }
   }
-  EXPECT_EQ(shown_event(told.model, told.story, -1), -1);
+  EXPECT_EQ(shown_event(inspected.model, inspected.story, -1), -1);
 }
 
 TEST(SpaceModel, GroundDoesNotMakeTheSceneSmall) {
-  const ToldPixel told = tell("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
-  EXPECT_LT(told.model.bounds.radius, 10);  // the ground's radius is 5000
-  EXPECT_EQ(told.model.ground, (std::vector<bool>{false, false, false, true}));
+  const InspectedPixel inspected = inspect_in_space("cgfs/reflections", {300, 420}, Renderer::ray_tracer);
+  EXPECT_LT(inspected.model.bounds.radius, 10);  // the ground's radius is 5000
+  EXPECT_EQ(inspected.model.ground, (std::vector<bool>{false, false, false, true}));
   for (const Vec3d& seen : {Vec3d(0, 0, 0), Vec3d(0, -1, 3), Vec3d(-2, 0, 4), Vec3d(2, 0, 4)})
-    EXPECT_LT(glm::length(seen - told.model.bounds.centre), told.model.bounds.radius);
+    EXPECT_LT(glm::length(seen - inspected.model.bounds.centre), inspected.model.bounds.radius);
 }
 
 // For a moment after another scene is opened a story is older than the scene around it.
 TEST(SpaceModel, AStoryOfASceneWithMoreLightsIsSurvived) {
-  const ToldPixel told = tell("cgfs/shading", {420, 330}, Renderer::rasterizer);
-  ASSERT_GT(count_of(told.model, SpaceKind::light_direction), 1);
-  Scene dark = told.scene;
+  const InspectedPixel inspected = inspect_in_space("cgfs/shading", {420, 330}, Renderer::rasterizer);
+  ASSERT_GT(count_of(inspected.model, SpaceKind::light_direction), 1);
+  Scene dark = inspected.scene;
   dark.lights = {};
-  const SpaceModel model = build_space(dark, told.view, told.settings, &told.story);
-  EXPECT_EQ(count_of(model, SpaceKind::triangle), count_of(told.model, SpaceKind::triangle));
-  EXPECT_LT(count_of(model, SpaceKind::light_direction), count_of(told.model, SpaceKind::light_direction));
+  const SpaceModel model = build_space(dark, inspected.view, inspected.settings, &inspected.story);
+  EXPECT_EQ(count_of(model, SpaceKind::triangle), count_of(inspected.model, SpaceKind::triangle));
+  EXPECT_LT(count_of(model, SpaceKind::light_direction), count_of(inspected.model, SpaceKind::light_direction));
 }
 
 }  // namespace

@@ -144,14 +144,14 @@ TEST(StabilityStudy, TheSeriesShownFirstIsOneInWhichSomethingFails) {
     row.robust = robust;
     return row;
   };
-  EXPECT_EQ(telling_series({}), "");
-  EXPECT_EQ(telling_series({made("holes", 0, 0), made("doubles", 0, 0)}), "holes");
-  EXPECT_EQ(telling_series(
+  EXPECT_EQ(default_series({}), "");
+  EXPECT_EQ(default_series({made("holes", 0, 0), made("doubles", 0, 0)}), "holes");
+  EXPECT_EQ(default_series(
                 {made("holes", 0, 0), made("formula", 3, std::nan("")), made("doubles", 0, 0), made("doubles", 7, 0)}),
             "doubles");
 }
 
-TEST(StabilityStudy, TellsTheTimeThatIsLeft) {
+TEST(StabilityStudy, ReportsTheTimeThatIsLeft) {
   StabilityRequest request = request_in("stability-study-time");
   double now = 0;
   const Clock clock = [&] { return now; };

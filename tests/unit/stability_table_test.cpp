@@ -175,7 +175,17 @@ TEST(StabilityFigureRows, AnExperimentWithFiguresOfAnotherMeasurementIsAReproduc
       compared.insert(figure.experiment);
   for (const StabilityExperiment& experiment : stability_experiments())
     EXPECT_EQ(experiment.set_up == SetUp::reproduction, compared.contains(std::string(experiment.key)))
-        << experiment.key << ": mark it in core/study/stability/table.cpp, or not";
+        << experiment.key << ": its set_up says otherwise";
+}
+
+TEST(StabilityExperiments, EachHasAPlaceOfItsOwn) {
+  const auto all = stability_experiments();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_GT(all[i].place.rank, 0) << all[i].key << " names no place";
+    if (i > 0) {
+      EXPECT_LT(all[i - 1].place, all[i].place) << all[i].key;
+    }
+  }
 }
 
 // Bits of estimated square roots differ between makers of processors: nothing but the sign may hang on them.

@@ -17,12 +17,14 @@ struct Pinned {
   Prepared prepared;
   Progress progress;
   Vec2i pixel{100, 120};
-  PixelStory tell(const Settings& settings) { return inspect(scene, view, settings, pixel, prepared, progress); }
+  PixelStory inspect_with(const Settings& settings) {
+    return inspect(scene, view, settings, pixel, prepared, progress);
+  }
 };
 
 TEST(StoryChanges, NothingChangesByItself) {
   Pinned pinned;
-  const PixelStory story = pinned.tell({});
+  const PixelStory story = pinned.inspect_with({});
   const StoryChanges changes = story_changes(story, story, pinned.scene);
   EXPECT_EQ(changes.changed_steps, 0);
   EXPECT_EQ(changes.steps.size(), story.events.size());
@@ -42,7 +44,7 @@ TEST(StoryChanges, SpecularTermsGoWithTheOption) {
   plain.reflection_depth = 0;
   Settings dull = plain;
   dull.specular = false;
-  const PixelStory before = pinned.tell(plain), after = pinned.tell(dull);
+  const PixelStory before = pinned.inspect_with(plain), after = pinned.inspect_with(dull);
   const StoryChanges changes = story_changes(before, after, pinned.scene);
   int gone = 0, kept = 0;
   for (const LedgerChange& line : changes.ledger) {
@@ -61,14 +63,14 @@ TEST(StoryChanges, SpecularTermsGoWithTheOption) {
   EXPECT_EQ(changes.linear_after, after.linear);
 }
 
-// Every line of both sums is told once, and both columns add up.
-TEST(StoryChanges, BothSumsAreToldInFull) {
+// Every line of both sums is listed once, and both columns add up.
+TEST(StoryChanges, BothSumsAreListedInFull) {
   Pinned pinned;
   pinned.pixel = {151, 191};  // mirrors the ground
   Settings other;
   other.reflection_depth = 1;
   other.shadows = Shadows::none;
-  const PixelStory before = pinned.tell({}), after = pinned.tell(other);
+  const PixelStory before = pinned.inspect_with({}), after = pinned.inspect_with(other);
   const StoryChanges changes = story_changes(before, after, pinned.scene);
   Vec3d old_sum(0), new_sum(0);
   std::size_t old_lines = 0, new_lines = 0;

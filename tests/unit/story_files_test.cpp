@@ -5,42 +5,15 @@
 #include <map>
 
 #include "base/number_text.h"
-#include "inspect/event_fields.h"
 #include "inspect/story_markdown.h"
+#include "record/event_fields.h"
 #include "render/render.h"
 #include "scene/load.h"
+#include "support/read_csv.h"
 #include "support/stories.h"
 
 namespace ps {
 namespace {
-
-/// A reader of comma-separated values by the grammar of RFC 4180.
-std::vector<std::vector<std::string>> read_csv(const std::string& text) {
-  std::vector<std::vector<std::string>> rows(1, {""});
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    std::string& field = rows.back().back();
-    if (quoted) {
-      if (text[i] != '"')
-        field += text[i];
-      else if (i + 1 < text.size() && text[i + 1] == '"')
-        field += text[++i];
-      else
-        quoted = false;
-    } else if (text[i] == '"') {
-      quoted = true;
-    } else if (text[i] == ',') {
-      rows.back().push_back("");
-    } else if (text.compare(i, 2, "\r\n") == 0) {
-      rows.push_back({""});
-      ++i;
-    } else {
-      field += text[i];
-    }
-  }
-  rows.pop_back();
-  return rows;
-}
 
 TEST(StoryFiles, CsvKeepsEveryDigit) {
   const Scene scene = load_scene("cgfs/reflections");
@@ -48,7 +21,7 @@ TEST(StoryFiles, CsvKeepsEveryDigit) {
   Prepared prepared;
   Progress progress;
   const PixelStory story = inspect(scene, view, {}, {151, 191}, prepared, progress);
-  const auto rows = read_csv(story_csv(story, scene, provenance_of(Settings{})));
+  const auto rows = test::read_csv(story_csv(story, scene, provenance_of(Settings{})));
   ASSERT_GT(rows.size(), story.events.size());
   for (const auto& row : rows) ASSERT_EQ(row.size(), 6u);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"part", "index", "parent", "kind", "name", "value"}));
@@ -86,7 +59,7 @@ TEST(StoryFiles, MarkdownNamesTheRenderer) {
   }
 }
 
-TEST(StoryFiles, MarkdownTellsEverything) {
+TEST(StoryFiles, MarkdownShowsEverything) {
   const Scene scene = test::book_spheres();
   const PixelStory story = test::mirrored_story();
   const std::string page = story_markdown(story, scene, {scene.camera, 600, 600}, provenance_of(Settings{}));

@@ -69,7 +69,7 @@ TEST(RayStory, TermsThatDoNotAddUpBecomeOneLine) {
   EXPECT_FALSE(has_term(story, 1, "light 0 (ambient)", {0.1875, 0, 0}));
 }
 
-TEST(RayStory, MissTellsOfTheBackground) {
+TEST(RayStory, MissReportsTheBackground) {
   PixelRecorder record(Vec2i{0, 0});
   record.begin([] { return RayEvent{}; });
   record.event([] { return SphereTestEvent{{1, 0}, TestOutcome::missed, -3, {}}; });
@@ -83,7 +83,7 @@ TEST(RayStory, MissTellsOfTheBackground) {
   expect_sums(story);
 }
 
-TEST(RayStory, DisplayLinesTellOfClampingAndExposure) {
+TEST(RayStory, DisplayLinesShowClampingAndExposure) {
   PixelStory story = test::mirrored_story();
   story.linear.x = 0.75;
   Settings settings;

@@ -57,14 +57,14 @@ void expect_nested(const std::string& svg) {
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
-struct Told {
+struct Inspected {
   Scene scene;
   View view;
   Settings settings;
   Prepared prepared;
   Progress progress;
   PixelStory story;
-  Told(const std::string& name, Renderer renderer, Vec2i pixel) : scene(load_scene(name)) {
+  Inspected(const std::string& name, Renderer renderer, Vec2i pixel) : scene(load_scene(name)) {
     view = {scene.camera, 200, 200};
     settings.renderer = renderer;
     story = inspect(scene, view, settings, pixel, prepared, progress);
@@ -73,11 +73,12 @@ struct Told {
 
 TEST(Svg, SpaceViewDrawsTheStory) {
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Told told("cgfs/reflections", renderer, {100, 110});
-    const SpaceModel model = build_space(told.scene, told.view, told.settings, &told.story);
-    const SpaceOrbit orbit = preset_orbit(SpacePreset::outside, model.bounds, told.scene.camera, 1.5);
-    const SpacePicture picture = draw_space_picture(told.scene, orbit_view(orbit, told.scene.camera, 900, 600),
-                                                    0.02 * orbit.distance, told.prepared, told.progress);
+    Inspected inspected("cgfs/reflections", renderer, {100, 110});
+    const SpaceModel model = build_space(inspected.scene, inspected.view, inspected.settings, &inspected.story);
+    const SpaceOrbit orbit = preset_orbit(SpacePreset::outside, model.bounds, inspected.scene.camera, 1.5);
+    const SpacePicture picture =
+        draw_space_picture(inspected.scene, orbit_view(orbit, inspected.scene.camera, 900, 600), 0.02 * orbit.distance,
+                           inspected.prepared, inspected.progress);
     const std::string svg = space_svg(model, picture);
     expect_nested(svg);
     EXPECT_EQ(count(svg, "<image "), 1u);
@@ -93,16 +94,17 @@ TEST(Svg, SpaceViewDrawsTheStory) {
 
 // A box of a model's tree is one way along all of its twelve edges, whichever way the model is turned.
 TEST(Svg, BoxesOfAModelAreDrawnWhole) {
-  Told told("cgfs/crates", Renderer::ray_tracer, {113, 43});
-  told.settings.accelerator = Accelerator::two_level;
-  told.story = inspect(told.scene, told.view, told.settings, {113, 43}, told.prepared, told.progress);
-  SpaceModel model = build_space(told.scene, told.view, told.settings, &told.story);
+  Inspected inspected("cgfs/crates", Renderer::ray_tracer, {113, 43});
+  inspected.settings.accelerator = Accelerator::two_level;
+  inspected.story =
+      inspect(inspected.scene, inspected.view, inspected.settings, {113, 43}, inspected.prepared, inspected.progress);
+  SpaceModel model = build_space(inspected.scene, inspected.view, inspected.settings, &inspected.story);
   std::erase_if(model.items,
                 [](const SpaceItem& item) { return item.kind != SpaceKind::node || item.shape != SpaceShape::line; });
   ASSERT_FALSE(model.items.empty());
-  const SpaceOrbit orbit = preset_orbit(SpacePreset::outside, model.bounds, told.scene.camera, 1.5);
-  const SpacePicture picture = draw_space_picture(told.scene, orbit_view(orbit, told.scene.camera, 900, 600),
-                                                  0.02 * orbit.distance, told.prepared, told.progress);
+  const SpaceOrbit orbit = preset_orbit(SpacePreset::outside, model.bounds, inspected.scene.camera, 1.5);
+  const SpacePicture picture = draw_space_picture(inspected.scene, orbit_view(orbit, inspected.scene.camera, 900, 600),
+                                                  0.02 * orbit.distance, inspected.prepared, inspected.progress);
   SpaceSvgOptions options;
   options.nodes = true;
   options.deepest_level = model.deepest_level;
@@ -111,9 +113,10 @@ TEST(Svg, BoxesOfAModelAreDrawnWhole) {
 
 TEST(Svg, MicroscopeDrawsThePixel) {
   for (const Renderer renderer : {Renderer::ray_tracer, Renderer::rasterizer}) {
-    Told told("cgfs/crates", renderer, {113, 43});
-    const Microscope scope(told.scene, told.view, told.settings, {113, 43}, told.prepared, told.progress);
-    const MicroReading reading = scope.read({0.5, 0.5}, told.prepared, told.progress);
+    Inspected inspected("cgfs/crates", renderer, {113, 43});
+    const Microscope scope(inspected.scene, inspected.view, inspected.settings, {113, 43}, inspected.prepared,
+                           inspected.progress);
+    const MicroReading reading = scope.read({0.5, 0.5}, inspected.prepared, inspected.progress);
     const std::string svg = micro_svg(scope, reading);
     expect_nested(svg);
     EXPECT_EQ(count(svg, "<image "), 1 + (reading.texture ? reading.texture->levels.size() : 0));

@@ -90,7 +90,7 @@ TEST(Sweep, BadTextIsRefusedWithAMessage) {
   EXPECT_THROW(points_of({"precision", "precision"}, "cgfs/spheres"), InputError);
 }
 
-TEST(Sweep, IsToldAsTextThatIsReadBack) {
+TEST(Sweep, IsWrittenAsTextThatIsReadBack) {
   for (const NamedSweep& sweep : named_sweeps()) EXPECT_EQ(sweep_text(parse_sweep_text(sweep.key)), sweep.key);
   for (const char* text : {"reflection-depth=0,2", "shading=phong,flat;textures=on,off", "none"})
     EXPECT_EQ(sweep_text(parse_sweep_text(text)), text);
@@ -99,7 +99,7 @@ TEST(Sweep, IsToldAsTextThatIsReadBack) {
     EXPECT_THROW(parse_sweep_text(text), InputError) << text;
 }
 
-TEST(Sweep, TellsOptionsThatActNowhere) {
+TEST(Sweep, ReportsOptionsThatActNowhere) {
   const Scene scene = load_scene("cgfs/spheres");
   const std::vector<SweepAxis> axes{parse_sweep_axis("texture-filter"), parse_sweep_axis("precision")};
   const auto sentences = idle_axes(axes, settings_for(scene), scene_traits(scene));

@@ -20,7 +20,12 @@
 namespace ps::gui {
 namespace {
 
-constexpr std::chrono::seconds idle_limit{120}, until_limit{120};
+// Work takes some twenty times as long under the thread sanitizer.
+#ifdef __SANITIZE_THREAD__
+constexpr std::chrono::seconds wait_limit{900};
+#else
+constexpr std::chrono::seconds wait_limit{120};
+#endif
 /// Frames until ImGui has seen an event and drawn what follows from it.
 constexpr int frames_after_input = 2;
 /// Frames in which a control may be scrolled to or its section may open.
@@ -183,8 +188,8 @@ void ScriptPlayer::begin_wait(const Command& command) {
 
 void ScriptPlayer::wait_for_idle() {
   watching_ = true;
-  part([this, limit = Clock::now() + idle_limit] {
-    if (!state_.idle && Clock::now() > limit) fail(fmt::format("still busy after {} s", idle_limit.count()));
+  part([this, limit = Clock::now() + wait_limit] {
+    if (!state_.idle && Clock::now() > limit) fail(fmt::format("still busy after {} s", wait_limit.count()));
     watching_ = !state_.idle;
     return state_.idle ? Turn::done : Turn::again;
   });
@@ -204,11 +209,11 @@ void ScriptPlayer::wait_until(const Command& command) {
   if (command.words.size() == 4) wanted.relation = command.words[2];
   wanted.value = expand(command.words.back());
   watching_ = true;
-  part([this, name = command.words[1], wanted, limit = Clock::now() + until_limit] {
+  part([this, name = command.words[1], wanted, limit = Clock::now() + wait_limit] {
     const std::string found = value_of(name);
     watching_ = !fulfils(found, wanted);
     if (watching_ && Clock::now() > limit)
-      fail(fmt::format("{}: still '{}' after {} s, expected {} '{}'", name, found, until_limit.count(), wanted.relation,
+      fail(fmt::format("{}: still '{}' after {} s, expected {} '{}'", name, found, wait_limit.count(), wanted.relation,
                        wanted.value));
     return watching_ ? Turn::again : Turn::done;
   });

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "inspect/describe.h"
-#include "inspect/event_fields.h"
 #include "inspect/parting/align_parts.h"
 #include "inspect/parting/fragment_fate.h"
 #include "inspect/parting/sighting.h"
+#include "record/event_fields.h"
 #include "render/story/story_tree.h"
 
 namespace ps::parting {
@@ -22,9 +22,9 @@ std::string test_key(const PixelId& id, bool whole_object) {
 
 /// What light and textures are about, which both ways of making pictures have.
 std::optional<std::string> surface_key(const EventData& data) {
-  if (const auto* light = std::get_if<LightEvent>(&data)) return fmt::format("light {}", light->light);
-  if (std::holds_alternative<TextureEvent>(data) || std::holds_alternative<ShadeEvent>(data))
-    return std::string(event_kind(data));
+  if (std::holds_alternative<LightEvent>(data) || std::holds_alternative<TextureEvent>(data) ||
+      std::holds_alternative<ShadeEvent>(data))
+    return event_subject(data);
   return std::nullopt;
 }
 

@@ -1,16 +1,13 @@
 #include "inspect/parting/align_stories.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 
 #include "inspect/describe.h"
-#include "inspect/event_fields.h"
 #include "inspect/parting/align_parts.h"
 #include "options/renderer_kind.h"
-#include "render/story/reason_text.h"
-#include "textbook/tell_listing.h"
+#include "record/event_fields.h"
+#include "textbook/listing_events.h"
 
 namespace ps {
 namespace {
@@ -20,24 +17,10 @@ using parting::EventTree;
 /// Above this many pairs of siblings they are matched greedily: a table of all pairs would take too long to fill.
 constexpr std::size_t most_pairs = 4'000'000;
 
-std::string key_of(const PixelId& id) { return fmt::format("{}/{}", id.object, id.triangle); }
-
-/// What the event is about: events with equal keys can be partners.
-std::string key_of(const EventData& data) {
-  if (const auto* ray = std::get_if<RayEvent>(&data)) return fmt::format("ray {}", ray_kind_key(ray->kind));
-  if (const auto* node = std::get_if<NodeEvent>(&data)) return fmt::format("node {}/{}", node->object, node->node);
-  if (const auto* light = std::get_if<LightEvent>(&data)) return fmt::format("light {}", light->light);
-  if (std::holds_alternative<HitEvent>(data) || std::holds_alternative<MissEvent>(data)) return "hit";
-  if (const auto* test = std::get_if<SphereTestEvent>(&data)) return "test " + key_of(test->id);
-  if (const auto* test = std::get_if<TriangleTestEvent>(&data)) return "test " + key_of(test->id);
-  if (const auto* test = std::get_if<SolidTestEvent>(&data)) return "test " + key_of(test->id);
-  if (const auto* fragment = std::get_if<FragmentEvent>(&data)) return "triangle " + key_of(fragment->id);
-  if (const auto* reject = std::get_if<RejectEvent>(&data)) return "triangle " + key_of(reject->id);
-  return std::string(event_kind(data));
-}
-
 /// A listing takes the steps of one of the other renderers.
-Renderer steps_of(const PixelStory& story) { return story.listing ? way_of(story.listing->listing) : story.renderer; }
+Renderer steps_of(const PixelStory& story) {
+  return story.listing ? stepped_like(story.listing->listing) : story.renderer;
+}
 
 class Aligner {
  public:
@@ -64,7 +47,7 @@ class Aligner {
   static std::vector<std::string> keys(const EventTree& tree, const std::vector<int>& events) {
     std::vector<std::string> keys;
     keys.reserve(events.size());
-    for (const int event : events) keys.push_back(key_of(tree.event(event).data));
+    for (const int event : events) keys.push_back(event_subject(tree.event(event).data));
     return keys;
   }
 

@@ -6,7 +6,7 @@
 #include "inspect/parting/parting_parts.h"
 #include "record/value_text.h"
 #include "render/story/story_tree.h"
-#include "textbook/tell_listing.h"
+#include "textbook/listing_events.h"
 
 namespace ps {
 namespace {
@@ -149,17 +149,17 @@ Parting find_step(const Comparison& c) {
 }
 
 /// A listing's story as that of the renderer whose steps it takes, with the options that say what it does.
-struct Retold {
+struct SteppedLike {
   PixelStory story;
   Settings settings;
 };
 
-std::optional<Retold> retold(const Scene& scene, const StorySide& side) {
+std::optional<SteppedLike> as_stepped(const Scene& scene, const StorySide& side) {
   if (!side.story.listing) return std::nullopt;
   const NamedListing& listing = side.story.listing->listing;
-  Retold told{side.story, settings_as_listed(listing, scene, side.settings)};
-  told.story.renderer = way_of(listing);
-  return told;
+  SteppedLike stepped{side.story, settings_as_listed(listing, scene, side.settings)};
+  stepped.story.renderer = stepped_like(listing);
+  return stepped;
 }
 
 /// Whether a cause is something that one of the two does and the other does not, and no matter of places.
@@ -177,9 +177,9 @@ constexpr double half_a_pixel = 0.02;  // how much numbers may differ for the pl
 Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b) {
   if (a.story.linear == b.story.linear && a.story.display == b.story.display)
     return {PartingCause::none, "Both stories end in exactly the same colour.", -1, -1};
-  const auto retold_a = retold(scene, a), retold_b = retold(scene, b);
-  const StorySide side_a = retold_a ? StorySide{retold_a->story, retold_a->settings} : a;
-  const StorySide side_b = retold_b ? StorySide{retold_b->story, retold_b->settings} : b;
+  const auto stepped_a = as_stepped(scene, a), stepped_b = as_stepped(scene, b);
+  const StorySide side_a = stepped_a ? StorySide{stepped_a->story, stepped_a->settings} : a;
+  const StorySide side_b = stepped_b ? StorySide{stepped_b->story, stepped_b->settings} : b;
   Comparison c{scene, side_a, side_b};
   if (c.with_listing() && differs(c, "sample-position")) {
     // A listing samples the corner, so that nearly all numbers differ a little. Large differences are reported before

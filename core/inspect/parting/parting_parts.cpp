@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "options/option.h"
 
 namespace ps::parting {
@@ -32,12 +33,13 @@ bool Comparison::same(const Vec3d& x, const Vec3d& y) const {
 
 bool differs(const Comparison& c, std::string_view key) {
   const Option* option = find_option(key);
-  return option && option->get(c.a.settings) != option->get(c.b.settings);
+  PS_ASSERT(option, "causes name options by their keys");
+  return option->get(c.a.settings) != option->get(c.b.settings);
 }
 
 std::string option_difference(const Comparison& c, std::string_view key) {
   const Option* option = find_option(key);
-  if (!option) return {};
+  PS_ASSERT(option, "causes name options by their keys");
   return fmt::format("{} is {} in A and {} in B", key, option_text(*option, c.a.settings),
                      option_text(*option, c.b.settings));
 }

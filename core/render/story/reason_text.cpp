@@ -30,30 +30,6 @@ std::string_view outcome_text(TestOutcome outcome) {
   return "";
 }
 
-std::string_view outcome_key(TestOutcome outcome) {
-  switch (outcome) {
-  case TestOutcome::accepted:
-    return "accepted";
-  case TestOutcome::missed:
-    return "missed";
-  case TestOutcome::before_range:
-    return "before-range";
-  case TestOutcome::beyond_range:
-    return "beyond-range";
-  case TestOutcome::farther:
-    return "farther";
-  case TestOutcome::back_side:
-    return "back-side";
-  case TestOutcome::tie_lost:
-    return "tie-lost";
-  case TestOutcome::parallel:
-    return "parallel";
-  case TestOutcome::degenerate:
-    return "degenerate";
-  }
-  return "";
-}
-
 std::string_view reject_reason_text(RejectReason reason) {
   switch (reason) {
   case RejectReason::outside_view:
@@ -74,96 +50,6 @@ std::string_view reject_reason_text(RejectReason reason) {
     return "close to the pixel, but does not cover it";
   case RejectReason::behind_camera:
     return "cannot be projected: a vertex lies behind the camera and clipping is off";
-  }
-  return "";
-}
-
-std::string_view reject_reason_key(RejectReason reason) {
-  switch (reason) {
-  case RejectReason::outside_view:
-    return "outside-view";
-  case RejectReason::clipped_near:
-    return "clipped-near";
-  case RejectReason::clipped_side:
-    return "clipped-side";
-  case RejectReason::clipped_far:
-    return "clipped-far";
-  case RejectReason::back_face:
-    return "back-face";
-  case RejectReason::zero_area:
-    return "zero-area";
-  case RejectReason::cut_out:
-    return "cut-out";
-  case RejectReason::not_covered:
-    return "not-covered";
-  case RejectReason::behind_camera:
-    return "behind-camera";
-  }
-  return "";
-}
-
-std::string_view texture_use_key(TextureUse use) {
-  switch (use) {
-  case TextureUse::surface:
-    return "surface";
-  case TextureUse::highlight:
-    return "highlight";
-  case TextureUse::ambient:
-    return "ambient";
-  case TextureUse::opacity:
-    return "opacity";
-  case TextureUse::reflection:
-    return "reflection";
-  }
-  return "";
-}
-
-std::string_view ray_kind_key(RayKind kind) {
-  switch (kind) {
-  case RayKind::eye:
-    return "eye";
-  case RayKind::shadow:
-    return "shadow";
-  case RayKind::reflection:
-    return "reflection";
-  case RayKind::refraction:
-    return "refraction";
-  }
-  return "";
-}
-
-std::string_view depth_verdict_key(FragmentEvent::Depth depth) {
-  switch (depth) {
-  case FragmentEvent::Depth::passed:
-    return "passed";
-  case FragmentEvent::Depth::failed:
-    return "failed";
-  case FragmentEvent::Depth::off:
-    return "off";
-  }
-  return "";
-}
-
-std::string_view coverage_key(Coverage strategy) {
-  switch (strategy) {
-  case Coverage::edge_function:
-    return "edge-function";
-  case Coverage::ray_test:
-    return "ray-test";
-  case Coverage::bounding_box:
-    return "bounding-box";
-  case Coverage::barycentric:
-    return "barycentric";
-  case Coverage::hoisted:
-    return "hoisted";
-  case Coverage::scanline:
-    return "scanline";
-  case Coverage::hierarchical:
-    return "hierarchical";
-  case Coverage::tiled:
-    return "tiled";
-  case Coverage::micropolygon:
-    return "micropolygon";
   }
   return "";
 }

@@ -7,16 +7,9 @@
 
 namespace ps {
 
-/// Enumerators of events in words (for people) and as keys (for files, in kebab-case).
+/// Enumerators of events in words, for people; record/event_keys.h has their keys for files.
 std::string_view outcome_text(TestOutcome outcome);
-std::string_view outcome_key(TestOutcome outcome);
 std::string_view reject_reason_text(RejectReason reason);
-std::string_view reject_reason_key(RejectReason reason);
-std::string_view ray_kind_key(RayKind kind);
-/// "surface", "highlight"
-std::string_view texture_use_key(TextureUse use);
-std::string_view coverage_key(Coverage strategy);
-std::string_view depth_verdict_key(FragmentEvent::Depth depth);
 
 inline constexpr std::array all_reject_reasons{
     RejectReason::outside_view, RejectReason::clipped_near,  RejectReason::clipped_side,

@@ -1,12 +1,12 @@
 #include "scene/generate/displaced_sphere.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <unordered_map>
 
 #include "base/check.h"
 #include "math/portable.h"
+#include "math/unit.h"
 
 namespace ps {
 namespace {
@@ -61,13 +61,13 @@ class Lattice {
 
   void add(const glm::ivec3& point) {
     const Vec3d on_cube{warp(point.x), warp(point.y), warp(point.z)};
-    const Vec3d direction = on_cube / std::sqrt(dot(on_cube, on_cube));
+    const Vec3d direction = unit(on_cube);
     const Radius radius = radius_in(direction, options_.amplitude);
     mesh_.positions.push_back(radius.value * direction);
     // The surface is where |p| = radius(p / |p|); the normal is the gradient of the difference.
     const Vec3d along = radius.gradient - dot(radius.gradient, direction) * direction;
     const Vec3d normal = direction - along / radius.value;
-    mesh_.normals.push_back(normal / std::sqrt(dot(normal, normal)));
+    mesh_.normals.push_back(unit(normal));
   }
 
   Mesh& mesh_;

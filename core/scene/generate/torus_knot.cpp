@@ -1,16 +1,14 @@
 #include "scene/generate/torus_knot.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "base/check.h"
 #include "math/portable.h"
+#include "math/unit.h"
 
 namespace ps {
 namespace {
-
-Vec3d unit_length(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
 
 /// First and second derivative of the centre line.
 std::array<Vec3d, 2> derivatives(const TorusKnotOptions& options, double t) {
@@ -45,13 +43,13 @@ Mesh make_torus_knot(const TorusKnotOptions& options) {
     const double t = 2 * std::numbers::pi * i / segments;
     // The Frenet frame: the line is curved everywhere, so it turns smoothly and closes.
     const auto [first, second] = derivatives(options, t);
-    const Vec3d tangent = unit_length(first);
-    const Vec3d binormal = unit_length(cross(first, second));
+    const Vec3d tangent = unit(first);
+    const Vec3d binormal = unit(cross(first, second));
     const Vec3d inward = cross(binormal, tangent);
     const Vec3d middle = torus_knot_line(options, t);
     for (int j = 0; j < sides; ++j) {
       const double angle = 2 * std::numbers::pi * j / sides;
-      const Vec3d normal = unit_length(portable::cos(angle) * inward + portable::sin(angle) * binormal);
+      const Vec3d normal = unit(portable::cos(angle) * inward + portable::sin(angle) * binormal);
       mesh.normals.push_back(normal);
       mesh.positions.push_back(middle + options.tube_radius * normal);
     }

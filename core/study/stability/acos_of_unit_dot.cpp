@@ -26,8 +26,9 @@ static std::vector<StabilityRow> measure_acos_of_unit_dot(const StabilityRun& ru
   return rows;
 }
 
-const StabilityExperiment acos_of_unit_dot{
+extern const StabilityExperiment acos_of_unit_dot{
     .key = "acos-of-unit-dot",
+    .place = {Subject::numbers, 50},
     .title = "acos of a unit vector's square",
     .knob = "length",
     .naive = "acos(dot)",

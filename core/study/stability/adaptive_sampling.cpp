@@ -236,8 +236,9 @@ constexpr std::array frames{64.0, 16.0, 4.0, 1.0};
 
 }  // namespace
 
-const StabilityExperiment adaptive_sampling_misses{
+extern const StabilityExperiment adaptive_sampling_misses{
     .key = "adaptive-sampling-misses",
+    .place = {Subject::sampling, 30},
     .title = "Adaptive sampling never sees what it missed",
     .knob = "threshold (levels of 255)",
     .naive = "16 jittered samples where the first rays of neighbours differ",

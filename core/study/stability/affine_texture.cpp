@@ -146,8 +146,10 @@ constexpr std::array frames{1.0, 2.0, 4.0, 8.0, 16.0};
 
 }  // namespace
 
-const StabilityExperiment affine_texture{
+extern const StabilityExperiment affine_texture{
     .key = "affine-texture",
+    .place = {Subject::depth, 30},
+    .set_up = SetUp::reproduction,
     .title = "Affine textures",
     .knob = "pieces along the floor",
     .naive = "interpolate u and v on the screen",

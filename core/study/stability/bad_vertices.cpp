@@ -126,8 +126,9 @@ std::vector<StabilityRow> measure_infinite(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment nan_vertex{
+extern const StabilityExperiment nan_vertex{
     .key = "nan-vertex",
+    .place = {Subject::boxes, 50},
     .title = "A NaN among the vertices",
     .knob = "vertices that are NaN",
     .naive = "std::min(new, accumulated)",
@@ -138,8 +139,9 @@ const StabilityExperiment nan_vertex{
     .window = {0, 0},
     .measure = measure_nan};
 
-const StabilityExperiment infinite_vertex{
+extern const StabilityExperiment infinite_vertex{
     .key = "infinite-vertex",
+    .place = {Subject::boxes, 60},
     .title = "A vertex at infinity",
     .knob = "coordinate of one vertex",
     .naive = "build with it",

@@ -82,8 +82,10 @@ std::vector<StabilityRow> measure_flags(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment fma_contraction{
+extern const StabilityExperiment fma_contraction{
     .key = "fma-contraction",
+    .place = {Subject::rays, 130},
+    .set_up = SetUp::reproduction,
     .title = "Fused multiply-add",
     .knob = "0 = products rounded, 1 = fused by the compiler",
     .naive = "-mfma -ffp-contract=fast",
@@ -95,8 +97,10 @@ const StabilityExperiment fma_contraction{
     .window = {0, 0},
     .measure = measure_contraction};
 
-const StabilityExperiment build_flags{
+extern const StabilityExperiment build_flags{
     .key = "build-flags",
+    .place = {Subject::numbers, 70},
+    .set_up = SetUp::reproduction,
     .title = "Flags of the compiler",
     .knob = "1 -O0, 2 fused, 3 fast-math, 4 both, 5 x87, 6 unfused",
     .naive = "the book's scene in float with other flags",

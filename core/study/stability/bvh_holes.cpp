@@ -118,8 +118,9 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment bvh_holes{
+extern const StabilityExperiment bvh_holes{
     .key = "bvh-holes",
+    .place = {Subject::boxes, 20},
     .title = "Holes in a tree of boxes",
     .knob = "distance of the sphere from the origin (world units)",
     .naive = "near <= far, as computed (slab-test = naive)",

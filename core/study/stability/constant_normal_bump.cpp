@@ -157,8 +157,9 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment constant_normal_bump{
+extern const StabilityExperiment constant_normal_bump{
     .key = "constant-normal-bump",
+    .place = {Subject::rays, 80},
     .title = "A constant bump along the normal",
     .knob = "distance of the world from the origin",
     .naive = "start as found, or 0.0001 along the normal",

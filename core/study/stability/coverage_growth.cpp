@@ -76,8 +76,9 @@ std::vector<StabilityRow> measure_growth(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment coverage_growth{
+extern const StabilityExperiment coverage_growth{
     .key = "coverage-growth",
+    .place = {Subject::coverage, 70},
     .title = "Tests grow with the bounding box",
     .knob = "side of the triangle's bounding box (px)",
     .naive = "every sample of the box",

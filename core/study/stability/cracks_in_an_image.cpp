@@ -96,8 +96,9 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment cracks_in_an_image{
+extern const StabilityExperiment cracks_in_an_image{
     .key = "cracks-in-an-image",
+    .place = {Subject::rays, 100},
     .title = "Cracks in a picture",
     .knob = "side of the picture (px)",
     .naive = "Moeller-Trumbore (triangle-test = moeller-trumbore)",

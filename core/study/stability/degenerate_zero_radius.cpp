@@ -71,8 +71,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment degenerate_zero_radius{
+extern const StabilityExperiment degenerate_zero_radius{
     .key = "degenerate-zero-radius",
+    .place = {Subject::rays, 160},
+    .set_up = SetUp::reproduction,
     .title = "Degenerate shapes",
     .knob = "none",
     .naive = "if (bad) return miss",

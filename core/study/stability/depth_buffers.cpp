@@ -208,8 +208,10 @@ constexpr std::array places{1000.0};
 
 }  // namespace
 
-const StabilityExperiment depth_bits_z_fighting{
+extern const StabilityExperiment depth_bits_z_fighting{
     .key = "depth-bits-z-fighting",
+    .place = {Subject::depth, 40},
+    .set_up = SetUp::reproduction,
     .title = "Z-fighting",
     .knob = "gap between two surfaces, or their depth (world units)",
     .naive = "depth from 0 at the near plane to 1 at the far plane",
@@ -222,8 +224,10 @@ const StabilityExperiment depth_bits_z_fighting{
     .picture = picture_formats,
     .frames = gaps};
 
-const StabilityExperiment near_plane{
+extern const StabilityExperiment near_plane{
     .key = "near-plane",
+    .place = {Subject::depth, 50},
+    .set_up = SetUp::reproduction,
     .title = "A near plane too near",
     .knob = "distance of the near plane (world units)",
     .naive = "depth in 24 bits",
@@ -237,8 +241,10 @@ const StabilityExperiment near_plane{
     .picture = picture_near,
     .frames = nears};
 
-const StabilityExperiment sixteen_bit_linear_z{
+extern const StabilityExperiment sixteen_bit_linear_z{
     .key = "16-bit-linear-z",
+    .place = {Subject::depth, 60},
+    .set_up = SetUp::reproduction,
     .title = "16 bits of z itself",
     .knob = "depth (world units)",
     .naive = "16 bits of z",

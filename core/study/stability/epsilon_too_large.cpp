@@ -77,8 +77,9 @@ constexpr std::array frames{1e-3, 0.1, 0.2, 0.3, 0.5};
 
 }  // namespace
 
-const StabilityExperiment epsilon_too_large{
+extern const StabilityExperiment epsilon_too_large{
     .key = "epsilon-too-large",
+    .place = {Subject::rays, 30},
     .title = "Epsilon too large",
     .knob = "shadow epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon",

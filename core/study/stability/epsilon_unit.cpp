@@ -45,8 +45,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment epsilon_unit{
+extern const StabilityExperiment epsilon_unit{
     .key = "epsilon-unit",
+    .place = {Subject::rays, 40},
+    .set_up = SetUp::reproduction,
     .title = "Epsilon in t is not a distance",
     .knob = "length of the light's direction",
     .naive = "t > 0.001",

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -69,9 +70,21 @@ enum class SetUp {
 /// In words, for those who read the results.
 std::string_view set_up_text(SetUp set_up);
 
+/// What an experiment is about; the experiments are listed in this order.
+enum class Subject { rays, boxes, coverage, depth, shadows, shading, sampling, numbers };
+
+/// Where an experiment stands in the list. No two have the same place; ranks leave room between neighbours.
+struct Place {
+  Subject subject = Subject::numbers;
+  int rank = 0;
+  auto operator<=>(const Place&) const = default;
+};
+
 /// A place where a method fails, with what does not fail there.
 struct StabilityExperiment {
   std::string_view key;  ///< "ground-sphere-acne"
+  Place place;
+  SetUp set_up = SetUp::illustration;
   std::string_view title;
   std::string_view knob;           ///< what is turned, with its unit
   std::string_view naive, robust;  ///< the two methods
@@ -81,11 +94,9 @@ struct StabilityExperiment {
   std::vector<StabilityRow> (*measure)(const StabilityRun&) = nullptr;
   StabilityPicture (*picture)(double knob) = nullptr;  ///< null: nothing to see
   std::span<const double> frames{};                    ///< knobs of the film strip, from left to right
-  SetUp set_up = SetUp::illustration;                  ///< `table.cpp` marks reproductions
 };
 
-/// All experiments, in the order of their subject: rays, boxes, coverage, depth, shadows, shading, sampling, numbers.
-/// Adding one is a file with its constant, a line in experiments.h and one in table.cpp.
+/// All experiments, by their place. Adding one is a file with its constant: cmake/Experiments.cmake finds those.
 std::span<const StabilityExperiment> stability_experiments();
 /// Throws InputError naming the nearest key.
 const StabilityExperiment& find_stability_experiment(std::string_view key);

@@ -126,8 +126,9 @@ constexpr std::array frames{1e4, 1e5, 1e6, 1e7};
 
 }  // namespace
 
-const StabilityExperiment far_from_origin{
+extern const StabilityExperiment far_from_origin{
     .key = "far-from-origin",
+    .place = {Subject::shading, 60},
     .title = "Far from the origin",
     .knob = "distance of the scene from the origin, along each axis (world units)",
     .naive = "round world positions to float, then subtract the camera's position",

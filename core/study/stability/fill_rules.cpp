@@ -130,8 +130,9 @@ std::vector<StabilityRow> measure_inclusive(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment fill_rule_easy{
+extern const StabilityExperiment fill_rule_easy{
     .key = "fill-rule-easy",
+    .place = {Subject::coverage, 10},
     .title = "Who owns an edge",
     .knob = "rule (0: inside where >= 0, 1: inside where > 0)",
     .naive = "inside where all edge values are >= 0, or > 0 (fill-rule = inclusive, exclusive)",
@@ -144,8 +145,9 @@ const StabilityExperiment fill_rule_easy{
     .window = nowhere_safe,
     .measure = measure_easy};
 
-const StabilityExperiment int32_edge_functions{
+extern const StabilityExperiment int32_edge_functions{
     .key = "int32-edge-functions",
+    .place = {Subject::coverage, 30},
     .title = "Edge functions in 32 bits",
     .knob = "square root of a triangle's area (px)",
     .naive = "32-bit integers with 8 sub-pixel bits (edge-arithmetic = int32)",
@@ -157,8 +159,9 @@ const StabilityExperiment int32_edge_functions{
     .window = {nowhere, 90},
     .measure = measure_int32};
 
-const StabilityExperiment inclusive_scanlines{
+extern const StabilityExperiment inclusive_scanlines{
     .key = "inclusive-scanlines",
+    .place = {Subject::coverage, 80},
     .title = "Scanlines with both ends",
     .knob = "length of a triangle's legs (px)",
     .naive = "the book's filling, both ends of a row included",

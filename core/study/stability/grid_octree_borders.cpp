@@ -176,8 +176,9 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment grid_octree_borders{
+extern const StabilityExperiment grid_octree_borders{
     .key = "grid-octree-borders",
+    .place = {Subject::boxes, 40},
     .title = "Borders of octree cells",
     .knob = "cells along a side",
     .naive = "short cuts in where primitives are kept and in when the search ends",

@@ -141,8 +141,10 @@ static std::vector<StabilityRow> measure_ground_sphere_acne(const StabilityRun& 
   return rows;
 }
 
-const StabilityExperiment ground_sphere_acne{
+extern const StabilityExperiment ground_sphere_acne{
     .key = "ground-sphere-acne",
+    .place = {Subject::rays, 10},
+    .set_up = SetUp::reproduction,
     .title = "Ground-sphere acne",
     .knob = "shadow epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon (self-hit = epsilon)",

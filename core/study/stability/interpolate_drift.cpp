@@ -146,8 +146,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment interpolate_drift{
+extern const StabilityExperiment interpolate_drift{
     .key = "interpolate-drift",
+    .place = {Subject::depth, 10},
+    .set_up = SetUp::reproduction,
     .title = "Interpolate drifts",
     .knob = "steps",
     .naive = "d += slope (the book's Interpolate)",

@@ -147,8 +147,10 @@ constexpr std::array frames{1.1, 2.0, 5.0, 100.0};
 
 }  // namespace
 
-const StabilityExperiment inverse_depth{
+extern const StabilityExperiment inverse_depth{
     .key = "z-vs-1-z",
+    .place = {Subject::depth, 20},
+    .set_up = SetUp::reproduction,
     .title = "z against 1/z",
     .knob = "ratio of the depths of an edge's ends",
     .naive = "interpolate z on the screen (depth-value = z)",

@@ -1,12 +1,8 @@
+#include "math/unit.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {
 namespace {
-
-template <class Real>
-Vec3<Real> unit(const Vec3<Real>& v) {
-  return v / std::sqrt(dot(v, v));
-}
 
 /// The right vector of a camera at `eye` that looks at `target`, in float.
 Vec3f right_of(const Vec3f& eye, const Vec3f& target, bool pick_another) {
@@ -55,8 +51,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment lookat_up_forward{
+extern const StabilityExperiment lookat_up_forward{
     .key = "lookat-up-forward",
+    .place = {Subject::shading, 70},
+    .set_up = SetUp::reproduction,
     .title = "Looking straight up",
     .knob = "angle between up and forward (radians)",
     .naive = "cross(up, forward)",

@@ -162,8 +162,9 @@ constexpr std::array biases{-2.0, -1.0, 0.0, 1.0, 2.0};
 
 }  // namespace
 
-const StabilityExperiment mipmap_lod{
+extern const StabilityExperiment mipmap_lod{
     .key = "mipmap-lod",
+    .place = {Subject::sampling, 60},
     .title = "Mip level of a texture",
     .knob = "mip bias, or maximum number of lookups",
     .naive = "one lookup: nearest, bilinear, or trilinear with a bias",

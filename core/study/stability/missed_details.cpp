@@ -160,8 +160,10 @@ constexpr std::array steps{2.0, 4.0, 8.0, 16.0};
 
 }  // namespace
 
-const StabilityExperiment sub_pixel_disc_missed{
+extern const StabilityExperiment sub_pixel_disc_missed{
     .key = "sub-pixel-disc-missed",
+    .place = {Subject::sampling, 40},
+    .set_up = SetUp::reproduction,
     .title = "Discs between the samples",
     .knob = "diameter (px)",
     .naive = "one sample per pixel: at the centre, at a corner, at both, or anywhere",
@@ -175,8 +177,10 @@ const StabilityExperiment sub_pixel_disc_missed{
     .picture = picture_disc,
     .frames = diameters};
 
-const StabilityExperiment subsampling_bars{
+extern const StabilityExperiment subsampling_bars{
     .key = "subsampling-bars",
+    .place = {Subject::sampling, 50},
+    .set_up = SetUp::reproduction,
     .title = "Bars between traced pixels",
     .knob = "subsampling: every k-th pixel is searched",
     .naive = "subsampling = k",

@@ -146,8 +146,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment nan_in_a_picture{
+extern const StabilityExperiment nan_in_a_picture{
     .key = "nan-in-a-picture",
+    .place = {Subject::numbers, 60},
+    .set_up = SetUp::reproduction,
     .title = "A NaN in a picture",
     .knob = "width of the blur in pixels, 0 = none",
     .naive = "treat it as any number",

@@ -48,8 +48,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment nan_in_moller_trumbore{
+extern const StabilityExperiment nan_in_moller_trumbore{
     .key = "nan-in-moller-trumbore",
+    .place = {Subject::rays, 150},
+    .set_up = SetUp::reproduction,
     .title = "NaN in Moeller-Trumbore",
     .knob = "none",
     .naive = "if (u < 0 || ...) return miss",

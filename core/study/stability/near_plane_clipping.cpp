@@ -71,8 +71,9 @@ constexpr std::array frames{1.0, -0.5, -1.0, -3.0};
 
 }  // namespace
 
-const StabilityExperiment near_plane_clipping{
+extern const StabilityExperiment near_plane_clipping{
     .key = "near-plane-clipping",
+    .place = {Subject::depth, 80},
     .title = "Vertices behind the camera",
     .knob = "z of one vertex of a floor (world units before the camera)",
     .naive = "project it without clipping, drop the triangle, or move the vertex",

@@ -80,8 +80,10 @@ static std::vector<StabilityRow> measure_normal_under_scale(const StabilityRun& 
   return rows;
 }
 
-const StabilityExperiment normal_under_scale{
+extern const StabilityExperiment normal_under_scale{
     .key = "normal-under-scale",
+    .place = {Subject::shading, 30},
+    .set_up = SetUp::reproduction,
     .title = "Normals under a scale",
     .knob = "scale along one axis",
     .naive = "transform like positions",

@@ -199,8 +199,9 @@ constexpr std::array frames{3.0};
 
 }  // namespace
 
-const StabilityExperiment painters_cycle{
+extern const StabilityExperiment painters_cycle{
     .key = "painter-s-cycle",
+    .place = {Subject::depth, 70},
     .title = "The painter's cycle",
     .knob = "number of sheets",
     .naive = "draw from far to near (painter's algorithm)",

@@ -136,8 +136,9 @@ constexpr std::array biases{0.4, 0.2, 0.1, 0.05, 0.02};
 
 }  // namespace
 
-const StabilityExperiment peter_panning{
+extern const StabilityExperiment peter_panning{
     .key = "peter-panning",
+    .place = {Subject::shadows, 30},
     .title = "Detached shadows (peter-panning)",
     .knob = "constant bias (world units)",
     .naive = "constant bias",

@@ -61,8 +61,10 @@ constexpr std::array frames{1e-3, 1e-2, 1e-1};
 
 }  // namespace
 
-const StabilityExperiment precision{
+extern const StabilityExperiment precision{
     .key = "precision",
+    .place = {Subject::numbers, 80},
+    .set_up = SetUp::reproduction,
     .title = "Float against double",
     .knob = "reflection epsilon (ray parameter)",
     .naive = "the book's tests with an epsilon",

@@ -185,8 +185,10 @@ constexpr std::array frames{10.0, 100.0, 1000.0, 2000.0, 4100.0};
 
 }  // namespace
 
-const StabilityExperiment ray_sphere_cancellation{
+extern const StabilityExperiment ray_sphere_cancellation{
     .key = "ray-sphere-cancellation",
+    .place = {Subject::rays, 50},
+    .set_up = SetUp::reproduction,
     .title = "Ray and sphere: cancellation",
     .knob = "distance / radius",
     .naive = "discriminant b^2 - 4ac (sphere-test = quadratic)",
@@ -200,8 +202,10 @@ const StabilityExperiment ray_sphere_cancellation{
     .picture = picture_ray_sphere,
     .frames = frames};
 
-const StabilityExperiment stable_q_alone{
+extern const StabilityExperiment stable_q_alone{
     .key = "stable-q-alone",
+    .place = {Subject::rays, 60},
+    .set_up = SetUp::reproduction,
     .title = "Stable roots alone",
     .knob = "distance / radius",
     .naive = "discriminant b^2 - 4ac, roots without cancellation",

@@ -109,8 +109,10 @@ static StabilityPicture picture_recursion_depth(double depth) {
 
 static constexpr std::array frames{0.0, 1.0, 2.0, 3.0, 5.0};
 
-const StabilityExperiment recursion_depth{
+extern const StabilityExperiment recursion_depth{
     .key = "recursion-depth",
+    .place = {Subject::numbers, 30},
+    .set_up = SetUp::reproduction,
     .title = "Recursion depth",
     .knob = "depth (reflections in a row)",
     .naive = "a small depth",

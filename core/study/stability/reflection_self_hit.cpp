@@ -1,5 +1,6 @@
 #include <array>
 
+#include "options/choice_key.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
@@ -50,7 +51,7 @@ std::vector<StabilityRow> measure_reflection_self_hit(const StabilityRun& run) {
     for (const double epsilon : {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1}) {
       Settings naive = picture_reflection_self_hit(epsilon).naive;
       naive.precision = precision;
-      rows.push_back({epsilon, precision == Precision::float32 ? "float" : "double",
+      rows.push_back({epsilon, std::string(choice_key<&Settings::precision>(precision)),
                       self_reflections(scene, naive, run), robust_wrong, "% of ground pixels that reflect the ground"});
     }
   }
@@ -61,8 +62,10 @@ constexpr std::array frames{1e-4, 1e-3, 1e-2, 1e-1};
 
 }  // namespace
 
-const StabilityExperiment reflection_self_hit{
+extern const StabilityExperiment reflection_self_hit{
     .key = "reflection-self-hit",
+    .place = {Subject::rays, 20},
+    .set_up = SetUp::reproduction,
     .title = "Reflection self-hit",
     .knob = "reflection epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon",

@@ -27,16 +27,18 @@ static std::vector<StabilityRow> measure_refraction_total_internal(const Stabili
   return rows;
 }
 
-const StabilityExperiment refraction_total_internal{.key = "refraction-total-internal",
-                                                    .title = "Total internal reflection",
-                                                    .knob = "index of refraction",
-                                                    .naive = "Snell's law alone",
-                                                    .robust = "reflect beyond the critical angle",
-                                                    .explanation =
-                                                        "Beyond the critical angle the sine of the refracted ray would "
-                                                        "exceed 1. Its cosine is then the root of a negative number.",
-                                                    .safe = "Index 1.",
-                                                    .window = {1, 1},
-                                                    .measure = measure_refraction_total_internal};
+extern const StabilityExperiment refraction_total_internal{
+    .key = "refraction-total-internal",
+    .place = {Subject::numbers, 40},
+    .set_up = SetUp::reproduction,
+    .title = "Total internal reflection",
+    .knob = "index of refraction",
+    .naive = "Snell's law alone",
+    .robust = "reflect beyond the critical angle",
+    .explanation = "Beyond the critical angle the sine of the refracted ray would "
+                   "exceed 1. Its cosine is then the root of a negative number.",
+    .safe = "Index 1.",
+    .window = {1, 1},
+    .measure = measure_refraction_total_internal};
 
 }  // namespace ps::stability

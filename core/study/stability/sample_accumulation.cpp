@@ -95,8 +95,10 @@ std::vector<StabilityRow> measure_sample_accumulation(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment sample_accumulation{
+extern const StabilityExperiment sample_accumulation{
     .key = "sample-accumulation",
+    .place = {Subject::numbers, 20},
+    .set_up = SetUp::reproduction,
     .title = "Sums of many samples",
     .knob = "samples",
     .naive = "float sum",

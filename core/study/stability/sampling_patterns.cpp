@@ -104,8 +104,10 @@ constexpr std::array few{1.0, 4.0, 16.0, 64.0};
 
 }  // namespace
 
-const StabilityExperiment supersampling_rate{
+extern const StabilityExperiment supersampling_rate{
     .key = "supersampling-rate",
+    .place = {Subject::sampling, 10},
+    .set_up = SetUp::reproduction,
     .title = "What another sample is worth",
     .knob = "samples per pixel",
     .naive = "random, or a grid",
@@ -119,8 +121,10 @@ const StabilityExperiment supersampling_rate{
     .picture = picture_rate,
     .frames = few};
 
-const StabilityExperiment grid_moire{
+extern const StabilityExperiment grid_moire{
     .key = "grid-moire",
+    .place = {Subject::sampling, 20},
+    .set_up = SetUp::reproduction,
     .title = "Moire: a grid of samples over a regular pattern",
     .knob = "samples per pixel",
     .naive = "grid",

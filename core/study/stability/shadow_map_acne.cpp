@@ -116,8 +116,10 @@ constexpr std::array taps{7.0, 5.0, 3.0, 1.0};
 
 }  // namespace
 
-const StabilityExperiment shadow_map_acne{
+extern const StabilityExperiment shadow_map_acne{
     .key = "shadow-map-acne",
+    .place = {Subject::shadows, 10},
+    .set_up = SetUp::reproduction,
     .title = "Shadow map acne",
     .knob = "constant bias (world units)",
     .naive = "constant bias",
@@ -132,8 +134,10 @@ const StabilityExperiment shadow_map_acne{
     .picture = picture_acne,
     .frames = biases};
 
-const StabilityExperiment pcf_one_tap_bias{
+extern const StabilityExperiment pcf_one_tap_bias{
     .key = "pcf-one-tap-bias",
+    .place = {Subject::shadows, 20},
+    .set_up = SetUp::reproduction,
     .title = "Percentage-closer filtering with the bias of one tap",
     .knob = "taps along a side",
     .naive = "slope bias of one texel",

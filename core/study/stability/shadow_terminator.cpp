@@ -103,8 +103,9 @@ std::vector<StabilityRow> measure_terminator(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment shadow_terminator{
+extern const StabilityExperiment shadow_terminator{
     .key = "shadow-terminator",
+    .place = {Subject::shading, 40},
     .title = "The shadow terminator",
     .knob = "triangles of the ball",
     .naive = "shadow ray from the triangle",

@@ -180,8 +180,9 @@ std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment fill_rule_adversarial{
+extern const StabilityExperiment fill_rule_adversarial{
     .key = "fill-rule-adversarial",
+    .place = {Subject::coverage, 20},
     .title = "Edges through a sample",
     .knob = "length of the edge (px)",
     .naive = "edge functions in float",

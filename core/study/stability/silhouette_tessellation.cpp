@@ -104,8 +104,10 @@ constexpr std::array frames{7.0, 10.0, 20.0, 45.0};
 
 }  // namespace
 
-const StabilityExperiment silhouette_tessellation{
+extern const StabilityExperiment silhouette_tessellation{
     .key = "silhouette-tessellation",
+    .place = {Subject::shading, 50},
+    .set_up = SetUp::reproduction,
     .title = "Polygonal outlines of round objects",
     .knob = "segments of the outline, or the ball's radius (px)",
     .naive = "the same number of segments at any size",

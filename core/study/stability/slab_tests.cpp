@@ -176,8 +176,9 @@ std::vector<StabilityRow> measure_nan_slab(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment slab_test_false_miss{
+extern const StabilityExperiment slab_test_false_miss{
     .key = "slab-test-false-miss",
+    .place = {Subject::boxes, 10},
     .title = "Boxes missed at their edges",
     .knob = "dimensions of the box (3 = solid, 2 = a rectangle, 1 = a line)",
     .naive = "near <= far, as computed (slab-test = naive)",
@@ -188,8 +189,9 @@ const StabilityExperiment slab_test_false_miss{
     .window = nowhere_safe,
     .measure = measure_false_miss};
 
-const StabilityExperiment zero_inf_nan_slab{
+extern const StabilityExperiment zero_inf_nan_slab{
     .key = "0-inf-nan-slab",
+    .place = {Subject::boxes, 30},
     .title = "0 times infinity in a slab test",
     .knob = "sign of the zero components of the direction (0 = both)",
     .naive = "min and max, with one order of operands or the other",

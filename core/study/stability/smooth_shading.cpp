@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "math/unit.h"
 #include "scene/generate/uv_sphere.h"
 #include "study/stability/shaded_ball.h"
 
 namespace ps::stability {
 namespace {
-
-Vec3d unit(const Vec3d& v) { return v / std::sqrt(dot(v, v)); }
 
 std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
   const Settings gouraud{.shading = Shading::gouraud}, phong{}, flat{.shading = Shading::flat};
@@ -88,8 +87,9 @@ constexpr std::array angles{90.0, 60.0, 30.0, 20.0, 10.0};
 
 }  // namespace
 
-const StabilityExperiment gouraud_highlight{
+extern const StabilityExperiment gouraud_highlight{
     .key = "gouraud-highlight",
+    .place = {Subject::shading, 10},
     .title = "Gouraud shading loses highlights",
     .knob = "triangles of the ball",
     .naive = "lighting at the vertices (Gouraud)",
@@ -103,8 +103,10 @@ const StabilityExperiment gouraud_highlight{
     .picture = picture_gouraud,
     .frames = triangles};
 
-const StabilityExperiment unnormalised_interpolated_normals{
+extern const StabilityExperiment unnormalised_interpolated_normals{
     .key = "unnormalised-interpolated-normals",
+    .place = {Subject::shading, 20},
+    .set_up = SetUp::reproduction,
     .title = "Interpolated normals get short",
     .knob = "angle between neighbouring vertex normals (degrees)",
     .naive = "as interpolated",

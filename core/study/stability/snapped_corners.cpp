@@ -156,8 +156,9 @@ constexpr std::array frames{0.0, 1.0, 2.0, 4.0, 8.0};
 
 }  // namespace
 
-const StabilityExperiment sub_pixel_bits{
+extern const StabilityExperiment sub_pixel_bits{
     .key = "sub-pixel-bits",
+    .place = {Subject::coverage, 50},
     .title = "Sub-pixel bits",
     .knob = "fractional bits of vertex positions",
     .naive = "few bits",
@@ -171,8 +172,9 @@ const StabilityExperiment sub_pixel_bits{
     .picture = picture_bits,
     .frames = frames};
 
-const StabilityExperiment ray_vs_raster_agreement{
+extern const StabilityExperiment ray_vs_raster_agreement{
     .key = "ray-vs-raster-agreement",
+    .place = {Subject::coverage, 60},
     .title = "Rays and fragments may see different triangles",
     .knob = "sub-pixel bits",
     .naive = "few bits",

@@ -49,8 +49,10 @@ static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run)
   return rows;
 }
 
-const StabilityExperiment srgb_averaging{
+extern const StabilityExperiment srgb_averaging{
     .key = "srgb-averaging",
+    .place = {Subject::numbers, 10},
+    .set_up = SetUp::reproduction,
     .title = "Averages of sRGB levels",
     .knob = "share of white (%)",
     .naive = "mean of the levels",

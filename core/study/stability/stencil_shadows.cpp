@@ -108,8 +108,9 @@ constexpr std::array boards{8.0, 15.0, 16.0, 17.0};
 
 }  // namespace
 
-const StabilityExperiment z_pass_in_volume{
+extern const StabilityExperiment z_pass_in_volume{
     .key = "z-pass-in-volume",
+    .place = {Subject::shadows, 40},
     .title = "Camera inside a shadow volume",
     .knob = "z of the camera (the shadow lies between -2 and 2)",
     .naive = "count faces before the surface (depth pass)",
@@ -122,8 +123,9 @@ const StabilityExperiment z_pass_in_volume{
     .picture = picture_inside,
     .frames = places};
 
-const StabilityExperiment near_plane_cuts_volume{
+extern const StabilityExperiment near_plane_cuts_volume{
     .key = "near-plane-cuts-volume",
+    .place = {Subject::shadows, 50},
     .title = "The near plane cuts a volume",
     .knob = "distance of the near plane (world units)",
     .naive = "count faces before the surface (depth pass)",
@@ -136,8 +138,9 @@ const StabilityExperiment near_plane_cuts_volume{
     .picture = picture_near,
     .frames = nears};
 
-const StabilityExperiment stencil_bits_wrap{
+extern const StabilityExperiment stencil_bits_wrap{
     .key = "stencil-bits-wrap",
+    .place = {Subject::shadows, 70},
     .title = "More shadows than the stencil buffer counts",
     .knob = "volumes that overlap",
     .naive = "4 or 8 bits",

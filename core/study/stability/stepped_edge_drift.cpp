@@ -66,8 +66,9 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment stepped_edge_drift{
+extern const StabilityExperiment stepped_edge_drift{
     .key = "stepped-edge-drift",
+    .place = {Subject::coverage, 40},
     .title = "Stepped edges drift",
     .knob = "side of the canvas (px)",
     .naive = "float, one addition for each sample (edge-arithmetic = float-stepped)",

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/render.h"
-#include "study/stability/experiments.h"
+#include "study/stability/experiment.h"
 
 namespace ps::stability {
 

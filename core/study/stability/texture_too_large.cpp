@@ -112,8 +112,9 @@ constexpr std::array sizes{2048.0, 1024.0, 512.0, 256.0};
 
 }  // namespace
 
-const StabilityExperiment texture_too_large{
+extern const StabilityExperiment texture_too_large{
     .key = "texture-too-large",
+    .place = {Subject::sampling, 70},
     .title = "A texture larger than the screen",
     .knob = "texels along a side",
     .naive = "the texel nearest to the pixel's centre",

@@ -125,8 +125,10 @@ std::vector<StabilityRow> measure_determinant(const StabilityRun& run) {
 
 }  // namespace
 
-const StabilityExperiment triangle_edge_cracks{
+extern const StabilityExperiment triangle_edge_cracks{
     .key = "triangle-edge-cracks",
+    .place = {Subject::rays, 90},
+    .set_up = SetUp::reproduction,
     .title = "Cracks along triangle edges",
     .knob = "precision (bits of a floating-point number)",
     .naive = "Moeller-Trumbore (triangle-test = moeller-trumbore)",
@@ -137,8 +139,10 @@ const StabilityExperiment triangle_edge_cracks{
     .window = nowhere_safe,
     .measure = measure_edge_cracks};
 
-const StabilityExperiment mt_tolerance{
+extern const StabilityExperiment mt_tolerance{
     .key = "mt-tolerance",
+    .place = {Subject::rays, 110},
+    .set_up = SetUp::reproduction,
     .title = "A tolerance instead of a watertight test",
     .knob = "tolerance of the barycentric weights",
     .naive = "Moeller-Trumbore that accepts weights >= -tolerance",
@@ -149,8 +153,10 @@ const StabilityExperiment mt_tolerance{
     .window = nowhere_safe,
     .measure = measure_tolerance};
 
-const StabilityExperiment plucker_vertices{
+extern const StabilityExperiment plucker_vertices{
     .key = "plucker-vertices",
+    .place = {Subject::rays, 140},
+    .set_up = SetUp::reproduction,
     .title = "Pluecker coordinates at vertices",
     .knob = "where rays are aimed (0: edges, 1: vertices, 2: inside triangles)",
     .naive = "Pluecker coordinates",
@@ -161,8 +167,9 @@ const StabilityExperiment plucker_vertices{
     .window = {0, 0},
     .measure = measure_pluecker};
 
-const StabilityExperiment absolute_det_epsilon{
+extern const StabilityExperiment absolute_det_epsilon{
     .key = "absolute-det-epsilon",
+    .place = {Subject::rays, 120},
     .title = "An absolute epsilon for determinants",
     .knob = "radius of the mesh (world units)",
     .naive = "Moeller-Trumbore that rejects |det| <= epsilon as parallel (triangle-epsilon)",

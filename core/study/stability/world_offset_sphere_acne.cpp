@@ -86,8 +86,9 @@ constexpr std::array frames{0.0, 1e3, 1e4, 1e5, 1e6};
 
 }  // namespace
 
-const StabilityExperiment world_offset_sphere_acne{
+extern const StabilityExperiment world_offset_sphere_acne{
     .key = "world-offset-sphere-acne",
+    .place = {Subject::rays, 70},
     .title = "Acne far from the origin",
     .knob = "distance of the world along each axis",
     .naive = "ignore hits up to epsilon",

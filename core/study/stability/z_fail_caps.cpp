@@ -56,8 +56,9 @@ constexpr std::array frames{5.0, 10.0, 20.0, 40.0};
 
 }  // namespace
 
-const StabilityExperiment z_fail_caps{
+extern const StabilityExperiment z_fail_caps{
     .key = "z-fail-caps",
+    .place = {Subject::shadows, 60},
     .title = "Depth fail without its caps",
     .knob = "length of the volumes, or distance of the far plane (world units)",
     .naive = "open volumes, short ones, or volumes cut at the far plane",

@@ -1,0 +1,65 @@
+// What this program is and what it runs on: the things that a report of a fault needs.
+#include <epoxy/gl.h>
+
+#include "base/machine.h"
+#include "gui/frame/app.h"
+#include "gui/input/actions.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+std::string gl_text(GLenum name) {
+  const auto* text = reinterpret_cast<const char*>(glGetString(name));
+  return text ? text : "unknown";
+}
+
+void fact(const char* name, const std::string& value) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextUnformatted(name);
+  ImGui::PopStyleColor();
+  ImGui::SameLine(px(150));
+  ImGui::PushTextWrapPos(0);
+  value_text(name, value);
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void App::about() {
+  if (!about_open_) return;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(px(560), display.x - px(40)), 0});
+  ImGui::SetNextWindowFocus();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(18)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
+  ImGui::Begin("##about", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  {
+    const NameScope scope("about");
+    {
+      const FontScope title(Face::title);
+      ImGui::TextUnformatted("Pixelscope");
+    }
+    ImGui::TextUnformatted("A microscope for pixels: one scene, two ways to draw it.");
+    ImGui::Dummy({0, px(8)});
+    static const Machine machine = this_machine();  // asks the system
+    fact("Version", machine.version);
+    fact("Processor", machine.processor);
+    fact("Vectors", machine.simd);
+    fact("Threads", std::to_string(machine.threads));
+    fact("OpenGL", gl_text(GL_VERSION));
+    fact("Renderer", gl_text(GL_RENDERER));
+    ImGui::Dummy({0, px(8)});
+    if (button("close", "Close", Emphasis::primary)) about_open_ = false;
+  }
+  const bool outside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowAppearing() && !ImGui::IsWindowHovered();
+  if (outside) about_open_ = false;
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,187 @@
+#include "gui/frame/status_bar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "gui/widgets/redraw.h"
+#include "gui/widgets/widgets.h"
+#include "math/conventions.h"
+#include "options/renderer_kind.h"
+#include "render/channel_picture.h"
+#include "render/story/names.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double patience = 0.4;  // seconds of work before it is shown
+
+bool rendering(Session& session, Side side) {
+  const auto state = session.renderer(side).status().state;
+  return state == RenderState::coarse || state == RenderState::full;
+}
+
+MessageKind kind_of(Message::Kind kind) {
+  switch (kind) {
+  case Message::Kind::information:
+    return MessageKind::information;
+  case Message::Kind::warning:
+    return MessageKind::warning;
+  case Message::Kind::error:
+    return MessageKind::error;
+  }
+  return MessageKind::information;
+}
+
+void progress(Session& session, float width) {
+  if (session.loading()) {
+    if (progress_bar("progress", "loading " + session.loading_name(), -1, width)) session.cancel_loading();
+    return;
+  }
+  const bool a = rendering(session, Side::a), b = rendering(session, Side::b);
+  double fraction = 1;
+  for (const Side side : both_sides)
+    if (rendering(session, side)) fraction = std::min(fraction, session.renderer(side).status().fraction);
+  const char* label = a && b ? "rendering A and B" : a ? "rendering A" : "rendering B";
+  if (progress_bar("progress", label, fraction, width))
+    for (const Side side : both_sides) session.renderer(side).cancel();
+}
+
+/// Where the camera is and where it looks.
+std::string camera_text(const Camera& camera) {
+  const auto vector = [](const Vec3d& v) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", v.x, v.y, v.z); };
+  return fmt::format("camera {}   looks along {}   W A S D Q E move, Esc ends", vector(camera.position),
+                     vector(camera.forward));
+}
+
+bool passes(const Message& message) { return message.kind == Message::Kind::information; }
+
+std::string newest_news(const Session& session) {
+  const auto& messages = session.messages();
+  const auto newest = std::find_if(messages.rbegin(), messages.rend(), passes);
+  return newest == messages.rend() ? std::string() : newest->text;
+}
+
+/// Behind a bar of its own, so that it is not taken for what is under the mouse. The beginning, where not all fits.
+void news_line(const std::string& news, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + px(1)}, {at.x + px(3), at.y + height},
+                                            colour_u32(palette().line_strong));
+  ImGui::PushClipRect(at, {at.x + width, at.y + 2 * height}, true);
+  ImGui::SetCursorScreenPos({at.x + px(10), at.y});
+  ImGui::TextUnformatted(news.c_str());
+  ImGui::PopClipRect();
+  tooltip(news);
+  controls().record("news", at, {at.x + width, at.y + height}, news);
+}
+
+/// As many of a text's parts, between wide blanks, as fit.
+std::string whole_parts(std::string text, float room) {
+  while (ImGui::CalcTextSize(text.c_str()).x > room) {
+    const std::size_t last = text.rfind("   ");
+    if (last == std::string::npos) break;
+    text.resize(last);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string hover_text(Session& session, const PicturesState& pictures) {
+  if (!pictures.hover) return {};
+  const auto [side, pixel] = *pictures.hover;
+  const auto result = session.renderer(side).result();
+  if (pictures.asked && pictures.asked->pixel == pixel) return "Answer first; then this pixel is shown.";
+  const auto& levels = pictures.pictures[index_of(side)].levels;
+  if (!levels.contains(pixel.x, pixel.y)) return {};
+  const Vec2i book = book_pixel(pixel.x, pixel.y, levels.width(), levels.height());
+  const Rgb8 level = levels.at(pixel.x, pixel.y);
+  std::string text = fmt::format("{}   array ({}, {})   book ({}, {})   {} {} {}", letter_of(side), pixel.x, pixel.y,
+                                 book.x, book.y, level.r, level.g, level.b);
+  if (side == Side::b && session.picture_b()) return text;
+  if (session.document().compare == CompareMode::difference) {
+    const auto& others = pictures.pictures[1].levels;
+    if (!others.contains(pixel.x, pixel.y)) return text;
+    const Rgb8 b = others.at(pixel.x, pixel.y);
+    return fmt::format("array ({}, {})   A {} {} {}   B {} {} {}   B − A {:+} {:+} {:+}", pixel.x, pixel.y, level.r,
+                       level.g, level.b, b.r, b.g, b.b, b.r - level.r, b.g - level.g, b.b - level.b);
+  }
+  const bool fresh = result && result->frame.width() == levels.width() && result->frame.height() == levels.height();
+  if (!fresh) return text;
+  const ShownChannel channel = session.shown(side);
+  if (channel != ShownChannel::colour && (result->channels | shown_channel(channel).needs) == result->channels)
+    text += "   " + channel_value_text(result->frame, channel, session.settings(side), pixel);
+  const bool knows_objects = !runs_listing(result->request.settings.renderer);  // a listing makes colours alone
+  if (knows_objects && has(result->channels, Channel::ids)) {
+    const PixelId id = result->frame.ids.at(pixel.x, pixel.y);
+    text += "   " + (id.object < 0 ? std::string("background") : primitive_name(result->request.scene, id));
+  }
+  return text;
+}
+
+void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const std::string& hint) {
+  const NameScope scope("status");
+  const double now = ImGui::GetTime();
+  const bool working = session.loading() || rendering(session, Side::a) || rendering(session, Side::b);
+  if (!working)
+    state.busy_since = -1;
+  else if (state.busy_since < 0)
+    state.busy_since = now;
+  const bool shown = working && now - state.busy_since >= patience;
+  const float progress_width = px(330), gap = px(12);
+  const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  const float room = width - (shown ? progress_width + gap : 0);
+  const std::string news = newest_news(session);
+  const float news_width = news.empty() ? 0 : std::min(ImGui::CalcTextSize(news.c_str()).x + px(10), room * 0.6f);
+
+  const std::string hover = flying(pictures) ? camera_text(session.view().camera) : hover_text(session, pictures);
+  ImGui::AlignTextToFramePadding();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float line_room = room - (news.empty() ? 0 : news_width + gap);
+  ImGui::PushClipRect(at, {at.x + line_room, at.y + px(40)}, true);
+  if (hover.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted(whole_parts(hint, line_room).c_str());
+    ImGui::PopStyleColor();
+  } else {
+    const FontScope font(Face::mono);
+    ImGui::TextUnformatted(whole_parts(hover, line_room).c_str());
+  }
+  controls().record("hover", hover);
+  ImGui::PopClipRect();
+  if (!news.empty()) {
+    ImGui::SameLine(left + room - news_width);
+    news_line(news, news_width);
+  }
+  if (!shown) return;
+  ImGui::SameLine(left + width - progress_width);
+  progress(session, progress_width);
+}
+
+void message_bars(Session& session, StatusBarState& state, float left, float right, float bottom) {
+  if (session.expire_messages(ImGui::GetTime())) redraw_after(1);
+  const auto& messages = session.messages();
+  const float before = std::exchange(state.bars_height, 0.f);
+  if (std::all_of(messages.begin(), messages.end(), passes)) {
+    if (before > 0) redraw_after(0);
+    return;
+  }
+  ImGui::SetNextWindowPos({left, bottom}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSize({right - left, 0});
+  ImGui::Begin("messages", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (passes(messages[i])) continue;
+    if (!message_bar(fmt::format("message/{}", i), kind_of(messages[i].kind), messages[i].text)) continue;
+    session.dismiss(i);
+    break;
+  }
+  state.bars_height = ImGui::GetWindowSize().y;
+  if (state.bars_height != before) redraw_after(0);
+  ImGui::End();
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "gui/panels/pictures/pictures_panel.h"
+#include "gui/session/session.h"
+
+namespace ps::gui {
+
+/// What is under the mouse: both names of the pixel, its value and its object. Empty if the mouse is over no picture.
+std::string hover_text(Session& session, const PicturesState& pictures);
+
+/// When long work began; the bar shows work only after a while, so that quick work does not flicker.
+struct StatusBarState {
+  double busy_since = -1;
+  float bars_height = 0;  ///< that the messages below take from the regions, window pixels
+};
+
+/// The line at the lower edge: what is under the mouse, or `hint` otherwise; news that pass by themselves; and the
+/// progress of long work with cancel.
+void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const std::string& hint);
+
+/// Warnings and errors, which stay until they are read, one below the other, ending at `bottom` (window pixels). What
+/// room they take stands in `state`, so that they cover nothing.
+void message_bars(Session& session, StatusBarState& state, float left, float right, float bottom);
+
+}  // namespace ps::gui

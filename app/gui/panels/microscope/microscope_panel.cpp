@@ -1,0 +1,325 @@
+#include "gui/panels/microscope/microscope_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "gui/panels/space/space_panel.h"
+#include "gui/widgets/draw.h"
+#include "gui/work/same_scene.h"
+#include "inspect/microscope/event_of_triangle.h"
+#include "inspect/microscope/micro_svg.h"
+#include "record/value_text.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double number_width = 86, name_width = 134;  // of the table's columns
+constexpr std::size_t most_rows = 40;
+
+bool same_pixel(const MicroRequest& a, const MicroRequest& b) {
+  return same_scene(a.scene, b.scene) && a.view == b.view && a.settings == b.settings && a.pixel == b.pixel;
+}
+
+/// Keeps what it gathered for a pixel while only the sample point moves.
+class MicroMaker {
+ public:
+  MicroResult operator()(const MicroRequest& request, Progress& progress) {
+    const bool fine_enough = made_ && (request.detail == MicroDetail::first || made_->detail() == MicroDetail::whole);
+    if (!fine_enough || !same_pixel(*for_, request)) {
+      made_ = std::make_shared<const Microscope>(request.scene, request.view, request.settings, request.pixel,
+                                                 *prepared_, progress, request.detail);
+      for_ = request;
+    }
+    return {request, made_, made_->read(request.point, *prepared_, progress)};
+  }
+
+ private:
+  std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();
+  std::shared_ptr<const Microscope> made_;
+  std::optional<MicroRequest> for_;
+};
+
+/// Brings the drawings up to date with what has come.
+void take_result(MicroscopePanelState& state) {
+  state.worker.take_news();
+  const auto result = state.worker.result();
+  if (!result || (result == state.shown && state.chosen == state.shown_chosen)) return;
+  const bool new_pixel = !state.shown || state.shown->microscope != result->microscope;
+  state.shown = result;
+  state.shown_chosen = state.chosen;
+  state.drawing = pixel_drawing(*result->microscope, result->reading, state.chosen);
+  if (new_pixel) state.backdrop.upload(state.drawing.backdrop);
+  state.texels.clear();
+  if (!result->reading.texture) return;
+  for (const MicroTexels& level : result->reading.texture->levels) {
+    if (state.texels.size() == state.texel_backdrops.size()) break;
+    state.texels.push_back(texel_drawing(level));
+    state.texel_backdrops[state.texels.size() - 1].upload(level.texels);
+  }
+}
+
+/// The triangle that is shown follows the story's selected event, until another one is clicked.
+void follow_story(MicroscopePanelState& state, const PixelStory* story, const StoryCursor& cursor) {
+  state.chosen = state.selected;
+  if (!state.shown || !story || story->pixel != state.shown->request.pixel) return;
+  const MicroReading& reading = state.shown->reading;
+  if (state.selected >= 0 && static_cast<std::size_t>(state.selected) < reading.triangles.size()) {
+    const int event = event_of_triangle(*story, reading.triangles[static_cast<std::size_t>(state.selected)]);
+    if (event < 0 || event == cursor.selected) return;
+    state.selected = -1;
+  }
+  state.chosen = triangle_of_event(*story, reading, cursor.selected);
+}
+
+/// The pixel itself; a drag moves the sample point.
+void pixel_view(MicroscopePanelState& state, float size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Area area{{std::floor(at.x), std::floor(at.y)}, {std::floor(at.x) + size, std::floor(at.y) + size}};
+  ImGui::InvisibleButton("pixel", {size, size});
+  const Vec2d point = state.shown->reading.point;
+  controls().record("pixel", fmt::format("{:.4g},{:.4g}", point.x, point.y));
+  if (ImGui::IsItemActive()) {
+    const Vec2d to = micro_point(state.drawing, area, ImGui::GetIO().MousePos);
+    state.point = {std::clamp(to.x, -micro_margin, 1 + micro_margin),
+                   std::clamp(to.y, -micro_margin, 1 + micro_margin)};
+    state.selected = -1;
+  }
+  draw_micro(*ImGui::GetWindowDrawList(), state.drawing, area, state.backdrop.id());
+}
+
+bool toolbar(Session& session, MicroscopePanelState& state, bool filled) {
+  const Side side = inspected_side(session);
+  {
+    const FontScope font(Face::bold);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, side == Side::a ? palette().a_text : palette().b_text);
+    ImGui::Text("%c", letter_of(side));
+    ImGui::PopStyleColor();
+  }
+  ImGui::SameLine(0, px(8));
+  const Vec2d point = state.shown ? state.shown->reading.point : Vec2d(0.5);
+  {
+    const FontScope font(Face::mono);
+    value_text("point", fmt::format("({:.3f}, {:.3f})", point.x, point.y));
+  }
+  tooltip("The sample point, in pixels from the pixel's top left corner. Drag it in the drawing.");
+  same_line_if_room(button_width("To the sample"));
+  if (button("reset", "To the sample", Emphasis::quiet,
+             {.tooltip = "Moves the point back to the pixel's sample.",
+              .disabled = state.point ? "" : "The point is at the sample."})) {
+    state.point.reset();
+    state.selected = -1;
+  }
+  if (state.save) {
+    same_line_if_room(button_width("Save SVG…"), px(2));
+    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) state.save();
+  }
+  same_line_if_room(button_width("Fill"), px(2));
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (Esc)."});
+}
+
+/// How many samples see which object: a summary for pixels with many samples.
+void samples_text(const Microscope& microscope) {
+  std::map<std::string, int> seen;
+  for (const MicroSample& sample : microscope.samples()) ++seen[sample.seen];
+  const std::size_t all = microscope.samples().size();
+  ImGui::PushTextWrapPos(0);
+  int index = 0;
+  for (const auto& [what, count] : seen) {
+    const std::string text =
+        all == 1 ? "The sample sees " + what + "." : fmt::format("{} of {} samples see {}.", count, all, what);
+    value_text(fmt::format("samples/{}", index++), text);
+  }
+  ImGui::PopTextWrapPos();
+}
+
+void triangle_list(MicroscopePanelState& state, const MicroReading& reading, const PixelStory* story,
+                   StoryCursor& cursor) {
+  const int chosen = shown_triangle(reading, state.chosen);
+  for (std::size_t i = 0; i < reading.triangles.size(); ++i) {
+    if (i == most_rows) {
+      ImGui::TextDisabled("and %zu more", reading.triangles.size() - i);
+      break;
+    }
+    const MicroTriangle& triangle = reading.triangles[i];
+    const int index = static_cast<int>(i);
+    const std::string_view fate = index == reading.front ? "in front" : triangle.covered ? "covers" : "does not cover";
+    const std::string text =
+        fmt::format("{}  {}: {}{}", i + 1, triangle.name, fate,
+                    triangle.covered && !triangle.on_canvas ? ", z " + ps::number_text(triangle.z) : "");
+    if (!tree_row(fmt::format("triangle/{}", i), text, TreeKind::leaf, index == chosen).clicked) continue;
+    state.selected = index;
+    const int event = story ? event_of_triangle(*story, triangle) : -1;
+    if (event >= 0) cursor = {event, true, event / events_per_page};
+  }
+}
+
+/// Where there is no room for columns the numbers stand below their name.
+void numbers_list(const MicroTable& table) {
+  std::string columns;
+  for (const std::string& column : table.columns) columns += (columns.empty() ? "" : ", ") + column;
+  ImGui::TextDisabled("%s", columns.c_str());
+  for (const MicroRow& row : table.rows) {
+    ImGui::TextUnformatted(row.name.c_str());
+    const FontScope mono(Face::mono);
+    std::string line, exact;
+    for (std::size_t i = 0; i < row.values.size(); ++i) {
+      line += "  " + row.values[i];
+      exact += (i == 0 ? "" : "\n") + row.exact[i];
+    }
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(line.c_str());
+    ImGui::PopTextWrapPos();
+    tooltip(exact);
+  }
+}
+
+void numbers_table(const MicroTable& table) {
+  const float width = px(number_width);
+  if (ImGui::GetContentRegionAvail().x < px(name_width) + 3 * (width + px(8))) return numbers_list(table);
+  const int columns = static_cast<int>(table.columns.size());
+  if (!ImGui::BeginTable(table.columns.front().c_str(), columns + 1, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, px(name_width));
+  for (const std::string& column : table.columns)
+    ImGui::TableSetupColumn(column.c_str(), ImGuiTableColumnFlags_WidthFixed, width);
+  const auto cell = [&](const std::string& text, const std::string& exact) {
+    ImGui::TableNextColumn();
+    if (!text.empty()) number_text(text, 0, exact);
+  };
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  for (const std::string& column : table.columns) cell(column, column);
+  ImGui::PopStyleColor();
+  for (const MicroRow& row : table.rows) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.name.c_str());
+    for (std::size_t i = 0; i < row.values.size(); ++i) cell(row.values[i], row.exact[i]);
+  }
+  ImGui::EndTable();
+}
+
+void ray_text(const PixelStory& story) {
+  ImGui::PushTextWrapPos(0);
+  value_text("ray", "A ray through the point: " + story.verdict);
+  ImGui::PopTextWrapPos();
+}
+
+void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float size) {
+  ImGui::Spacing();
+  ImGui::PushTextWrapPos(0);
+  const bool footprint = !texture.levels.empty() && !texture.levels.front().footprint.empty();
+  value_text("texture", fmt::format("Texture at u, v = {}{}. Marked texels were read, with their weights.",
+                                    vector_text(texture.lookup.uv),
+                                    footprint ? ", computed mip level " + ps::number_text(texture.lookup.level) +
+                                                    "; yellow: the pixel's footprint"
+                                              : ""));
+  ImGui::PopTextWrapPos();
+  for (std::size_t i = 0; i < state.texels.size(); ++i) {
+    if (i > 0) same_line_if_room(size, px(12));
+    ImGui::BeginGroup();
+    ImGui::TextDisabled("level %d", texture.levels[i].level);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Area area{at, {at.x + size, at.y + size}};
+    ImGui::Dummy({size, size});
+    controls().record(fmt::format("texels/{}", texture.levels[i].level),
+                      fmt::format("{}", texture.levels[i].taps.size()));
+    draw_micro(*ImGui::GetWindowDrawList(), state.texels[i], area, state.texel_backdrops[i].id());
+    ImGui::EndGroup();
+  }
+}
+
+void readings(MicroscopePanelState& state, const PixelStory* story, StoryCursor& cursor) {
+  const MicroReading& reading = state.shown->reading;
+  {
+    const FontScope font(Face::heading);
+    ImGui::PushTextWrapPos(0);
+    value_text("seen", "At the point: " + reading.seen);
+    ImGui::PopTextWrapPos();
+  }
+  if (state.shown->microscope->detail() == MicroDetail::first) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted("Coarse picture; the fine one is being rendered.");
+    ImGui::PopStyleColor();
+  }
+  samples_text(*state.shown->microscope);
+  if (reading.ray) ray_text(*reading.ray);
+  ImGui::Spacing();
+  triangle_list(state, reading, story, cursor);
+  if (const int chosen = shown_triangle(reading, state.chosen); chosen >= 0)
+    for (const MicroTable& table : triangle_tables(reading.triangles[static_cast<std::size_t>(chosen)]))
+      numbers_table(table);
+  if (reading.texture) texel_views(state, *reading.texture, px(170));
+  if (!reading.triangles.empty()) {
+    ImGui::Spacing();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextWrapped("Solid edges with ticks own the samples on them (fill rule); dashed edges do not. Filled dots: "
+                       "covered samples. Rings: samples that are not covered. Cross: the sample point.");
+    ImGui::PopStyleColor();
+  }
+}
+
+}  // namespace
+
+MicroscopePanelState::MicroscopePanelState(std::function<void()> wake)
+    : worker([maker = std::make_shared<MicroMaker>()](const MicroRequest& request,
+                                                      Progress& progress) { return (*maker)(request, progress); },
+             [](const MicroRequest& a, const MicroRequest& b) {
+               return same_pixel(a, b) && a.point == b.point && a.detail == b.detail;
+             },
+             std::move(wake),
+             // A picture that is only to become finer does not keep another pixel waiting.
+             [](const MicroRequest& made, const MicroRequest& wanted) {
+               return made.detail == MicroDetail::whole && !same_pixel(made, wanted);
+             }) {}
+
+std::string microscope_drawing(const MicroscopePanelState& state) {
+  return state.shown ? micro_svg(*state.shown->microscope, state.shown->reading, state.chosen) : std::string();
+}
+
+bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor& cursor, bool filled) {
+  const NameScope scope("microscope");
+  const auto pixel = session.pixel();
+  if (!session.has_scene() || !pixel) {
+    state.worker.rest();
+    ImGui::TextWrapped("Click a pixel in either picture to see it here, enlarged.");
+    return false;
+  }
+  if (pixel != state.pixel) {
+    state.pixel = pixel;
+    state.point.reset();
+    state.selected = -1;
+  }
+  const Side side = inspected_side(session);
+  MicroRequest request{session.scene(), session.view(), session.settings(side), *pixel, {0.5, 0.5}};
+  if (state.point)
+    request.point = *state.point;
+  else if (request.settings.sample_position == SamplePosition::corner)
+    request.point = {0, 1};
+  const auto story = session.story(side);
+  follow_story(state, story.get(), cursor);
+  take_result(state);
+  // Where only a coarse picture of the pixel has come, the fine one is asked for.
+  if (state.shown && same_pixel(state.shown->request, request))
+    request.detail =
+        state.shown->microscope->detail() == MicroDetail::first ? MicroDetail::whole : state.shown->request.detail;
+  state.worker.request(request);
+  const bool fill = toolbar(session, state, filled);
+  if (!state.shown) return fill;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const bool beside = room.x > room.y * 1.2f;
+  const float size =
+      std::floor(std::max(px(120), beside ? std::min(room.y, room.x * 0.55f) : std::min(room.x, room.y * 0.6f)));
+  pixel_view(state, size);
+  if (beside) ImGui::SameLine(0, px(16));
+  ImGui::BeginChild("readings");
+  readings(state, story.get(), cursor);
+  ImGui::EndChild();
+  return fill;
+}
+
+}  // namespace ps::gui

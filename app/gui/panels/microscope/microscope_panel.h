@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "gui/panels/microscope/micro_paint.h"
+#include "gui/panels/story/story_tree_view.h"
+#include "gui/platform/texture.h"
+#include "gui/session/session.h"
+#include "gui/work/latest_result.h"
+#include "inspect/microscope/microscope.h"
+
+namespace ps::gui {
+
+/// A pixel and a sample point in it.
+struct MicroRequest {
+  Scene scene;
+  View view;
+  Settings settings;
+  Vec2i pixel{0, 0};
+  Vec2d point{0.5, 0.5};
+  MicroDetail detail = MicroDetail::first;
+};
+
+/// The pixel under the microscope with one reading. Shared, never changed.
+struct MicroResult {
+  MicroRequest request;
+  std::shared_ptr<const Microscope> microscope;
+  MicroReading reading;
+};
+
+/// What the microscope's panel remembers of itself.
+struct MicroscopePanelState {
+  explicit MicroscopePanelState(std::function<void()> wake);
+
+  std::optional<Vec2d> point;  ///< where the sample point was dragged to; empty = the pixel's first sample
+  int selected = -1;           ///< triangle that was clicked; -1 = that of the story's selected event
+  int chosen = -1;             ///< triangle whose numbers are shown; -1 = the one in front
+  std::optional<Vec2i> pixel;  ///< that the two above belong to
+  LatestResult<MicroRequest, MicroResult> worker;
+
+  std::shared_ptr<const MicroResult> shown;  ///< that the drawings were made from
+  int shown_chosen = -1;
+  MicroDrawing drawing;
+  std::vector<MicroDrawing> texels;
+  Texture backdrop;
+  std::array<Texture, 2> texel_backdrops;
+  std::function<void()> save;  ///< asks where to write the view; empty = it cannot be written
+};
+
+/// What the panel shows now as an SVG file; empty before the first pixel.
+std::string microscope_drawing(const MicroscopePanelState& state);
+
+/// The picked pixel at panel size. A triangle that is clicked is selected in the story, and the other way round;
+/// `cursor` is that of the story. `filled`: it has the whole window; answers whether that shall change.
+bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor& cursor, bool filled);
+
+}  // namespace ps::gui

@@ -1,0 +1,101 @@
+#include "gui/panels/options/history_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/widgets/draw.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double picture_width = 46, picture_height = 46;  // of one side, at scale 1
+
+/// One step: its pictures, and what it changed. Answers whether it was clicked.
+bool step_row(const History::Entry& entry, std::size_t place, std::size_t now, const Texture* picture, float height) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const std::string name = fmt::format("step/{}", place);
+  ImGui::PushID(static_cast<int>(place));
+  const bool clicked = ImGui::InvisibleButton("step", {std::max(width, 1.f), height});
+  ImGui::PopID();
+  controls().record(name, entry.label);
+  auto& list = *ImGui::GetWindowDrawList();
+  const Palette& p = palette();
+  const ImVec2 end{at.x + width, at.y + height - px(2)};
+  if (place == now || ImGui::IsItemHovered())
+    list.AddRectFilled(at, end, colour_u32(place == now ? p.selection : p.field_hover), px(3));
+  if (place == now) list.AddRectFilled(at, {at.x + px(3), end.y}, colour_u32(p.text));
+  const float left = at.x + px(8), room = 2 * px(picture_width) + px(2);
+  if (picture && !picture->empty()) {
+    const auto w = static_cast<float>(picture->width()), h = static_cast<float>(picture->height());
+    const ImVec2 corner{std::round(left + (room - w) / 2), std::round((at.y + end.y - h) / 2)};
+    // Steps that were taken back are pale.
+    list.AddImage(picture->id(), corner, {corner.x + w, corner.y + h}, {0, 0}, {1, 1},
+                  IM_COL32(255, 255, 255, place > now ? 110 : 255));
+  }
+  {
+    const FontScope font(Face::small);
+    const float text_left = left + room + px(10);
+    const std::string lines = in_lines(entry.label, std::max(end.x - text_left - px(4), px(40)));
+    const float top = std::max(at.y + px(2), (at.y + end.y - text_height(lines)) / 2);
+    list.PushClipRect(at, end, true);
+    draw_lines({text_left, std::round(top)}, lines, place > now ? p.text_quiet : p.text);
+    list.PopClipRect();
+  }
+  tooltip(place > now ? entry.label + " (undone)" : entry.label);
+  return clicked;
+}
+
+}  // namespace
+
+void history_panel(Session& session, HistoryPanelState& state) {
+  const NameScope scope("history");
+  const History* history = session.history();
+  if (!history) return;
+  const auto& entries = history->entries();
+  const std::size_t now = history->place();
+  if (button("undo", "Undo", Emphasis::plain,
+             {.tooltip = "One step back (Ctrl Z)", .disabled = session.can_undo() ? "" : "This is the first step."}))
+    session.undo();
+  ImGui::SameLine();
+  if (button(
+          "redo", "Redo", Emphasis::plain,
+          {.tooltip = "One step forward (Ctrl Shift Z)", .disabled = session.can_redo() ? "" : "Nothing was undone."}))
+    session.redo();
+  same_line_if_room(button_width("Close"));
+  if (button("close", "Close", Emphasis::plain, {.tooltip = "Back to the options (Y)"})) state.open = false;
+  value_text("place", fmt::format("step {} of {}", now + 1, entries.size()));
+
+  ImGui::BeginChild("steps");
+  const float height = px(picture_height) + px(10);
+  const bool scroll = now != state.shown_place || entries.size() != state.shown_count;
+  state.shown_place = now;
+  state.shown_count = entries.size();
+  if (scroll) {
+    const float top = static_cast<float>(now) * (height + ImGui::GetStyle().ItemSpacing.y);
+    if (top < ImGui::GetScrollY() || top + height > ImGui::GetScrollY() + ImGui::GetWindowHeight())
+      ImGui::SetScrollY(std::max(0.f, top - ImGui::GetWindowHeight() / 2));
+  }
+  std::set<std::uint64_t> ids;
+  for (const auto& entry : entries) ids.insert(entry.id);
+  std::optional<std::size_t> chosen;
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(entries.size()), height + ImGui::GetStyle().ItemSpacing.y);
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      const Texture* picture =
+          state.thumbnails.find(entries[place].id, entries[place].document, static_cast<int>(px(picture_width)),
+                                static_cast<int>(px(picture_height)));
+      if (step_row(entries[place], place, now, picture, height)) chosen = place;
+    }
+  clipper.End();
+  ImGui::EndChild();
+  state.thumbnails.update(ids);
+  if (chosen) session.go_to_entry(*chosen);
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+
+#include "gui/panels/pictures/picture_view.h"
+#include "gui/widgets/widgets.h"
+#include "image/heat_colour.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr int heat_steps = 48;
+
+ImU32 colour_of(Rgb8 c) { return IM_COL32(c.r, c.g, c.b, 255); }
+
+}  // namespace
+
+void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area) {
+  ImFont* font = theme().font(Face::small);
+  const float size = font->FontSize, line = px(20), margin = px(8), swatch = px(14);
+  const float heat_width = px(180);
+  std::string low = short_number(legend.low), high = short_number(legend.high);
+  if (!legend.unit.empty()) high += " " + legend.unit;
+  const auto width_of = [&](const std::string& text) { return font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x; };
+
+  float width = width_of(legend.title);
+  if (legend.heat) width = std::max({width, heat_width, width_of(low) + width_of(high) + margin});
+  for (const auto& entry : legend.entries) width = std::max(width, swatch + margin + width_of(entry.meaning));
+  const auto rows = static_cast<float>(1 + (legend.heat ? 2 : 0) + static_cast<int>(legend.entries.size()));
+  const ImVec2 min{area.min.x + margin, area.min.y + margin};  // along the lower edge stand notices
+  const ImVec2 max{area.min.x + margin * 3 + width, min.y + rows * line + margin};
+  if (max.y > area.max.y) return;
+
+  const ImU32 text = colour_u32(palette().text);
+  list.AddRectFilled(min, max, colour_u32(palette().panel, 0.92), px(4));
+  list.AddRect(min, max, colour_u32(palette().line_strong), px(4));
+  ImVec2 at{min.x + margin, min.y + margin / 2};
+  list.AddText(font, size, at, text, legend.title.c_str());
+  at.y += line;
+  if (legend.heat) {
+    for (int i = 0; i < heat_steps; ++i) {
+      const auto step = static_cast<float>(i);
+      list.AddRectFilled({at.x + width * step / heat_steps, at.y},
+                         {at.x + width * (step + 1) / heat_steps, at.y + swatch},
+                         colour_of(heat_colour((i + 0.5) / heat_steps)));
+    }
+    at.y += line;
+    list.AddText(font, size, at, text, low.c_str());
+    list.AddText(font, size, {at.x + width - width_of(high), at.y}, text, high.c_str());
+    at.y += line;
+  }
+  for (const auto& entry : legend.entries) {
+    list.AddRectFilled(at, {at.x + swatch, at.y + swatch}, colour_of(entry.colour));
+    list.AddRect(at, {at.x + swatch, at.y + swatch}, colour_u32(palette().line_strong));
+    list.AddText(font, size, {at.x + swatch + margin, at.y}, text, entry.meaning.c_str());
+    at.y += line;
+  }
+}
+
+}  // namespace ps::gui

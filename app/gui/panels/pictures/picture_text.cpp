@@ -1,0 +1,150 @@
+#include "gui/panels/pictures/picture_text.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "options/option.h"
+#include "options/renderer_kind.h"
+
+namespace ps::gui {
+namespace {
+
+std::string label_of(std::string_view key, const Settings& settings) {
+  const Option* option = find_option(key);
+  if (!option) return {};
+  return std::string(chosen(*option, settings).label);
+}
+
+std::string plural(std::uint64_t count, const std::string& one) {
+  return fmt::format("{} {}{}", count_text(count), one, count == 1 ? "" : "s");
+}
+
+/// The value of an option with four digits, unless `other` then looks the same but is not.
+std::string short_text(const Option& option, const Settings& settings, const Settings* other) {
+  if (option.kind != OptionKind::real) return option_text(option, settings);
+  const auto four_digits = [&](const Settings& of) { return fmt::format("{:.4g}", option.get(of)); };
+  const bool differs = other && option.get(settings) != option.get(*other);
+  return differs && four_digits(settings) == four_digits(*other) ? option_text(option, settings)
+                                                                 : four_digits(settings);
+}
+
+/// One part of a title.
+struct TitlePart {
+  std::string text;
+  bool differs = false;  ///< from the other picture
+};
+
+std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& traits, const Settings* other) {
+  const auto differs = [&](const Option& option) { return other && option.get(settings) != option.get(*other); };
+  const auto key_differs = [&](std::string_view key) {
+    const Option* option = find_option(key);
+    return option && differs(*option);
+  };
+  const bool other_renderer = key_differs("renderer");
+  std::vector<TitlePart> parts{{label_of("renderer", settings), other_renderer}};
+  switch (picture_way(settings.renderer)) {
+  case PictureWay::rays: {
+    const bool other_depth = key_differs("reflection-depth");
+    const int depth = settings.reflection_depth;
+    if (traits.reflective && (depth > 0 || (other_depth && !other_renderer)))
+      parts.push_back({depth == 0 ? "no reflections" : fmt::format("{} reflection{}", depth, depth == 1 ? "" : "s"),
+                       other_renderer || other_depth});
+    break;
+  }
+  case PictureWay::fragments:
+    if (settings.draw == Draw::filled && settings.lighting)
+      parts.push_back({label_of("shading", settings), other_renderer || key_differs("shading")});
+    break;
+  case PictureWay::listing:
+    if (settings.listing > 0 || (key_differs("listing") && !other_renderer)) {
+      parts.front().text += " " + label_of("listing", settings);
+      parts.front().differs = other_renderer || key_differs("listing");
+    }
+    break;
+  }
+  for (const auto& option : option_table()) {
+    if (option.key == "renderer" || option.key == "listing" || option.key == "reflection-depth" ||
+        option.key == "shading")
+      continue;
+    const bool is_default = option.get(settings) == option.default_value();
+    if ((is_default && !differs(option)) || inactive_reason(option, settings, traits)) continue;
+    parts.push_back({fmt::format("{} = {}", option.key, short_text(option, settings, other)), differs(option)});
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::string count_text(std::uint64_t count) {
+  if (count >= 100'000) {
+    const double value = static_cast<double>(count);
+    if (count >= 1'000'000'000) return fmt::format("{:.3g} G", value / 1e9);
+    return fmt::format("{:.3g} M", value / 1e6);
+  }
+  if (count >= 1000) return fmt::format("{},{:03}", count / 1000, count % 1000);
+  return std::to_string(count);
+}
+
+std::string time_text(double milliseconds) {
+  if (milliseconds >= 1000) return fmt::format("{:.2f} s", milliseconds / 1000);
+  if (milliseconds >= 100) return fmt::format("{:.0f} ms", milliseconds);
+  if (milliseconds >= 10) return fmt::format("{:.1f} ms", milliseconds);
+  return fmt::format("{:.2f} ms", milliseconds);
+}
+
+std::string title_text(const Settings& settings, const SceneTraits& traits, const Settings* other) {
+  std::string differing, shared;
+  for (const TitlePart& part : title_parts(settings, traits, other)) {
+    std::string& text = part.differs ? differing : shared;
+    text += (text.empty() ? "" : ", ") + part.text;
+  }
+  return differing + (differing.empty() || shared.empty() ? "" : " · ") + shared;
+}
+
+std::string footer_text(const RenderStatus& status, const RenderResult* result) {
+  switch (status.state) {
+  case RenderState::failed:
+    return "not rendered: " + status.message;
+  case RenderState::cancelled:
+    return "cancelled; any change renders again";
+  case RenderState::idle:
+  case RenderState::coarse:
+  case RenderState::full:
+  case RenderState::done:
+    break;
+  }
+  if (!result) return "rendering";
+  const Counters& c = result->frame.counters;
+  std::string text = time_text(result->milliseconds);
+  switch (picture_way(result->request.settings.renderer)) {
+  case PictureWay::rays: {
+    const auto rays = c[Counter::eye_rays] + c[Counter::shadow_rays] + c[Counter::reflection_rays];
+    text += fmt::format("   {}", plural(rays, "ray"));
+    break;
+  }
+  case PictureWay::fragments: {
+    const bool lines = c[Counter::lines_drawn] > 0 && c[Counter::fragments] == 0;
+    text += fmt::format("   {}   {}", plural(c[Counter::triangles_drawn], "triangle"),
+                        lines ? plural(c[Counter::lines_drawn], "line") : plural(c[Counter::fragments], "fragment"));
+    break;
+  }
+  case PictureWay::listing:  // a listing counts nothing
+    break;
+  }
+  // A pixel without a number is worth more attention than all the others.
+  if (const auto nan = c[Counter::nan_pixels]; nan > 0) text += fmt::format("   {} NaN!", plural(nan, "pixel"));
+  return text;
+}
+
+std::string counters_text(const RenderResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);
+    if (const auto value = result.frame.counters[counter]; value > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : "\n", value, counter_label(counter));
+  }
+  return text;
+}
+
+}  // namespace ps::gui

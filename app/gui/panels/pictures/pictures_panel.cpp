@@ -1,0 +1,297 @@
+#include "gui/panels/pictures/pictures_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/panels/pictures/difference_view.h"
+#include "gui/panels/pictures/handles_view.h"
+#include "gui/panels/pictures/picture_frame.h"
+#include "gui/widgets/widgets.h"
+#include "render/left_out.h"
+#include "render/story/names.h"
+
+namespace ps::gui {
+void picture_handles(Session& session, PicturesState& state, Side side, const Area& area, const Area& clip,
+                     const std::string& prefix, bool hovered) {
+  if (!session.has_scene() || !state.handles) return;
+  const bool dragging = state.drag == PictureDrag::handle;
+  std::string held = dragging && state.drag_side == side ? state.grabbed->path : "";
+  auto all = visible_handles(session.scene(), session.view(), session.settings(side), state.transform, area);
+  std::erase_if(all, [&](const Handle& handle) {
+    return handle.path != held && !clip.contains(state.transform.to_window(handle.place, area));
+  });
+  record_handles(prefix, all, state.transform, area);
+  if (!hovered || flying(state)) return;
+  if (dragging && state.drag_side != side) return;
+  if (!dragging && state.drag != PictureDrag::none && state.drag != PictureDrag::undecided) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (!dragging && clip.contains(mouse))
+    if (const Handle* under = handle_at(all, mouse, state.transform, area)) held = under->path;
+  if (!held.empty()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  draw_handles(*ImGui::GetWindowDrawList(), all, held, state.transform, area);
+}
+
+namespace {
+
+constexpr double gap = 10;         // between two pictures
+constexpr double long_wait = 500;  // milliseconds without a new pixel until that is said
+
+PictureTransform current_transform(const Document& document, Vec2i size, const Area& area) {
+  if (document.view.zoom <= 0) return fitted(size, area);
+  return {document.view.zoom, {document.view.middle.x * size.x, document.view.middle.y * size.y}};
+}
+
+struct Split {
+  float at = 0;  ///< window x of the divider
+};
+
+/// Says why a picture is empty where nothing is in the scene, or nothing that its renderer can show.
+void nothing_drawn(Session& session, Side side, const Area& area) {
+  if (session.scene().geometry->objects.empty() && !session.traits().canvas_items) {
+    draw_notice(*ImGui::GetWindowDrawList(), area,
+                "This scene is empty: every pixel is background. Drop a .scene or .obj file here, or choose one from "
+                "the Scene menu.");
+    return;
+  }
+  if (!session.renderer(side).result() || !leaves_out_all(session.traits(), session.settings(side))) return;
+  draw_notice(*ImGui::GetWindowDrawList(), area, left_out(session.traits(), session.settings(side)).front().sentence);
+}
+
+/// The picture of one side in its area, with what lies over it.
+void picture(Session& session, PicturesState& state, Side side, const Area& area, std::optional<Split> split) {
+  auto& list = *ImGui::GetWindowDrawList();
+  const std::size_t index = index_of(side);
+  ImGui::SetCursorScreenPos(area.min);
+  ImGui::InvisibleButton(
+      side == Side::a ? "picture-a" : "picture-b", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  controls().record(side == Side::a ? "view/a/picture" : "view/b/picture", std::string(1, letter_of(side)));
+  const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  picture_input(session, state, side, area, split ? std::optional(split->at) : std::nullopt);
+  state.areas[index] = area;
+
+  const Side shown_side = state.flip ? other_side(side) : side;
+  const auto style_of = [&](Side which) {
+    PictureStyle style;
+    style.grid = state.grid;
+    style.marked = session.pixel();
+    style.region = session.region();
+    const ShownChannel channel = session.shown(which);
+    const auto result = session.renderer(which).result();
+    if (channel != ShownChannel::colour && result &&
+        (result->channels | shown_channel(channel).needs) == result->channels)
+      style.text_at = [result, channel, settings = session.settings(which)](Vec2i pixel) {
+        return result->frame.colour.contains(pixel.x, pixel.y)
+                   ? channel_value_text(result->frame, channel, settings, pixel)
+                   : std::string();
+      };
+    return style;
+  };
+  const auto cover = [&](Side which) {
+    if (!state.asked || state.asked->side != which) return;
+    const Vec2i pixel = state.asked->pixel;
+    const ImVec2 at = state.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, area);
+    const float radius = std::max(px(16), static_cast<float>(state.transform.zoom) * 3);
+    list.AddCircleFilled(at, radius, colour_u32(palette().panel));
+    list.AddCircle(at, radius, colour_u32(palette().text), 0, px(2));
+    ImFont* font = theme().font(Face::heading);
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, "?");
+    list.AddText(font, font->FontSize, {at.x - size.x / 2, at.y - size.y / 2}, colour_u32(palette().text), "?");
+  };
+  const auto draw_nan = [&](Side which) {
+    if (session.shown(which) != ShownChannel::colour) return;
+    const auto result = session.renderer(which).result();
+    state.nan_pixels[index_of(which)].draw(list, result, state.transform, area);
+    if (const std::uint64_t pixels = result ? result->frame.counters[Counter::nan_pixels] : 0; pixels > 0)
+      controls().record(which == Side::a ? "view/a/nan" : "view/b/nan", area.min, area.max,
+                        fmt::format("{} pixels are not a number", pixels));
+  };
+  list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
+  draw_picture(list, state.pictures[index_of(shown_side)], state.transform, area, style_of(shown_side));
+  draw_nan(shown_side);
+  cover(shown_side);
+  list.PopClipRect();
+  if (split) {
+    const Side right = other_side(shown_side);
+    list.PushClipRect({split->at, area.min.y}, area.max, true);
+    draw_picture(list, state.pictures[index_of(right)], state.transform, area, style_of(right));
+    draw_nan(right);
+    cover(right);
+    list.PopClipRect();
+  }
+  if (session.shown(shown_side) != ShownChannel::colour) {
+    ChannelLegend legend = session.renderer(shown_side).legend();
+    for (auto& entry : legend.entries)
+      if (entry.object >= 0) entry.meaning = object_name(session.scene(), entry.object);
+    draw_legend(list, legend, area);
+  }
+  const auto handles_in = [&](Side which, const Area& clip) {
+    picture_handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);
+  };
+  if (split) {
+    handles_in(side, {area.min, {split->at - px(divider_reach), area.max.y}});
+    handles_in(other_side(side), {{split->at + px(divider_reach), area.min.y}, area.max});
+  } else {
+    handles_in(side, area);
+  }
+  const auto status = session.renderer(shown_side).status();
+  if (status.state == RenderState::failed) draw_notice(list, area, status.message);
+  // What is seen until the first pixels come is the picture before.
+  if (status.waited > long_wait)
+    draw_notice(list, split ? Area{area.min, {split->at, area.max.y}} : area,
+                fmt::format("{} is being prepared ...", letter_of(shown_side)));
+  if (status.state == RenderState::done && !split) nothing_drawn(session, shown_side, area);
+}
+
+/// What picture_input() drags; here it is drawn and published to scripts.
+void divider(const Area& area, float at, double share) {
+  controls().record("pictures/divider", {at - px(divider_reach), area.min.y}, {at + px(divider_reach), area.max.y},
+                    short_number(share));
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({at - px(2.5), area.min.y}, {at + px(2.5), area.max.y}, IM_COL32(0, 0, 0, 160));
+  list.AddRectFilled({at - px(1.5), area.min.y}, {at + px(1.5), area.max.y}, IM_COL32(255, 255, 255, 255));
+  const ImVec2 middle{at, area.middle().y};
+  list.AddCircleFilled(middle, px(13), IM_COL32(255, 255, 255, 255));
+  list.AddCircle(middle, px(13), IM_COL32(0, 0, 0, 200), 0, px(1.5));
+  for (const float sense : {-1.f, 1.f})
+    list.AddTriangleFilled({at + sense * px(9), middle.y}, {at + sense * px(4), middle.y - px(5)},
+                           {at + sense * px(4), middle.y + px(5)}, IM_COL32(40, 40, 40, 255));
+}
+
+/// The lines around a picture, and what they leave to it.
+struct Framed {
+  Area title, picture, footer;
+};
+/// `columns`: how many titles stand side by side over the picture.
+Framed framed(const Area& area, int columns = 1) {
+  const PictureMargins margins = picture_margins(area.width() / static_cast<float>(columns));
+  const float top = area.min.y + margins.title, bottom = area.max.y - margins.footer;
+  return {{area.min, {area.max.x, top}}, {{area.min.x, top}, {area.max.x, bottom}}, {{area.min.x, bottom}, area.max}};
+}
+
+struct Halves {
+  Area first, second;
+};
+/// Side by side or one above the other, whichever shows the pictures larger.
+Halves halves(const Area& area, Vec2i picture_size) {
+  const float space = px(gap);
+  // Equal to the pixel, so that both pictures have the same size and height.
+  const float half = std::floor((area.width() - space) / 2), middle_y = std::round((area.min.y + area.max.y) / 2);
+  const Halves beside{{area.min, {area.min.x + half, area.max.y}}, {{area.max.x - half, area.min.y}, area.max}};
+  const Halves stacked{{area.min, {area.max.x, middle_y}}, {{area.min.x, middle_y}, area.max}};
+  const double beside_zoom = fitted(picture_size, framed(beside.first).picture).zoom;
+  const double stacked_zoom = fitted(picture_size, framed(stacked.first).picture).zoom;
+  return stacked_zoom > beside_zoom ? stacked : beside;
+}
+
+void below(Session& session, PicturesState& state, Side side, const Area& footer, const std::string& lead = {}) {
+  state.notes[index_of(side)] = picture_note(footer);
+  picture_footer(session, side, footer, lead);
+}
+
+void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
+  const auto [title, inner, footer] = framed(area);
+  state.transform = current_transform(session.document(), state.pictures[index_of(side)].size(), inner);
+  const Side shown = state.flip ? other_side(side) : side;
+  picture_title(session, shown, title);
+  picture(session, state, side, inner, {});
+  below(session, state, shown, footer);
+}
+
+void split_view(Session& session, PicturesState& state, const Area& area) {
+  const auto [title, inner, footer] = framed(area, 2);
+  state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
+  const Area whole = state.transform.picture_area(state.pictures[0].size(), inner);
+  const float low = std::max(whole.min.x, inner.min.x), high = std::min(whole.max.x, inner.max.x);
+  const float at = std::round(low + (high - low) * static_cast<float>(session.document().split));
+  const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
+  const Side left = state.flip ? Side::b : Side::a;
+  picture_title(session, left, {title.min, {middle - space, title.max.y}});
+  picture_title(session, other_side(left), {{middle + space, title.min.y}, title.max});
+  picture(session, state, Side::a, inner, Split{at});
+  state.areas[1] = inner;
+  divider({{inner.min.x, std::max(inner.min.y, whole.min.y)}, {inner.max.x, std::min(inner.max.y, whole.max.y)}}, at,
+          session.document().split);
+  below(session, state, left, {footer.min, {middle - space, footer.max.y}});
+  below(session, state, other_side(left), {{middle + space, footer.min.y}, footer.max});
+}
+
+/// A and B around the mouse, greatly enlarged, side by side.
+void loupe(const PicturesState& state) {
+  if (!state.loupe || !state.hover || state.asked) return;
+  auto& list = *ImGui::GetForegroundDrawList();
+  const float size = px(195), space = px(6), away = px(24);
+  const ImVec2 mouse = ImGui::GetIO().MousePos, window = ImGui::GetIO().DisplaySize;
+  ImVec2 corner{mouse.x + away, mouse.y + away};
+  if (corner.x + 2 * size + space > window.x) corner.x = mouse.x - away - 2 * size - space;
+  if (corner.y + size > window.y) corner.y = mouse.y - away - size;
+  corner = {std::max(corner.x, 0.f), std::max(corner.y, 0.f)};
+  for (const Side side : both_sides) {
+    const float left = corner.x + static_cast<float>(index_of(side)) * (size + space);
+    draw_loupe(list, state.pictures[index_of(side)], state.hover->pixel,
+               {{left, corner.y}, {left + size, corner.y + size}});
+    side_badge(list, {left + px(4), corner.y + px(4)}, px(20), side);
+  }
+}
+
+}  // namespace
+
+void collect_pictures(Session& session, PicturesState& state) {
+  for (const Side side : both_sides) {
+    auto& picture = state.pictures[index_of(side)];
+    std::vector<TileRect> changed;
+    if (const auto file = session.picture_b(); side == Side::b && file) {
+      if (state.file == file) continue;
+      picture.levels = file->levels;
+      changed = {{0, 0, file->levels.width(), file->levels.height()}};
+    } else {
+      changed = session.renderer(side).collect(picture.levels);
+    }
+    if (side == Side::b) state.file = session.picture_b();
+    if (changed.empty()) continue;
+    picture.upload(changed);
+    ++state.versions[index_of(side)];
+    state.fresh[index_of(side)] = true;
+    state.difference_stale = true;
+  }
+}
+
+void pictures_panel(Session& session, PicturesState& state, const Area& area) {
+  state.areas = {};
+  state.notes = {};
+  state.hover.reset();
+  // Only the difference asks for its number; one that comes after it was left must not keep the window from resting.
+  state.meter->rest();
+  state.meter->take_news();
+  switch (session.document().compare) {
+  case CompareMode::side_by_side: {
+    const auto parts = halves(area, state.pictures[0].size());
+    one_side(session, state, Side::a, parts.first);
+    one_side(session, state, Side::b, parts.second);
+    break;
+  }
+  case CompareMode::split:
+    split_view(session, state, area);
+    break;
+  case CompareMode::difference: {
+    const auto [title, inner, footer] = framed(area, 2);
+    state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
+    difference_view(session, state, title, inner);
+    const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
+    below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
+    below(session, state, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");
+    break;
+  }
+  case CompareMode::only_a:
+    one_side(session, state, Side::a, area);
+    break;
+  case CompareMode::only_b:
+    one_side(session, state, Side::b, area);
+    break;
+  }
+  loupe(state);
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,81 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "gui/panels/pictures/nan_pixels.h"
+#include "gui/panels/pictures/picture_transform.h"
+#include "gui/panels/pictures/picture_view.h"
+#include "gui/session/handles.h"
+#include "gui/session/session.h"
+#include "gui/work/difference_meter.h"
+#include "image/difference.h"
+
+namespace ps::gui {
+
+/// What the mouse is over.
+struct Hover {
+  Side side = Side::a;
+  Vec2i pixel{0, 0};
+};
+
+constexpr double divider_reach = 10;  ///< pixels to both sides of the split's divider that take hold of it, at scale 1
+
+/// What dragging in a picture does until the button is released.
+enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle, region };
+
+/// What the pictures remember of themselves. The document holds the rest.
+struct PicturesState {
+  std::array<ShownPicture, 2> pictures;
+  std::array<std::uint64_t, 2> versions{};  ///< one more with each change
+  std::shared_ptr<const PictureFile> file;  ///< that stands in B's place
+  std::array<bool, 2> fresh{};              ///< changed since their hash was taken
+  std::array<std::uint64_t, 2> hashes{};    ///< of the pictures' levels, for tests
+  std::array<NanPixels, 2> nan_pixels;
+  ShownPicture difference;
+  bool difference_stale = true;
+  bool difference_fresh = false;      ///< made since its hash was taken
+  std::uint64_t difference_hash = 0;  ///< of its levels, for tests
+  bool identical = false;             ///< A and B, when the difference was last made
+  DifferenceMode difference_mode = DifferenceMode::absolute;
+  ErrorMetric difference_metric = ErrorMetric::rmse;  ///< beside the difference
+  std::unique_ptr<DifferenceMeter> meter;             ///< made by whoever owns the state
+
+  bool grid = true;
+  bool flip = false;   ///< held: each picture gives way to the other
+  bool loupe = false;  ///< held
+  bool fly = false;    ///< letters move the camera
+
+  std::array<std::optional<Area>, 2> areas;  ///< where each side was drawn in the last frame
+  std::array<std::optional<Area>, 2> notes;  ///< the row for a note below each of them
+  PictureTransform transform;                ///< shared by all views
+  std::optional<Hover> hover;
+  std::optional<Hover> asked;  ///< the pixel about which a question stands: its surroundings are covered
+  PictureDrag drag = PictureDrag::none;
+  ImVec2 drag_from{0, 0};
+  bool handles = true;            ///< lights and spheres can be dragged
+  Side drag_side = Side::a;       ///< in whose picture the drag began
+  std::optional<Handle> grabbed;  ///< what the mouse has taken hold of, as it was then
+};
+
+/// Takes over what the renderers have made since the last frame.
+void collect_pictures(Session& session, PicturesState& state);
+
+/// Both pictures as the document's compare mode has them, with titles, times and everything the mouse can do in them.
+void pictures_panel(Session& session, PicturesState& state, const Area& area);
+
+/// Mouse in one picture; call right after its invisible button. `split_at` is the divider's place in the window, if
+/// there is one.
+void picture_input(Session& session, PicturesState& state, Side side, const Area& area, std::optional<float> split_at);
+
+/// Lights and spheres that can be dragged, while the mouse is in the picture. `clip` is the part of the area that shows
+/// this side; `prefix` names them for scripts.
+void picture_handles(Session& session, PicturesState& state, Side side, const Area& area, const Area& clip,
+                     const std::string& prefix, bool hovered);
+
+/// Whether letters fly the camera now.
+bool flying(const PicturesState& state);
+/// Moves the camera by the keys held, for one frame. Answers whether any was.
+bool fly_camera(Session& session, const PicturesState& state, double seconds);
+
+}  // namespace ps::gui

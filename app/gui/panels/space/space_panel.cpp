@@ -1,0 +1,397 @@
+#include "gui/panels/space/space_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "gui/panels/space/space_paint.h"
+#include "gui/panels/story/story_rows.h"
+#include "gui/platform/plain_texture.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/redraw.h"
+#include "gui/widgets/widgets.h"
+#include "inspect/space_svg.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double camera_margin = 1.15;       // around the image, when looking through the camera
+constexpr double radians_per_pixel = 0.006;  // at scale 1
+constexpr double wheel_factor = 0.85;
+constexpr double near_share = 0.02;        // of the viewer's distance
+constexpr double negligible_share = 0.01;  // of the pixel's colour
+constexpr double focus_factor = 1.1;       // distance of the viewer, of the scene's radius
+
+SpaceOrbit orbit_now(const SpacePanelState& state, double aspect) {
+  return state.orbit ? *state.orbit : preset_orbit(state.preset, state.model.bounds, state.base, aspect);
+}
+
+View viewer(const SpacePanelState& state, int width, int height) {
+  if (state.through_camera) return through_camera(state.view, state.settings, camera_margin, width, height);
+  const double aspect = static_cast<double>(width) / height;
+  return orbit_view(orbit_now(state, aspect), state.base, width, height);
+}
+
+double near_of(const SpacePanelState& state, double aspect) {
+  return near_share * (state.through_camera ? state.view.camera.projection_plane_d : orbit_now(state, aspect).distance);
+}
+
+void set_preset(SpacePanelState& state, SpacePreset preset) {
+  state.preset = preset;
+  state.orbit.reset();
+  state.through_camera = false;
+}
+
+/// Puts what is selected, or else the first hit, into the middle.
+void focus(SpacePanelState& state, int event, double aspect) {
+  const SpaceItem* found = nullptr;
+  for (const SpaceItem& item : state.model.items)
+    if (item.kind == SpaceKind::hit_point && item.emphasised && (!found || item.event == event)) found = &item;
+  if (!found) return;
+  SpaceOrbit orbit = orbit_now(state, aspect);
+  orbit.distance = state.model.bounds.radius * focus_factor;
+  orbit.pivot = found->points[0];
+  state.orbit = orbit;
+  state.through_camera = false;
+}
+
+void show_popup(SpacePanelState& state) {
+  if (button("show", "Show…", Emphasis::quiet, {.tooltip = "What is drawn, and what the lines mean."}))
+    ImGui::OpenPopup("space-show");
+  if (!ImGui::BeginPopup("space-show")) return;
+  for (const auto& row : space_groups) {
+    const SpaceStroke stroke = stroke_of({row.like, SpaceShape::line, {}});
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + ImGui::GetFrameHeight() / 2;
+    ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + px(22), y}, colour_u32(stroke.colour),
+                                        std::max(px(2), px(stroke.width)));
+    ImGui::Dummy({px(26), 1});
+    ImGui::SameLine();
+    toggle(row.key, row.label, state.groups[static_cast<std::size_t>(row.group)], {.tooltip = row.help});
+  }
+  ImGui::Spacing();
+  ImGui::TextUnformatted("Boxes down to level");
+  number("level", state.deepest_level,
+         {.minimum = 0, .maximum = std::max(1.0, static_cast<double>(state.model.deepest_level)), .integer = true},
+         {.tooltip = "0 is the bounding box of the whole scene.", .width = px(180)});
+  toggle("tree", "Whole tree", state.whole_tree,
+         {.tooltip =
+              "Also shows boxes that no ray of this pixel was tested against: the whole accelerator, level by level."});
+  if (state.tree && state.tree->nodes > 0)
+    ImGui::TextUnformatted(fmt::format("{} nodes; {} primitives, listed {} times", state.tree->nodes,
+                                       state.tree->primitives, state.tree->entries)
+                               .c_str());
+  ImGui::TextUnformatted("Hide rays that contribute less than");
+  number(
+      "least", state.least_contribution, {.minimum = 0, .maximum = 1},
+      {.tooltip = "Hides rays that contribute a smaller fraction of the pixel's colour, with all that belongs to them.",
+       .width = px(180)});
+  ImGui::EndPopup();
+}
+
+/// Whether the words of the toolbar must be short.
+bool is_narrow() { return ImGui::GetContentRegionMax().x < px(560); }
+
+void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected) {
+  const std::string_view none = state.model.steps.empty() ? "No event of this pixel has a place in the scene." : "";
+  const bool narrow = is_narrow();
+  if (button("back", narrow ? "‹" : "Back", Emphasis::quiet, {.tooltip = "Previous event (comma)", .disabled = none}))
+    step_story(session, state, pixel, -1);
+  ImGui::SameLine(0, px(2));
+  if (button("play", state.play.running ? "Pause" : "Play", Emphasis::plain,
+             {.tooltip = "Shows the events one after the other (Space)", .disabled = none, .width = px(62)}))
+    play_story(session, state, pixel);
+  ImGui::SameLine(0, px(2));
+  if (button("forward", narrow ? "›" : "Step", Emphasis::quiet,
+             {.tooltip = "Next event (full stop)", .disabled = none}))
+    step_story(session, state, pixel, 1);
+  ImGui::SameLine();
+  const auto& steps = state.model.steps;
+  const auto step = std::upper_bound(steps.begin(), steps.end(), selected) - steps.begin();
+  const std::string place = selected >= 0 ? fmt::format("{} of {}", step, steps.size())
+                            : narrow      ? fmt::format("0 of {}", steps.size())
+                                          : fmt::format("{} event{}", steps.size(), steps.size() == 1 ? "" : "s");
+  ImGui::AlignTextToFramePadding();
+  value_text("step", place);
+  tooltip("The event that is shown, of the events of this pixel that have a place in the scene.");
+}
+
+/// How fast the story plays.
+void speed_choice(SpacePanelState& state) {
+  static constexpr std::array<double, 5> speeds{0.5, 1, 2, 5, 20};
+  static constexpr std::array choices{
+      Choice{"half", "½ / s", "An event every two seconds."}, Choice{"one", "1 / s", "An event every second."},
+      Choice{"two", "2 / s", "Two events in a second."}, Choice{"five", "5 / s", "Five events in a second."},
+      Choice{"twenty", "20 / s", "Twenty events in a second: a film."}};
+  const auto found = std::find(speeds.begin(), speeds.end(), state.play.per_second);
+  int index = found == speeds.end() ? 2 : static_cast<int>(found - speeds.begin());
+  ImGui::SameLine();
+  if (choice("speed", choices, index, {.tooltip = "How fast the story plays.", .width = px(84)}))
+    state.play.per_second = speeds[static_cast<std::size_t>(index)];
+}
+
+/// Hides rays with an invisible contribution to the pixel; the threshold is set under "Show".
+void hide_negligible(SpacePanelState& state) {
+  same_line_if_room(button_width("Main rays"), px(2));
+  const bool hidden = state.least_contribution > 0;
+  if (button_on_off(
+          "negligible", "Main rays", hidden,
+          {.tooltip =
+               "Hides rays that contribute less than 1 % of the pixel's colour, with all that belongs to them."}))
+    state.least_contribution = hidden ? 0 : negligible_share;
+}
+
+/// Where to look from: words side by side, or a list where the window is narrow.
+void look_from(SpacePanelState& state) {
+  static constexpr std::array looks{
+      Choice{"outside", "Outside", "The whole scene, from above on the camera's right."},
+      Choice{"side", "Side", "From the camera's right: the camera is at the left."},
+      Choice{"top", "Top", "From above: the camera is at the left."},
+      Choice{"front", "Front", "In the camera's direction, from farther away."},
+      Choice{"camera", "Camera", "Through the picture's own camera: its eye ray is a point."},
+      Choice{"turned", "Turned", "As you turned it."}};
+  constexpr int camera = 4, turned = 5;
+  const int before = state.through_camera ? camera : state.orbit ? turned : static_cast<int>(state.preset);
+  const bool wide = ImGui::GetWindowWidth() >= px(690);
+  int index = wide && before == turned ? -1 : before;
+  const std::span<const Choice> shown(looks.data(), wide || before != turned ? turned : turned + 1);
+  const float width = px(wide ? 330 : 104);
+  same_line_if_room(width, px(14));
+  if (!choice("look", shown, index, {.width = width}) || index == turned) return;
+  if (index == camera)
+    state.through_camera = true;
+  else
+    set_preset(state, static_cast<SpacePreset>(index));
+}
+
+/// Answers whether to fill the window, or no longer.
+bool toolbar(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected, double aspect,
+             bool filled) {
+  play_buttons(session, state, pixel, selected);
+  speed_choice(state);
+  look_from(state);
+  same_line_if_room(button_width("Focus"), px(2));
+  if (button("focus", "Focus", Emphasis::quiet, {.tooltip = "Shows the hit point in the centre, from near by."}))
+    focus(state, selected, aspect);
+  same_line_if_room(button_width("Show…"), px(2));
+  show_popup(state);
+  hide_negligible(state);
+  if (state.save) {
+    same_line_if_room(button_width("Save SVG…"), px(2));
+    if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) state.save();
+  }
+  same_line_if_room(button_width("Fill"), px(2));
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (double click; Esc)."});
+}
+
+void move_by_mouse(SpacePanelState& state, double aspect) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated()) state.dragged = false;
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, px(4)) &&
+      (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    SpaceOrbit orbit = orbit_now(state, aspect);
+    if (state.through_camera) orbit.yaw = orbit.pitch = 0;
+    const double step = radians_per_pixel / static_cast<double>(px(1));
+    if (io.KeyShift) {  // moves what is in the middle
+      const Camera camera = state.picture ? state.picture->view.camera : Camera{};
+      const double size = orbit.distance * space_view_height / std::max(1.f, ImGui::GetItemRectSize().y);
+      orbit.pivot +=
+          (camera.up * static_cast<double>(io.MouseDelta.y) - camera.right * static_cast<double>(io.MouseDelta.x)) *
+          size;
+    } else {
+      orbit.yaw -= io.MouseDelta.x * step;
+      orbit.pitch = std::clamp(orbit.pitch + io.MouseDelta.y * step, -std::numbers::pi / 2, std::numbers::pi / 2);
+    }
+    state.orbit = orbit;
+    state.through_camera = false;
+    state.dragged = true;
+  }
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    SpaceOrbit orbit = orbit_now(state, aspect);
+    if (state.through_camera) orbit.yaw = orbit.pitch = 0;
+    orbit.distance *= std::pow(wheel_factor, static_cast<double>(io.MouseWheel));
+    state.orbit = orbit;
+    state.through_camera = false;
+  }
+}
+
+Rgb8 paper_colour() {
+  const ImVec4 paper = palette().field;
+  const auto level = [](float share) { return static_cast<std::uint8_t>(std::lround(share * 255)); };
+  return {level(paper.x), level(paper.y), level(paper.z)};
+}
+
+void caption(const SpacePanelState& state, const Session& session, int event, const Area& area) {
+  if (!state.shown_story || event < 0 || static_cast<std::size_t>(event) >= state.shown_story->events.size()) return;
+  const FontScope font(Face::body);
+  const std::string text =
+      in_lines(short_description(state.shown_story->events[static_cast<std::size_t>(event)], session.scene()),
+               area.width() - px(32));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at{area.min.x + px(12), area.max.y - size.y - px(10)};
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({at.x - px(6), at.y - px(3)}, {at.x + size.x + px(6), at.y + size.y + px(3)},
+                     colour_u32(palette().panel, 0.9), px(4));
+  list.AddRectFilled({at.x - px(6), at.y - px(3)}, {at.x - px(3), at.y + size.y + px(3)},
+                     colour_u32(palette().attention));
+  draw_lines(at, text, palette().text);
+}
+
+void select(PixelPanelState& pixel, SpacePanelState& state, Side side, int event) {
+  StoryCursor& cursor = pixel.cursors[index_of(side)];
+  cursor.selected = event;
+  cursor.reveal = event >= 0;
+  pixel.events_open = true;
+  state.play.up_to = -1;
+  state.play.running = false;
+}
+
+void advance_play(Session& session, SpacePanelState& state, PixelPanelState& pixel) {
+  if (!state.play.running) return;
+  const double now = ImGui::GetTime();
+  if (now >= state.play.next_at) {
+    step_story(session, state, pixel, 1);
+    state.play.next_at = now + 1 / state.play.per_second;
+    if (state.model.steps.empty() || state.play.up_to >= state.model.steps.back()) state.play.running = false;
+  }
+  if (state.play.running) redraw_after(std::max(0.0, state.play.next_at - now));
+}
+
+/// What of the model is drawn now.
+SpaceLook look_of(const SpacePanelState& state) {
+  SpaceLook look;
+  look.groups = state.groups;
+  look.least_contribution = state.least_contribution;
+  look.deepest_level = static_cast<int>(state.deepest_level);
+  look.up_to_event = state.play.up_to;
+  return look;
+}
+
+bool same_vertex(const std::optional<VertexChain>& a, const std::optional<VertexChain>& b) {
+  return a.has_value() == b.has_value() && (!a || (a->id == b->id && a->world == b->world && a->camera == b->camera));
+}
+
+/// Adds the rest of the accelerator to the model once it is known. A story must be there: the picture has then built
+/// it.
+void update_tree(Session& session, SpacePanelState& state) {
+  if (!state.whole_tree || !state.shown_story) return state.tree_worker.rest();
+  if (state.tree) return;
+  const SpaceTreeRequest wanted{session.scene(), state.settings, state.shown_story, &session.prepared()};
+  state.tree_worker.request(wanted);
+  state.tree_worker.take_news();
+  const auto found = state.tree_worker.result();
+  if (!found || !same_request(found->of, wanted)) return;
+  state.tree = found->tree;
+  state.model.items.insert(state.model.items.end(), found->nodes.items.begin(), found->nodes.items.end());
+  state.model.deepest_level = std::max(state.model.deepest_level, found->nodes.deepest_level);
+}
+
+}  // namespace
+
+void update_space(Session& session, SpacePanelState& state) {
+  if (!session.has_scene()) return;
+  const Side side = inspected_side(session);
+  const auto story = session.story(side);
+  const Scene& scene = session.scene();
+  const std::array revisions{scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
+  if (story == state.shown_story && revisions == state.revisions && session.view() == state.view &&
+      session.settings(side) == state.settings && same_vertex(state.vertex, state.followed) &&
+      (!state.tree || (state.whole_tree && story)))
+    return update_tree(session, state);
+  if (story != state.shown_story) state.play.up_to = -1;
+  state.shown_story = story;
+  state.revisions = revisions;
+  state.view = session.view();
+  state.base = scene.camera;
+  state.settings = session.settings(side);
+  state.followed = state.vertex;
+  state.model = build_space(scene, state.view, state.settings, story.get());
+  state.tree.reset();
+  if (state.vertex) add_vertex(*state.vertex, state.view.camera, state.model);
+  update_tree(session, state);
+}
+
+std::string space_drawing(const Session& session, const SpacePanelState& state) {
+  if (!state.picture || !session.has_scene()) return {};
+  // What the panel leaves out, and what has not happened yet, is not in the drawing either.
+  SpaceModel shown = state.model;
+  const SpaceLook look = look_of(state);
+  std::erase_if(shown.items, [&](const SpaceItem& item) { return !is_shown(item, look); });
+  SpaceSvgOptions options;
+  options.deepest_level = look.deepest_level;
+  options.nodes = options.grid = options.rejected = true;
+  return space_svg(shown, *state.picture, options);
+}
+
+bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixel, const PicturesState& pictures,
+                 bool filled) {
+  const NameScope scope("space");
+  if (!session.has_scene()) return false;
+  advance_play(session, state, pixel);
+  const Side side = inspected_side(session);
+  StoryCursor& cursor = pixel.cursors[index_of(side)];
+  const int selected = state.shown_story ? shown_event(state.model, *state.shown_story, cursor.selected) : -1;
+  // An event selected elsewhere that has not happened yet ends the playing.
+  if (state.play.up_to >= 0 && selected != state.play.up_to) {
+    state.play.up_to = -1;
+    state.play.running = false;
+  }
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  bool fill_or_not = toolbar(session, state, pixel, selected, room.x / std::max(room.y, 1.f), filled);
+  const int width = static_cast<int>(room.x), height = static_cast<int>(ImGui::GetContentRegionAvail().y);
+  const double aspect = static_cast<double>(std::max(width, 1)) / std::max(height, 1);
+  if (width < 16 || height < 16) return fill_or_not;
+
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Area area{{std::floor(at.x), std::floor(at.y)},
+                  {std::floor(at.x) + static_cast<float>(width), std::floor(at.y) + static_cast<float>(height)}};
+  ImGui::InvisibleButton("view", {area.width(), area.height()});
+  controls().record("view", fmt::format("{}x{}", width, height));
+  const bool hovered = ImGui::IsItemHovered();
+  move_by_mouse(state, aspect);
+  const bool clicked = ImGui::IsItemDeactivated() && !state.dragged && hovered;
+  if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) fill_or_not = true;
+
+  state.worker.request({session.scene(), viewer(state, width, height), near_of(state, aspect)});
+  state.worker.take_news();
+  if (const auto picture = state.worker.result();
+      picture && (picture != state.picture || state.paper != theme().brightness())) {
+    state.picture = picture;
+    state.paper = theme().brightness();
+    state.texture.upload(paled(*picture, state.model.ground, paper_colour()));
+  }
+  auto& list = *ImGui::GetWindowDrawList();
+  const bool covered = state.picture && static_cast<float>(state.picture->view.width) >= area.width() &&
+                       static_cast<float>(state.picture->view.height) >= area.height();
+  if (!covered) list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
+  if (!state.picture) return fill_or_not;
+  const View& view = state.picture->view;
+  const Area drawn_area{area.min,
+                        {area.min.x + static_cast<float>(view.width), area.min.y + static_cast<float>(view.height)}};
+  list.PushClipRect(area.min, area.max, true);
+  add_plain_texture(list, state.texture, drawn_area.min, drawn_area.max);
+  SpaceLook look = look_of(state);
+  look.highlighted = selected;
+  if (!state.through_camera) look.picture = &pictures.pictures[index_of(side)].texture;
+  const ImVec2 far_away{-1e6f, -1e6f};
+  Settings outside;
+  const SpaceDrawn drawn = draw_space(list, area, state.model, SpaceProjection(view, outside, state.picture->near),
+                                      state.picture->depth, look, hovered ? ImGui::GetIO().MousePos : far_away);
+  list.PopClipRect();
+  state.items = drawn.items;
+  state.rays = drawn.rays;
+  state.shadow_rays = drawn.shadow_rays;
+  state.boxes = drawn.boxes;
+  if (drawn.highlight_place)
+    controls().record("highlight", {drawn.highlight_place->x - 2, drawn.highlight_place->y - 2},
+                      {drawn.highlight_place->x + 2, drawn.highlight_place->y + 2}, "");
+  if (clicked) select(pixel, state, side, drawn.hovered);
+  caption(state, session, drawn.hovered >= 0 ? drawn.hovered : cursor.selected, area);
+  return fill_or_not;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,161 @@
+#include "gui/panels/story/event_numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "gui/widgets/widgets.h"
+#include "inspect/describe.h"
+#include "record/event_fields.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr std::size_t columns = 3;
+
+/// The numbers of a field that fits the columns.
+std::optional<std::vector<double>> numbers_of(const FieldValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return std::vector{*number};
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::vector{static_cast<double>(*whole)};
+  if (const auto* several = std::get_if<std::vector<double>>(&value); several && several->size() <= columns)
+    return *several;
+  return {};
+}
+
+/// Four digits after the point, so that points stand below each other; whole and very small or large numbers as such.
+std::string column_text(double value) {
+  const double size = std::abs(value);
+  if (value == std::round(value) && size < 1e7) return fmt::format("{:.0f}", value);
+  if (size >= 0.0005 && size < 100) return fmt::format("{:.4f}", value);
+  return size < 1 ? fmt::format("{:.1e}", value) : fmt::format("{:.5g}", value);
+}
+
+/// Three digits in all, but whole thousands as such.
+std::string brief_text(double value) {
+  const double size = std::abs(value);
+  return size >= 1000 && size < 1e6 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+using NumberText = std::string (*)(double);
+
+/// How numbers are written, from what reads best to what takes the least room.
+struct NumberStyle {
+  Face face;
+  NumberText text;
+  const char* usual;  ///< columns are at least as wide as this, so that they do not jump from event to event
+};
+constexpr std::array<NumberStyle, 4> styles{{
+    {Face::mono, column_text, "-0.0000"},
+    {Face::mono, brief_text, "-0.000"},
+    {Face::small, brief_text, "-0.000"},
+    {Face::small, [](double value) { return fmt::format("{:.2g}", value); }, "-0.00"},
+}};
+
+/// How wide a column must be for every number of these fields.
+float column_width(const std::vector<EventField>& fields, const NumberStyle& style) {
+  const FontScope font(style.face);
+  float widest = ImGui::CalcTextSize(style.usual).x;
+  for (const EventField& field : fields)
+    if (const auto numbers = numbers_of(field.value))
+      for (const double number : *numbers) widest = std::max(widest, ImGui::CalcTextSize(style.text(number).c_str()).x);
+  return widest + px(9);
+}
+
+/// How many columns these fields take.
+std::size_t columns_of(const std::vector<EventField>& fields) {
+  std::size_t most = 1;
+  for (const EventField& field : fields)
+    if (const auto numbers = numbers_of(field.value)) most = std::max(most, numbers->size());
+  return most;
+}
+
+/// The number of a light as a field counts it, from 0; the rows of the story count from 1 and say so in their title.
+bool counts_a_light(const EventField& field) {
+  return field.key == "light" && std::holds_alternative<std::int64_t>(field.value);
+}
+
+/// What a field of that name had, or nothing where it reads the same.
+std::string value_then(const std::vector<FieldText>& before, const FieldText& now) {
+  for (const FieldText& old : before)
+    if (old.name == now.name) return old.exact == now.exact ? std::string() : old.value + " →";
+  return {};
+}
+
+}  // namespace
+
+void event_numbers(const Event& event, const Scene& scene, const Event* before) {
+  const auto fields = event_fields(event.data);
+  const auto texts = event_table(event, scene);  // the same fields in words
+  const auto then = before ? event_table(*before, scene) : std::vector<FieldText>{};
+  const float left = px(6), room = ImGui::GetContentRegionMax().x - left;  // the tree's indent would cost too much room
+  float names = 0;
+  {
+    const FontScope small(Face::small);
+    for (const auto& text : texts) names = std::max(names, ImGui::CalcTextSize(text.name.c_str()).x);
+  }
+  const auto used = static_cast<float>(columns_of(fields));
+  const auto beside = [&](const NumberStyle& style) { return room - column_width(fields, style) * used; };
+  // Numbers in shorter forms beside their names, or else in the longest form that fits below them.
+  auto style = std::find_if(styles.begin(), styles.begin() + 2,
+                            [&](const NumberStyle& one) { return beside(one) >= names + px(8); });
+  if (style == styles.begin() + 2)
+    style =
+        std::find_if(styles.begin() + 1, styles.end() - 1, [&](const NumberStyle& one) { return beside(one) >= 0; });
+  const float column = column_width(fields, *style);
+  const FontScope digits(style->face);
+  names = std::min(names + px(8), std::max(room - column * used, 0.f));
+  float farthest = 0;  // window pixels
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (counts_a_light(fields[i])) continue;
+    if (const std::string old = value_then(then, texts[i]); !old.empty()) {
+      ImGui::SetCursorPosX(left + names);
+      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+      ImGui::PushTextWrapPos(0);
+      ImGui::TextUnformatted(old.c_str());
+      ImGui::PopTextWrapPos();
+      ImGui::PopStyleColor();
+    }
+    float name_width = 0;
+    {
+      const FontScope small(Face::small);
+      ImGui::SetCursorPosX(left);
+      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+      ImGui::TextUnformatted(texts[i].name.c_str());
+      ImGui::PopStyleColor();
+      name_width = ImGui::CalcTextSize(texts[i].name.c_str()).x;
+    }
+    // Where a name leaves no room beside it, its value stands below.
+    bool first = true;
+    const auto place = [&](float at) {
+      if (std::exchange(first, false) && left + name_width > at - px(4))
+        ImGui::SetCursorPosX(at);
+      else
+        ImGui::SameLine(at);
+    };
+    const auto numbers = numbers_of(fields[i].value);
+    if (!numbers) {
+      place(left + names);
+      ImGui::PushTextWrapPos(0);
+      ImGui::TextUnformatted(texts[i].value.c_str());
+      ImGui::PopTextWrapPos();
+    } else {
+      for (std::size_t k = 0; k < numbers->size(); ++k) {
+        const std::string text = style->text((*numbers)[k]);
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        place(left + names + column * static_cast<float>(k + 1) - width);
+        ImGui::TextUnformatted(text.c_str());
+        farthest = std::max(farthest, ImGui::GetItemRectMax().x);
+      }
+    }
+    if (texts[i].exact != texts[i].value) tooltip(texts[i].exact);
+  }
+  const float edge = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  controls().record("event-numbers", farthest <= edge ? "all in sight" : "cut");
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,269 @@
+#include "gui/panels/story/listing_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "gui/widgets/draw.h"
+#include "image/display.h"
+#include "options/renderer_kind.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double number_room = 34, choice_width = 250;
+constexpr double least_values = 300;  // beside the code; in less room they go below it
+
+/// The listing that is shown: the one that the option names, else the open lesson's, else what suits the scene.
+Settings listing_settings(const Session& session, Side side) {
+  Settings settings = session.settings(side);
+  settings.renderer = Renderer::textbook;
+  if (settings.listing > 0) return settings;
+  const auto all = listings();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].folder == session.document().lesson) settings.listing = static_cast<int>(i) + 1;
+  return settings;
+}
+
+void take_up(ListingPanelState& state, const std::shared_ptr<const PixelStory>& story) {
+  if (story == state.shown_story) return;
+  state.view.reset();
+  state.rows.clear();
+  state.shown_story = story;
+  if (!story || !story->listing) return;
+  const std::string& folder = story->listing->listing.folder;
+  if (folder != state.folder || !state.text) {
+    state.folder = folder;
+    state.reveal = true;
+    state.error.clear();
+    try {
+      state.text = std::make_unique<ListingText>(load_listing_text(folder));
+    } catch (const InputError& error) {
+      state.text = std::make_unique<ListingText>();
+      state.error = error.what();
+    }
+  }
+  state.view.emplace(*story->listing, *state.text);
+  if (state.stepped_pixel == story->pixel && state.stepped_to >= 0 &&
+      static_cast<std::size_t>(state.stepped_to) < story->listing->instances.size())
+    state.view->focus(state.stepped_to);
+  state.rows = state.view->rows();
+}
+
+std::string levels_text(const std::array<int, 3>& c) { return fmt::format("{} {} {}", c[0], c[1], c[2]); }
+
+bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled) {
+  const Option* option = find_option("listing");
+  int index = session.settings(side).listing;
+  if (drop_down("which", option->choices, index, px(choice_width),
+                {.tooltip = "The lesson whose routine is shown.", .disabled = {}})) {
+    Settings settings = session.settings(side);
+    settings.listing = index;
+    state.stepped_to = -1;
+    session.set_settings(side, settings, fmt::format("{}: another listing", letter_of(side)));
+  }
+  const bool shown = runs_listing(session.settings(side).renderer);
+  const std::string label = fmt::format("Its picture in {}", letter_of(side));
+  same_line_if_room(button_width(label));
+  if (button_on_off("picture", label, shown,
+                    {.tooltip = "Renders the picture with the listing. Again: with the ray tracer or the rasterizer.",
+                     .disabled = {}})) {
+    Settings settings = session.settings(side);
+    const bool rays = state.shown_story && state.shown_story->listing &&
+                      state.shown_story->listing->listing.listing->order == ListingOrder::pixel_by_pixel;
+    settings.renderer = !shown ? Renderer::textbook : rays ? Renderer::ray_tracer : Renderer::rasterizer;
+    session.set_settings(side, settings, fmt::format("{}: {}", letter_of(side), shown ? "renderer" : "textbook"));
+  }
+  same_line_if_room(button_width("Fill"));
+  const bool fill = button_on_off("fill", "Fill", filled,
+                                  {.tooltip = "Shows the listing in the whole window; Esc goes back.", .disabled = {}});
+  if (state.shown_story) {
+    const std::string source(state.shown_story->listing ? state.shown_story->listing->listing.listing->source : "");
+    std::string colours = fmt::format("{} gives {}", source, levels_text(state.shown_story->display));
+    if (const auto story = session.story(side); story && !shown)
+      colours += fmt::format(", {} has {}", letter_of(side), levels_text(story->display));
+    same_line_if_room(text_width(colours), px(16));
+    const FontScope font(Face::mono);
+    value_text("colour", colours);
+    tooltip("The pixel's colour by this listing, and in the picture: red, green and blue, 0 to 255.");
+  }
+  return fill;
+}
+
+const ImVec4& ink_of(Side side) { return side == Side::a ? palette().a_text : palette().b_text; }
+
+/// The instance of a loop, with arrows to go to its neighbours.
+int stepper(const ListingRow& row, std::size_t index) {
+  int by = 0;
+  const float line = ImGui::GetTextLineHeight();
+  const auto arrow = [&](const char* name, const char* sign, int direction, bool dead) {
+    ImGui::PushID(static_cast<int>(index) * 2 + (direction > 0));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size{px(20), line};
+    const bool clicked = ImGui::InvisibleButton(name, size) && !dead;
+    const bool hovered = ImGui::IsItemHovered() && !dead;
+    controls().record(fmt::format("line-{}/{}", row.number, name), sign, !dead);
+    if (hovered)
+      ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, colour_u32(palette().field_hover),
+                                                px(3));
+    draw_text(at, {at.x + size.x, at.y + size.y}, sign, dead ? palette().text_disabled : palette().text, 0.5f);
+    ImGui::PopID();
+    if (clicked) by = direction;
+  };
+  arrow("previous", "‹", -1, false);
+  ImGui::SameLine(0, 0);
+  {
+    const FontScope font(Face::bold);
+    value_text(fmt::format("line-{}/instance", row.number),
+               fmt::format("{} {}/{}", row.instance, row.place, row.count));
+  }
+  ImGui::SameLine(0, 0);
+  arrow("next", "›", 1, false);
+  return by;
+}
+
+void values(const ListingRow& row, const ImVec4& ink) {
+  std::string all;
+  bool first = true;
+  for (const ListingValue& value : row.values) {
+    if (!first) ImGui::SameLine(0, px(14));
+    first = false;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted((value.name + " = ").c_str());
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, 0);
+    const FontScope font(Face::mono_bold);
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    ImGui::TextUnformatted(value.value.c_str());
+    ImGui::PopStyleColor();
+    all += (all.empty() ? "" : ", ") + value.name + " = " + value.value;
+  }
+  if (!row.values.empty()) controls().record(fmt::format("line-{}", row.number), all);
+}
+
+bool has_values(const ListingRow& row) { return row.loops || !row.values.empty(); }
+
+struct Columns {
+  float code = 0;       ///< where the code begins
+  float values = 0;     ///< where the values begin; 0 = below the code
+  float character = 0;  ///< width of one
+};
+
+Columns columns_for(const std::vector<ListingRow>& rows, float room) {
+  std::size_t longest = 0;  // of the lines that have values; the others may continue below the values
+  for (const ListingRow& row : rows)
+    if (has_values(row)) longest = std::max(longest, row.text.size());
+  Columns columns;
+  columns.character = text_width("0");
+  columns.code = px(number_room);
+  const float wanted = columns.code + columns.character * static_cast<float>(longest + 2);
+  if (room - wanted >= px(least_values)) columns.values = wanted;
+  return columns;
+}
+
+/// One line of code with what it had. Answers by how much its loop was stepped.
+int draw_row(const ListingRow& row, std::size_t index, const Columns& columns, const ImVec4& ink) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  const bool valued = has_values(row);
+  const float code_end = at.x + (columns.values > 0 && valued ? columns.values : room);
+  if (valued)
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x + columns.code - px(4), at.y}, {code_end, at.y + height},
+                                              colour_u32(palette().field), px(2));
+  draw_text(at, {at.x + columns.code - px(8), at.y + height}, fmt::format("{}", row.number), palette().text_quiet, 1);
+  const auto start = row.text.find_first_not_of(' ');
+  const bool comment = start != std::string::npos && row.text.compare(start, 2, "//") == 0;
+  draw_text({at.x + columns.code, at.y}, {code_end, at.y + height}, row.text,
+            comment ? palette().text_quiet : palette().text, 0);
+  int by = 0;
+  const float indent = columns.character * static_cast<float>((start == std::string::npos ? 0 : start) + 2);
+  const float values_at = columns.values > 0 ? columns.values + px(8) : columns.code + indent;
+  if (columns.values > 0 && valued) {
+    ImGui::SetCursorScreenPos({at.x + values_at, at.y});
+  } else {
+    ImGui::Dummy({room, height});
+    if (text_width(row.text) > room - columns.code) tooltip(row.text);
+    if (!valued) return 0;
+    ImGui::SetCursorScreenPos({at.x + values_at, ImGui::GetCursorScreenPos().y});
+  }
+  if (row.loops) {
+    by = stepper(row, index);
+    if (!row.values.empty()) ImGui::SameLine(0, px(14));
+  }
+  values(row, ink);
+  return by;
+}
+
+/// A loop whose arrow was clicked.
+struct Step {
+  std::size_t row = 0;
+  int by = 0;
+};
+
+/// `reveal`: scrolls to the first line that has values.
+std::optional<Step> code(const std::vector<ListingRow>& rows, const ImVec4& ink, bool reveal) {
+  std::optional<Step> step;
+  const auto first = std::find_if(rows.begin(), rows.end(), has_values);
+  ImGui::BeginChild("code");
+  {
+    const FontScope font(Face::mono);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(1)});
+    const Columns columns = columns_for(rows, ImGui::GetContentRegionAvail().x);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (reveal && first != rows.end() && i == static_cast<std::size_t>(first - rows.begin()))
+        ImGui::SetScrollHereY(0.15f);
+      if (const int by = draw_row(rows[i], i, columns, ink); by != 0) step = Step{i, by};
+    }
+    ImGui::PopStyleVar();
+  }
+  ImGui::EndChild();
+  return step;
+}
+
+void quiet(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
+  const NameScope scope("listing");
+  if (!session.has_scene()) return false;
+  const Side side = inspected_side(session);
+  const auto pixel = session.pixel();
+  if (!pixel) {
+    state.worker.clear();
+    take_up(state, nullptr);
+    quiet("Click a pixel to see a lesson's routine with the values that its lines have there.");
+    return false;
+  }
+  StoryRequest request;
+  request.picture.scene = session.scene();
+  request.picture.view = session.view();
+  request.picture.settings = listing_settings(session, side);
+  request.pixel = *pixel;
+  state.worker.request(request);
+  take_up(state, state.worker.story());
+  const bool fill = toolbar(session, state, side, filled);
+  if (!state.error.empty()) quiet(state.error);
+  if (!state.view) {
+    if (const auto message = state.worker.message(); !message.empty()) quiet(message);
+    return fill;
+  }
+  if (state.shown_story->listing->watches.empty())
+    quiet("No line of this routine reached the pixel: it draws nothing here.");
+  ImGui::Spacing();
+  const auto stepped = code(state.rows, ink_of(side), std::exchange(state.reveal, false));
+  if (stepped) {
+    state.view->step(stepped->row, stepped->by);
+    state.stepped_pixel = *pixel;
+    state.stepped_to = state.view->focus();
+    state.rows = state.view->rows();
+  }
+  return fill;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,33 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gui/session/session.h"
+#include "textbook/listing_view.h"
+
+namespace ps::gui {
+
+/// What the panel of listings remembers of itself.
+struct ListingPanelState {
+  explicit ListingPanelState(std::function<void()> wake) : worker(std::make_shared<Prepared>(), std::move(wake)) {}
+
+  InspectWorker worker;  ///< runs the listing, whichever renderer makes the pictures
+  std::string folder;    ///< whose text is shown
+  std::unique_ptr<ListingText> text;
+  std::string error;                              ///< why there is no text
+  std::shared_ptr<const PixelStory> shown_story;  ///< what the view looks into
+  std::optional<ListingView> view;
+  bool reveal = false;           ///< the listing is new: scroll to its first values
+  std::vector<ListingRow> rows;  ///< of the view
+  /// The run of a loop that was stepped to, of the pixel that was picked then; -1 = none.
+  Vec2i stepped_pixel{-1, -1};
+  int stepped_to = -1;
+};
+
+/// A lesson's routine with the values that its lines had for the picked pixel. `filled`: it has the whole window;
+/// answers whether that shall change.
+bool listing_panel(Session& session, ListingPanelState& state, bool filled);
+
+}  // namespace ps::gui

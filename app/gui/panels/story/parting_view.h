@@ -1,0 +1,27 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "gui/panels/story/story_tree_view.h"
+#include "gui/session/session.h"
+#include "inspect/parting/align_stories.h"
+#include "inspect/parting/parting.h"
+
+namespace ps::gui {
+
+/// What the view of the parting keeps between frames: the comparison of the two stories it was last made for.
+struct PartingViewState {
+  std::array<std::shared_ptr<const PixelStory>, 2> shown_stories;
+  Parting parting;
+  std::vector<AlignedRow> rows;
+  bool all_steps = false;  ///< those that are the same in both are listed too, and those that say little
+  bool reveal = false;     ///< the step at which they part shall be brought into view
+};
+
+/// The stories of A and B step by step beside each other, with the first difference marked and its cause in a sentence.
+/// A click on a step selects it in both cursors.
+void parting_view(Session& session, PartingViewState& state,
+                  const std::array<std::shared_ptr<const PixelStory>, 2>& stories, std::array<StoryCursor, 2>& cursors);
+
+}  // namespace ps::gui

@@ -1,0 +1,279 @@
+#include "gui/panels/story/pixel_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "document/document_provenance.h"
+#include "gui/panels/pictures/picture_text.h"
+#include "gui/panels/story/ledger_view.h"
+#include "gui/widgets/draw.h"
+#include "inspect/parting/align_stories.h"
+#include "inspect/story_json.h"
+#include "math/conventions.h"
+
+namespace ps::gui {
+namespace {
+
+std::string prefix(Side side) { return side == Side::a ? "a" : "b"; }
+
+void swatch(const std::array<int, 3>& display, float size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size, at.y + size}, IM_COL32(display[0], display[1], display[2], 255), px(3));
+  list.AddRect(at, {at.x + size, at.y + size}, colour_u32(palette().line_strong), px(3));
+  ImGui::Dummy({size, size});
+}
+
+/// The pixel in both ways of counting, with the colours it has in A and B.
+void place(Session& session, Vec2i pixel) {
+  const View view = session.view();
+  const Vec2i book = book_pixel(pixel.x, pixel.y, view.width, view.height);
+  const FontScope font(Face::mono);
+  const std::string array = fmt::format("array ({}, {})", pixel.x, pixel.y);
+  const std::string of_book = fmt::format("book ({}, {})", book.x, book.y);
+  const bool one_line = ImGui::CalcTextSize((array + "   " + of_book).c_str()).x <= ImGui::GetContentRegionAvail().x;
+  value_text("pixel", array + (one_line ? "   " : "\n") + of_book);
+  tooltip("array: column and row from the top left.\nbook: x to the right and y upwards from the centre.");
+}
+
+void verdict(const PixelStory& story, Side side) {
+  ImGui::PushStyleColor(ImGuiCol_Text, side == Side::a ? palette().a_text : palette().b_text);
+  {
+    const FontScope font(Face::bold);
+    ImGui::Text("%c", letter_of(side));
+  }
+  ImGui::PopStyleColor();
+  ImGui::SameLine(0, px(8));
+  swatch(story.display, ImGui::GetTextLineHeight());
+  ImGui::SameLine(0, px(8));
+  {
+    const FontScope font(Face::mono);
+    value_text(prefix(side) + "/colour", fmt::format("{} {} {}", story.display[0], story.display[1], story.display[2]));
+  }
+  tooltip("Red, green and blue as displayed, 0 to 255.");
+  const FontScope font(Face::heading);
+  value_paragraph(prefix(side) + "/verdict", story.verdict);
+}
+
+void work(const PixelStory& story, const std::string& name) {
+  if (!ImGui::BeginTable(name.c_str(), 2, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("work", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed, px(90));
+  const auto row = [](std::string_view label, std::uint64_t count) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(label.data(), label.data() + label.size());
+    ImGui::TableNextColumn();
+    number_text(count_text(count), 0, std::to_string(count));
+  };
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);
+    if (story.counters[counter] > 0) row(counter_label(counter), story.counters[counter]);
+  }
+  if (story.triangles_elsewhere > 0) row("triangles elsewhere", story.triangles_elsewhere);
+  ImGui::EndTable();
+}
+
+std::string event_count(const PixelStory& story) {
+  return fmt::format("{} event{}", story.events.size(), story.events.size() == 1 ? "" : "s");
+}
+
+void full_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story,
+                const std::function<void(const std::string&)>& copy) {
+  auto& cursor = state.cursors[index_of(side)];
+  const std::string name = prefix(side);
+  verdict(story, side);
+  ImGui::Spacing();
+  const PinnedStory* pinned = pinned_story(session, state.pin, side, session.story(side));
+  pin_view(session, state.pin, side, session.story(side));
+  if (section("events", "What happened", state.events_open, event_count(story)))
+    story_tree_view(name, story, session.scene(), cursor, pinned);
+  if (section("sum", "The colour as a sum", state.sum_open)) {
+    if (const int clicked = ledger_view(name, story, cursor.selected, pinned); clicked >= 0) {
+      cursor.selected = clicked;
+      cursor.reveal = true;
+      state.events_open = true;
+    }
+  }
+  if (has_canvas_rows(session) && section("rows", "Rows of the canvas triangles", state.rows_open))
+    canvas_rows_view(session, side, state.rows, name);
+  if (section("work", "Work for this pixel", state.work_open)) work(story, name + "/work");
+  ImGui::Spacing();
+  if (button("copy-text", "Copy as text", Emphasis::quiet)) copy(story_text(story, session.scene()));
+  same_line_if_room(button_width("Copy as JSON"));
+  if (button("copy-json", "Copy as JSON", Emphasis::quiet))
+    copy(story_json(story, session.scene(), session.view(), document_provenance(session.document(), side)));
+}
+
+/// What a picture file in B's place has here, beside A.
+void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const PixelStory>& ours) {
+  const PictureFile& file = *session.picture_b();
+  const Rgb8 level = file.levels.at(pixel.x, pixel.y);
+  swatch({level.r, level.g, level.b}, ImGui::GetTextLineHeight());
+  ImGui::SameLine(0, px(8));
+  {
+    const FontScope font(Face::mono);
+    value_text("b/colour", fmt::format("{} {} {}", level.r, level.g, level.b));
+  }
+  ImGui::PushTextWrapPos(0);
+  value_text("b/verdict", fmt::format("B is the picture {}; a file has no story.", file.path));
+  if (ours) {
+    const auto& own = ours->display;
+    value_text("b/difference",
+               fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255). The story below is that of A.",
+                           level.r - own[0], level.g - own[1], level.b - own[2]));
+  }
+  ImGui::PopTextWrapPos();
+}
+
+/// The selected event is shown in space and in the microscope, so it must belong to the story that these show.
+void pick_side(Session& session, Side side) {
+  if (session.document().picked != side) session.navigate([&](Document& document) { document.picked = side; });
+}
+
+/// One of the two stories when both are shown: the sum first, because it is what users compare.
+void short_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story) {
+  const std::size_t index = index_of(side);
+  const std::string name = prefix(side);
+  ImGui::PushID(name.c_str());
+  verdict(story, side);
+  ImGui::Spacing();
+  if (section(name + "/sum", "The colour as a sum", state.both_sum_open[index]))
+    if (const int clicked = ledger_view(name, story, state.cursors[index].selected); clicked >= 0) {
+      state.cursors[index].selected = clicked;
+      pick_side(session, side);
+      state.cursors[index].reveal = true;
+      state.both_events_open[index] = true;
+    }
+  if (section(name + "/events", "What happened", state.both_events_open[index], event_count(story))) {
+    const int before = state.cursors[index].selected;
+    story_tree_view(name, story, session.scene(), state.cursors[index]);
+    if (state.cursors[index].selected != before) pick_side(session, side);
+  }
+  ImGui::PopID();
+}
+
+void both(Session& session, PixelPanelState& state, const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {
+  if (stories[0] && stories[1]) {
+    std::array<int, 3> apart{};
+    for (std::size_t i = 0; i < 3; ++i) apart[i] = stories[1]->display[i] - stories[0]->display[i];
+    const bool same = apart == std::array<int, 3>{};
+    ImGui::PushTextWrapPos(0);
+    value_text("both/difference",
+               same ? "Both pictures have the same colour here."
+                    : fmt::format("B − A: {:+} red, {:+} green, {:+} blue (of 255)", apart[0], apart[1], apart[2]));
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+  }
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool beside = room >= px(620);
+  for (const Side side : both_sides) {
+    const auto& story = stories[index_of(side)];
+    if (!story) continue;
+    if (!beside) {
+      if (side == Side::b) {
+        ImGui::Spacing();
+        ImGui::Separator();
+        ImGui::Spacing();
+      }
+      short_story(session, state, side, *story);
+      continue;
+    }
+    if (side == Side::b) ImGui::SameLine(0, px(16));
+    ImGui::BeginChild(side == Side::a ? "story-a" : "story-b", {std::floor((room - px(16)) / 2), 0});
+    short_story(session, state, side, *story);
+    ImGui::EndChild();
+  }
+}
+
+void nothing_picked(Session& session) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(session.has_scene() ? "Click a pixel in either picture to see how it got its colour.\n\n"
+                                               "The arrow keys then go from pixel to pixel."
+                                             : "Nothing is open.");
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+/// Where event `selected` of one story stands in another of the same pixel, as after a change of options; -1 if it
+/// happens no more.
+int same_event(const PixelStory& before, const PixelStory& after, int selected, const Scene& scene) {
+  if (selected < 0) return -1;
+  for (const AlignedRow& row : align_stories(before, after, scene))
+    if (row.a == selected) return row.b;
+  return -1;
+}
+
+/// A new story gets a fresh cursor; if it is of the same pixel, the selected event stays selected.
+void follow(const Session& session, PixelPanelState& state, Side side, const std::shared_ptr<const PixelStory>& story) {
+  auto& followed = state.followed[index_of(side)];
+  if (followed == story) return;
+  auto& cursor = state.cursors[index_of(side)];
+  const bool same_pixel = followed && story && followed->pixel == story->pixel;
+  const int selected = same_pixel ? same_event(*followed, *story, cursor.selected, session.scene()) : -1;
+  const int page = selected >= 0 ? selected / events_per_page : same_pixel ? cursor.page : 0;
+  cursor = {selected, false, page};
+  followed = story;
+}
+
+}  // namespace
+
+void follow_stories(const Session& session, PixelPanelState& state) {
+  for (const Side side : both_sides) follow(session, state, side, session.story(side));
+}
+
+void pixel_panel(Session& session, PixelPanelState& state, const std::function<void(const std::string&)>& copy) {
+  const NameScope scope("pixel");
+  const auto picked = session.pixel();
+  if (!picked) {
+    nothing_picked(session);
+    return;
+  }
+  place(session, *picked);
+  same_line_if_room(button_width("Pinned"));
+  pin_button(session);
+  static constexpr std::array tabs{
+      Choice{"a", "A", "The pixel in picture A."}, Choice{"b", "B", "The pixel in picture B."},
+      Choice{"both", "Both", "The stories of A and B together."},
+      Choice{"parting", "Parting", "The first step at which the two stories differ, and why."}};
+  using Shown = PixelPanelState::Shown;
+  int tab = state.shown == Shown::parting          ? 3
+            : state.shown == Shown::both           ? 2
+            : session.document().picked == Side::a ? 0
+                                                   : 1;
+  if (tab_row("side", tabs, tab)) {
+    state.shown = tab == 3 ? Shown::parting : tab == 2 ? Shown::both : Shown::one;
+    if (state.shown == Shown::one)
+      session.navigate([&](Document& document) { document.picked = tab == 0 ? Side::a : Side::b; });
+  }
+  const std::array stories{session.story(Side::a), session.story(Side::b)};
+  for (const Side side : both_sides) follow(session, state, side, stories[index_of(side)]);
+
+  ImGui::BeginChild("story");
+  switch (state.shown) {
+  case Shown::both:
+    both(session, state, stories);
+    break;
+  case Shown::parting:
+    parting_view(session, state.parting, stories, state.cursors);
+    break;
+  case Shown::one: {
+    const Side side = session.document().picked;
+    if (side == Side::b && session.picture_b()) {
+      file_pixel(session, *picked, stories[0]);
+      ImGui::Separator();
+      if (stories[0]) full_story(session, state, Side::a, *stories[0], copy);
+      break;
+    }
+    if (const auto message = session.inspector(side).message(); !message.empty())
+      ImGui::TextWrapped("%s", message.c_str());
+    if (const auto& story = stories[index_of(side)]) full_story(session, state, side, *story, copy);
+    break;
+  }
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace ps::gui

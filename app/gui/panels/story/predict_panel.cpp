@@ -1,0 +1,226 @@
+#include "gui/panels/story/predict_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "gui/panels/lesson/lesson_panel.h"
+#include "gui/widgets/draw.h"
+#include "lesson.h"
+#include "render/story/names.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr std::array questions{
+    Choice{"colour", "Colour", "Red, green and blue of the pixel, 0 to 255."},
+    Choice{"winner", "Winner", "The object that the pixel shows."},
+    Choice{"rays", "Rays", "Number of rays traced for the pixel: eye, shadow, reflected, refracted."},
+    Choice{"triangle", "Triangle", "The triangle that the pixel shows."}};
+
+void swatch(const std::array<int, 3>& levels, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight() * 1.5f;
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(levels[0], levels[1], levels[2], 255), px(3));
+  list.AddRect(at, {at.x + width, at.y + height}, colour_u32(palette().line_strong), px(3));
+  ImGui::Dummy({width, height});
+}
+
+void ask_colour(Guess& guess) {
+  static constexpr std::array names{"red", "green", "blue"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    double level = guess.colour[i];
+    ImGui::TextUnformatted(names[i]);
+    ImGui::SameLine(px(64));
+    if (number(names[i], level, {.minimum = 0, .maximum = 255, .integer = true}, {.width = px(120)}).changed)
+      guess.colour[i] = static_cast<int>(level);
+  }
+  swatch(guess.colour, px(184));
+}
+
+constexpr Choice nothing_chosen{"none", "choose ...", ""}, background{"background", "the background", ""};
+
+/// A list that stands at no answer until one is picked.
+bool ask_one_of(const char* name, const std::vector<Choice>& choices, int& index) {
+  const int before = index;
+  drop_down(name, choices, index, std::min(px(260), ImGui::GetContentRegionAvail().x), {});
+  index = index == 0 ? before : index;
+  return index != before;
+}
+
+void ask_winner(const Scene& scene, PredictState& state) {
+  std::vector<Choice> choices{nothing_chosen, background};
+  for (const Object& object : scene.geometry->objects) choices.push_back({object.name, object.name, ""});
+  int index = state.chosen ? state.guess.object + 2 : 0;
+  if (!ask_one_of("object", choices, index)) return;
+  state.guess.object = index - 2;
+  state.chosen = true;
+}
+
+void ask_triangle(const Scene& scene, PredictState& state) {
+  const std::vector<PixelId> ids = askable_triangles(scene);
+  std::vector<std::string> names, keys;
+  for (const PixelId& id : ids) {
+    names.push_back(primitive_name(scene, id));
+    keys.push_back(fmt::format("{}-{}", id.object, id.triangle));
+  }
+  std::vector<Choice> choices{nothing_chosen, background};
+  for (std::size_t i = 0; i < ids.size(); ++i) choices.push_back({keys[i], names[i], ""});
+  const auto said = std::find(ids.begin(), ids.end(), PixelId{state.guess.object, state.guess.triangle});
+  int index = !state.chosen ? 0 : said == ids.end() ? 1 : static_cast<int>(said - ids.begin()) + 2;
+  if (!ask_one_of("triangle", choices, index)) return;
+  const PixelId id = index < 2 ? PixelId{-1, -1} : ids[static_cast<std::size_t>(index - 2)];
+  state.guess.object = id.object;
+  state.guess.triangle = id.triangle;
+  state.chosen = true;
+}
+
+void ask_rays(Guess& guess) {
+  double rays = guess.rays;
+  if (number("rays", rays, {.minimum = 0, .maximum = 100000, .integer = true, .unit = "rays"}, {.width = px(160)})
+          .changed)
+    guess.rays = static_cast<int>(rays);
+}
+
+const char* sentence_of(Question question) {
+  switch (question) {
+  case Question::colour:
+    return "Which colour does this pixel have?";
+  case Question::winner:
+    return "Which object does this pixel show?";
+  case Question::rays:
+    return "How many rays were traced for this pixel?";
+  case Question::triangle:
+    return "Which triangle does this pixel show?";
+  }
+  return "";
+}
+
+/// The open lesson's question, if its step asks one that was not asked yet.
+void take_up_lesson(Session& session, PredictState& state) {
+  const Document& document = session.document();
+  const std::string here = document.lesson.empty() ? "" : fmt::format("{}/{}", document.lesson, document.step);
+  if (here == state.lesson) return;
+  state.lesson = here;
+  state.words.clear();
+  if (here.empty()) return;
+  try {
+    const Lesson lesson = load_lesson(document.lesson);
+    const auto step = static_cast<std::size_t>(document.step);
+    if (step >= lesson.steps.size() || !lesson.steps[step].prediction) return;
+    state.question = lesson.steps[step].prediction->question;
+    state.words = lesson.steps[step].prediction->text;
+    state.asked_pixel = document.pixel;
+    state.asked_settings = session.settings(document.picked);
+    state.answered = false;
+    state.guess = {};
+    state.chosen = false;
+  } catch (const InputError&) {
+    // The lesson's own panel says what is wrong with it.
+  }
+}
+
+}  // namespace
+
+bool prediction_pending(Session& session, PredictState& state) {
+  take_up_lesson(session, state);
+  const auto pixel = session.pixel();
+  if (!pixel) return false;
+  const Settings& settings = session.settings(inspected_side(session));
+  if (state.on && (state.asked_pixel != *pixel || state.asked_settings != settings)) {
+    state.asked_pixel = *pixel;
+    state.asked_settings = settings;
+    state.answered = false;
+    state.words.clear();
+    state.guess = {};
+    state.chosen = false;
+  }
+  const bool stands = state.asked_pixel == *pixel && state.asked_settings == settings && !state.answered;
+  return stands && (state.on || !state.words.empty());
+}
+
+void predict_panel(Session& session, PredictState& state) {
+  const NameScope scope("predict");
+  const Side side = inspected_side(session);
+  const auto pixel = session.pixel();
+  if (!pixel) return;
+  const auto story = session.story(side);
+  {
+    const FontScope font(Face::heading);
+    ImGui::PushTextWrapPos(0);
+    value_text("question", state.words.empty() ? sentence_of(state.question) : state.words);
+    ImGui::PopTextWrapPos();
+  }
+  value_text("about", fmt::format("pixel ({}, {}) of {}", pixel->x, pixel->y, letter_of(side)));
+  ImGui::Spacing();
+  if (state.words.empty()) {
+    int index = static_cast<int>(state.question);
+    if (choice("ask", questions, index)) {
+      state.chosen = false;
+      state.question = static_cast<Question>(index);
+    }
+    ImGui::Spacing();
+  }
+  switch (state.question) {
+  case Question::colour:
+    ask_colour(state.guess);
+    break;
+  case Question::winner:
+    ask_winner(session.scene(), state);
+    break;
+  case Question::triangle:
+    ask_triangle(session.scene(), state);
+    break;
+  case Question::rays:
+    ask_rays(state.guess);
+    break;
+  }
+  ImGui::Spacing();
+  const bool ready = story && story->pixel == *pixel && !session.inspector(side).busy();
+  const auto senseless = ready ? not_askable(state.question, *story) : std::nullopt;
+  const bool from_list = state.question == Question::winner || state.question == Question::triangle;
+  const bool open = from_list && !state.chosen;
+  if (button("answer", "Answer", Emphasis::primary,
+             {
+                 .tooltip = "Shows whether the answer is right, then the pixel's story.",
+                 .disabled = senseless ? *senseless
+                                       : std::string_view(!ready ? "The story is being prepared."
+                                                          : open ? "Choose an answer first."
+                                                                 : ""),
+             })) {
+    state.judgement = judge(state.question, state.guess, *story, session.scene());
+    state.answered = true;
+    ++state.asked;
+    state.points += state.judgement.points;
+  }
+  ImGui::SameLine();
+  if (button("skip", "Show me", Emphasis::quiet,
+             {.tooltip = "Shows the story without an answer; no points.", .disabled = {}})) {
+    state.judgement = {};
+    state.answered = true;
+  }
+  if (state.on) {
+    same_line_if_room(button_width("Stop asking"));
+    if (button("stop", "Stop asking", Emphasis::quiet)) state.on = false;
+  }
+}
+
+void prediction_verdict(Session& session, PredictState& state) {
+  const NameScope scope("predict");
+  if (!state.answered || session.pixel() != state.asked_pixel || state.judgement.sentence.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, state.judgement.points >= 0.5 ? palette().right_text : palette().wrong_text);
+  ImGui::PushTextWrapPos(0);
+  {
+    const FontScope font(Face::bold);
+    value_text("verdict", state.judgement.sentence);
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  value_text("score",
+             fmt::format("{:.3g} of {} point{} so far", state.points, state.asked, state.asked == 1 ? "" : "s"));
+  ImGui::Separator();
+}
+
+}  // namespace ps::gui

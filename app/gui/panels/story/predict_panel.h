@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "gui/session/session.h"
+#include "inspect/predict.h"
+
+namespace ps::gui {
+
+/// Predict before reveal: the question, the answer and the score.
+struct PredictState {
+  bool on = false;  ///< every newly picked pixel is asked about; a lesson's step may ask all the same
+  Question question = Question::colour;
+  Guess guess;
+  bool chosen = false;        ///< an answer was picked from the list, where there is one
+  Vec2i asked_pixel{-1, -1};  ///< about which the question stands or was answered
+  Settings asked_settings;    ///< of the side whose story is shown, then
+  bool answered = false;
+  Judgement judgement;
+  int asked = 0;  ///< questions answered so far
+  double points = 0;
+  std::string lesson;  ///< the step whose question stands: "name/2"; empty = none
+  std::string words;   ///< of the lesson's question
+};
+
+/// Whether a question stands that hides the story. Takes up the lesson's question, and a newly picked pixel.
+bool prediction_pending(Session& session, PredictState& state);
+
+/// Asks, with a control for the answer.
+void predict_panel(Session& session, PredictState& state);
+
+/// The verdict on the last answer with the score, above the story. Draws nothing while nothing was asked.
+void prediction_verdict(Session& session, PredictState& state);
+
+}  // namespace ps::gui

@@ -1,0 +1,256 @@
+#include "gui/panels/story/vertex_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gui/widgets/draw.h"
+#include "record/value_text.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double card_width = 322, card_gap = 16, column_width = 76;
+
+std::string place_text(const Vec2d& v) { return vector_text(v); }
+std::string place_text(const Vec3d& v) { return vector_text(v); }
+std::string place_text(const Vec4d& v) {
+  return fmt::format("({}, {}, {}, {})", ps::number_text(v.x), ps::number_text(v.y), ps::number_text(v.z),
+                     ps::number_text(v.w));
+}
+
+void quiet(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void matrix(const Mat4d& m) {
+  const FontScope font(Face::mono);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight() + px(1);
+  auto& list = *ImGui::GetWindowDrawList();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) {
+      const float x = at.x + px(6) + px(column_width) * static_cast<float>(column);
+      const float y = at.y + line * static_cast<float>(row);
+      draw_text({x, y}, {x + px(column_width) - px(6), y + line}, ps::number_text(m[column][row]),
+                m[column][row] == 0 ? palette().text_quiet : palette().text, 1);
+    }
+  const float height = 4 * line, right = at.x + px(12) + px(column_width) * 4;
+  for (const float x : {at.x, right}) {  // brackets
+    const float inward = x == at.x ? px(5) : -px(5);
+    list.AddLine({x, at.y}, {x, at.y + height}, colour_u32(palette().line_strong), px(1.5f));
+    list.AddLine({x, at.y}, {x + inward, at.y}, colour_u32(palette().line_strong), px(1.5f));
+    list.AddLine({x, at.y + height}, {x + inward, at.y + height}, colour_u32(palette().line_strong), px(1.5f));
+  }
+  ImGui::Dummy({right - at.x, height + px(4)});
+}
+
+/// Where the vertex is after a step; what an edit changed shows beside it.
+template <class Place>
+void result(std::string_view name, const Place& now, const Place& plain) {
+  {
+    const FontScope font(Face::mono_bold);
+    value_text(name, place_text(now));
+  }
+  if (now != plain) {
+    const FontScope font(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().wrong_text);
+    ImGui::TextUnformatted(("was " + place_text(plain)).c_str());
+    ImGui::PopStyleColor();
+  }
+}
+
+/// One step in a frame of its own; cards stand side by side as far as there is room.
+template <class Body>
+void card(int number, const char* title, const char* says, Body&& body) {
+  if (number > 1) {
+    const float next = ImGui::GetItemRectMax().x + px(card_gap + card_width);
+    if (next <= ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine(0, px(card_gap));
+  }
+  ImGui::BeginGroup();
+  ImGui::PushItemWidth(px(card_width));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  {
+    const FontScope font(Face::bold);
+    ImGui::TextUnformatted(fmt::format("{}  {}", number, title).c_str());
+  }
+  {
+    const FontScope font(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + px(card_width));
+    ImGui::TextUnformatted(says);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
+  body();
+  ImGui::PopItemWidth();
+  const float used = ImGui::GetCursorScreenPos().x - at.x;
+  ImGui::Dummy({std::max(px(card_width) - used, 1.f), px(10)});
+  ImGui::EndGroup();
+}
+
+void model_card(const VertexChain& now, const VertexChain& plain) {
+  card(1, "model", "Position in the model (CGFS ch. 10).", [&] { result("model", now.model, plain.model); });
+}
+
+void world_card(VertexPanelState& state, const VertexChain& now, const VertexChain& plain) {
+  card(2, "world", "Translation, rotation and scale, as one matrix.", [&] {
+    static constexpr std::array orders{
+        Choice{"turn-then-move", "turn, move", "Rotation first, as in the renderers."},
+        Choice{"move-then-turn", "move, turn", "Translation first: the rotation turns it as well."}};
+    int order = state.edits.order == ModelOrder::turn_then_move ? 0 : 1;
+    if (choice("order", orders, order, {.width = px(card_width)}))
+      state.edits.order = order == 0 ? ModelOrder::turn_then_move : ModelOrder::move_then_turn;
+    matrix(now.to_world);
+    result("world", now.world, plain.world);
+  });
+}
+
+void camera_card(const VertexChain& now, const VertexChain& plain) {
+  card(3, "camera", "World position minus camera position, along the camera's right, up and forward axes.", [&] {
+    matrix(now.to_camera);
+    result("camera", now.camera, plain.camera);
+  });
+}
+
+void clip_card(Session& session, VertexPanelState& state, const VertexChain& now, const VertexChain& plain) {
+  card(4, "clip", "Distances to the planes; negative = clipped (CGFS ch. 11).", [&] {
+    double near = state.edits.near.value_or(session.settings(inspected_side(session)).near);
+    ImGui::TextUnformatted("near");
+    ImGui::SameLine(0, px(8));
+    const Option* option = find_option("near");
+    if (number("near", near, {.minimum = option->minimum, .maximum = option->maximum, .scale = option->scale},
+               {.tooltip = "Tries another near plane for this vertex.", .width = px(110)})
+            .changed)
+      state.edits.near = near;
+    for (const PlaneDistance& plane : now.planes) {
+      const bool cut = plane.distance < 0;
+      const FontScope font(Face::mono);
+      ImGui::PushStyleColor(ImGuiCol_Text, cut ? palette().wrong_text : palette().text);
+      value_text(fmt::format("plane-{}", plane.plane),
+                 fmt::format("{:<12} {:>9}{}", plane.plane, ps::number_text(plane.distance), cut ? "  outside" : ""));
+      ImGui::PopStyleColor();
+    }
+    if (now.planes.empty()) quiet("Clipping is off.");
+    result("clip", now.clip, plain.clip);
+  });
+}
+
+void viewport_card(const VertexChain& now, const VertexChain& plain) {
+  card(5, "projection", "x and y divided by w, which is z: pixels from the centre, y up (CGFS ch. 9).", [&] {
+    matrix(now.to_clip);
+    result("centred", now.centred, plain.centred);
+    const FontScope font(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    value_text("viewport", "on the viewport " + place_text(now.viewport));
+    ImGui::PopStyleColor();
+  });
+}
+
+void canvas_card(const VertexChain& now, const VertexChain& plain) {
+  card(6, "canvas", "Pixels from the top left, y down: where the vertex is drawn.",
+       [&] { result("canvas", now.canvas, plain.canvas); });
+}
+
+bool toolbar(Session& session, VertexPanelState& state, bool filled) {
+  const auto& mesh_of =
+      std::get<Instance>(session.scene().geometry->objects[static_cast<std::size_t>(state.vertex->object)].shape);
+  const int count = static_cast<int>(session.scene().geometry->meshes[mesh_of.mesh]->positions.size());
+  {
+    const FontScope font(Face::heading);
+    value_text("name", fmt::format("vertex {} of {}", state.vertex->vertex, state.chain->object_name));
+  }
+  same_line_if_room(button_width("Previous") + button_width("Next"), px(16));
+  if (button("previous", "Previous")) {
+    state.vertex->vertex = (state.vertex->vertex + count - 1) % count;
+    state.keep = true;
+  }
+  ImGui::SameLine();
+  if (button("next", "Next")) {
+    state.vertex->vertex = (state.vertex->vertex + 1) % count;
+    state.keep = true;
+  }
+  same_line_if_room(px(150));
+  toggle("keep", "Keep this vertex", state.keep,
+         {.tooltip = "Off: follows the vertex nearest to the picked pixel, of the triangle that it shows.",
+          .width = px(150)});
+  same_line_if_room(button_width("Show in space"));
+  if (button("space", "Show in space", Emphasis::plain,
+             {.tooltip = "Keeps the vertex, and shows it in the view from outside.", .disabled = {}})) {
+    state.keep = true;
+    session.navigate([](Document& document) { document.layout.bottom_tab = "space"; });
+  }
+  if (state.edits != VertexEdits{}) {
+    same_line_if_room(button_width("Undo the edits"));
+    if (button("reset", "Undo the edits", Emphasis::plain,
+               {.tooltip = "Restores the transforms of the renderers.", .disabled = {}}))
+      state.edits = {};
+  }
+  same_line_if_room(button_width("Fill"));
+  return button_on_off("fill", "Fill", filled,
+                       {.tooltip = "Shows the transforms in the whole window; Esc goes back.", .disabled = {}});
+}
+
+}  // namespace
+
+void update_vertex(Session& session, VertexPanelState& state, bool shown) {
+  if (!(shown || state.keep) || !session.has_scene()) {
+    state.chain.reset();
+    return;
+  }
+  const Side side = inspected_side(session);
+  const auto pixel = session.pixel();
+  const auto story = session.story(side);
+  const Scene& scene = session.scene();
+  Settings settings = session.settings(side);
+  const View view = session.view();
+  if (state.revision != scene.geometry.revision()) {  // other objects may stand at these numbers now
+    state.revision = scene.geometry.revision();
+    state.vertex.reset();
+    state.keep = false;
+  }
+  const bool moved = pixel && (state.pixel != *pixel || state.picked != story);
+  if (pixel && story && story->pixel == *pixel && (!state.vertex || (moved && !state.keep))) {
+    state.pixel = *pixel;
+    state.picked = story;
+    state.vertex = nearest_vertex(scene, view, settings, {pixel->x + 0.5, pixel->y + 0.5}, shown_triangle(*story));
+  }
+  state.chain.reset();
+  state.error.clear();
+  if (!state.vertex) return;
+  try {
+    state.chain = vertex_chain(scene, view, settings, *state.vertex, state.edits);
+    state.plain = vertex_chain(scene, view, settings, *state.vertex);
+  } catch (const InputError& error) {
+    state.error = error.what();
+  }
+}
+
+bool vertex_panel(Session& session, VertexPanelState& state, bool filled) {
+  const NameScope scope("vertex");
+  if (!state.chain) {
+    quiet(!state.error.empty()                     ? state.error
+          : session.pixel() && state.vertex        ? ""
+          : session.pixel() && session.has_scene() ? "This scene has no models, so there are no vertices to follow."
+                                                   : "Click a pixel to follow the nearest vertex of its triangle.");
+    return false;
+  }
+  const VertexChain now = *state.chain, plain = *state.plain;
+  const bool fill = toolbar(session, state, filled);
+  ImGui::Spacing();
+  ImGui::BeginChild("chain");
+  model_card(now, plain);
+  world_card(state, now, plain);
+  camera_card(now, plain);
+  clip_card(session, state, now, plain);
+  viewport_card(now, plain);
+  canvas_card(now, plain);
+  ImGui::EndChild();
+  return fill;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,54 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gui/session/session.h"
+#include "study/chart.h"
+
+namespace ps::gui {
+
+/// Where a chart's pictures are compared.
+enum class ChartPart { whole, rectangle };
+
+/// What the user has asked a chart to measure.
+struct ChartSetup {
+  std::vector<SweepAxis> axes;
+  std::vector<std::string> typed;  ///< for each axis its values as they stand in the field, "0,1,2"
+  Side side = Side::a;             ///< whose settings stand under the sweep
+  ErrorValues values = ErrorValues::display;
+  ChartPart part = ChartPart::whole;
+  MachineryRule machinery = MachineryRule::same;
+  int repeats = 5;
+  int reference_samples = 0;   ///< a square number; 0 = as the truth of the swept options asks (plan_reference)
+  std::string reference_file;  ///< empty = one is rendered
+  std::string search;          ///< for an option to add
+};
+
+/// Replaces the swept options.
+void set_axes(ChartSetup& setup, std::vector<SweepAxis> axes);
+
+/// What a setup comes to with the scene that is open. Made anew only when something of it changes.
+struct ChartPlan {
+  std::string key;                 ///< everything that decides the results, as text
+  std::vector<SweepPoint> points;  ///< empty if there is an error
+  std::vector<std::string> notes;  ///< swept options that change nothing here
+  std::string truth;               ///< what errors are measured against
+  std::string error;               ///< why it cannot be measured
+  Settings base;                   ///< what stands under the sweep
+};
+/// While the settings change in swept options alone, as when a point is loaded, the plan stays.
+void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& session);
+
+/// The request without its folder. The plan must be free of errors.
+ChartRequest make_request(const ChartPlan& plan, const ChartSetup& setup, ErrorMetric metric, const Session& session);
+
+/// The command that measures the same without a window.
+std::string command_of(const ChartPlan& plan, const ChartSetup& setup, ErrorMetric metric, const Session& session);
+
+/// The controls for all of it but the named sweeps. `browse` asks for a reference picture.
+void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Session& session,
+                          const std::function<void()>& browse);
+
+}  // namespace ps::gui

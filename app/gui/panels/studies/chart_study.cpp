@@ -1,0 +1,63 @@
+#include "gui/panels/studies/chart_study.h"
+
+#include <algorithm>
+
+#include "image/file.h"
+
+namespace ps::gui {
+namespace {
+
+/// A point without its picture, which is large.
+ChartPoint light(const ChartPoint& point) {
+  ChartPoint copy;
+  copy.number = point.number;
+  copy.what = point.what;
+  copy.samples_ms = point.samples_ms;
+  copy.time_ms = point.time_ms;
+  copy.prepare_ms = point.prepare_ms;
+  copy.memory_mb = point.memory_mb;
+  copy.comparison = point.comparison;
+  copy.compared = point.compared;
+  copy.error = point.error;
+  copy.counters = point.counters;
+  copy.work = point.work;
+  copy.on_front = point.on_front;
+  return copy;
+}
+
+ChartFound next_state(const Chart& chart, const ChartFound& before, const std::filesystem::path& folder) {
+  ChartFound next;
+  next.chart.identity = chart.identity;
+  next.chart.machine = chart.machine;
+  next.chart.metric = chart.metric;
+  next.chart.across = chart.across;
+  next.chart.reference_halves = chart.reference_halves;
+  next.chart.damage = chart.damage;
+  next.pictures = before.pictures;
+  for (const ChartPoint& point : chart.points) {
+    next.chart.points.push_back(light(point));
+    if (point.picture && !next.pictures.contains(point.number))
+      next.pictures[point.number] = std::make_shared<const Image<Rgb8>>(*point.picture);
+  }
+  next.reference = before.reference;
+  if (!next.reference) next.reference = std::make_shared<const Image<Rgb8>>(load_levels(folder / "reference.png"));
+  return next;
+}
+
+}  // namespace
+
+bool ChartFound::complete() const {
+  return std::all_of(chart.points.begin(), chart.points.end(), [](const ChartPoint& p) { return p.measured(); });
+}
+
+void start_chart(ChartStudy& study, ChartRequest request) {
+  study.start([request = std::move(request)](StudyControl& control, const ChartStudy::Publish& publish) {
+    std::shared_ptr<const ChartFound> newest = std::make_shared<ChartFound>();
+    run_chart(request, control, [&](const Chart& chart, const StudyStatus& status) {
+      newest = std::make_shared<const ChartFound>(next_state(chart, *newest, request.folder));
+      publish(newest, status);
+    });
+  });
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,362 @@
+#include "gui/panels/studies/chart_tab.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "gui/panels/studies/chart_hover.h"
+#include "gui/shell/values.h"
+#include "gui/widgets/widgets.h"
+#include "study/chart_files.h"
+#include "study/chart_style.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr const char* own_sweep = "own";
+constexpr double least_height_for_legend = 170;  // at scale 1; below, the room is the plot's
+
+void choose_named(ChartTabState& state, const NamedSweep& sweep) { set_axes(state.setup, parse_sweep(sweep.key)); }
+
+void follow_document(Session& session, ChartTabState& state) {
+  state.sweep.follow(session, [&](const std::string& asked) {
+    set_axes(state.setup, parse_sweep_text(asked.empty() ? named_sweeps().front().key : asked));
+    state.begun = true;
+  });
+}
+
+void keep_sweep(Session& session, ChartTabState& state) {
+  const std::string shown = sweep_text(state.setup.axes);
+  state.sweep.keep(session, shown == named_sweeps().front().key ? "" : shown);
+}
+
+/// The first sweep is the one whose points the most people ask for: who draws it, and how well.
+void begin(ChartTabState& state) {
+  if (state.begun) return;
+  state.begun = true;
+  if (state.setup.axes.empty()) choose_named(state, named_sweeps().front());
+}
+
+void sweep_choice(ChartTabState& state, float width) {
+  std::vector<Choice> choices;
+  for (const NamedSweep& sweep : named_sweeps()) choices.push_back({sweep.key, sweep.label, ""});
+  const std::string shown = sweep_text(state.setup.axes);
+  const auto named = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.key == shown; });
+  int index = static_cast<int>(named - choices.begin());
+  if (named == choices.end()) choices.push_back({own_sweep, "A custom sweep", ""});
+  if (!choice("sweep", choices, index,
+              {.tooltip = "The sweep: one picture for each combination of values.", .width = width}))
+    return;
+  const auto chosen = static_cast<std::size_t>(index);
+  if (chosen < named_sweeps().size()) choose_named(state, named_sweeps()[chosen]);
+}
+
+void setup_popup(Session& session, ChartTabState& state, const ChartHost& host) {
+  if (button("change", "Setup", Emphasis::quiet, {.tooltip = "Options and values, error metric and reference."}))
+    ImGui::OpenPopup("chart-setup");
+  // It grows upwards from the lower edge, as options are added.
+  const float width = px(400), margin = px(8);
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float left = std::max(margin, std::min(ImGui::GetItemRectMin().x, window.x - width - margin));
+  ImGui::SetNextWindowPos({left, window.y - margin}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, window.y - 2 * margin});
+  if (!ImGui::BeginPopup("chart-setup")) return;
+  chart_setup_controls(state.setup, state.plan, session, host.browse_reference);
+  ImGui::EndPopup();
+}
+
+void show_found(ChartTabState& state) {
+  state.chart.across = state.across;
+  summarise(state.chart, state.metric);
+}
+
+void metric_choice(ChartTabState& state, float width) {
+  std::vector<Choice> choices;
+  for (const ErrorMetricRow& row : error_metrics()) choices.push_back({row.key, row.label, ""});
+  int index = static_cast<int>(state.metric);
+  if (!choice("metric", choices, index, {.tooltip = "The error metric.", .width = width})) return;
+  state.metric = static_cast<ErrorMetric>(index);
+  if (state.found) show_found(state);
+}
+
+/// Milliseconds of this machine, or work counted alike on every machine.
+void across_choice(ChartTabState& state, float width) {
+  static constexpr std::array choices{
+      Choice{"time", "Time", "Milliseconds of one picture on this machine."},
+      Choice{"work", "Work", "Rays, intersection tests, fragments and texel reads: the same on every machine."}};
+  int index = static_cast<int>(state.across);
+  if (!choice("across", choices, index, {.tooltip = "The horizontal axis.", .width = width})) return;
+  state.across = static_cast<ChartAcross>(index);
+  if (state.found) show_found(state);
+}
+
+/// What a click on the button would do.
+const char* measure_word(const ChartTabState& state) {
+  const bool same = state.measured == state.plan.key && state.found;
+  if (same && state.study.state() == StudyState::done) return "Again";
+  if (same && state.found && state.study.state() == StudyState::cancelled) return "Resume";
+  return state.kept ? "Resume" : "Measure";
+}
+
+void run_buttons(Session& session, ChartTabState& state, const StudyFolder& folder) {
+  if (state.study.running()) {
+    const bool paused = state.study.state() == StudyState::paused;
+    if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(64)}))
+      state.study.set_paused(!paused);
+    ImGui::SameLine(0, px(3));
+    if (button("cancel", "Stop", Emphasis::plain,
+               {.tooltip = "Measured points are kept; the study can be resumed.", .width = px(50)}))
+      state.study.cancel();
+    return;
+  }
+  const std::string word = measure_word(state);
+  if (!button("measure", word, Emphasis::primary,
+              {.tooltip = "Renders every picture several times in the background.",
+               .disabled = state.plan.error,
+               .width = button_width("Measure")}))
+    return;
+  if (word == "Again") StudyFolder::forget(folder.of(state.plan.key));
+  measure_chart(session, state, folder);
+}
+
+void export_menu(const Session& session, const ChartTabState& state, const ChartHost& host) {
+  if (button(
+          "export", "Save", Emphasis::quiet,
+          {.tooltip = "Saves the chart as a table, as JSON or as a picture, or copies the command that measures it."}))
+    ImGui::OpenPopup("chart-export");
+  if (!ImGui::BeginPopup("chart-export")) return;
+  for (const auto& [name, label, file] :
+       {std::array{"csv", "Table (CSV)", "chart.csv"}, std::array{"json", "Everything (JSON)", "chart.json"},
+        std::array{"svg", "Picture (SVG)", "chart.svg"}})
+    if (menu_item(name, label, {}, false, state.chart.points.empty() ? "nothing is measured yet" : ""))
+      host.ask_export(file);
+  if (menu_item("command", "Copy as a command")) host.copy(command_of(state.plan, state.setup, state.metric, session));
+  ImGui::EndPopup();
+}
+
+/// Answers whether to fill the window, or no longer.
+bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled) {
+  const bool wide = ImGui::GetWindowWidth() >= px(690);
+  const float gap = px(wide ? 10 : 3);
+  sweep_choice(state, px(wide ? 220 : 116));
+  same_line_if_room(button_width("Setup"), px(3));
+  setup_popup(session, state, host);
+  same_line_if_room(button_width("Measure"), gap);
+  run_buttons(session, state, folder);
+  same_line_if_room(px(wide ? 150 : 76), gap);
+  metric_choice(state, px(wide ? 150 : 76));
+  same_line_if_room(px(76), px(3));
+  across_choice(state, px(76));
+  same_line_if_room(button_width("Save"), px(3));
+  export_menu(session, state, host);
+  same_line_if_room(button_width("Fill"), px(3));
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows the chart in the whole window (Esc)."});
+}
+
+/// One line: what is going on, or what the chart is of.
+std::string state_line(const ChartTabState& state) {
+  const StudyStatus status = state.study.status();
+  switch (state.study.state()) {
+  case StudyState::running:
+    if (status.total == 0)
+      return fmt::format("Rendering the reference: {:.0f} %", 100 * state.study.fraction_of_render());
+    return status_text(status, "runs");
+  case StudyState::paused:
+    return "Paused after " + status_text(status, "runs");
+  case StudyState::failed:
+    return "Failed: " + state.study.message();
+  case StudyState::cancelled:
+    if (status.total == 0) return "Stopped before the reference was done.";
+    return fmt::format("Stopped after {} of {} runs; Resume goes on from there.", status.done, status.total);
+  case StudyState::done:
+  case StudyState::none:
+    break;
+  }
+  if (!state.found) return state.plan.error.empty() ? "" : state.plan.error;
+  const ChartIdentity& id = state.chart.identity;
+  std::string text = fmt::format("{}, {} x {}. {}", id.scene, id.width, id.height, chart_provenance(state.chart));
+  if (state.chart.reference_halves) {
+    Reference reference;
+    reference.halves = state.chart.reference_halves;
+    if (const auto noise = reference_noise(reference, state.metric); noise && std::isfinite(*noise))
+      text += fmt::format(" The reference itself is uncertain by {:.2g}.", *noise);
+  }
+  if (id.region != "all") text += fmt::format(" Only the rectangle {}.", id.region);
+  if (id.values == "linear") text += " Linear values.";
+  return text;
+}
+
+void progress_line(const ChartTabState& state) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const StudyStatus status = state.study.status();
+  const std::string text = state_line(state);
+  {
+    const FontScope small(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+  }
+  controls().record("status", text);
+  if (ImGui::CalcTextSize(text.c_str()).x > width) tooltip(text);
+  if (!state.study.running()) return;
+  const double fraction =
+      status.total > 0 ? static_cast<double>(status.done) / status.total : state.study.fraction_of_render();
+  auto& list = *ImGui::GetWindowDrawList();
+  const float y = ImGui::GetItemRectMax().y;
+  list.AddRectFilled({at.x, y}, {at.x + width, y + px(2)}, colour_u32(palette().line));
+  list.AddRectFilled({at.x, y}, {at.x + width * static_cast<float>(fraction), y + px(2)},
+                     colour_u32(palette().text_quiet));
+}
+
+/// What stands in place of a chart that is not there yet.
+void invitation(const ChartTabState& state, const Area& area) {
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
+  const std::string text = state.study.running()
+                               ? "The first point appears when the reference is rendered."
+                               : fmt::format("How much time for how much accuracy? {} point{}: each is rendered and "
+                                             "compared with the reference: {}. Press {}.",
+                                             state.plan.points.size(), state.plan.points.size() == 1 ? "" : "s",
+                                             state.plan.truth, measure_word(state));
+  ImFont* font = theme().font(Face::body);
+  const float wrap = std::min(area.width() - px(40), px(460));
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
+  const ImVec2 middle = area.middle();
+  list.AddText(font, font->FontSize, {std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)},
+               colour_u32(palette().text_quiet), text.c_str(), nullptr, wrap);
+}
+
+std::optional<std::size_t> showing(const Chart& chart, const Settings& settings) {
+  for (std::size_t i = 0; i < chart.points.size(); ++i)
+    if (chart.points[i].measured() && chart.points[i].what.value == settings) return i;
+  return {};
+}
+
+void load_point(Session& session, const ChartPoint& point, Side side) {
+  session.set_settings(side, point.what.value, fmt::format("{}: {} (chart)", letter_of(side), point.what.label));
+}
+
+void plot(Session& session, ChartTabState& state, const Area& area) {
+  ImGui::SetCursorScreenPos(area.min);
+  const bool clicked = ImGui::InvisibleButton("plot", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
+                                              ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  controls().record("plot", fmt::format("{:.0f}x{:.0f}", area.width(), area.height()));
+  const bool over = ImGui::IsItemHovered();
+  const bool any = std::any_of(state.chart.points.begin(), state.chart.points.end(),
+                               [](const ChartPoint& p) { return p.measured(); });
+  if (!any) return invitation(state, area);
+  auto& list = *ImGui::GetWindowDrawList();
+  const float legend = area.height() >= px(least_height_for_legend) ? chart_legend_height() : 0;
+  const Area chart_area{area.min, {area.max.x, area.max.y - legend}};
+  const ChartMarks marks{showing(state.chart, session.settings(Side::a)),
+                         showing(state.chart, session.settings(Side::b)), state.hovered};
+  const ImVec2 nowhere{-1e6f, -1e6f};
+  state.hovered =
+      draw_chart(list, chart_area, state.chart, state.labels, marks, over ? ImGui::GetIO().MousePos : nowhere);
+  if (legend > 0) draw_chart_legend(list, {{area.min.x, chart_area.max.y}, area.max}, state.chart);
+  if (!state.hovered) return;
+  const ChartPoint& point = state.chart.points[*state.hovered];
+  // Settings belong to their scene: those of one made for another may not fit.
+  const bool fits = state.chart.identity.scene == session.document().scene_name;
+  const bool right = ImGui::IsMouseReleased(ImGuiMouseButton_Right);
+  if (fits) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (fits && clicked) load_point(session, point, right || ImGui::GetIO().KeyShift ? Side::b : Side::a);
+  chart_hover(state, point, state.preview,
+              fits ? "Click: into A.  Shift or right click: into B." : "Another scene is open now.");
+}
+
+}  // namespace
+
+void update_chart(Session& session, ChartTabState& state) {
+  const auto found = state.study.found();
+  if (!found || found == state.found || !session.has_scene()) return;
+  state.found = found;
+  state.chart = found->chart;
+  show_found(state);
+}
+
+bool chart_tab(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled) {
+  const NameScope scope("chart");
+  if (!session.has_scene()) return false;
+  begin(state);
+  follow_document(session, state);
+  update_plan(state.plan, state.setup, session);
+  if (state.kept_for != state.plan.key) {
+    state.kept_for = state.plan.key;
+    state.kept = StudyFolder::holds_results(folder.of(state.plan.key));
+  }
+  const bool fill = toolbar(session, state, folder, host, filled);
+  keep_sweep(session, state);
+  progress_line(state);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  if (room.x < px(80) || room.y < px(60)) return fill;
+  plot(session, state, {{at.x, at.y + px(2)}, {at.x + room.x, at.y + room.y}});
+  return fill;
+}
+
+void sweep_option(ChartTabState& state, const Option& option, Side side) {
+  state.begun = true;
+  state.setup.side = side;
+  set_axes(state.setup, {{&option, standard_values(option)}});
+}
+
+void measure_chart(Session& session, ChartTabState& state, const StudyFolder& folder) {
+  begin(state);
+  update_plan(state.plan, state.setup, session);
+  if (!state.plan.error.empty()) return;
+  ChartRequest request = make_request(state.plan, state.setup, state.metric, session);
+  request.folder = folder.of(state.plan.key);
+  if (state.measured != state.plan.key) {
+    state.found = nullptr;
+    state.chart = {};
+  }
+  state.measured = state.plan.key;
+  state.kept_for.clear();
+  start_chart(state.study, std::move(request));
+}
+
+void export_chart(const ChartTabState& state, const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  if (extension == ".csv")
+    write_file_atomically(path, chart_csv(state.chart));
+  else if (extension == ".json")
+    write_file_atomically(path, chart_json(state.chart));
+  else if (extension == ".svg")
+    write_file_atomically(path, chart_svg(state.chart));
+  else
+    throw InputError(
+        fmt::format("{}: found the extension '{}', expected .csv, .json or .svg", path.string(), extension));
+}
+
+void publish_chart(const ChartTabState& state) {
+  Values& out = values();
+  int measured = 0;
+  for (const ChartPoint& point : state.chart.points) {
+    if (!point.measured()) continue;
+    ++measured;
+    const std::string name = fmt::format("chart/of/{}/", point.number);
+    out.publish(name + "settings", point.what.settings);
+    out.publish(name + "error", point.error);
+    out.publish(name + "time-ms", point.time_ms.median);
+    out.publish(name + "memory-mb", point.memory_mb);
+    out.publish(name + "work", static_cast<double>(point.work));
+    out.publish(name + "on-front", point.on_front);
+    out.publish(name + "runs", static_cast<int>(point.samples_ms.size()));
+  }
+  out.publish("chart/planned", static_cast<int>(state.plan.points.size()));
+  out.publish("chart/measured", measured);
+  out.publish("chart/running", state.study.running());
+  out.publish("chart/paused", state.study.state() == StudyState::paused);
+  out.publish("chart/runs-done", state.study.status().done);
+  out.publish("chart/truth", state.chart.identity.reference);
+  out.publish("chart/machinery", state.chart.identity.machinery);
+  out.publish("chart/hovered", state.hovered ? state.chart.points[*state.hovered].what.label : std::string());
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,32 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gui/panels/studies/background_study.h"
+#include "gui/platform/texture.h"
+#include "study/stability/pictures.h"
+
+namespace ps::gui {
+
+/// The film strip of one experiment.
+struct FilmStrip {
+  std::string key;  ///< of the experiment
+  Image<Rgb8> picture;
+};
+
+/// Film strips as they come, one experiment after the other.
+struct FilmStripState {
+  explicit FilmStripState(const std::function<void()>& wake) : study(wake) {}
+  std::string wanted;                      ///< key of the experiment whose strip is being made
+  std::shared_ptr<const FilmStrip> shown;  ///< what the texture was made from
+  Texture texture;
+  BackgroundStudy<FilmStrip> study;
+};
+
+/// The strip of the experiment, `width` wide at most. Answers the knob of the frame that was clicked. Draws nothing for
+/// an experiment without pictures.
+std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment);
+
+}  // namespace ps::gui

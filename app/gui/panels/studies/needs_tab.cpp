@@ -1,0 +1,180 @@
+#include "gui/panels/studies/needs_tab.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "gui/panels/pictures/picture_text.h"
+#include "gui/panels/studies/needs_view.h"
+#include "gui/shell/values.h"
+#include "gui/widgets/widgets.h"
+#include "options/scene_settings.h"
+
+namespace ps::gui {
+namespace {
+
+void measure(Session& session, NeedsTabState& state) {
+  NeedsRequest request;
+  request.scene = session.scene();
+  request.view = session.view();
+  request.base = session.settings(state.side);
+  request.tolerance = state.tolerance;
+  request.priority = WorkerPriority::background;
+  state.measured_side = state.side;
+  state.base = request.base;
+  state.scene_name = session.document().scene_name;
+  state.needs = nullptr;
+  state.study.start([request = std::move(request)](StudyControl& control, const NeedsStudy::Publish& publish) {
+    const auto hand_over = [&](const Needs& needs, const StudyStatus& status) {
+      publish(std::make_shared<const Needs>(needs), status);
+    };
+    StudyStatus last;
+    const Needs needs = find_needs(request, control, [&](const Needs& now, const StudyStatus& status) {
+      last = status;
+      hand_over(now, status);
+    });
+    hand_over(needs, last);
+  });
+}
+
+void run_buttons(Session& session, NeedsTabState& state) {
+  if (!state.study.running()) {
+    if (button("measure", state.needs ? "Find again" : "Find out", Emphasis::primary,
+               {.tooltip = "Renders the scene without each feature, then searches for the cheapest settings."}))
+      measure(session, state);
+    return;
+  }
+  const bool paused = state.study.state() == StudyState::paused;
+  if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(70)})) state.study.set_paused(!paused);
+  ImGui::SameLine(0, px(4));
+  if (button("cancel", "Cancel")) state.study.cancel();
+}
+
+/// Answers whether to fill the window, or no longer.
+bool toolbar(Session& session, NeedsTabState& state, bool filled) {
+  static constexpr std::array sides{Choice{"a", "A", "Starts from the options of picture A."},
+                                    Choice{"b", "B", "Starts from the options of picture B."}};
+  int side = static_cast<int>(index_of(state.side));
+  if (choice("side", sides, side, {.width = px(80)})) state.side = both_sides[static_cast<std::size_t>(side)];
+  ImGui::SameLine(0, px(12));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Tolerance");
+  tooltip("Maximum mean FLIP of any tile of about 16 x 16 pixels. 0.05 is hard to see, 0.3 is obvious.");
+  ImGui::SameLine(0, px(6));
+  number("tolerance", state.tolerance, {.minimum = 0, .maximum = 0.5},
+         {.tooltip = "Drag it, or turn the wheel over it.", .width = px(110)});
+  same_line_if_room(button_width("Find again"), px(12));
+  run_buttons(session, state);
+  same_line_if_room(button_width("Fill"), px(8));
+  return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
+}
+
+std::string state_line(const NeedsTabState& state) {
+  const StudyStatus status = state.study.status();
+  const bool timing = state.needs && !state.needs->trail.empty() && state.needs->shares.size() == features().size();
+  switch (state.study.state()) {
+  case StudyState::none:
+    return "";
+  case StudyState::running:
+    if (status.done == 0) return "Rendering the reference.";
+    return fmt::format("{} pictures tried{}", status.done, timing ? "; searching for cheaper settings" : "");
+  case StudyState::paused:
+    return fmt::format("Paused after {} pictures.", status.done);
+  case StudyState::cancelled:
+    return fmt::format("Cancelled after {} pictures; the results so far are shown.", status.done);
+  case StudyState::failed:
+    return "Failed: " + state.study.message();
+  case StudyState::done:
+    return fmt::format("{}, options of {}: {} pictures tried.", state.scene_name, letter_of(state.measured_side),
+                       status.done);
+  }
+  return "";
+}
+
+std::string steps_text(std::size_t count) { return fmt::format("{} step{}", count, count == 1 ? "" : "s"); }
+
+void invitation() {
+  ImGui::Spacing();
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextWrapped(
+      "What does this scene need? Each feature is switched off once, to see how much of the picture and of the time "
+      "depends on it. Then the cheapest settings are searched for whose worst tile differs by at most the tolerance.");
+  ImGui::PopStyleColor();
+}
+
+void advice(Session& session, NeedsTabState& state) {
+  const Needs& needs = *state.needs;
+  const NeedsAdvice words = needs_advice(needs, state.base);
+  {
+    const FontScope bold(Face::bold);
+    ImGui::TextWrapped("%s", words.verdict.c_str());
+  }
+  controls().record("verdict", words.verdict);
+  if (words.changes.empty()) return;
+  for (const auto& [name, text] :
+       {std::pair{"changes", words.changes}, std::pair{"saving", words.saving}, std::pair{"time", words.time}}) {
+    ImGui::TextWrapped("%s", text.c_str());
+    controls().record(name, text);
+  }
+  const bool other_scene = session.document().scene_name != state.scene_name;
+  const bool applied = session.settings(state.measured_side) == needs.advice;
+  const std::string label = fmt::format("Apply to {}", letter_of(state.measured_side));
+  if (button("apply", label, Emphasis::primary,
+             {.tooltip = "Applies these settings. Undo restores the old ones.",
+              .disabled = other_scene ? "Another scene is open."
+                          : applied   ? "The picture has these settings."
+                                      : ""}))
+    session.set_settings(state.measured_side, needs.advice,
+                         fmt::format("{}: what the scene needs", letter_of(state.measured_side)));
+}
+
+}  // namespace
+
+void update_needs(NeedsTabState& state) {
+  if (const auto found = state.study.found()) state.needs = found;
+}
+
+bool needs_tab(Session& session, NeedsTabState& state, bool filled) {
+  const NameScope scope("needs");
+  if (!session.has_scene()) return false;
+  const bool fill = toolbar(session, state, filled);
+  {
+    const FontScope small(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    value_text("status", state_line(state));
+    ImGui::PopStyleColor();
+  }
+  ImGui::BeginChild("result");
+  if (!state.needs) {
+    invitation();
+  } else {
+    if (state.study.state() == StudyState::done) advice(session, state);
+    needs_shares(*state.needs, state.study.state() == StudyState::done);
+    if (!state.needs->trail.empty() &&
+        section("trail", "The search", state.trail_open, steps_text(state.needs->trail.size())))
+      needs_trail(*state.needs);
+  }
+  ImGui::EndChild();
+  return fill;
+}
+
+void publish_needs(const NeedsTabState& state) {
+  Values& out = values();
+  out.publish("needs/running", state.study.running());
+  if (!state.needs) return;
+  const Needs& needs = *state.needs;
+  out.publish("needs/error", needs.error);
+  out.publish("needs/work", needs.work);
+  out.publish("needs/default-work", needs.default_work);
+  out.publish("needs/advice", fmt::format("{}", fmt::join(settings_difference(state.base, needs.advice), ";")));
+  for (const FeatureShare& share : needs.shares) {
+    const std::string name = fmt::format("needs/of/{}/", share.feature.name);
+    out.publish(name + "used", share.used);
+    out.publish(name + "error-without", share.error_without);
+    out.publish(name + "work-share", share.work_share);
+  }
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,36 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "gui/panels/studies/background_study.h"
+#include "gui/session/session.h"
+#include "study/needs.h"
+
+namespace ps::gui {
+
+using NeedsStudy = BackgroundStudy<Needs>;
+
+/// What the advice remembers of itself.
+struct NeedsTabState {
+  explicit NeedsTabState(const std::function<void()>& wake) : study(wake) {}
+
+  Side side = Side::a;
+  double tolerance = NeedsRequest{}.tolerance;
+  bool trail_open = true;
+  Side measured_side = Side::a;        ///< whose settings the advice is about
+  Settings base;                       ///< those settings
+  std::string scene_name;              ///< the scene they were measured with
+  std::shared_ptr<const Needs> needs;  ///< as far as it is known
+
+  NeedsStudy study;
+};
+
+/// Each feature's share of picture and cost, and the cheapest settings within a tolerance. `filled`: it has the whole
+/// window; answers whether that shall change.
+bool needs_tab(Session& session, NeedsTabState& state, bool filled);
+/// Takes up what has been found; once per frame.
+void update_needs(NeedsTabState& state);
+/// What scripts may ask for.
+void publish_needs(const NeedsTabState& state);
+
+}  // namespace ps::gui

@@ -1,0 +1,209 @@
+#include "gui/panels/studies/needs_view.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "gui/panels/pictures/picture_text.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+#include "options/scene_settings.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double number_width = 62, least_bar = 30;  // pixels at scale 1
+constexpr double least_shown = 0.03;                 // share of a time; less is noise whatever the quartiles say
+
+/// A number with a bar of that share of the cell, and a line at `limit` if there is one.
+void bar_cell(std::string_view name, double share, const std::string& text, std::optional<double> limit = {}) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  const float digits = px(number_width), bar = std::max(room - digits - px(8), px(least_bar));
+  ImGui::Dummy({room, height});
+  controls().record(name, text);
+  auto& list = *ImGui::GetWindowDrawList();
+  {
+    const FontScope mono(Face::mono);
+    draw_text(at, {at.x + digits, at.y + height}, text, palette().text, 1);
+  }
+  const ImVec2 from{at.x + digits + px(8), at.y + px(3)}, to{from.x + bar, at.y + height - px(3)};
+  list.AddRectFilled(from, to, colour_u32(palette().line, 0.6));
+  const auto part = static_cast<float>(std::clamp(share, 0.0, 1.0));
+  list.AddRectFilled(from, {from.x + bar * part, to.y}, colour_u32(palette().text_quiet));
+  if (!limit) return;
+  const float x = from.x + bar * static_cast<float>(std::clamp(*limit, 0.0, 1.0));
+  list.AddLine({x, from.y - px(3)}, {x, to.y + px(3)}, colour_u32(palette().text), px(2));
+}
+
+void column_heading(const char* text, const char* help) {
+  ImGui::TableNextColumn();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  const FontScope bold(Face::bold);
+  draw_text(at, {at.x + room, at.y + height}, text, palette().text_quiet, 0);
+  ImGui::Dummy({room, height});
+  const FontScope body(Face::body);
+  tooltip(help);
+}
+
+void name_cell(std::string_view text) {
+  ImGui::TableNextColumn();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  draw_text(at, {at.x + room, at.y + height}, text, palette().text, 0);
+  ImGui::Dummy({room, height});
+  if (text_width(text) > room) tooltip(text);
+}
+
+std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
+
+std::string changes_text(const Settings& from, const Settings& to) {
+  return fmt::format("{}", fmt::join(settings_difference(from, to), ", "));
+}
+
+/// A fraction of the time, or "within noise".
+void time_cell(const FeatureShare& share) {
+  if (needs_time_shown(share)) return bar_cell("time", share.cost_share, percent(share.cost_share));
+  const std::string text = "within noise";
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+  draw_text(at, {at.x + room, at.y + height}, text, palette().text_quiet, 0);
+  ImGui::Dummy({room, height});
+  controls().record("time", text);
+}
+
+void free_features(const Needs& needs) {
+  for (const FeatureShare& share : needs.shares) {
+    if (share.used) continue;
+    const std::string text = needs_free_sentence(share);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    controls().record(fmt::format("free/{}", share.feature.name), share.reason);
+  }
+}
+
+/// What became of the time, which need not follow the work.
+std::string time_sentence(const Needs& needs) {
+  const bool less_work = needs.work < needs.default_work;
+  const double saved = needs.default_time_ms > 0 ? 1 - needs.time_ms / needs.default_time_ms : 0;
+  const std::string times =
+      fmt::format("{} ms instead of {} ms", short_number(needs.time_ms), short_number(needs.default_time_ms));
+  if (!needs.time_differs || std::abs(saved) < least_shown)
+    return fmt::format("{}the time is the same within noise: {}.", less_work ? "Less work, but here " : "Here ", times);
+  if (saved > 0) return fmt::format("Here the time is less, too: {}.", times);
+  return fmt::format("{}: {}.",
+                     less_work ? "Less work, but not less time here: tests and fragments do not all take equally long"
+                               : "It takes more time here",
+                     times);
+}
+
+}  // namespace
+
+bool needs_time_shown(const FeatureShare& share) {
+  return share.cost_differs && std::abs(share.cost_share) >= least_shown;
+}
+
+NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
+  NeedsAdvice words;
+  words.changes = changes_text(base, needs.advice);
+  if (words.changes.empty()) {
+    words.verdict = "The scene needs all its settings: none can be made cheaper within the tolerance.";
+    return words;
+  }
+  const double work = needs.default_work > 0
+                          ? 100.0 * (1 - static_cast<double>(needs.work) / static_cast<double>(needs.default_work))
+                          : 0;
+  if (needs.within_tolerance)
+    words.verdict =
+        fmt::format("{:.0f} % of the counted work can be saved; the worst tile then differs by {} (allowed: {}).", work,
+                    short_number(needs.error), short_number(needs.tolerance));
+  else
+    words.verdict = fmt::format("The current settings are not enough: the worst tile differs by {} from the reference. "
+                                "The cheapest settings within {} differ by {}{}.",
+                                short_number(needs.default_error), short_number(needs.tolerance),
+                                short_number(needs.error), work > 0.5 ? ", with less work" : "");
+  words.saving = fmt::format("Work is counted and the same on every computer: {} instead of {} rays, tests, fragments "
+                             "and reads of textures and maps.",
+                             count_text(needs.work), count_text(needs.default_work));
+  words.time = time_sentence(needs);
+  if (!needs.machinery.empty()) words.time += fmt::format(" Timed {}.", needs.machinery);
+  return words;
+}
+
+void needs_shares(const Needs& needs, bool timed) {
+  double largest = needs.tolerance * 1.5;
+  bool any = false;
+  for (const FeatureShare& share : needs.shares) {
+    largest = std::max(largest, share.error_without);
+    any = any || share.used;
+  }
+  ImGui::Spacing();
+  if (any && ImGui::BeginTable("shares", timed ? 4 : 3, ImGuiTableFlags_SizingStretchProp)) {
+    ImGui::TableSetupColumn("feature", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+    for (const char* name : {"picture", "work", "time"})
+      if (timed || std::string_view(name) != "time")
+        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableNextRow();
+    column_heading("Without", "The feature that is switched off.");
+    column_heading("Picture changes by",
+                   "Mean FLIP of the worst tile against the reference. The line marks the tolerance.");
+    column_heading("Work saved", "Fraction of the rays, intersection tests, fragments and texel reads.");
+    if (timed)
+      column_heading(
+          "Time saved",
+          "Fraction of the time of one picture on this computer. Below 0: the picture takes longer without it. Within "
+          "noise: the interquartile ranges of the runs overlap, or the times differ by less than 3 %.");
+    for (const FeatureShare& share : needs.shares) {
+      if (!share.used) continue;
+      const NameScope scope(share.feature.name);
+      ImGui::TableNextRow();
+      name_cell(share.feature.label);
+      ImGui::TableNextColumn();
+      bar_cell("picture", share.error_without / largest, fmt::format("{:.3f}", share.error_without),
+               needs.tolerance / largest);
+      ImGui::TableNextColumn();
+      bar_cell("work", share.work_share, percent(share.work_share));
+      if (!timed) continue;
+      ImGui::TableNextColumn();
+      time_cell(share);
+    }
+    ImGui::EndTable();
+  }
+  free_features(needs);
+}
+
+void needs_trail(const Needs& needs) {
+  const float digits = px(number_width + 20);
+  if (!ImGui::BeginTable("trail", 4, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("taken", ImGuiTableColumnFlags_WidthFixed, px(52));
+  ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed,
+                          std::min(px(250), ImGui::GetContentRegionAvail().x * 0.4f));
+  ImGui::TableSetupColumn("error", ImGuiTableColumnFlags_WidthFixed, digits);
+  ImGui::TableSetupColumn("work", ImGuiTableColumnFlags_WidthFixed, digits);
+  ImGui::TableNextRow();
+  column_heading("", "");
+  column_heading("Tried", "Changes one setting at a time and takes the cheapest one within the tolerance.");
+  column_heading("Error", "Mean FLIP of the worst tile against the reference.");
+  column_heading("Work", "Rays, intersection tests, fragments and texel reads.");
+  for (std::size_t i = 0; i < needs.trail.size(); ++i) {
+    const NeedsStep& step = needs.trail[i];
+    ImGui::TableNextRow();
+    if (step.accepted) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, colour_u32(palette().selection));
+    ImGui::TableNextColumn();
+    if (step.accepted) ImGui::TextUnformatted("taken");
+    name_cell(step.change);
+    controls().record(fmt::format("trail/{}", i), step.change);
+    ImGui::TableNextColumn();
+    number_text(fmt::format("{:.3f}", step.error), 0, full_number(step.error));
+    ImGui::TableNextColumn();
+    number_text(count_text(step.work), 0, full_number(static_cast<double>(step.work)));
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace ps::gui

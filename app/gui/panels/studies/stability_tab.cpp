@@ -1,0 +1,405 @@
+#include "gui/panels/studies/stability_tab.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "base/check.h"
+#include "gui/shell/values.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double list_width = 290, narrow = 640, little_height = 330;  // pixels at scale 1
+constexpr float curves_share = 0.52f;                                  // of the height, above a film strip
+
+const StabilityExperiment& selected(const StabilityTabState& state) {
+  for (const StabilityExperiment& experiment : stability_experiments())
+    if (experiment.key == state.selected) return experiment;
+  return stability_experiments().front();
+}
+
+bool complete(const StabilityTabState& state, std::string_view key) {
+  const auto found = state.measured.find(key);
+  return found != state.measured.end() && found->second.complete;
+}
+
+/// Begins or goes on with experiments, whose results are kept in the folder.
+void begin(StabilityTabState& state, std::vector<std::string> keys, StabilityRequest::Kept kept) {
+  StabilityRequest request;
+  request.keys = state.asked = std::move(keys);
+  request.folder = state.folder;
+  request.kept = kept;
+  state.study.start([request](StudyControl& control, const StabilityStudy::Publish& publish) {
+    auto newest = std::make_shared<const StabilityFound>();
+    run_stability(request, control, [&](const MeasuredExperiment& experiment, const StudyStatus& status) {
+      auto next = std::make_shared<StabilityFound>(*newest);
+      next->measured.insert_or_assign(experiment.key, experiment);
+      next->now = experiment.complete ? "" : experiment.key;
+      newest = next;
+      publish(newest, status);
+    });
+  });
+}
+
+void look_into_folder(StabilityTabState& state) {
+  if (std::exchange(state.looked, true)) return;
+  StabilityRequest request;
+  request.folder = state.folder;
+  for (MeasuredExperiment& experiment : read_stability(request))
+    if (experiment.complete) state.measured.insert_or_assign(experiment.key, std::move(experiment));
+}
+
+void select(StabilityTabState& state, const StabilityExperiment& experiment) {
+  state.selected = experiment.key;
+  state.series.clear();
+  if (!complete(state, experiment.key) && !state.study.running())
+    begin(state, {std::string(experiment.key)}, StabilityRequest::Kept::take);
+}
+
+/// "6.1 / 0": the worst of the naive method in the series shown first, with the robust one at the same place.
+std::string worst_text(const std::vector<StabilityRow>& rows) {
+  const std::string series = default_series(rows);
+  const StabilityRow* worst = nullptr;
+  for (const StabilityRow& row : rows)
+    if (row.series == series && !std::isnan(row.naive) && (!worst || row.naive > worst->naive)) worst = &row;
+  return worst ? fmt::format("{} / {}", short_number(worst->naive), short_number(worst->robust)) : "";
+}
+
+/// One experiment of the list: its title, and what came out.
+void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  const bool clicked = hit_area(experiment.key, {width, height}, {});
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  auto& list = *ImGui::GetWindowDrawList();
+  const bool shown = &selected(state) == &experiment;
+  if (shown || ImGui::IsItemHovered())
+    list.AddRectFilled(min, max, colour_u32(shown ? palette().selection : palette().field_hover), px(3));
+  if (shown) list.AddRectFilled(min, {min.x + px(3), max.y}, colour_u32(palette().text));
+  const std::string note = state.study.running() && state.taken && state.taken->now == experiment.key ? "..."
+                           : complete(state, experiment.key)
+                               ? worst_text(state.measured.find(experiment.key)->second.rows)
+                               : "";
+  float note_width = 0;
+  {
+    const FontScope small(Face::small);
+    note_width = note.empty() ? 0 : text_width(note) + px(12);
+    draw_text({max.x - note_width, min.y}, {max.x - px(6), max.y}, note, palette().text_quiet, 1);
+  }
+  draw_text({min.x + px(8), min.y}, {max.x - note_width - px(4), max.y}, experiment.title, palette().text, 0);
+  controls().record(experiment.key, note);
+  if (clicked) select(state, experiment);
+}
+
+/// Whether an experiment is listed for what was typed: it must occur in its title, key or explanation, in any case.
+bool listed(const StabilityExperiment& experiment, const std::string& search) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  for (const std::string_view text : {experiment.title, experiment.key, experiment.explanation})
+    if (std::search(text.begin(), text.end(), search.begin(), search.end(), same) != text.end()) return true;
+  return search.empty();
+}
+
+/// Those that were asked for last and are not complete.
+std::vector<std::string> left_over(const StabilityTabState& state) {
+  std::vector<std::string> keys;
+  for (const std::string& key : state.asked)
+    if (!complete(state, key)) keys.push_back(key);
+  return keys;
+}
+
+void run_buttons(StabilityTabState& state) {
+  if (state.study.running()) {
+    const bool paused = state.study.state() == StudyState::paused;
+    if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(64)}))
+      state.study.set_paused(!paused);
+    ImGui::SameLine(0, px(3));
+    if (button("cancel", "Stop", Emphasis::plain,
+               {.tooltip = "Measured rows are kept; the study can be resumed.", .width = px(50)}))
+      state.study.cancel();
+    return;
+  }
+  const StabilityExperiment& experiment = selected(state);
+  const std::vector<std::string> left = left_over(state);
+  const bool done = complete(state, experiment.key);
+  const char* word = !left.empty() ? "Resume" : done ? "Again" : "Measure";
+  if (button("measure", word, Emphasis::primary, {.width = button_width("Measure")})) {
+    if (!left.empty())
+      begin(state, state.asked, StabilityRequest::Kept::take);
+    else
+      begin(state, {std::string(experiment.key)}, StabilityRequest::Kept::measure_again);
+  }
+  same_line_if_room(button_width("All"), px(4));
+  if (!button("all", "All", Emphasis::quiet, {.tooltip = "Measures every experiment that is not measured yet."}))
+    return;
+  std::vector<std::string> all;
+  for (const StabilityExperiment& each : stability_experiments()) all.emplace_back(each.key);
+  begin(state, std::move(all), StabilityRequest::Kept::take);
+}
+
+/// One line: what is going on, or how much is there.
+std::string state_line(const StabilityTabState& state) {
+  const StudyStatus status = state.study.status();
+  switch (state.study.state()) {
+  case StudyState::running:
+    return "Measuring: " + status_text(status, "experiments");
+  case StudyState::paused:
+    return "Paused after " + status_text(status, "experiments");
+  case StudyState::cancelled:
+    if (!left_over(state).empty())
+      return fmt::format("Stopped after {} of {} experiments; Resume goes on from there.", status.done, status.total);
+    break;
+  case StudyState::failed:
+    return "Failed: " + state.study.message();
+  case StudyState::done:
+  case StudyState::none:
+    break;
+  }
+  const auto there = std::count_if(state.measured.begin(), state.measured.end(),
+                                   [](const auto& entry) { return entry.second.complete; });
+  return fmt::format("{} of {} experiments measured", there, stability_experiments().size());
+}
+
+void progress_line(const StabilityTabState& state) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string text = state_line(state);
+  {
+    const FontScope small(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+  }
+  controls().record("status", text);
+  const StudyStatus status = state.study.status();
+  if (!state.study.running() || status.total == 0) return;
+  auto& list = *ImGui::GetWindowDrawList();
+  const float y = ImGui::GetItemRectMax().y, share = static_cast<float>(status.done) / static_cast<float>(status.total);
+  list.AddRectFilled({at.x, y}, {at.x + width, y + px(2)}, colour_u32(palette().line));
+  list.AddRectFilled({at.x, y}, {at.x + width * share, y + px(2)}, colour_u32(palette().text_quiet));
+}
+
+void experiment_choice(StabilityTabState& state) {
+  std::vector<Choice> choices;
+  int index = 0;
+  for (const StabilityExperiment& experiment : stability_experiments()) {
+    if (&experiment == &selected(state)) index = static_cast<int>(choices.size());
+    choices.push_back({experiment.key, experiment.title, ""});
+  }
+  if (choice("experiment", choices, index, {.width = px(240)}))
+    select(state, stability_experiments()[static_cast<std::size_t>(index)]);
+}
+
+std::vector<std::string> series_of(const std::vector<StabilityRow>& rows) {
+  std::vector<std::string> names;
+  for (const StabilityRow& row : rows)
+    if (std::find(names.begin(), names.end(), row.series) == names.end()) names.push_back(row.series);
+  return names;
+}
+
+/// The chosen series, or the default series of the rows that have arrived.
+std::string shown_series(const StabilityTabState& state, const std::vector<StabilityRow>& rows) {
+  const bool chosen =
+      std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.series == state.series; });
+  return chosen ? state.series : default_series(rows);
+}
+
+void series_choice(StabilityTabState& state, const std::vector<StabilityRow>& rows) {
+  const auto names = series_of(rows);
+  if (names.size() < 2) return;
+  const std::string shown = shown_series(state, rows);
+  std::vector<Choice> choices;
+  int index = 0;
+  float widest = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == shown) index = static_cast<int>(i);
+    choices.push_back({names[i], names[i], ""});
+    widest = std::max(widest, ImGui::CalcTextSize(names[i].c_str()).x);
+  }
+  const float room = ImGui::GetFrameHeight() + px(16);  // for the arrow and the frame
+  if (choice("series", choices, index, {.width = std::min(widest + room, ImGui::GetContentRegionAvail().x)}))
+    state.series = names[static_cast<std::size_t>(index)];
+}
+
+void explanation(const StabilityExperiment& experiment) {
+  {
+    const FontScope bold(Face::bold);
+    ImGui::TextWrapped("%s", std::string(experiment.title).c_str());
+  }
+  ImGui::TextWrapped("%s", std::string(experiment.explanation).c_str());
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextWrapped("Safe: %s", std::string(experiment.safe).c_str());
+  ImGui::TextWrapped("Set-up: %s", std::string(set_up_text(experiment.set_up)).c_str());
+  ImGui::PopStyleColor();
+  controls().record("explanation", std::string(experiment.explanation));
+  controls().record("set-up", std::string(set_up_text(experiment.set_up)));
+}
+
+void point_tooltip(const Curves& curves, const StabilityRow& row, bool has_picture) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(fmt::format("{}: {}", curves.knob, short_number(row.knob)).c_str());
+  for (const auto& [name, value] : {std::pair{"naive", row.naive}, std::pair{"robust", row.robust}})
+    if (!std::isnan(value))
+      ImGui::TextUnformatted(fmt::format("{}: {} {}", name, short_number(value), row.unit).c_str());
+  ImGui::TextUnformatted(curves.safe.holds(row.knob) ? "inside the safe window" : "outside the safe window");
+  if (has_picture) ImGui::TextUnformatted("Click: opens it in A (naive) and B (robust).");
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void curves_area(StabilityTabState& state, const StabilityExperiment& experiment, float height) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room{ImGui::GetContentRegionAvail().x, height};
+  if (room.x < px(80)) return;
+  const Area area{at, {at.x + room.x, at.y + room.y}};
+  const bool clicked = ImGui::InvisibleButton("plot", room);
+  controls().record("plot", fmt::format("{:.0f}x{:.0f}", room.x, room.y));
+  const bool over = ImGui::IsItemHovered();
+  auto& list = *ImGui::GetWindowDrawList();
+  const auto found = state.measured.find(experiment.key);
+  if (found == state.measured.end() || found->second.rows.empty()) {
+    list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
+    const bool now = state.taken && state.taken->now == experiment.key;
+    const char* text = !state.study.running() ? "Not measured yet: press Measure."
+                       : now                  ? "Measuring."
+                                              : "Not measured yet: others are being measured.";
+    draw_text(area.min, area.max, text, palette().text_quiet, 0.5f);
+    return;
+  }
+  Curves curves;
+  curves.knob = experiment.knob;
+  curves.naive = experiment.naive;
+  curves.robust = experiment.robust;
+  curves.safe = experiment.window;
+  const std::string series = shown_series(state, found->second.rows);
+  for (const StabilityRow& row : found->second.rows)
+    if (row.series == series) curves.rows.push_back(row);
+  if (curves.rows.empty()) return;
+  curves.unit = curves.rows.front().unit;
+  std::stable_sort(curves.rows.begin(), curves.rows.end(),
+                   [](const StabilityRow& a, const StabilityRow& b) { return a.knob < b.knob; });
+  const ImVec2 nowhere{-1e6f, -1e6f};
+  const CurvesDrawn drawn = draw_curves(list, area, curves, over ? ImGui::GetIO().MousePos : nowhere, {});
+  if (!drawn.cut.empty()) tooltip(drawn.cut);
+  if (!drawn.hovered) return;
+  const StabilityRow& row = curves.rows[*drawn.hovered];
+  point_tooltip(curves, row, experiment.picture != nullptr);
+  if (clicked && experiment.picture) begin_opening(state.opening, experiment, row.knob);
+}
+
+/// Where there is little height the curves come first and the words follow below, to be scrolled to.
+void shown_experiment(StabilityTabState& state) {
+  const StabilityExperiment& experiment = selected(state);
+  const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
+  if (!low) explanation(experiment);
+  if (const auto found = state.measured.find(experiment.key);
+      found != state.measured.end() && !found->second.rows.empty())
+    series_choice(state, found->second.rows);
+  const bool strip = experiment.picture && !experiment.frames.empty();
+  const float room = ImGui::GetContentRegionAvail().y;
+  curves_area(state, experiment, std::max(strip && !low ? room * curves_share : room, px(120)));
+  if (low) explanation(experiment);
+  if (const auto knob = film_strip_view(state.strip, experiment)) begin_opening(state.opening, experiment, *knob);
+}
+
+/// Buttons, the list, and the experiment that is chosen. Answers whether the window shall be filled.
+bool laboratory(StabilityTabState& state, bool filled) {
+  const bool wide = ImGui::GetContentRegionAvail().x >= px(narrow);
+  if (!wide) {
+    experiment_choice(state);
+    same_line_if_room(px(82), px(8));
+  }
+  run_buttons(state);
+  same_line_if_room(button_width("Fill"), px(8));
+  const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
+  progress_line(state);
+  if (wide) {
+    ImGui::BeginChild("list", {px(list_width), 0});
+    search_box("search", state.search, "Find an experiment");
+    {
+      const FontScope small(Face::small);
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      draw_text(at, {at.x + ImGui::GetContentRegionAvail().x - px(6), at.y + ImGui::GetTextLineHeight()},
+                "worst: naive / robust", palette().text_quiet, 1);
+      ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+    }
+    ImGui::BeginChild("rows");
+    for (const StabilityExperiment& experiment : stability_experiments())
+      if (listed(experiment, state.search)) list_row(state, experiment);
+    ImGui::EndChild();
+    ImGui::EndChild();
+    ImGui::SameLine(0, px(14));
+  }
+  ImGui::BeginChild("experiment");
+  shown_experiment(state);
+  ImGui::EndChild();
+  return fill;
+}
+
+}  // namespace
+
+void show_experiment(StabilityTabState& state, const std::string& key) {
+  look_into_folder(state);
+  select(state, find_stability_experiment(key));
+}
+
+bool stability_busy(const StabilityTabState& state) {
+  return state.study.state() == StudyState::running || state.opening.running() || state.strip.study.running();
+}
+
+void update_stability(Session& session, StabilityTabState& state, const std::filesystem::path& folder) {
+  if (const auto opening = state.opening.found(); opening && opening != state.opened) {
+    state.opened = opening;
+    try {
+      show_opening(session, *opening, folder);
+      // The pictures are what was asked for.
+      session.navigate([](Document& document) { document.layout.filled.clear(); });
+    } catch (const InputError& error) {
+      session.say(Message::Kind::error, error.what());
+    }
+  }
+  const auto found = state.study.found();
+  if (found && found != state.taken) {
+    state.taken = found;
+    for (const auto& [key, experiment] : found->measured) state.measured.insert_or_assign(key, experiment);
+  }
+}
+
+bool stability_tab(Session& session, StabilityTabState& state, bool filled) {
+  const NameScope scope("stability");
+  look_into_folder(state);
+  const std::string first(stability_experiments().front().key);
+  state.choice.follow(session,
+                      [&](const std::string& asked) { show_experiment(state, asked.empty() ? first : asked); });
+  const bool fill = laboratory(state, filled);
+  const std::string shown(selected(state).key);
+  state.choice.keep(session, shown == first ? "" : shown);
+  return fill;
+}
+
+void publish_stability(const StabilityTabState& state) {
+  Values& out = values();
+  out.publish("stability/running", state.study.running());
+  out.publish("stability/shown", selected(state).key);
+  out.publish("stability/paused", state.study.state() == StudyState::paused);
+  const auto there = std::count_if(state.measured.begin(), state.measured.end(),
+                                   [](const auto& entry) { return entry.second.complete; });
+  out.publish("stability/measured", static_cast<int>(there));
+  const auto found = state.measured.find(selected(state).key);
+  if (found == state.measured.end()) return;
+  const std::vector<StabilityRow>& rows = found->second.rows;
+  out.publish("stability/rows", static_cast<int>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string name = fmt::format("stability/row/{}/", i);
+    out.publish(name + "naive", rows[i].naive);
+    out.publish(name + "robust", rows[i].robust);
+  }
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,173 @@
+#include "gui/panels/studies/unsafe_line.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "gui/shell/values.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+#include "options/option.h"
+#include "study/stability/experiment.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr ImGuiWindowFlags below_picture = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground;
+constexpr double least_shown = 0.005;  // percent of the pixels; less than one pixel of a common picture
+
+std::array<std::uint64_t, 3> revisions_of(const Scene& scene) {
+  return {scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
+}
+
+void ask(Session& session, UnsafeSide& state, const Settings& settings) {
+  state.asked = true;
+  state.settings = settings;
+  state.revisions = revisions_of(session.scene());
+  state.view = session.view();
+  state.measured = false;
+  state.study.cancel();
+  Progress progress;
+  UnsafeOptions options;
+  options.only_known = true;
+  state.known = unsafe_settings(session.scene(), state.view, settings, progress, options);
+  state.measured = state.known.empty();  // else what an earlier study found would be taken for this one's
+  if (state.measured) return;
+  state.study.start([scene = session.scene(), view = state.view, settings](StudyControl& control,
+                                                                           const UnsafeStudy::Publish& publish) {
+    UnsafeOptions measure;
+    measure.priority = WorkerPriority::background;
+    publish(std::make_shared<const std::vector<UnsafeSetting>>(
+                unsafe_settings(scene, view, settings, control.progress(), measure)),
+            {1, 1, 0});
+  });
+}
+
+/// The worst finding to report; nullptr if there is none.
+const UnsafeSetting* worst(const UnsafeSide& state) {
+  if (!state.measured) return nullptr;
+  const auto found = std::max_element(state.known.begin(), state.known.end(),
+                                      [](const auto& a, const auto& b) { return a.bad_percent < b.bad_percent; });
+  return found == state.known.end() || found->bad_percent < least_shown ? nullptr : &*found;
+}
+
+std::string percent(double value) { return fmt::format("{:.2g} %", value); }
+
+std::string line_text(const UnsafeSetting& unsafe) {
+  const Option* option = find_option(unsafe.option);
+  return fmt::format("{} of the pixels are wrong: {} = {}", percent(unsafe.bad_percent),
+                     option ? option->label : unsafe.option, unsafe.value);
+}
+
+/// The same where there is little room.
+std::string short_text(const UnsafeSetting& unsafe, float room) {
+  const Option* option = find_option(unsafe.option);
+  const std::string text =
+      fmt::format("{} wrong: {}", percent(unsafe.bad_percent), option ? option->label : unsafe.option);
+  const std::string longer = fmt::format("{} = {}", text, unsafe.value);
+  return text_width(longer) <= room ? longer : text;
+}
+
+void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
+  session.edit(fmt::format("{}: {}", letter_of(side), unsafe.safe), [&](Document& document) {
+    std::string_view rest = unsafe.safe;
+    while (!rest.empty()) {
+      const auto end = std::min(rest.find_first_of("; "), rest.size());
+      if (end > 0) parse_assignment(std::string(rest.substr(0, end)), side_of(document, side).settings);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+  });
+}
+
+/// Answers the experiment that is asked for.
+std::optional<std::string> details(Session& session, const UnsafeSide& state, Side side) {
+  std::optional<std::string> wanted;
+  for (const UnsafeSetting& unsafe : state.known) {
+    const NameScope scope(unsafe.option);
+    ImGui::TextUnformatted(line_text(unsafe).c_str());
+    if (button("why", "Why?", Emphasis::plain, {.tooltip = "Opens the experiment that shows where this fails."}))
+      wanted = std::string(unsafe.experiment);
+    if (unsafe.safe.empty()) continue;
+    ImGui::SameLine(0, px(4));
+    if (button("safe", fmt::format("Set {}", unsafe.safe), Emphasis::primary)) make_safe(session, side, unsafe);
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextUnformatted("Measured on a small picture against a rendering in double.");
+  ImGui::PopStyleColor();
+  if (wanted) ImGui::CloseCurrentPopup();
+  return wanted;
+}
+
+}  // namespace
+
+void update_unsafe(Session& session, UnsafeState& state) {
+  if (!session.has_scene()) return;
+  for (const Side side : both_sides) {
+    UnsafeSide& one = state.sides[index_of(side)];
+    const Settings& settings = session.settings(side);
+    const auto render = session.renderer(side).status().state;
+    const bool busy = render == RenderState::coarse || render == RenderState::full;
+    const bool changed = !one.asked || !(settings == one.settings) || revisions_of(session.scene()) != one.revisions ||
+                         !(session.view() == one.view);
+    if (changed) one.known.clear();
+    if (changed && !busy) ask(session, one, settings);  // after the picture itself
+    if (!one.measured && one.study.state() == StudyState::done && one.study.found()) {
+      one.known = *one.study.found();
+      one.measured = true;
+    }
+  }
+}
+
+std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, const PicturesState& pictures) {
+  std::optional<std::string> wanted;
+  for (const Side side : both_sides) {
+    const UnsafeSide& one = state.sides[index_of(side)];
+    const UnsafeSetting* unsafe = worst(one);
+    const auto& area = pictures.notes[index_of(side)];
+    if (!unsafe || !area || area->width() < px(120)) continue;
+    const NameScope scope(side == Side::a ? "unsafe/a" : "unsafe/b");
+    const float around = px(26), room = area->width() - around;
+    std::string text = line_text(*unsafe);
+    if (text_width(text) > room) text = short_text(*unsafe, room);
+    const float width = std::min(area->width(), text_width(text) + around), height = area->height();
+    // A window of its own: the rows around the pictures belong to another part of the program.
+    ImGui::SetNextWindowPos(area->min);
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin(side == Side::a ? "unsafe-a" : "unsafe-b", nullptr, below_picture);
+    ImGui::PopStyleVar(3);
+    if (hit_area("line", {width, height}, {})) ImGui::OpenPopup("details");
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    auto& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(min, max, colour_u32(ImGui::IsItemHovered() ? palette().field_hover : palette().panel, 0.94));
+    list.AddRectFilled(min, {min.x + px(5), max.y}, colour_u32(palette().attention));
+    {
+      const FontScope font(text_width(text) > room ? Face::small : Face::body);
+      draw_text({min.x + px(12), min.y}, {max.x - px(6), max.y}, text, palette().text, 0);
+    }
+    controls().record("line", text);
+    tooltip(line_text(*unsafe) + "\nClick for details.");
+    if (ImGui::BeginPopup("details")) {
+      if (auto asked = details(session, one, side)) wanted = std::move(asked);
+      ImGui::EndPopup();
+    }
+    ImGui::End();
+  }
+  return wanted;
+}
+
+void publish_unsafe(const UnsafeState& state) {
+  for (const Side side : both_sides) {
+    const UnsafeSetting* unsafe = worst(state.sides[index_of(side)]);
+    const std::string name = side == Side::a ? "unsafe/a/" : "unsafe/b/";
+    values().publish(name + "option", unsafe ? unsafe->option : std::string_view());
+    values().publish(name + "percent", unsafe ? unsafe->bad_percent : 0.0);
+  }
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,24 @@
+#include "gui/work/space_worker.h"
+
+#include <memory>
+#include <utility>
+
+#include "gui/work/same_scene.h"
+
+namespace ps::gui {
+namespace {
+
+bool same_request(const SpaceRequest& a, const SpaceRequest& b) {
+  return same_scene(a.scene, b.scene) && a.view == b.view && a.near == b.near;
+}
+
+}  // namespace
+
+SpaceWorker::SpaceWorker(std::function<void()> wake)
+    : LatestResult(
+          [prepared = std::make_shared<Prepared>()](const SpaceRequest& request, Progress& progress) {
+            return draw_space_picture(request.scene, request.view, request.near, *prepared, progress);
+          },
+          same_request, std::move(wake)) {}
+
+}  // namespace ps::gui

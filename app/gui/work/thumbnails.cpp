@@ -1,0 +1,102 @@
+#include "gui/work/thumbnails.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "frame/display_frame.h"
+#include "render/render.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr int line_between = 2;  // pixels
+
+/// The document's view, made so small that it fits.
+View small_view(const Document& document, int width, int height) {
+  View view = view_of(document);
+  const double shrink =
+      std::min({1.0, static_cast<double>(width) / view.width, static_cast<double>(height) / view.height});
+  view.width = std::max(1, static_cast<int>(view.width * shrink));
+  view.height = std::max(1, static_cast<int>(view.height * shrink));
+  return view;
+}
+
+Image<Rgb8> side_picture(const Document& document, Side side, const View& view, Prepared& prepared,
+                         Progress& progress) {
+  const SideState& state = side_of(document, side);
+  RenderRequest request;
+  request.channels = shown_channel(state.show).needs;
+  request.priority = WorkerPriority::background;
+  const Frame frame = render(document.scene, view, state.settings, request, prepared, progress);
+  return state.show == ShownChannel::colour ? display_frame(frame, state.settings)
+                                            : channel_picture(frame, state.show, state.settings).levels;
+}
+
+}  // namespace
+
+Image<Rgb8> thumbnail(const Document& document, int width, int height, Prepared& prepared, Progress& progress) {
+  const View view = small_view(document, width, height);
+  constexpr Rgb8 paper{128, 128, 128};
+  Image<Rgb8> picture(2 * view.width + line_between, view.height, paper);
+  for (const Side side : {Side::a, Side::b}) {
+    const int left = side == Side::a ? 0 : view.width + line_between;
+    try {
+      const auto one = side_picture(document, side, view, prepared, progress);
+      for (int y = 0; y < view.height; ++y)
+        std::copy(one.row(y).begin(), one.row(y).end(), picture.row(y).begin() + left);
+    } catch (const InputError&) {
+      // Settings that do not fit the scene: this half stays grey, as the picture itself did.
+    }
+  }
+  return picture;
+}
+
+Thumbnails::Thumbnails(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+const Texture* Thumbnails::find(std::uint64_t id, const Document& document, int width, int height) {
+  if (width != width_ || height != height_) {
+    made_.clear();
+    width_ = width;
+    height_ = height;
+  }
+  if (const auto found = made_.find(id); found != made_.end()) return &found->second;
+  wanted_.emplace_back(id, document);
+  return nullptr;
+}
+
+void Thumbnails::update(const std::set<std::uint64_t>& ids) {
+  const auto wanted = std::exchange(wanted_, {});
+  std::optional<Made> arrived;
+  {
+    const std::lock_guard lock(mutex_);
+    arrived = std::exchange(arrived_, std::nullopt);
+  }
+  if (arrived) made_[arrived->id].upload(arrived->picture);
+  std::erase_if(made_, [&](const auto& entry) { return ids.count(entry.first) == 0; });
+  {
+    const std::lock_guard lock(mutex_);
+    if (running_ || arrived_) return;
+    const auto next = std::find_if(wanted.begin(), wanted.end(),
+                                   [&](const auto& one) { return !arrived || one.first != arrived->id; });
+    if (next == wanted.end()) return;
+    running_ = true;
+    job_.start([this, id = next->first, document = next->second, width = width_, height = height_](Progress& progress) {
+      Made made{id, {}};
+      made.picture = thumbnail(document, width, height, *prepared_, progress);
+      {
+        const std::lock_guard made_lock(mutex_);
+        running_ = false;
+        arrived_ = std::move(made);
+      }
+      if (wake_) wake_();
+    });
+  }
+}
+
+bool Thumbnails::busy() const {
+  const std::lock_guard lock(mutex_);
+  return running_ || arrived_;
+}
+
+}  // namespace ps::gui

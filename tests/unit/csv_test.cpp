@@ -1,0 +1,48 @@
+// Fields of comma-separated values come back as they went in.
+#include "base/csv.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "study/stability/experiment.h"
+#include "support/environment.h"
+#include "support/read_csv.h"
+
+namespace ps {
+namespace {
+
+TEST(Csv, FieldsComeBackAsTheyWentIn) {
+  const unsigned seed = test::test_seed();
+  SCOPED_TRACE("PIXELSCOPE_TEST_SEED=" + std::to_string(seed));
+  std::mt19937 random(seed);
+  const std::string letters = "ab,\"\r\n ;'";
+  std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1), length(0, 8);
+  for (int trial = 0; trial < 500; ++trial) {
+    std::vector<std::string> fields(3);
+    for (std::string& field : fields)
+      for (std::size_t i = length(random); i > 0; --i) field += letters[letter(random)];
+    const std::string line =
+        csv_field(fields[0]) + "," + quoted_csv_field(fields[1]) + "," + csv_field(fields[2]) + "\r\n";
+    EXPECT_EQ(test::read_csv(line), (std::vector<std::vector<std::string>>{fields})) << line;
+  }
+}
+
+TEST(Csv, QuotesOnlyWhereTheyAreNeeded) {
+  EXPECT_EQ(csv_field("plain words; 1.5"), "plain words; 1.5");
+  EXPECT_EQ(csv_field(""), "");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("say \"so\""), "\"say \"\"so\"\"\"");
+  EXPECT_EQ(csv_field("a\rb"), "\"a\rb\"");
+  EXPECT_EQ(quoted_csv_field("plain"), "\"plain\"");
+}
+
+TEST(Csv, SeriesOfAnExperimentMayHaveQuotes) {
+  const std::vector<StabilityRow> rows{{1, "the \"easy\" one, alone", 2, 3, "px"}};
+  const auto table = test::read_csv(stability_csv(rows));
+  ASSERT_EQ(table.size(), 2u);
+  EXPECT_EQ(table[1], (std::vector<std::string>{"1", "the \"easy\" one, alone", "2", "3", "px"}));
+}
+
+}  // namespace
+}  // namespace ps
