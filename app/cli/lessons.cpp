@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "claim.h"
+#include "engine/claim.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "lesson.h"
+#include "engine/lesson.h"
 #include "record/value_text.h"
 
 namespace ps::cli {

@@ -9,7 +9,7 @@
 #include "document/permalink.h"
 #include "fuzz/read_or_refuse.h"
 #include "image/file.h"
-#include "lesson.h"
+#include "engine/lesson.h"
 #include "study/chart_log.h"
 
 namespace ps::fuzz {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "lesson.h"
+#include "engine/lesson.h"
 #include "support/run_cli.h"
 
 namespace ps {

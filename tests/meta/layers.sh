@@ -1,16 +1,27 @@
 #!/usr/bin/env bash
-# The layers of core/ (core/layers.txt, lowest first): folders of one line do not include each other, and none includes
-# a later line. core/layers.svg, the picture of all includes between folders, must be of these sources;
-# tests/meta/layers.sh --write draws it.
+# The layers of core/ and chapters/ (core/layers.txt, lowest first): folders of one line do not include each other, and
+# none includes a later line. The lessons' listings (chapters/*/listing.cpp) and their variants with a planted bug
+# (chapters/*/bugs/*.cpp) are kernels of the textbook renderer and count as its folder. core/layers.svg, the picture of
+# all includes between folders, must be of these sources; tests/meta/layers.sh --write draws it.
 set -euo pipefail
 shopt -s globstar nullglob
 export LC_ALL=C
 layers=core/layers.txt picture=core/layers.svg
 
+# A source outside the folders of layers would be checked by nobody.
+homeless=$(printf '%s\n' core/*.{h,cpp} chapters/**/*.{h,cpp} |
+  grep -vE '^chapters/(engine/[a-z0-9_]+\.(h|cpp)|[a-z0-9_]+/(listing|bugs/[a-z0-9_]+)\.cpp)$' || true)
+if [[ -n $homeless ]]; then
+  printf 'Sources outside the folders of layers:\n%s\n' "$homeless"
+  exit 1
+fi
+
 # Each include of another folder: PLACE FOLDER INCLUDED-FOLDER HEADER.
 includes() {
-  grep -nHP '^\s*#\s*include\s*"[a-z]+/' core/**/*.{h,cpp} |
-    sed -nE 's|^(core/([a-z]+)/[^:]*:[0-9]+):[^"]*"(([a-z]+)/[^"]*)".*|\1 \2 \4 \3|p' | awk '$2 != $3'
+  grep -nHP '^\s*#\s*include\s*"[a-z]+/' {core,chapters}/**/*.{h,cpp} |
+    sed -E 's#^chapters/[a-z0-9_]+/(listing|bugs/[a-z0-9_]+)\.cpp:#core/textbook/&#; s#^chapters/engine/#core/engine/&#' |
+    sed -nE 's#^core/([a-z]+)/(chapters/)?([^:]*:[0-9]+):[^"]*"(([a-z]+)/[^"]*)".*#\1 \2\3 \5 \4#p' |
+    awk '$1 != $3 { print ($2 ~ /^chapters\// ? $2 : "core/" $1 "/" $2), $1, $3, $4 }'
 }
 
 # base and math are one layer that may use itself: checks print vectors, and vectors are checked.
@@ -53,7 +64,7 @@ draw() {
         if (at > first) { band_y[++bands] = first - 17; band_h[bands] = at - first + 4; at += 12 }
       }
       print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" height=\"" at "\" viewBox=\"0 0 800 " at "\">"
-      print "  <title>Which folder of core/ includes which: every arc leads down</title>"
+      print "  <title>Which folder of core/ and chapters/ includes which: every arc leads down</title>"
       print "  <rect width=\"800\" height=\"" at "\" fill=\"#ffffff\"/>"
       for (i = 1; i <= bands; ++i)
         printf "  <rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"#eef1f5\"/>\n",

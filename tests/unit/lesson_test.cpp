@@ -1,8 +1,8 @@
-#include "lesson.h"
+#include "engine/lesson.h"
 
 #include <gtest/gtest.h>
 
-#include "claim.h"
+#include "engine/claim.h"
 
 namespace ps {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 #include "inspect/vertex_chain.h"
-#include "lesson.h"
+#include "engine/lesson.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "gui/session/session.h"
-#include "lesson.h"
+#include "engine/lesson.h"
 
 namespace ps::gui {
 

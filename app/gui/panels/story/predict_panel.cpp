@@ -7,7 +7,7 @@
 
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/draw.h"
-#include "lesson.h"
+#include "engine/lesson.h"
 #include "render/story/names.h"
 
 namespace ps::gui {

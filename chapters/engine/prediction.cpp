@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "block.h"
-#include "lesson.h"
+#include "engine/block.h"
+#include "engine/lesson.h"
 
 namespace ps {
 

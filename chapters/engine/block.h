@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/check.h"
-#include "lesson.h"
+#include "engine/lesson.h"
 
 namespace ps {
 

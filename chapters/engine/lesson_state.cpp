@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "block.h"
+#include "engine/block.h"
 #include "document/number_list.h"
 #include "document/permalink.h"
 #include "options/option.h"

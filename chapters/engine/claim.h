@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "base/progress.h"
-#include "lesson.h"
+#include "engine/lesson.h"
 
 namespace ps {
 

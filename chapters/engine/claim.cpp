@@ -1,11 +1,11 @@
-#include "claim.h"
+#include "engine/claim.h"
 
 #include <fmt/format.h>
 
 #include <array>
 
 #include "base/number_text.h"
-#include "block.h"
+#include "engine/block.h"
 #include "options/option.h"
 
 namespace ps {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "claim.h"
+#include "engine/claim.h"
 #include "frame/display_frame.h"
 #include "image/metrics.h"
 #include "options/option.h"

@@ -1,4 +1,4 @@
-#include "lesson.h"
+#include "engine/lesson.h"
 
 #include <fmt/format.h>
 #include <lessons_table.h>
