@@ -49,19 +49,29 @@ function(ps_include name scope)
   endif()
 endfunction()
 
-# ps_unity(TARGET...): compiles a dozen files of each target as one, in a third of the time. A file that Highway compiles
-# once per SIMD target stays alone, and so do listings and experiments: each tells its part in the same words.
+# ps_unity(TARGET...): compiles the files of a folder together, a dozen at a time, in a third of the time; the listings of
+# all lessons count as one folder. So names within a folder are unique, or lie in namespaces of their own. A file that
+# Highway compiles once per SIMD target stays alone; so does, by CMake's own rule, a file with flags of its own.
 function(ps_unity)
   foreach(target ${ARGN})
     if(TARGET ${target})
-      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-      target_compile_options(${target} PRIVATE -Wno-shadow)  # of another file's names
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
       get_target_property(sources ${target} SOURCES)
       foreach(source ${sources})
         file(STRINGS ${source} per_target REGEX "hwy/foreach_target.h" LIMIT_COUNT 1)
-        if(per_target OR source MATCHES "/listing\\.cpp$|/study/stability/")
-          set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+        if(per_target)
+          continue()
         endif()
+        cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE place)
+        get_filename_component(folder ${place} DIRECTORY)
+        string(REGEX REPLACE "^chapters/.*" "listings" folder ${folder})
+        string(MAKE_C_IDENTIFIER ${folder} folder)
+        if(NOT DEFINED members_${target}_${folder})
+          set(members_${target}_${folder} 0)
+        endif()
+        math(EXPR dozen "${members_${target}_${folder}} / 12")
+        math(EXPR members_${target}_${folder} "${members_${target}_${folder}} + 1")
+        set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder}_${dozen})
       endforeach()
     endif()
   endforeach()

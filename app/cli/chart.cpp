@@ -18,6 +18,7 @@
 #include "study/chart.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
+#include "study/counted_work.h"
 #include "study/missing_points.h"
 
 namespace ps::cli {
@@ -81,8 +82,8 @@ void print_table(const Chart& chart) {
       continue;
     }
     fmt::print("{:>11.4g} {:>11.4g} {:>11.4g} {:>12} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median,
-               point.time_ms.q1, point.time_ms.q3, point.work, point.error, point.memory_mb, point.on_front ? '*' : ' ',
-               point.what.label);
+               point.time_ms.q1, point.time_ms.q3, work_text(point.work), point.error, point.memory_mb,
+               point.on_front ? '*' : ' ', point.what.label);
   }
   fmt::print("{}", chart_provenance(chart));
   if (chart.reference_halves) {

@@ -83,8 +83,9 @@ std::string draw_microscope(const Document& document, const View& view, Vec2i pi
                             Prepared& prepared) {
   if (runs_listing(document.a.settings.renderer))
     throw InputError(
-        "--svg microscope: found renderer=textbook, expected a renderer that samples pixels: ray-tracer or "
-        "rasterizer");
+        fmt::format("--svg microscope: found renderer={}, expected a renderer that samples pixels: {} or {}",
+                    renderer_kind(document.a.settings.renderer).key, renderer_kind(renderer_for(PictureWay::rays)).key,
+                    renderer_kind(renderer_for(PictureWay::fragments)).key));
   const Microscope microscope(document.scene, view, document.a.settings, pixel, prepared, interruptible_progress());
   Vec2d at = microscope.samples().front().position;
   if (!point.empty()) {
@@ -175,7 +176,7 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
       ->delimiter('\0');
   command
       ->add_option("--instance", arguments->instance,
-                   "with renderer=textbook: the loop iteration whose values are shown")
+                   "of a textbook listing: the loop iteration whose values are shown")
       ->type_name("N")
       ->check(whole_number_from(0, std::numeric_limits<int>::max()));
   command

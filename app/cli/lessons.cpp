@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "engine/claim.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "engine/claim.h"
 #include "engine/lesson.h"
 #include "record/value_text.h"
 

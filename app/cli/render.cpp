@@ -65,8 +65,11 @@ std::string stats_json(const Document& document, const View& view, const Frame& 
                               {"threads", made.threads},
                               {"simd", made.simd}};
   for (const Option& option : option_table()) json["settings"][std::string(option.key)] = option_text(option, settings);
-  for (std::size_t i = 0; i < counter_count; ++i)
-    json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = frame.counters.values[i];
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);
+    auto& value = json["counters"][std::string(counter_key(counter))];  // null: the renderer cannot give it
+    if (const auto count = frame.counters.get(counter)) value = *count;
+  }
   if (const auto efficiency = raster::sample_test_efficiency(frame.counters))
     json["sample_test_efficiency"] = *efficiency;
   json["machinery"] = {{"path", machinery_key(frame.path.machinery)},

@@ -8,6 +8,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_02_basic_ray_tracing {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -70,6 +71,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_02_basic_ray_tracing
 
 namespace textbook {
 extern const Listing cgfs_02_basic_ray_tracing;
@@ -84,7 +86,7 @@ const Listing cgfs_02_basic_ray_tracing{
                 const Settings& settings) { return !traits.spheres     ? 0
                                                    : settings.lighting ? 1
                                                                        : 5; },
-    .draw = draw,
+    .draw = ps::cgfs_02_basic_ray_tracing::draw,
 };
 }  // namespace textbook
 }  // namespace ps

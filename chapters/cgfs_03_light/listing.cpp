@@ -8,6 +8,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_03_light {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -109,6 +110,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_03_light
 
 namespace textbook {
 extern const Listing cgfs_03_light;
@@ -124,7 +126,7 @@ const Listing cgfs_03_light{
           if (!traits.spheres) return 0;
           return settings.lighting && settings.shadows == Shadows::none && !traits.reflective ? 5 : 2;
         },
-    .draw = draw,
+    .draw = ps::cgfs_03_light::draw,
 };
 }  // namespace textbook
 }  // namespace ps

@@ -8,6 +8,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_04_shadows_and_reflections {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -142,6 +143,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_04_shadows_and_reflections
 
 namespace textbook {
 extern const Listing cgfs_04_shadows_and_reflections;
@@ -153,7 +155,7 @@ const Listing cgfs_04_shadows_and_reflections{
     .reads = {"reflection-depth", "shadow-epsilon", "reflection-epsilon"},
     .draws = {.spheres = true, .light = true, .shadows = true, .reflections = true},
     .suits = [](const SceneTraits& traits, const Settings&) { return traits.spheres ? 3 : 0; },
-    .draw = draw,
+    .draw = ps::cgfs_04_shadows_and_reflections::draw,
 };
 }  // namespace textbook
 }  // namespace ps

@@ -9,6 +9,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_06_lines {
 namespace {
 
 // A line without gaps: along the axis on which it is longer, one pixel for each step.
@@ -51,6 +52,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_06_lines
 
 namespace textbook {
 extern const Listing cgfs_06_lines;
@@ -65,7 +67,7 @@ const Listing cgfs_06_lines{
                 const Settings&) { return !traits.canvas_items      ? 0
                                           : traits.canvas_triangles ? 1
                                                                     : 5; },
-    .draw = draw,
+    .draw = ps::cgfs_06_lines::draw,
 };
 }  // namespace textbook
 }  // namespace ps

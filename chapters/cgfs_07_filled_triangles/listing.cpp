@@ -9,6 +9,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_07_filled_triangles {
 namespace {
 
 // Paint covers what is there, light adds to it, a filter lets a share of it through (chapter 1).
@@ -97,6 +98,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_07_filled_triangles
 
 namespace textbook {
 extern const Listing cgfs_07_filled_triangles;
@@ -108,7 +110,7 @@ const Listing cgfs_07_filled_triangles{
     .reads = {},
     .draws = {.canvas_lines = true, .canvas_triangles = true},
     .suits = [](const SceneTraits& traits, const Settings&) { return traits.canvas_items ? 3 : 0; },
-    .draw = draw,
+    .draw = ps::cgfs_07_filled_triangles::draw,
 };
 }  // namespace textbook
 }  // namespace ps

@@ -9,6 +9,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_10_scenes {
 namespace {
 
 void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
@@ -70,6 +71,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_10_scenes
 
 namespace textbook {
 extern const Listing cgfs_10_scenes;
@@ -85,7 +87,7 @@ const Listing cgfs_10_scenes{
                 const Settings& settings) { return !traits.triangles                  ? 0
                                                    : settings.draw == Draw::wireframe ? 6
                                                                                       : 1; },
-    .draw = draw,
+    .draw = ps::cgfs_10_scenes::draw,
 };
 }  // namespace textbook
 }  // namespace ps

@@ -8,6 +8,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_12_hidden_surfaces {
 namespace {
 
 Mat4d model_to_camera(const BookScene& scene, const Transform& t) {
@@ -90,6 +91,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_12_hidden_surfaces
 
 namespace textbook {
 extern const Listing cgfs_12_hidden_surfaces;
@@ -104,7 +106,7 @@ const Listing cgfs_12_hidden_surfaces{
                 const Settings& settings) { return !traits.triangles   ? 0
                                                    : settings.lighting ? 2
                                                                        : 5; },
-    .draw = draw,
+    .draw = ps::cgfs_12_hidden_surfaces::draw,
 };
 }  // namespace textbook
 }  // namespace ps

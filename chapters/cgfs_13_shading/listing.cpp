@@ -8,6 +8,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_13_shading {
 namespace {
 
 // One triangle as the camera sees it.
@@ -174,6 +175,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_13_shading
 
 namespace textbook {
 extern const Listing cgfs_13_shading;
@@ -191,7 +193,7 @@ const Listing cgfs_13_shading{
           settings.interpolation = Interpolation::affine;
         },
     .suits = [](const SceneTraits& traits, const Settings&) { return traits.triangles ? 3 : 0; },
-    .draw = draw,
+    .draw = ps::cgfs_13_shading::draw,
 };
 }  // namespace textbook
 }  // namespace ps

@@ -9,6 +9,7 @@
 #include "textbook/book_scene.h"
 
 namespace ps {
+namespace cgfs_14_textures {
 namespace {
 
 // One triangle as the camera sees it.
@@ -177,6 +178,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
 }
 
 }  // namespace
+}  // namespace cgfs_14_textures
 
 namespace textbook {
 extern const Listing cgfs_14_textures;
@@ -197,7 +199,7 @@ const Listing cgfs_14_textures{
     .suits = [](const SceneTraits& traits, const Settings&) { return !traits.triangles ? 0
                                                                      : traits.textures ? 4
                                                                                        : 1; },
-    .draw = draw,
+    .draw = ps::cgfs_14_textures::draw,
 };
 }  // namespace textbook
 }  // namespace ps

@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "engine/claim.h"
 #include "frame/display_frame.h"
 #include "image/metrics.h"
@@ -67,6 +69,12 @@ void reset_option(const std::string& key, Settings& settings) {
   option->set(settings, option->default_value());
 }
 
+double count_of(const Frame& frame, Counter counter) {
+  const auto count = frame.counters.get(counter);
+  if (!count) throw InputError(fmt::format("metric: the picture's renderer does not count {}", counter_key(counter)));
+  return static_cast<double>(*count);
+}
+
 }  // namespace
 
 double measure(const Claim& claim, const Document& document, Progress& progress) {
@@ -79,9 +87,9 @@ double measure(const Claim& claim, const Document& document, Progress& progress)
   case ClaimMetric::max_difference:
     return compare_channels(bench.levels(Side::a), bench.levels(Side::b)).max;
   case ClaimMetric::counter_a:
-    return static_cast<double>(bench.frame(Side::a).counters[claim.counter]);
+    return count_of(bench.frame(Side::a), claim.counter);
   case ClaimMetric::counter_b:
-    return static_cast<double>(bench.frame(Side::b).counters[claim.counter]);
+    return count_of(bench.frame(Side::b), claim.counter);
   case ClaimMetric::false_shadow_pixels:
     return false_shadow_pixels(bench, document);
   case ClaimMetric::red_a:

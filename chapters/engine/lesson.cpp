@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/atomic_file.h"
-#include "base/paths.h"
+#include "base/resources.h"
 #include "base/spelling.h"
 
 namespace ps {
@@ -31,7 +31,7 @@ Lesson load_lesson(const std::string& name) {
     throw InputError(fmt::format("unknown lesson '{}'{}", name,
                                  did_you_mean(name, known, "; 'pixelscope-cli lessons list' lists them")));
   }
-  const std::filesystem::path file = chapter_dir() / name / "lesson.md";
+  const std::filesystem::path file = lesson_file(name);
   return parse_lesson(read_whole_file(file, largest_lesson), name, file.string());
 }
 

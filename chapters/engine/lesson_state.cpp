@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/block.h"
 #include "document/number_list.h"
 #include "document/permalink.h"
+#include "engine/block.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"

@@ -53,4 +53,11 @@ constexpr std::array<CounterName, counter_count> names{{
 std::string_view counter_key(Counter counter) { return names[static_cast<std::size_t>(counter)].key; }
 std::string_view counter_label(Counter counter) { return names[static_cast<std::size_t>(counter)].label; }
 
+std::optional<std::uint64_t> counted_sum(const Counters& counters, std::initializer_list<Counter> summands) {
+  std::optional<std::uint64_t> sum;
+  for (const Counter summand : summands)
+    if (const auto count = counters.get(summand)) sum = sum.value_or(0) + *count;
+  return sum;
+}
+
 }  // namespace ps

@@ -1,7 +1,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
 #include <string_view>
+
+#include "base/check.h"
 
 namespace ps {
 
@@ -53,16 +57,53 @@ inline constexpr std::size_t counter_count = static_cast<std::size_t>(Counter::c
 std::string_view counter_key(Counter counter);
 std::string_view counter_label(Counter counter);
 
-/// One number for each Counter.
+class CounterSet {
+ public:
+  constexpr CounterSet() = default;
+  constexpr CounterSet(std::initializer_list<Counter> members) {
+    for (const Counter member : members) insert(member);
+  }
+  static constexpr CounterSet all() {
+    CounterSet set;
+    set.bits_ = ~std::uint64_t{0};
+    return set;
+  }
+  constexpr void insert(Counter counter) { bits_ |= bit(counter); }
+  constexpr bool contains(Counter counter) const { return (bits_ & bit(counter)) != 0; }
+  bool operator==(const CounterSet&) const = default;
+
+ private:
+  static_assert(counter_count <= 64);
+  static constexpr std::uint64_t bit(Counter counter) { return std::uint64_t{1} << static_cast<unsigned>(counter); }
+  std::uint64_t bits_ = 0;
+};
+
+/// One number for each Counter that a renderer gives. A counter that it cannot give is absent, which is not 0.
+/// Kernels add to any of them; the facade (render/render.h) then takes what the renderer's row declares.
 struct Counters {
   std::array<std::uint64_t, counter_count> values{};
+  CounterSet given = CounterSet::all();
+
+  /// The count, or nothing if the renderer cannot give it.
+  std::optional<std::uint64_t> get(Counter c) const {
+    if (!given.contains(c)) return {};
+    return values[static_cast<std::size_t>(c)];
+  }
+  /// For kernels, which write.
   std::uint64_t& operator[](Counter c) { return values[static_cast<std::size_t>(c)]; }
-  std::uint64_t operator[](Counter c) const { return values[static_cast<std::size_t>(c)]; }
+  /// For those who know that the renderer gives it.
+  std::uint64_t operator[](Counter c) const {
+    PS_ASSERT(given.contains(c), "a counter that the renderer gives");
+    return values[static_cast<std::size_t>(c)];
+  }
   Counters& operator+=(const Counters& other) {
     for (std::size_t i = 0; i < counter_count; ++i) values[i] += other.values[i];
     return *this;
   }
   bool operator==(const Counters&) const = default;
 };
+
+/// The sum of those of `summands` that are given; nothing if none is.
+std::optional<std::uint64_t> counted_sum(const Counters& counters, std::initializer_list<Counter> summands);
 
 }  // namespace ps

@@ -3,22 +3,22 @@
 #include <algorithm>
 
 #include "frame/region.h"
+#include "options/renderer_kind.h"
 #include "options/scene_settings.h"
 
 namespace ps {
 namespace {
 
-bool same_scene(const Scene& x, const Scene& y) {
-  return x.name == y.name && x.camera == y.camera && x.background == y.background && x.canvas_width == y.canvas_width &&
-         x.canvas_height == y.canvas_height && x.geometry.revision() == y.geometry.revision() &&
-         x.lights.revision() == y.lights.revision() && x.materials.revision() == y.materials.revision() &&
-         x.textures.revision() == y.textures.revision() && x.canvas_items.revision() == y.canvas_items.revision();
+/// The scene as its file gave it: what is drawn, and from where.
+bool same_file(const Scene& x, const Scene& y) {
+  return x.name == y.name && x.camera == y.camera && x.canvas_width == y.canvas_width &&
+         x.canvas_height == y.canvas_height && x.revision() == y.revision();
 }
 
 }  // namespace
 
 bool operator==(const Document& x, const Document& y) {
-  return x.scene_name == y.scene_name && same_scene(x.base, y.base) && x.edits == y.edits && x.view == y.view &&
+  return x.scene_name == y.scene_name && same_file(x.base, y.base) && x.edits == y.edits && x.view == y.view &&
          x.a == y.a && x.b == y.b && x.picture_b == y.picture_b && x.pixel == y.pixel && x.picked == y.picked &&
          x.event == y.event && x.story == y.story && x.pin == y.pin && x.compare == y.compare && x.split == y.split &&
          x.difference_gain == y.difference_gain && x.layout == y.layout && x.lesson == y.lesson && x.step == y.step;
@@ -32,8 +32,8 @@ Document open_document(const std::string& scene_name, Scene scene) {
                                  [](const SceneSetting& setting) { return setting.key == "renderer"; });
   const bool flat = scene.geometry->objects.empty() && !scene.canvas_items->empty();
   if (!named) {
-    document.a.settings.renderer = flat ? Renderer::rasterizer : Renderer::ray_tracer;
-    document.b.settings.renderer = Renderer::rasterizer;
+    document.a.settings.renderer = renderer_for(flat ? PictureWay::fragments : PictureWay::rays);
+    document.b.settings.renderer = renderer_for(PictureWay::fragments);
   }
   document.pixel = scene.telling_pixel;
   document.scene = scene;

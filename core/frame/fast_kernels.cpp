@@ -12,12 +12,7 @@ std::string_view no_simd_reason(const Settings& settings) {
 }
 
 SceneTraits prepared_traits(const Scene& scene, Prepared& prepared) {
-  const Key key = Key("scene traits")
-                      .add(scene.geometry.revision())
-                      .add(scene.lights.revision())
-                      .add(scene.materials.revision())
-                      .add(scene.canvas_items.revision());
-  return *prepared.get<SceneTraits>(key, [&] { return scene_traits(scene); });
+  return *prepared.get<SceneTraits>(Key("scene traits").add(scene.revision()), [&] { return scene_traits(scene); });
 }
 
 }  // namespace ps

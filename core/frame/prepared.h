@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/memory_size.h"
+#include "scene/scene.h"
 
 namespace ps {
 
@@ -28,6 +29,17 @@ class Key {
   }
   template <class Enum>
   requires std::is_enum_v<Enum> Key& add(Enum value) { return add(static_cast<std::uint64_t>(value)); }
+  /// Of a product that reads all of a scene; others add the revisions of the parts that they read.
+  Key& add(const SceneRevision& scene) {
+    return add(scene.geometry)
+        .add(scene.lights)
+        .add(scene.materials)
+        .add(scene.textures)
+        .add(scene.canvas_items)
+        .add(scene.background.x)
+        .add(scene.background.y)
+        .add(scene.background.z);
+  }
   const std::string& product() const { return product_; }
   bool operator==(const Key&) const = default;
 

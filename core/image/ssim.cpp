@@ -5,13 +5,13 @@
 namespace ps {
 namespace {
 
-constexpr int radius = 5;
+constexpr int window_radius = 5;
 
 Kernel gaussian_window() {
   constexpr double sigma = 1.5;
   Kernel kernel;
   double sum = 0;
-  for (int i = -radius; i <= radius; ++i) {
+  for (int i = -window_radius; i <= window_radius; ++i) {
     kernel.push_back(std::exp(-i * i / (2 * sigma * sigma)));
     sum += kernel.back();
   }
@@ -39,8 +39,8 @@ double ssim(const ScalarImage& a, const ScalarImage& b, double range) {
   const double c1 = 0.01 * range * (0.01 * range);
   const double c2 = 0.03 * range * (0.03 * range);
 
-  const bool inside = a.width() > 2 * radius && a.height() > 2 * radius;
-  const int margin = inside ? radius : 0;
+  const bool inside = a.width() > 2 * window_radius && a.height() > 2 * window_radius;
+  const int margin = inside ? window_radius : 0;
   double sum = 0;
   std::int64_t windows = 0;
   for (int y = margin; y < a.height() - margin; ++y) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "raster/canvas_line.h"
 #include "raster/lines/walk_line.h"
 #include "raster/polygon_rows.h"
@@ -25,7 +26,7 @@ std::optional<Vec2i> pixel_of_point(const Vec2d& point, const View& view, Sample
 /// Columns of each row where the picture of this triangle alone has a fragment.
 std::vector<std::optional<ColumnSpan>> filled_spans(const Scene& scene, CanvasTriangle triangle, const View& view,
                                                     Settings settings, Progress& progress) {
-  settings.renderer = Renderer::rasterizer;
+  settings.renderer = renderer_for(PictureWay::fragments);
   settings.draw = Draw::filled;
   triangle.outline.reset();
   Scene alone;

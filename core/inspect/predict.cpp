@@ -45,9 +45,27 @@ Question parse_question(std::string_view text) {
   throw InputError(fmt::format("found '{}', expected one of {}", text, fmt::join(question_keys, " ")));
 }
 
+namespace {
+
+/// Nothing if the renderer does not count every kind of ray.
+std::optional<std::uint64_t> counted_rays(const PixelStory& story) {
+  std::uint64_t rays = 0;
+  for (const Counter counter :
+       {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays}) {
+    const auto count = story.counters.get(counter);
+    if (!count) return {};
+    rays += *count;
+  }
+  return rays;
+}
+
+}  // namespace
+
 std::optional<std::string_view> not_askable(Question question, const PixelStory& story) {
   if (question == Question::rays && !sends_rays(story.renderer))
     return "Only the ray tracer sends rays; ask for the colour or the winner here.";
+  if (question == Question::rays && !counted_rays(story))
+    return "This renderer does not count its rays; ask for the colour or the winner here.";
   if ((question == Question::winner || question == Question::triangle) && runs_listing(story.renderer))
     return "A listing reports no winner; ask for the colour here.";
   return {};
@@ -70,8 +88,9 @@ std::vector<PixelId> askable_triangles(const Scene& scene) {
 int winner_of(const PixelStory& story) { return shown_triangle(story).object; }
 
 int rays_of(const PixelStory& story) {
-  return static_cast<int>(story.counters[Counter::eye_rays] + story.counters[Counter::shadow_rays] +
-                          story.counters[Counter::reflection_rays] + story.counters[Counter::refraction_rays]);
+  const auto rays = counted_rays(story);
+  PS_ASSERT(rays, "asked only where not_askable() has no objection");
+  return static_cast<int>(*rays);
 }
 
 Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frame/display_frame.h"
+#include "options/renderer_kind.h"
 
 namespace ps {
 namespace {
@@ -23,7 +24,7 @@ std::vector<Light> own_lights(const Camera& camera) {
 SpacePicture draw_space_picture(const Scene& scene, const View& view, double near, Prepared& prepared,
                                 Progress& progress) {
   Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  settings.renderer = renderer_for(PictureWay::fragments);
   settings.near = near / view.camera.projection_plane_d;
   settings.backface_culling = false;  // open models are seen from all sides
   Scene drawn = scene;
@@ -32,7 +33,7 @@ SpacePicture draw_space_picture(const Scene& scene, const View& view, double nea
   RenderRequest wanted;
   wanted.channels = Channel::depth | Channel::ids;
   if (scene_traits(drawn).csg) {  // has no triangles
-    settings.renderer = Renderer::ray_tracer;
+    settings.renderer = renderer_for(PictureWay::rays);
     settings.reflection_depth = 0;
     settings.shadows = Shadows::none;
   }

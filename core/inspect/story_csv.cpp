@@ -92,7 +92,7 @@ std::string story_csv(const PixelStory& story, const Scene& scene, const Provena
   rows.parent.clear();
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
-    rows.add(counter_key(counter), fmt::format("{}", story.counters[counter]));
+    if (const auto count = story.counters.get(counter)) rows.add(counter_key(counter), fmt::format("{}", *count));
   }
   rows.part = "provenance";
   for (const auto& [key, value] : provenance_facts(provenance)) rows.add(key, value);

@@ -88,7 +88,8 @@ std::string story_json(const PixelStory& story, const Scene& scene, const View& 
         {{"level", line.level}, {"term", line.term}, {"value", list(line.value)}, {"event", line.event}});
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
-    json["counters"][std::string(counter_key(counter))] = story.counters[counter];
+    Json& value = json["counters"][std::string(counter_key(counter))];  // null: the renderer cannot give it
+    if (const auto count = story.counters.get(counter)) value = *count;
   }
   json["triangles-elsewhere"] = story.triangles_elsewhere;
   if (story.listing) json["listing"] = listing_json(*story.listing);

@@ -53,8 +53,8 @@ std::string story_markdown(const PixelStory& story, const Scene& scene, const Vi
   text += "\n## Work for this pixel\n\n| what | count |\n|---|---:|\n";
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
-    if (story.counters[counter] > 0)
-      text += fmt::format("| {} | {} |\n", plain(counter_label(counter)), story.counters[counter]);
+    if (const auto count = story.counters.get(counter); count.value_or(0) > 0)
+      text += fmt::format("| {} | {} |\n", plain(counter_label(counter)), *count);
   }
   text += "\n## How this was made\n\n" + provenance_markdown(provenance);
   return text;

@@ -3,8 +3,7 @@
 namespace ps::rows {
 namespace {
 
-Reason needs_filling(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
+Reason needs_filling(const Settings& s, const SceneTraits&) {
   if (s.draw != Draw::filled) return "needs draw = filled";
   return {};
 }
@@ -22,20 +21,17 @@ Reason needs_edge_functions(const Settings& s, const SceneTraits& t) {
 }
 
 Reason needs_lines(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
   if (s.draw != Draw::wireframe && !t.canvas_items) return "needs draw = wireframe or a scene with lines";
   return {};
 }
 
 Reason needs_spheres(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
   const bool patches = t.patches && s.patches == Patches::projected_error;
   if (!t.spheres && !t.solids && !patches) return "the scene has no curved surfaces";
   return {};
 }
 
-Reason needs_patches(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
+Reason needs_patches(const Settings&, const SceneTraits& t) {
   if (!t.patches) return "the scene has no curved model such as the teapot";
   return {};
 }
@@ -47,8 +43,9 @@ std::vector<Option> drawing_rows() {
       choice<&Settings::draw>({.key = "draw",
                                .label = "Draw",
                                .help = {"The part of each triangle that is drawn.", "CGFS ch. 6 and 7", ""},
+                               .keywords = "wireframe, lines, points, polygon mode, fill mode",
                                .truth = exactly("draw=filled"),
-                               .inactive = needs_fragments},
+                               .acts_for = ActsFor::fragments},
                               {{"filled", "filled", "All pixels that it covers."},
                                {"wireframe", "wireframe", "Its three edges."},
                                {"points", "points", "Its three vertices."}}),
@@ -57,7 +54,9 @@ std::vector<Option> drawing_rows() {
            .label = "Line algorithm",
            .help = {"The algorithm that chooses the pixels of a line.", "CGFS ch. 6; LAB 3",
                     "Stepping along x alone leaves gaps in steep lines; along y alone, in flat lines."},
+           .keywords = "Bresenham, DDA, line drawing, gaps, staircase",
            .truth = exactly("line-algorithm=bresenham"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_lines},
           {{"general", "general", "Steps along the axis in which the line is longer."},
            {"y-of-x", "y = f(x) alone", "One pixel for each column: steep lines have gaps."},
@@ -72,7 +71,9 @@ std::vector<Option> drawing_rows() {
                     "CGPP 15.6",
                     "The ray test tries every triangle at every pixel; barycentric weights in float may round to the "
                     "wrong side of an edge."},
+           .keywords = "inside test, point in triangle, half-space, scan conversion, fill, rasterization",
            .truth = exactly("coverage=edge-function;edge-arithmetic=fixed"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_single_samples},
           {{"edge-function", "edge functions",
             "Three edge functions for each sample of the bounding box, updated incrementally in integers."},
@@ -93,7 +94,9 @@ std::vector<Option> drawing_rows() {
            .help = {"The arithmetic of the edge functions.", "CGPP 15.6.4.4",
                     "Float leaves cracks along shared edges. Stepped float drifts with every addition. 32-bit integers "
                     "overflow in triangles of more than about 128 pixels (at 8 sub-pixel bits)."},
+           .keywords = "overflow, fixed point, integer, cracks, precision, half-space",
            .truth = exactly("edge-arithmetic=fixed"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_edge_functions},
           {{"fixed", "64-bit integers", "Exact for every triangle that fits."},
            {"float", "float",
@@ -107,7 +110,9 @@ std::vector<Option> drawing_rows() {
                     "values round down.",
                     "the standard sample patterns of Direct3D",
                     "Smooths the edges of triangles, not highlights or textures inside them."},
+           .keywords = "AA, MSAA, antialias, antialiasing, anti-aliasing, jaggies, staircase, edges, coverage samples",
            .truth = pixel_average(),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_filling},
           1, 8, "samples"),
       integer<&Settings::subpixel_bits>(
@@ -116,7 +121,9 @@ std::vector<Option> drawing_rows() {
            .help = {"Vertices are rounded to 1 / 2^bits of a pixel before the edge functions are computed in exact "
                     "integers.",
                     "CGPP 15.6; Direct3D 11 uses 8", "With 0 bits, vertices jump to whole pixels and edges shift."},
+           .keywords = "snapping, fixed point, vertex precision, wobble, jitter",
            .truth = exactly("subpixel-bits=12"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_filling},
           0, 12, "bits"),
       choice<&Settings::fill_rule>(
@@ -124,7 +131,9 @@ std::vector<Option> drawing_rows() {
            .label = "Fill rule",
            .help = {"Which triangle owns a sample that lies exactly on an edge.", "CGPP 15.6.4.4",
                     "Inclusive draws shared edges twice; exclusive leaves cracks."},
+           .keywords = "top-left rule, shared edge, double hit, tie, cracks, overlap",
            .truth = exactly("fill-rule=top-left"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_filling},
           {{"top-left", "top-left", "The triangle for which it is a top or left edge: each pixel is drawn once."},
            {"inclusive", "inclusive", "Both triangles, as in the book's scanlines."},
@@ -134,7 +143,9 @@ std::vector<Option> drawing_rows() {
            .label = "Tessellation error",
            .help = {"Maximum distance, in pixels, between a curved surface and its triangles.", "LAB 7; CGFS ch. 10",
                     "Too small: many triangles. Too large: polygonal outlines."},
+           .keywords = "subdivision, level of detail, LOD, sphere triangles, silhouette, polygon count",
            .truth = exactly("tessellation=0.05"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_spheres},
           0.05, 50, OptionScale::logarithmic, "px"),
       choice<&Settings::patches>(
@@ -143,7 +154,9 @@ std::vector<Option> drawing_rows() {
            .help = {"How finely a model of Bezier patches (the teapot) is tessellated.",
                     "LAB 7; CGFS ch. 10; bound of Filip, Magedson and Markot 1986",
                     "As made: polygonal outlines from near by, thousands of triangles in a few pixels from far away."},
+           .keywords = "Bezier, Bézier, teapot, tessellation, level of detail, LOD, subdivision",
            .truth = exactly("patches=projected-error;tessellation=0.05"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_patches},
           {{"as-made", "as made", "The number of triangles in the scene file, from every viewpoint."},
            {"projected-error", "by projected error",

@@ -3,14 +3,12 @@
 namespace ps::rows {
 namespace {
 
-Reason needs_traced_spheres(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
+Reason needs_traced_spheres(const Settings&, const SceneTraits& t) {
   if (!t.spheres && !t.csg) return "the scene has no spheres";
   return {};
 }
 
-Reason needs_traced_triangles(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
+Reason needs_traced_triangles(const Settings&, const SceneTraits& t) {
   if (!t.triangles) return "the scene has no triangles";
   return {};
 }
@@ -30,6 +28,7 @@ std::vector<Option> intersection_rows() {
            .label = "Precision",
            .help = {"The arithmetic of the whole renderer.", "IEEE 754; PBR 4th ed. sec. 6.8",
                     "Float needs care near surfaces and far from the origin; double serves as the reference."},
+           .keywords = "float, double, single, rounding, overflow, numeric error, IEEE 754",
            .truth = exactly("precision=double")},
           {{"float", "float (32 bits)", "About 7 digits, as in fast renderers."},
            {"double", "double (64 bits)", "About 16 digits; slower."}}),
@@ -40,7 +39,9 @@ std::vector<Option> intersection_rows() {
                     "CGFS ch. 2; Haines et al., Ray Tracing Gems 7",
                     "In float the textbook form loses all digits for a sphere 4,100 radii away: 43 % of its rays hit "
                     "or miss wrongly."},
+           .keywords = "ray sphere, quadratic, discriminant, cancellation, intersection",
            .truth = exactly("sphere-test=robust"),
+           .acts_for = ActsFor::rays,
            .inactive = needs_traced_spheres},
           {{"robust", "robust", "Discriminant from the remainder vector, roots without cancellation."},
            {"quadratic", "textbook quadratic", "b^2 - 4ac, as in the book."}}),
@@ -50,7 +51,9 @@ std::vector<Option> intersection_rows() {
            .help =
                {"The intersection test of a ray and a triangle.", "CGPP 15.4.3; Woop et al., JCGT 2013",
                 "In float Moeller-Trumbore misses one in eight of the rays that are aimed exactly at a shared edge."},
+           .keywords = "ray triangle, Moeller-Trumbore, Möller-Trumbore, intersection, watertight, cracks, barycentric",
            .truth = exactly("triangle-test=watertight"),
+           .acts_for = ActsFor::rays,
            .inactive = needs_traced_triangles},
           {{"watertight", "watertight", "Sheared edge functions: neighbours agree on every edge."},
            {"moeller-trumbore", "Moeller-Trumbore", "Cramer's rule on the barycentric equations."},
@@ -62,7 +65,9 @@ std::vector<Option> intersection_rows() {
                                          .label = "Triangle epsilon",
                                          .help = {"Determinants up to this size count as parallel.", "CGPP 15.4.3",
                                                   "An absolute epsilon makes small triangles vanish."},
+                                         .keywords = "determinant, tolerance, threshold, parallel, small triangles",
                                          .truth = exactly("triangle-epsilon=0"),
+                                         .acts_for = ActsFor::rays,
                                          .inactive = needs_moeller_trumbore},
                                         0, 1, OptionScale::logarithmic),
   };

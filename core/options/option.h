@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "options/renderer_kind.h"
 #include "options/settings.h"
 #include "scene/scene.h"
 
@@ -56,6 +57,8 @@ struct Option {
   std::string_view group;
   OptionKind kind = OptionKind::boolean;
   OptionHelp help;
+  /// Other words that people search for, separated by commas: "z-buffer, depth test".
+  std::string_view keywords{};
   std::vector<Choice> choices;              ///< kind choice only, in the order of the enum
   double minimum = 0, maximum = 0;          ///< integer and real only, both inclusive
   OptionScale scale = OptionScale::linear;  ///< how a slider or a sweep should step
@@ -65,7 +68,12 @@ struct Option {
   std::string_view sweep_values{};  ///< of a sweep that names none, "1,4,16"; empty: spread over the range
   OptionNumber (*get)(const Settings&) = nullptr;
   void (*set)(Settings&, OptionNumber) = nullptr;  ///< takes only values that are valid for the row
-  /// Why the option cannot act with these settings and this scene ("needs a texture"), or nothing if it can.
+  /// For which renderers it acts. A listing says itself which options it reads (options/listing.h).
+  ActsFor acts_for = ActsFor::rays | ActsFor::fragments;
+  /// Said of it under other renderers; empty: the words that follow from `acts_for`.
+  std::string_view only_for{};
+  /// Why the option cannot act with these settings and this scene ("needs a texture"), or nothing if it can. Asked only
+  /// for renderers that `acts_for` names. May be nullptr: it always can.
   std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
 
   OptionNumber default_value() const { return get(Settings{}); }
@@ -87,7 +95,7 @@ void parse_option(const Option& option, std::string_view text, Settings& setting
 void parse_assignment(std::string_view assignment, Settings& settings);
 /// Only the options that differ from the defaults, as "key=value" in table order.
 std::vector<std::string> changed_options(const Settings& settings);
-/// Why the option cannot act now, or nothing.
+/// Why the option cannot act now, or nothing: the renderer does not use it, or its own reason.
 std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
                                                 const SceneTraits& traits);
 /// Why this choice of an option, which can act, would not act now, or nothing.

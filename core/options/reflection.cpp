@@ -4,15 +4,13 @@ namespace ps::rows {
 namespace {
 
 Reason needs_mirrors(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
   if (!t.reflective) return "no material of the scene reflects";
   if (s.draw != Draw::filled) return "needs draw = filled";
   return {};
 }
 
 /// Some material spawns secondary rays.
-Reason needs_bouncing_rays(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
+Reason needs_bouncing_rays(const Settings&, const SceneTraits& t) {
   if (!t.reflective && !t.transparent) return "no material of the scene reflects or is transparent";
   return {};
 }
@@ -26,7 +24,9 @@ std::vector<Option> reflection_rows() {
            .label = "Reflection depth",
            .help = {"Maximum number of bounces of a ray, refractions included.", "CGFS ch. 4 and 5",
                     "Too small: mirrors seen in mirrors show their local colour."},
+           .keywords = "recursion, recursion limit, bounces, mirror, ray depth",
            .truth = exactly("reflection-depth=64"),
+           .acts_for = ActsFor::rays,
            .inactive = needs_bouncing_rays},
           0, 64, "bounces"),
       real<&Settings::reflection_cutoff>(
@@ -36,7 +36,9 @@ std::vector<Option> reflection_rows() {
                     "surface shows its local colour.",
                     "Hall and Greenberg, IEEE CG&A 1983 (adaptive depth control)",
                     "Too large: weak reflections disappear. 0 follows every bounce up to the depth."},
+           .keywords = "adaptive depth, threshold, recursion, bounces, ray tree",
            .truth = exactly("reflection-cutoff=0"),
+           .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_bouncing_rays(s, t)) return reason;
              if (s.reflection_depth == 0) return "needs reflection-depth above 0";
@@ -49,9 +51,10 @@ std::vector<Option> reflection_rows() {
            .help = {"Distance from its origin at which a reflected ray starts to search.", "CGFS ch. 4",
                     "Too small: reflected acne; in float the book's 0.001 is too small for its own ground sphere of "
                     "radius 5000."},
+           .keywords = "acne, self-intersection, bias, mirror",
            .truth = exactly("self-hit=offset"),
+           .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
-             if (const auto reason = needs_rays(s, t)) return reason;
              if ((!t.reflective && !t.transparent) || s.reflection_depth == 0) return "needs reflected rays";
              if (s.self_hit == SelfHit::offset) return "needs self-hit = epsilon or normal-bump";
              return {};
@@ -62,9 +65,10 @@ std::vector<Option> reflection_rows() {
            .label = "Refraction",
            .help = {"Bends light where it enters or leaves a material (Snell's law).", "CGFS ch. 5",
                     "Off: light passes straight through, and glass looks like a thin film."},
+           .keywords = "glass, Snell, transparency, lens, bending",
            .truth = exactly("refraction=on"),
+           .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
-             if (const auto reason = needs_rays(s, t)) return reason;
              if (!t.transparent) return "no material of the scene is transparent";
              if (s.reflection_depth == 0) return "needs reflection-depth above 0";
              return {};
@@ -76,9 +80,10 @@ std::vector<Option> reflection_rows() {
                     "CGFS ch. 5; Fresnel's equations",
                     "Fixed shares ignore the viewing angle; Fresnel traces two rays at each boundary. Transparent "
                     "objects cast no shadows."},
+           .keywords = "Fresnel, glass, transmission, opacity",
            .truth = exactly("transparency=fresnel"),
+           .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
-             if (const auto reason = needs_rays(s, t)) return reason;
              if (!t.transparent) return "no material of the scene is transparent";
              if (s.reflection_depth == 0) return "needs reflection-depth above 0";
              if (!s.refraction) return "needs refraction = on";
@@ -93,7 +98,9 @@ std::vector<Option> reflection_rows() {
                                                "CGFS ch. 15",
                                                "A cube map is exact only at its centre: near objects and flat mirrors "
                                                "show the wrong place, and no object reflects itself."},
-                                      .truth = exactly("renderer=ray-tracer"),
+                                      .keywords = "reflection map, cube map, skybox, mirror, environment mapping",
+                                      .truth = exactly_by_rays(),
+                                      .acts_for = ActsFor::fragments,
                                       .inactive = needs_mirrors},
                                      {{"none", "none", "Mirrors show their local colour."},
                                       {"cube-map", "cube map for each object",
@@ -107,7 +114,9 @@ std::vector<Option> reflection_rows() {
            .help = {"Which objects the cube map of a mirror shows. Objects that a scene marks with dynamic = on can be "
                     "left out: the map is then made once, and stays right for all others while those move.",
                     "CGFS ch. 15", "What is left out is not reflected, however near it is."},
-           .truth = exactly("renderer=ray-tracer"),
+           .keywords = "dynamic, static, cube map, reflection map",
+           .truth = exactly_by_rays(),
+           .acts_for = ActsFor::fragments,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_mirrors(s, t)) return reason;
              if (s.environment != Environment::cube_map) return "needs environment = cube-map";
@@ -121,7 +130,9 @@ std::vector<Option> reflection_rows() {
            .label = "Environment map size",
            .help = {"Pixels along each side of a cube map's face.", "CGFS ch. 15",
                     "Too small: blurred reflections. Too large: memory and time for six pictures per map."},
+           .keywords = "cube map, resolution, reflection map",
            .truth = exactly("environment-size=1024"),
+           .acts_for = ActsFor::fragments,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_mirrors(s, t)) return reason;
              if (s.environment == Environment::none) return "needs environment = cube-map or room-map";

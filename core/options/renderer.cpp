@@ -1,25 +1,92 @@
+#include <vector>
+
+#include "base/check.h"
 #include "options/listing.h"
 #include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps {
+namespace {
 
-PictureWay picture_way(Renderer renderer) {
-  switch (renderer) {
-  case Renderer::ray_tracer:
-    return PictureWay::rays;
-  case Renderer::rasterizer:
-    return PictureWay::fragments;
-  case Renderer::textbook:
-    return PictureWay::listing;
-  }
-  return PictureWay::rays;
+/// A listing reads what it says; the choice of listing, the display and the machine act for all of them.
+std::optional<bool> listing_uses(const Option& option, const Settings& settings, const SceneTraits& traits) {
+  if (option.effect != OptionEffect::picture || acts_for(option.acts_for, PictureWay::listing)) return {};
+  return listing_reads(listing_of(settings, traits), option.key);
+}
+
+/// In the order of the enum Renderer, then those that were added.
+std::vector<RendererKind>& kinds() {
+  static std::vector<RendererKind> all{{.key = "ray-tracer",
+                                        .label = "ray tracer",
+                                        .help = "Finds for each pixel the surface that its ray meets first.",
+                                        .way = PictureWay::rays},
+                                       {.key = "rasterizer",
+                                        .label = "rasterizer",
+                                        .help = "Finds for each triangle the pixels that it covers.",
+                                        .way = PictureWay::fragments},
+                                       {.key = "textbook",
+                                        .label = "textbook listing",
+                                        .help = "Runs the short routine of a lesson, line by line as in its source.",
+                                        .way = PictureWay::listing,
+                                        .reads = listing_uses,
+                                        .unread = "the listing does not use it"}};
+  return all;
+}
+
+bool listed = false;  ///< by the option table, which does not change afterwards
+
+}  // namespace
+
+bool acts_for(ActsFor set, PictureWay way) {
+  return (static_cast<unsigned>(set) >> static_cast<unsigned>(way) & 1u) != 0;
+}
+
+std::span<const RendererKind> renderer_kinds() { return kinds(); }
+
+const RendererKind& renderer_kind(Renderer renderer) {
+  const auto number = static_cast<std::size_t>(renderer);
+  PS_ASSERT(number < kinds().size(), "the number of a renderer");
+  return kinds()[number];
+}
+
+Renderer add_renderer_kind(const RendererKind& kind) {
+  PS_ASSERT(!listed, "renderers are added before the option table is used");
+  kinds().push_back(kind);
+  return static_cast<Renderer>(kinds().size() - 1);
+}
+
+Renderer renderer_for(PictureWay way) {
+  std::size_t number = 0;
+  while (kinds().at(number).way != way) ++number;
+  return static_cast<Renderer>(number);
 }
 
 }  // namespace ps
 
 namespace ps::rows {
+
+Truth exactly_by_rays() { return exactly("renderer=ray-tracer"); }
+
 namespace {
+
+Option renderer_row() {
+  Option option = row<&Settings::renderer>(
+      {.key = "renderer",
+       .label = "Renderer",
+       .help = {"The algorithm that makes the picture: one ray for each pixel, or one loop over the pixels of each "
+                "triangle.",
+                "CGFS parts I and II",
+                "Rays meet exact spheres; the rasterizer draws spheres as triangles, so outlines may differ by a "
+                "pixel."},
+       .keywords = "ray tracing, ray casting, path, rasterization, rasterisation, software renderer, scanline renderer",
+       .truth = exactly_by_rays(),
+       .acts_for = ActsFor::picture},
+      OptionKind::choice);
+  listed = true;
+  for (const RendererKind& kind : renderer_kinds()) option.choices.push_back({kind.key, kind.label, kind.help});
+  option.maximum = static_cast<double>(option.choices.size()) - 1;
+  return option;
+}
 
 Option listing_row() {
   Option option = row<&Settings::listing>(
@@ -27,11 +94,9 @@ Option listing_row() {
        .label = "Listing",
        .help = {"The lesson's routine that the textbook renderer runs.", "CGFS, chapter by chapter",
                 "A listing draws only what its chapter covers: a chapter on lines leaves out spheres."},
-       .truth = exactly("renderer=ray-tracer"),
-       .inactive = [](const Settings& s, const SceneTraits&) -> Reason {
-         if (!runs_listing(s.renderer)) return "only textbook listings use it";
-         return {};
-       }},
+       .keywords = "code, source, routine, chapter, pseudocode",
+       .truth = exactly_by_rays(),
+       .acts_for = ActsFor::listings},
       OptionKind::choice);
   option.choices.push_back({"auto", "automatic", "Automatic: the most advanced listing that can draw this scene."});
   for (const NamedListing& listing : listings())
@@ -44,18 +109,7 @@ Option listing_row() {
 
 std::vector<Option> renderer_rows() {
   return {
-      choice<&Settings::renderer>(
-          {.key = "renderer",
-           .label = "Renderer",
-           .help = {"The algorithm that makes the picture: one ray for each pixel, or one loop over the pixels of each "
-                    "triangle.",
-                    "CGFS parts I and II",
-                    "Rays meet exact spheres; the rasterizer draws spheres as triangles, so outlines may differ by a "
-                    "pixel."},
-           .truth = exactly("renderer=ray-tracer")},
-          {{"ray-tracer", "ray tracer", "Finds for each pixel the surface that its ray meets first."},
-           {"rasterizer", "rasterizer", "Finds for each triangle the pixels that it covers."},
-           {"textbook", "textbook listing", "Runs the short routine of a lesson, line by line as in its source."}}),
+      renderer_row(),
       listing_row(),
       toggle<&Settings::demo_slips>(
           {.key = "demo-slips",
@@ -63,11 +117,9 @@ std::vector<Option> renderer_rows() {
            .help = {"Reproduces known bugs of the book's demo programs instead of fixing them.",
                     "the programs that accompany CGFS",
                     "With the bug, highlights are right only for a camera at the origin."},
+           .keywords = "bug, mistake, errata",
            .truth = exactly("demo-slips=off"),
-           .inactive = [](const Settings& s, const SceneTraits&) -> Reason {
-             if (!runs_listing(s.renderer)) return "only textbook listings use it";
-             return {};
-           }}),
+           .acts_for = ActsFor::readers}),
   };
 }
 

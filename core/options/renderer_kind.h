@@ -1,9 +1,14 @@
 #pragma once
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "options/settings.h"
 
 namespace ps {
+
+struct Option;
+struct SceneTraits;
 
 /// How a renderer goes about a picture. What lies above the renderers asks for this and never for one of them by name,
 /// so that another renderer needs no change there.
@@ -13,10 +18,44 @@ enum class PictureWay {
   listing     ///< as the listing of a lesson does, line by line
 };
 
-PictureWay picture_way(Renderer renderer);
+/// For which renderers an option acts, by their way of making pictures. Combined with |.
+enum class ActsFor : unsigned {
+  readers = 0,  ///< only for listings that read it
+  rays = 1u << 0,
+  fragments = 1u << 1,
+  listings = 1u << 2,                     ///< for every listing, whatever it reads
+  picture = rays | fragments | listings,  ///< whatever makes the picture
+};
+constexpr ActsFor operator|(ActsFor a, ActsFor b) {
+  return static_cast<ActsFor>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+bool acts_for(ActsFor set, PictureWay way);
 
+/// What the option table and everything above it know of a renderer. The rest is in its row (record/renderer_row.h).
+struct RendererKind {
+  std::string_view key;    ///< for files and the command line: "ray-tracer"
+  std::string_view label;  ///< for people: "ray tracer"
+  std::string_view help;   ///< one sentence
+  PictureWay way = PictureWay::rays;
+  /// Whether it uses an option, whatever the option's row says of its way; nothing: as the row says. May be nullptr.
+  std::optional<bool> (*reads)(const Option&, const Settings&, const SceneTraits&) = nullptr;
+  std::string_view unread{};  ///< said of options that it does not use: "the listing does not use it"
+};
+
+/// All renderers, in the order of their numbers.
+std::span<const RendererKind> renderer_kinds();
+const RendererKind& renderer_kind(Renderer renderer);
+
+/// Adds a renderer and returns its number. Only before the option table is first asked for, whose option `renderer`
+/// lists them all: add_renderer() in render/renderer_table.h is the way in for programs.
+Renderer add_renderer_kind(const RendererKind& kind);
+
+/// The first renderer that makes pictures this way.
+Renderer renderer_for(PictureWay way);
+
+inline PictureWay picture_way(Renderer renderer) { return renderer_kind(renderer).way; }
 /// Its name for people: "ray tracer".
-std::string_view renderer_label(Renderer renderer);
+inline std::string_view renderer_label(Renderer renderer) { return renderer_kind(renderer).label; }
 
 inline bool sends_rays(Renderer renderer) { return picture_way(renderer) == PictureWay::rays; }
 inline bool draws_fragments(Renderer renderer) { return picture_way(renderer) == PictureWay::fragments; }

@@ -2,7 +2,6 @@
 #include <initializer_list>
 
 #include "options/option.h"
-#include "options/renderer_kind.h"
 
 /// Helpers for writing rows of the option table. Each group has a file with one function that returns its rows;
 /// table.cpp puts them in order.
@@ -29,11 +28,17 @@ constexpr Truth as_set() { return {TruthKind::as_set, {}}; }
 constexpr Truth exactly(std::string_view settings) { return {TruthKind::exact, settings}; }
 constexpr Truth pixel_average(std::string_view settings = {}) { return {TruthKind::pixel_average, settings}; }
 
-/// What all kinds of rows share. `inactive` may be nullptr: the option can always act.
+/// Of what only rays show exactly.
+Truth exactly_by_rays();
+
+/// What all kinds of rows share; see the members of Option.
 struct Names {
   std::string_view key, label;
   OptionHelp help;
+  std::string_view keywords{};
   Truth truth;
+  ActsFor acts_for = ActsFor::rays | ActsFor::fragments;
+  std::string_view only_for{};
   std::optional<std::string_view> (*inactive)(const Settings&, const SceneTraits&) = nullptr;
   OptionEffect effect = OptionEffect::picture;
 };
@@ -44,7 +49,10 @@ Option row(const Names& names, OptionKind kind) {
   option.key = names.key;
   option.label = names.label;
   option.help = names.help;
+  option.keywords = names.keywords;
   option.truth = names.truth;
+  option.acts_for = names.acts_for;
+  option.only_for = names.only_for;
   option.inactive = names.inactive;
   option.effect = names.effect;
   option.kind = kind;
@@ -87,13 +95,9 @@ Option real(const Names& names, double minimum, double maximum, OptionScale scal
 
 using Reason = std::optional<std::string_view>;
 
-/// Reasons used by several groups.
-inline Reason needs_rays(const Settings& s, const SceneTraits&) {
-  if (!sends_rays(s.renderer)) return "only the ray tracer uses it";
-  return {};
-}
-inline Reason needs_fragments(const Settings& s, const SceneTraits&) {
-  if (!draws_fragments(s.renderer)) return "only the rasterizer uses it";
+/// Fragments alone can be left out of a triangle. A reason used by several groups.
+inline Reason needs_filled_fragments(const Settings& s) {
+  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
   return {};
 }
 

@@ -1,16 +1,11 @@
-#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
 namespace {
 
-Reason needs_eye_rays(const Settings& s, const SceneTraits&) {
-  if (!sends_rays(s.renderer)) return "ray tracer only; the rasterizer has multisampling";
-  return {};
-}
+constexpr std::string_view multisampling_instead = "ray tracer only; the rasterizer has multisampling";
 
-Reason needs_several_samples(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_eye_rays(s, t)) return reason;
+Reason needs_several_samples(const Settings& s, const SceneTraits&) {
   if (s.samples_per_pixel == 1) return "needs samples-per-pixel above 1";
   return {};
 }
@@ -21,8 +16,7 @@ Reason needs_adaptive(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
-Reason needs_one_sample(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_eye_rays(s, t)) return reason;
+Reason needs_one_sample(const Settings& s, const SceneTraits&) {
   if (s.samples_per_pixel > 1) return "needs samples-per-pixel = 1";
   if (s.sample_pattern != SamplePattern::grid)
     return "needs sample-pattern = grid: it skips pixels at regular distances";
@@ -39,8 +33,10 @@ std::vector<Option> sampling_rows() {
                 "CGFS ch. 5",
                 "n samples cost n times as much; the RMS error along edges falls about as n^-0.75 on regular patterns, "
                 "as n^-0.5 with random samples."},
+       .keywords = "AA, SSAA, antialias, antialiasing, anti-aliasing, supersampling, jaggies, staircase, spp, noise",
        .truth = pixel_average(),
-       .inactive = needs_eye_rays},
+       .acts_for = ActsFor::rays,
+       .only_for = multisampling_instead},
       1, 4096, "rays");
   samples.scale = OptionScale::logarithmic;
   samples.sweep_values = "1,4,16,64,256";  // the curve is clear by then, and 4096 take minutes
@@ -50,7 +46,10 @@ std::vector<Option> sampling_rows() {
        .help = {"Traces only every n-th pixel. If the traced neighbours hit the same object, the pixels between them "
                 "test that object alone. Every pixel is shaded.",
                 "CGFS ch. 5", "An object thinner than n pixels may fall between the traced rays and vanish."},
+       .keywords = "half resolution, undersampling, skip pixels, interlace, speed",
        .truth = pixel_average(),
+       .acts_for = ActsFor::rays,
+       .only_for = multisampling_instead,
        .inactive = needs_one_sample},
       1, 16, "pixels");
   return {
@@ -60,8 +59,11 @@ std::vector<Option> sampling_rows() {
            .label = "Sample pattern",
            .help = {"Positions of the samples inside a pixel.", "CGFS ch. 5; Cook 1986; Halton 1960; Roberts 2018",
                     "A grid turns fine detail into moire patterns; random samples turn it into noise."},
+           .keywords = "AA, antialias, antialiasing, moire, moiré, noise, jitter, stratified, low discrepancy, quasi "
+                       "Monte Carlo, supersampling",
            .truth = pixel_average(),
-           .inactive = needs_eye_rays},
+           .acts_for = ActsFor::rays,
+           .only_for = multisampling_instead},
           {{"grid", "grid", "The centres of equal cells."},
            {"jitter", "jittered grid", "One random position in each of n equal cells."},
            {"random", "random", "Independent random positions: clusters and gaps."},
@@ -74,7 +76,10 @@ std::vector<Option> sampling_rows() {
            .help = {"Traces one ray for each pixel, then all samples of those pixels whose neighbours hit another "
                     "object or differ in colour. The view 'samples' shows which.",
                     "CGFS ch. 5", "Misses detail that falls between the first rays."},
+           .keywords = "AA, antialias, antialiasing, supersampling, subdivision, Whitted",
            .truth = pixel_average(),
+           .acts_for = ActsFor::rays,
+           .only_for = multisampling_instead,
            .inactive = needs_several_samples}),
       real<&Settings::adaptive_threshold>(
           {.key = "adaptive-threshold",
@@ -82,7 +87,10 @@ std::vector<Option> sampling_rows() {
            .help = {"Neighbours on the same object are subdivided if a linear colour channel (1 = white, before "
                     "exposure) differs by more than this.",
                     "CGFS ch. 5", "Too large: shadows stay jagged. 0 subdivides every shaded pixel."},
+           .keywords = "AA, antialias, antialiasing, supersampling, contrast",
            .truth = pixel_average(),
+           .acts_for = ActsFor::rays,
+           .only_for = multisampling_instead,
            .inactive = needs_adaptive},
           0, 1, OptionScale::linear),
       subsampling,

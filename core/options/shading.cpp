@@ -1,20 +1,16 @@
-#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
 namespace {
 
 Reason needs_lighting(const Settings& s, const SceneTraits& t) {
-  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
+  if (const auto reason = needs_filled_fragments(s)) return reason;
   if (!t.casting_lights) return "the scene has no point or directional light";
   if (!s.lighting) return "needs lighting = on";
   return {};
 }
 
-Reason needs_lit_fragments(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
-  return needs_lighting(s, t);
-}
+Reason needs_lit_fragments(const Settings& s, const SceneTraits& t) { return needs_lighting(s, t); }
 
 Reason needs_vertex_normals(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_lighting(s, t)) return reason;
@@ -48,14 +44,13 @@ Reason needs_surfaces(const Settings&, const SceneTraits& t) {
 }
 
 Reason needs_several_lights(const Settings& s, const SceneTraits& t) {
-  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
+  if (const auto reason = needs_filled_fragments(s)) return reason;
   if (!t.several_lights) return "the scene has fewer than two lights";
   if (!s.lighting) return "needs lighting = on";
   return {};
 }
 
-Reason needs_attributes(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
+Reason needs_attributes(const Settings& s, const SceneTraits&) {
   if (s.draw != Draw::filled) return "needs draw = filled";
   return {};
 }
@@ -68,6 +63,7 @@ std::vector<Option> shading_rows() {
                                    .label = "Lighting",
                                    .help = {"Evaluates the lights. Off: every surface shows its local colour.",
                                             "CGFS ch. 2 against ch. 3", "Without lighting, shapes look flat."},
+                                   .keywords = "illumination, shade, unlit, flat colour",
                                    .truth = exactly("lighting=on"),
                                    .inactive = needs_surfaces}),
       integer<&Settings::light_shown>(
@@ -76,6 +72,7 @@ std::vector<Option> shading_rows() {
            .help = {"Shows the contribution of one light. 0 shows all lights, 1 shows light 0.",
                     "CGFS ch. 15; CGPP 15.7.2.3",
                     "The pictures of the single lights add up to the full one, unless a colour is clamped."},
+           .keywords = "solo, single light, isolate a light",
            .truth = exactly("light-shown=0"),
            .inactive = needs_several_lights},
           0, 16),
@@ -84,7 +81,9 @@ std::vector<Option> shading_rows() {
            .label = "Shading",
            .help = {"Where on a triangle the lighting equation is evaluated.", "CGFS ch. 13",
                     "Gouraud shading misses highlights between the vertices; flat shading shows the facets."},
+           .keywords = "Gouraud, Phong, flat, facets, per pixel, per vertex, smooth shading, interpolation",
            .truth = exactly("shading=phong"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_lit_fragments},
           {{"phong", "Phong", "At every pixel, with interpolated normals."},
            {"gouraud", "Gouraud", "At the vertices; the resulting light is interpolated."},
@@ -94,6 +93,7 @@ std::vector<Option> shading_rows() {
            .label = "Normals",
            .help = {"Which normals shading uses.", "CGFS ch. 13",
                     "Triangle normals show facets; vertex normals hide them but not the outline."},
+           .keywords = "smooth, facets, vertex normal, face normal, smooth shading",
            .truth = exactly("normals=vertex"),
            .inactive = needs_vertex_normals},
           {{"vertex", "of the vertices", "Stored in the model, interpolated between the vertices."},
@@ -102,6 +102,7 @@ std::vector<Option> shading_rows() {
                                       .label = "Renormalise",
                                       .help = {"Scales interpolated normals to length 1.", "CGFS ch. 13",
                                                "Off: shortened normals change highlights between the vertices."},
+                                      .keywords = "normalize, normalise, unit normal, interpolated normal",
                                       .truth = exactly("renormalise=on"),
                                       .inactive = needs_interpolated_normals}),
       choice<&Settings::normal_transform>(
@@ -110,6 +111,7 @@ std::vector<Option> shading_rows() {
            .help = {"The matrix that transforms normals into world space.", "LAB 7; OCT",
                     "The model matrix tilts normals if a scale is not uniform: at scale 2 by up to 37 degrees, an RMS "
                     "error of 44 levels of 255 on a ball."},
+           .keywords = "inverse transpose, normal matrix, non-uniform scale",
            .truth = exactly("normal-transform=inverse-transpose"),
            .inactive = needs_vertex_normals},
           {{"inverse-transpose", "inverse transpose", "Stays perpendicular to the surface."},
@@ -119,6 +121,7 @@ std::vector<Option> shading_rows() {
            .label = "Illumination",
            .help = {"Lighting model: relative intensities as in the book, or radiometric units.",
                     "CGFS ch. 3; CGPP 15.4", "Radiometric pictures need exposure and gamma to look right."},
+           .keywords = "radiometry, photometry, physically based, PBR, Lambert, watt, inverse square",
            .truth = as_set(),
            .inactive = needs_lighting},
           {{"book", "the book's",
@@ -132,6 +135,7 @@ std::vector<Option> shading_rows() {
            .label = "Attenuation",
            .help = {"Weakens point lights with distance by their constant, linear and quadratic factors.", "OCT",
                     "Constant factor too small: surfaces near the light are overexposed."},
+           .keywords = "fall-off, falloff, inverse square, distance",
            .truth = exactly("attenuation=on"),
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_lighting(s, t)) return reason;
@@ -143,6 +147,7 @@ std::vector<Option> shading_rows() {
           {.key = "specular",
            .label = "Highlights",
            .help = {"Adds specular highlights, the mirror-like reflections of the lights.", "CGFS ch. 3", ""},
+           .keywords = "highlight, shininess, gloss, Phong",
            .truth = exactly("specular=on"),
            .inactive = needs_highlights}),
       choice<&Settings::highlight>(
@@ -150,6 +155,7 @@ std::vector<Option> shading_rows() {
            .label = "Highlight model",
            .help = {"The angle on which the highlight depends.", "CGFS ch. 3; OCT",
                     "The same exponent gives a wider highlight with N.H than with R.V."},
+           .keywords = "specular, Blinn, Phong, half vector, shininess",
            .truth = as_set(),
            .inactive = needs_visible_highlights},
           {{"phong", "R.V (Phong)", "Angle between the reflected light direction R and the view direction V."},
@@ -159,7 +165,9 @@ std::vector<Option> shading_rows() {
            .label = "Interpolation",
            .help = {"How vertex values are interpolated across a triangle.", "CGFS ch. 12 and 14; LAB 6",
                     "With affine interpolation textures bend, and swim when the camera moves."},
+           .keywords = "perspective correct, affine, texture warping, PlayStation, barycentric",
            .truth = exactly("interpolation=perspective"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_attributes},
           {{"perspective", "perspective-correct",
             "Interpolates value/z and 1/z, which are linear on the screen; one division per pixel."},

@@ -1,32 +1,28 @@
-#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
 namespace {
 
 Reason needs_casting_light(const Settings& s, const SceneTraits& t) {
-  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
+  if (const auto reason = needs_filled_fragments(s)) return reason;
   if (!s.lighting) return "needs lighting = on";
   if (!t.casting_lights) return "the scene has no light that casts shadows";
   return {};
 }
 
 Reason needs_shadow_rays(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
   if (const auto reason = needs_casting_light(s, t)) return reason;
   if (s.shadows == Shadows::none) return "needs shadows";
   return {};
 }
 
 Reason needs_shadow_map(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
   if (const auto reason = needs_casting_light(s, t)) return reason;
   if (s.shadows != Shadows::map) return "needs shadows = map";
   return {};
 }
 
 Reason needs_stencil(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
   if (const auto reason = needs_casting_light(s, t)) return reason;
   if (s.shadows != Shadows::stencil_depth_fail && s.shadows != Shadows::stencil_depth_pass)
     return "needs shadows = stencil-depth-fail or stencil-depth-pass";
@@ -47,7 +43,6 @@ Reason needs_cut_volumes(const Settings& s, const SceneTraits& t) {
 }
 
 Reason needs_secondary_rays(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
   const bool shadows = s.lighting && t.casting_lights && s.shadows != Shadows::none;
   const bool mirrors = t.reflective && s.reflection_depth > 0;
   if (!shadows && !mirrors) return "needs shadows or reflections";
@@ -76,6 +71,7 @@ std::vector<Option> shadow_rows() {
            .help = {"How the renderer finds out whether a light is blocked.", "CGFS ch. 4 and 15; CGPP 15.6.5",
                     "The ray tracer sends a shadow ray to each light unless this is 'none'. The rasterizer has no "
                     "rays: with 'traced' it shows no shadows."},
+           .keywords = "shadow map, shadow volume, stencil shadow, shadow ray, hard shadow",
            .truth = exactly("shadows=traced|stencil-depth-fail"),
            .inactive = needs_casting_light},
           {{"traced", "traced", "One shadow ray for each light; ray tracer only."},
@@ -92,7 +88,9 @@ std::vector<Option> shadow_rows() {
            .help = {"Texels along each side of a shadow map; a point light has six maps.", "CGFS ch. 15",
                     "Too small: blocky shadows and more acne. Too large: memory and time; at 4096 x 4096 texels a "
                     "point light takes 400 MB."},
+           .keywords = "resolution, blocky, aliasing, jaggies, shadow map",
            .truth = exactly("shadows=stencil-depth-fail"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_shadow_map},
           8, 4096, "texels"),
       real<&Settings::shadow_bias>(
@@ -101,7 +99,9 @@ std::vector<Option> shadow_rows() {
            .help = {"Subtracted from a point's depth, as seen from the light, before the comparison with the map.",
                     "CGFS ch. 15; Direct3D 11 15.10",
                     "Too small: shadow acne, stripes on lit surfaces. Too large: detached shadows (peter-panning)."},
+           .keywords = "acne, shadow acne, peter-panning, peter panning, depth bias, polygon offset, self-shadowing",
            .truth = exactly("shadows=stencil-depth-fail"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_shadow_map},
           0, 10, OptionScale::logarithmic, "world units"),
       real<&Settings::shadow_slope_bias>(
@@ -113,7 +113,9 @@ std::vector<Option> shadow_rows() {
                 "Direct3D 11 15.10",
                 "A filter of k x k taps needs k / 2 texels if the slope runs along a map axis, as on a floor, else up "
                 "to 0.71 k. -1 computes this, with the rounding of vertices and depths and the tessellation error."},
+           .keywords = "acne, shadow acne, peter-panning, slope scale, polygon offset, depth bias",
            .truth = exactly("shadows=stencil-depth-fail"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_shadow_map},
           -1, 16, OptionScale::linear, "texels"),
       integer<&Settings::shadow_filter>(
@@ -121,7 +123,9 @@ std::vector<Option> shadow_rows() {
            .label = "Shadow map filter",
            .help = {"Percentage-closer filtering: compares k x k texels and averages the results.", "CGFS ch. 15",
                     "Softens the blocky edges, but needs more bias; the cost grows as k^2."},
+           .keywords = "PCF, percentage closer filtering, soft edge, blur, penumbra",
            .truth = pixel_average("shadows=stencil-depth-fail"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_shadow_map},
           1, 7, "taps"),
       integer<&Settings::stencil_bits>(
@@ -129,7 +133,9 @@ std::vector<Option> shadow_rows() {
            .label = "Stencil bits",
            .help = {"Bits of a pixel's counter of shadow volumes.", "CGFS ch. 15",
                     "Too few: the counter wraps, and a pixel inside 2^bits shadow volumes is lit."},
+           .keywords = "overflow, wrap, stencil buffer, shadow volume, counter",
            .truth = exactly("stencil-bits=16"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_stencil},
           1, 16, "bits"),
       toggle<&Settings::volume_caps>(
@@ -139,7 +145,9 @@ std::vector<Option> shadow_rows() {
                     "CGFS ch. 15; Everitt and Kilgard 2002",
                     "Depth fail counts faces behind the surface. Without caps it misses lines of sight that pass "
                     "through an open end, and surfaces shadow themselves."},
+           .keywords = "z-fail, Carmack, shadow volume, cap, depth fail",
            .truth = exactly("volume-caps=on"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_depth_fail}),
       real<&Settings::volume_length>(
           {.key = "volume-length",
@@ -148,7 +156,9 @@ std::vector<Option> shadow_rows() {
                     "CGFS ch. 15; Everitt and Kilgard 2002",
                     "Too small: no shadow beyond the volume's end. Programs shorten volumes because short ones cover "
                     "fewer pixels."},
+           .keywords = "infinite, extrusion, shadow volume",
            .truth = exactly("volume-length=0"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_stencil},
           0, 1e6, OptionScale::logarithmic, "world units"),
       toggle<&Settings::volume_depth_clamp>(
@@ -156,7 +166,9 @@ std::vector<Option> shadow_rows() {
            .label = "Volume depth clamp",
            .help = {"Moves the faces of shadow volumes beyond the far limit onto it.", "Everitt and Kilgard 2002",
                     "Off: the far limit cuts volumes open, and depth fail misses the faces behind it."},
+           .keywords = "far plane, depth clamp, shadow volume",
            .truth = exactly("volume-depth-clamp=on"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_cut_volumes}),
       choice<&Settings::self_hit>(
           {.key = "self-hit",
@@ -164,7 +176,9 @@ std::vector<Option> shadow_rows() {
            .help = {"How a ray that starts on a surface avoids hitting it again at its origin.",
                     "CGFS ch. 4; pbrt 6.8; Waechter and Binder, Ray Tracing Gems 6",
                     "With the book's epsilon in float, 5.7 % of the pixels on the ground reflect the ground itself."},
+           .keywords = "acne, shadow acne, surface acne, self-intersection, self-shadowing, epsilon, bias",
            .truth = exactly("self-hit=offset"),
+           .acts_for = ActsFor::rays,
            .inactive = needs_secondary_rays},
           {{"offset", "bounded offset", "Starts outside the error bound of the hit point; nothing to tune."},
            {"epsilon", "epsilon", "Ignores hits with t up to epsilon, as in the book."},
@@ -174,7 +188,9 @@ std::vector<Option> shadow_rows() {
            .label = "Shadow epsilon",
            .help = {"Distance from its origin at which a shadow ray starts to search.", "CGFS ch. 4",
                     "Too small: shadow acne, surfaces shadow themselves. Too large: detached shadows (peter-panning)."},
+           .keywords = "acne, shadow acne, self-shadowing, bias, peter-panning, self-intersection",
            .truth = exactly("self-hit=offset"),
+           .acts_for = ActsFor::rays,
            .inactive = needs_shadow_epsilon},
           0, 10, OptionScale::logarithmic),
       choice<&Settings::epsilon_unit>(
@@ -182,7 +198,9 @@ std::vector<Option> shadow_rows() {
            .label = "Epsilon measures",
            .help = {"The unit of both epsilons.", "CGFS ch. 4",
                     "As a ray parameter, 0.001 is 0.0057 units long for the light direction (1, 4, 4)."},
+           .keywords = "acne, bias, scale, ray parameter",
            .truth = exactly("self-hit=offset"),
+           .acts_for = ActsFor::rays,
            .inactive = needs_epsilon},
           {{"ray-parameter", "ray parameter t", "In multiples of the ray's direction vector, as in the book."},
            {"distance", "distance", "In world units."}}),
@@ -191,7 +209,9 @@ std::vector<Option> shadow_rows() {
            .label = "Stop at any hit",
            .help = {"Stops a shadow ray at the first blocker found instead of searching for the nearest.", "CGFS ch. 5",
                     "Only speed changes."},
+           .keywords = "early out, occlusion ray, any hit, first hit",
            .truth = as_set(),
+           .acts_for = ActsFor::rays,
            .inactive = needs_shadow_rays,
            .effect = OptionEffect::speed}),
       choice<&Settings::shadow_rays>(
@@ -200,7 +220,9 @@ std::vector<Option> shadow_rows() {
            .help = {"The lights to which a shaded point sends a shadow ray.", "CGFS ch. 4",
                     "Colours stay the same, because a light that adds nothing needs no shadow ray. Only the view "
                     "'shadows' no longer marks those points."},
+           .keywords = "occlusion, skip, back-facing, light",
            .truth = as_set(),
+           .acts_for = ActsFor::rays,
            .inactive = needs_shadow_rays},
           {{"all", "to every light", "As in the book: also if the light comes from behind the surface."},
            {"useful", "to lights that add something",

@@ -4,14 +4,12 @@
 namespace ps::rows {
 namespace {
 
-Reason needs_octree(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
+Reason needs_octree(const Settings& s, const SceneTraits&) {
   if (s.accelerator != Accelerator::octree) return "needs accelerator = octree";
   return {};
 }
 
 Reason needs_any_hit(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
   if (!t.casting_lights) return "no light casts shadows";
   if (s.shadows == Shadows::none) return "needs shadows";
   if (!s.shadow_any_hit) return "needs shadow-any-hit";
@@ -24,7 +22,6 @@ Reason needs_single(const Settings& s, const SceneTraits&) {
 }
 
 Reason needs_boxes(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_rays(s, t)) return reason;
   if (s.accelerator == Accelerator::none || s.accelerator == Accelerator::bounding_spheres)
     return "no effect: the accelerator has no boxes";
   const bool others = t.spheres || t.solids || t.csg;
@@ -39,8 +36,9 @@ Option accelerator_row() {
        .label = "Accelerator",
        .help = {"The data structure that saves intersection tests.", "CGFS ch. 5",
                 "Only speed changes: all pictures are the same to the last bit, except for Embree's own arithmetic."},
+       .keywords = "BVH, octree, bounding box, kd-tree, spatial index, hierarchy, speed, Embree",
        .truth = as_set(),
-       .inactive = needs_rays,
+       .acts_for = ActsFor::rays,
        .effect = OptionEffect::speed},
       {{"bvh", "bounding-volume hierarchy", "A tree of boxes built with the surface-area heuristic."},
        {"none", "none", "Every ray is tested against every primitive."},
@@ -69,7 +67,9 @@ std::vector<Option> speed_rows() {
            .label = "Slab test",
            .help = {"The intersection test of a ray and a bounding box.", "Kay and Kajiya 1986; Ize, JCGT 2013",
                     "The naive form misses boxes: 0 times infinity is NaN, and rounding misses box corners."},
+           .keywords = "ray box, bounding box, AABB, NaN, infinity",
            .truth = exactly("slab-test=robust"),
+           .acts_for = ActsFor::rays,
            .inactive = needs_boxes},
           {{"robust", "robust",
             "Planes in the order of the ray; interval widened by the rounding error; safe for NaN."},
@@ -80,7 +80,9 @@ std::vector<Option> speed_rows() {
            .help = {"A cell with more primitives than this is split into eight; coincident primitives count as one.",
                     "octrees for ray casting",
                     "Too small: large triangles are listed in many cells. Too large: rays test too many primitives."},
+           .keywords = "octree, leaf size, split, accelerator",
            .truth = as_set(),
+           .acts_for = ActsFor::rays,
            .inactive = needs_octree,
            .effect = OptionEffect::speed},
           1, 256, "primitives"),
@@ -89,7 +91,9 @@ std::vector<Option> speed_rows() {
            .label = "Octree depth",
            .help = {"Maximum number of times that a cell is split.", "octrees for ray casting",
                     "No depth is enough where many triangles meet in a point."},
+           .keywords = "octree, levels, split, accelerator",
            .truth = as_set(),
+           .acts_for = ActsFor::rays,
            .inactive = needs_octree,
            .effect = OptionEffect::speed},
           0, 16, "levels"),
@@ -98,7 +102,9 @@ std::vector<Option> speed_rows() {
            .label = "Shadow cache",
            .help = {"Tests first the object that last blocked the same light in this tile.", "CGFS ch. 5",
                     "Gains only if shadows are large and the search is slow."},
+           .keywords = "last occluder, shadow buffer, speed",
            .truth = as_set(),
+           .acts_for = ActsFor::rays,
            .inactive = needs_any_hit,
            .effect = OptionEffect::speed}),
       toggle<&Settings::cache_constants>(
@@ -106,14 +112,17 @@ std::vector<Option> speed_rows() {
            .label = "Cache constants",
            .help = {"Computes what depends on the ray alone once per ray instead of once per test.", "CGFS ch. 5",
                     "Only speed changes. Off, rays take the clear path."},
+           .keywords = "precompute, loop invariant, speed",
            .truth = as_set(),
-           .inactive = needs_rays,
+           .acts_for = ActsFor::rays,
            .effect = OptionEffect::speed}),
       integer<&Settings::threads>({.key = "threads",
                                    .label = "Threads",
                                    .help = {"Number of threads that render a picture; 0 = one per processor.",
                                             "CGFS ch. 5", "Only speed changes."},
+                                   .keywords = "cores, parallel, multithreading, speed",
                                    .truth = as_set(),
+                                   .acts_for = ActsFor::picture,
                                    .effect = OptionEffect::speed},
                                   0, 256, "threads"),
       choice<&Settings::simd>(
@@ -123,7 +132,9 @@ std::vector<Option> speed_rows() {
                     "the fast path",
                     "Only speed changes: every width gives the same bits. Wider trees change the counts of nodes and "
                     "tests. Double precision runs without SIMD."},
+           .keywords = "vector, SSE, AVX, parallel, speed",
            .truth = as_set(),
+           .acts_for = ActsFor::picture,
            .effect = OptionEffect::speed},
           {{"auto", "automatic", "The widest instruction set of this processor."},
            {"off", "off", "The clear path: one value after another."},

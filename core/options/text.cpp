@@ -6,7 +6,6 @@
 #include "base/check.h"
 #include "base/number_text.h"
 #include "base/spelling.h"
-#include "options/listing.h"
 #include "options/option.h"
 #include "options/renderer_kind.h"
 
@@ -28,6 +27,13 @@ std::string allowed_values(const Option& option) {
   }
   }
   return {};
+}
+
+/// Of an option that acts for other renderers than the chosen one.
+std::string_view only_for(ActsFor set) {
+  if (acts_for(set, PictureWay::rays)) return "only the ray tracer uses it";
+  if (acts_for(set, PictureWay::fragments)) return "only the rasterizer uses it";
+  return "only textbook listings use it";
 }
 
 [[noreturn]] void reject(const Option& option, std::string_view text) {
@@ -52,12 +58,6 @@ const Option& option_that_differs(const Settings& one, const Settings& other) {
 
 const Choice& chosen(const Option& option, const Settings& settings) {
   return option.choices.at(static_cast<std::size_t>(option.get(settings)));
-}
-
-std::string_view renderer_label(Renderer renderer) {
-  Settings settings;
-  settings.renderer = renderer;
-  return chosen(*find_option("renderer"), settings).label;
 }
 
 std::string option_text(const Option& option, const Settings& settings) {
@@ -114,11 +114,14 @@ std::vector<std::string> changed_options(const Settings& settings) {
 
 std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
                                                 const SceneTraits& traits) {
-  if (runs_listing(settings.renderer) && option.effect == OptionEffect::picture && option.key != "renderer" &&
-      option.key != "listing") {
-    if (listing_reads(listing_of(settings, traits), option.key)) return {};
-    return "the listing does not use it";
-  }
+  const RendererKind& kind = renderer_kind(settings.renderer);
+  if (kind.reads)
+    if (const auto reads = kind.reads(option, settings, traits)) {
+      if (!*reads) return kind.unread;
+      if (!acts_for(option.acts_for, kind.way)) return {};
+    }
+  if (!acts_for(option.acts_for, kind.way))
+    return option.only_for.empty() ? only_for(option.acts_for) : option.only_for;
   return option.inactive ? option.inactive(settings, traits) : std::nullopt;
 }
 

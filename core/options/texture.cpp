@@ -1,4 +1,3 @@
-#include "options/renderer_kind.h"
 #include "options/rows.h"
 
 namespace ps::rows {
@@ -6,7 +5,7 @@ namespace {
 
 Reason needs_texture(const Settings& s, const SceneTraits& t) {
   if (!t.textures) return "the scene has no texture";
-  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
+  if (const auto reason = needs_filled_fragments(s)) return reason;
   return {};
 }
 
@@ -28,7 +27,7 @@ Reason needs_normal_map(const Settings& s, const SceneTraits& t) {
 
 Reason needs_height_map(const Settings& s, const SceneTraits& t) {
   if (!t.height_maps) return "the scene has no height map";
-  if (draws_fragments(s.renderer) && s.draw != Draw::filled) return "needs draw = filled";
+  if (const auto reason = needs_filled_fragments(s)) return reason;
   return {};
 }
 
@@ -40,7 +39,6 @@ Reason needs_relief_steps(const Settings& s, const SceneTraits& t) {
 
 Reason needs_mipmaps(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_textures_on(s, t)) return reason;
-  if (sends_rays(s.renderer)) return "no effect: rays have no footprint and read level 0";
   if (s.texture_filter != TextureFilter::trilinear && s.texture_filter != TextureFilter::mipmap)
     return "needs texture-filter = mipmap or trilinear";
   return {};
@@ -53,6 +51,7 @@ std::vector<Option> texture_rows() {
       toggle<&Settings::textures>({.key = "textures",
                                    .label = "Textures",
                                    .help = {"Applies texture images to surfaces.", "CGFS ch. 14", ""},
+                                   .keywords = "texture mapping, image, uv, decal",
                                    .truth = exactly("textures=on"),
                                    .inactive = needs_texture}),
       choice<&Settings::texture_filter>(
@@ -61,6 +60,8 @@ std::vector<Option> texture_rows() {
            .help = {"How a colour is computed from the texels around a point.", "CGFS ch. 14",
                     "Nearest shows blocks near by and sparkles far away; mipmaps blur at grazing angles. Rays read "
                     "level 0, so trilinear and mipmap look like bilinear there."},
+           .keywords = "bilinear, trilinear, nearest, mipmap, mip, minification, magnification, aliasing, moire, "
+                       "shimmer, pixelated, blur",
            .truth = pixel_average("texture-filter=bilinear"),
            .inactive = needs_textures_on},
           {{"trilinear", "trilinear", "Bilinear in the two nearest mip levels, blended."},
@@ -73,7 +74,10 @@ std::vector<Option> texture_rows() {
            .help = {"Added to the computed mip level.", "CGFS ch. 14",
                     "Negative: sharper, with sparkle. Positive: blurred. The RMS error is least near -0.5 "
                     "(experiment mipmap-lod)."},
+           .keywords = "LOD bias, mipmap, level of detail, blur, sharpness",
            .truth = pixel_average("texture-filter=bilinear"),
+           .acts_for = ActsFor::fragments,
+           .only_for = "no effect: rays have no footprint and read level 0",
            .inactive = needs_mipmaps},
           -4, 4, OptionScale::linear, "levels"),
       integer<&Settings::anisotropy>(
@@ -83,12 +87,16 @@ std::vector<Option> texture_rows() {
                     "the mip level.",
                     "CGFS ch. 14; hardware offers up to 16",
                     "Too small: distant ground is blurred. Each doubling costs up to twice the texel reads."},
+           .keywords = "anisotropic filtering, AF, mipmap, grazing angle, blur",
            .truth = pixel_average("texture-filter=bilinear"),
+           .acts_for = ActsFor::fragments,
+           .only_for = "no effect: rays have no footprint and read level 0",
            .inactive = needs_mipmaps},
           1, 16, "taps"),
       choice<&Settings::texture_wrap>({.key = "texture-wrap",
                                        .label = "Wrap",
                                        .help = {"What lookups outside the texture return.", "CGFS ch. 14", ""},
+                                       .keywords = "repeat, clamp, mirror, address mode, tiling, border",
                                        .truth = as_set(),
                                        .inactive = needs_textures_on},
                                       {{"repeat", "repeat", "The texture repeats."},
@@ -101,6 +109,7 @@ std::vector<Option> texture_rows() {
                     "image, blue along the surface normal.",
                     "CGFS ch. 15; normal mapping after OBJ files",
                     "Outlines and shadows stay those of the flat surface, which is visible at grazing angles."},
+           .keywords = "bump map, bump mapping, normal map, tangent space, relief",
            .truth = exactly("normal-mapping=on"),
            .inactive = needs_normal_map}),
       choice<&Settings::parallax>(
@@ -110,6 +119,7 @@ std::vector<Option> texture_rows() {
                     "of sight meets the relief.",
                     "Kaneko et al. 2001; Welsh 2004; McGuire and McGuire 2005; Tatarchuk 2006",
                     "Outlines, depth and shadows stay flat; at grazing angles offsets swim and steps show as slices."},
+           .keywords = "relief mapping, height map, displacement, bump, parallax occlusion",
            .truth = exactly("parallax-mapping=occlusion;parallax-steps=256"),
            .inactive = needs_height_map},
           {{"off", "off", "The texture lies on the surface."},
@@ -123,6 +133,7 @@ std::vector<Option> texture_rows() {
            .help =
                {"Number of steps from the top of the relief to its bottom.", "McGuire and McGuire 2005",
                 "Too few: the relief shows slices and misses details thinner than a step. Each step reads the map."},
+           .keywords = "relief mapping, height map, ray march, slices",
            .truth = exactly("parallax-steps=256"),
            .inactive = needs_relief_steps},
           1, 256, "steps"),

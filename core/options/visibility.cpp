@@ -3,8 +3,7 @@
 namespace ps::rows {
 namespace {
 
-Reason needs_depth_buffer(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
+Reason needs_depth_buffer(const Settings& s, const SceneTraits&) {
   if (s.visibility != Visibility::depth_buffer) return "needs visibility = depth-buffer";
   return {};
 }
@@ -53,8 +52,7 @@ Reason needs_unit_range(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
-Reason needs_triangles(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
+Reason needs_triangles(const Settings&, const SceneTraits& t) {
   if (!t.triangles && !t.spheres) return "the scene has no triangles";
   return {};
 }
@@ -68,7 +66,10 @@ std::vector<Option> visibility_rows() {
            .label = "Hidden surfaces",
            .help = {"How the rasterizer decides which triangle is in front.", "CGFS ch. 12",
                     "Draw order and the painter's algorithm fail where triangles overlap cyclically or intersect."},
+           .keywords = "z-buffer, zbuffer, depth buffer, depth test, hidden surface, painter, painter's algorithm, "
+                       "draw order, occlusion",
            .truth = exactly("visibility=depth-buffer"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_triangles},
           {{"depth-buffer", "depth buffer", "Each pixel stores the depth of its visible surface."},
            {"painter", "painter", "Triangles are sorted by their mean depth and drawn from back to front."},
@@ -81,7 +82,9 @@ std::vector<Option> visibility_rows() {
                     "CGFS ch. 12; OCT (ray-plane-intersection)",
                     "z is not linear on the screen: midway between z = 2 and z = 10 interpolation gives 6, and the "
                     "true depth is 3.33."},
+           .keywords = "z-buffer, zbuffer, depth buffer, w-buffer, 1/z, linear depth",
            .truth = exactly("depth-value=inverse-z"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_depth_buffer},
           {{"inverse-z", "1/z", "Linear on the screen, so interpolation is exact."},
            {"z", "z, interpolated linearly", "Wrong between the vertices; surfaces close to each other may swap."},
@@ -97,7 +100,9 @@ std::vector<Option> visibility_rows() {
                     "CGFS ch. 12; the depth formats of Direct3D and OpenGL",
                     "With a range from 0 to 1, most values lie just behind the near plane. Far surfaces close to each "
                     "other then get equal depths and mix (z-fighting)."},
+           .keywords = "z-buffer, zbuffer, depth buffer, z-fighting, depth precision, unorm, integer depth",
            .truth = exactly("depth-format=plain"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_range},
           {{"plain", "the value itself", "1/z, z or the distance as a floating-point number."},
            {"unit-float", "float, 0 to 1", "0 at the near plane, 1 at the far one, as 32-bit float."},
@@ -107,17 +112,22 @@ std::vector<Option> visibility_rows() {
            .label = "Depth bits",
            .help = {"Bits of an integer depth buffer: two surfaces at depth z need a gap of about z^2 / (near 2^bits).",
                     "CGFS ch. 12; LAB 5", "Each bit less doubles that gap."},
+           .keywords = "z-buffer, zbuffer, depth buffer, z-fighting, depth precision, 16 bit, 24 bit",
            .truth = exactly("depth-format=plain"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_integers},
           4, 24, "bits"),
-      toggle<&Settings::depth_reversed>({.key = "depth-reversed",
-                                         .label = "Reversed depth",
-                                         .help = {"Stores 1 at the near plane and 0 at the far plane: floats are "
-                                                  "densest near 0, where 1/z crowds distant surfaces.",
-                                                  "the clip-control depth range of Direct3D and OpenGL",
-                                                  "No gain for integers, whose steps are equal."},
-                                         .truth = exactly("depth-format=plain"),
-                                         .inactive = needs_unit_range}),
+      toggle<&Settings::depth_reversed>(
+          {.key = "depth-reversed",
+           .label = "Reversed depth",
+           .help = {"Stores 1 at the near plane and 0 at the far plane: floats are "
+                    "densest near 0, where 1/z crowds distant surfaces.",
+                    "the clip-control depth range of Direct3D and OpenGL",
+                    "No gain for integers, whose steps are equal."},
+           .keywords = "reversed z, reverse z, z-buffer, zbuffer, z-fighting, depth precision",
+           .truth = exactly("depth-format=plain"),
+           .acts_for = ActsFor::fragments,
+           .inactive = needs_unit_range}),
       toggle<&Settings::early_depth>(
           {.key = "early-depth",
            .label = "Early depth pass",
@@ -125,14 +135,18 @@ std::vector<Option> visibility_rows() {
                     "fragments.",
                     "CGPP 15.8.3",
                     "Coverage is computed twice; worthwhile if shading is expensive and overdraw is high."},
+           .keywords = "early z, z prepass, depth prepass, overdraw, z-buffer",
            .truth = as_set(),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_early_depth}),
       toggle<&Settings::deferred_shading>(
           {.key = "deferred-shading",
            .label = "Deferred shading",
            .help = {"Stores the visible surface of each pixel (G-buffer) and shades each pixel once at the end.",
                     "CGPP 15.8.3", "Needs memory for the G-buffer, which stores one surface per pixel."},
+           .keywords = "g-buffer, deferred rendering, overdraw",
            .truth = as_set(),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_single_pass_lights}),
       choice<&Settings::light_passes>(
           {.key = "light-passes",
@@ -142,7 +156,9 @@ std::vector<Option> visibility_rows() {
                 "the passes.",
                 "CGPP 15.7.2.3",
                 "Each additional light is another pass over all triangles, and the sum is rounded after each pass."},
+           .keywords = "multipass, forward rendering, additive blending, many lights",
            .truth = as_set(),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_light_passes},
           {{"one", "in one pass", "Evaluates all lights when a fragment is shaded."},
            {"many", "one pass each", "Draws one depth pass, then one pass for each light."}}),
@@ -151,14 +167,18 @@ std::vector<Option> visibility_rows() {
            .label = "Back-face culling",
            .help = {"Drops triangles whose back faces the camera.", "CGFS ch. 12",
                     "Open models show holes, because their inner sides are back faces."},
+           .keywords = "back face, cull face, winding, one-sided, front face",
            .truth = exactly("backface-culling=off"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_triangles}),
       choice<&Settings::clipping>(
           {.key = "clipping",
            .label = "Clipping",
            .help = {"Clips triangles at the planes of the view volume before projecting them.", "CGFS ch. 11",
                     "Without the near plane, points behind the camera are projected upside down."},
+           .keywords = "frustum, near plane, Sutherland-Hodgman, behind the camera, guard band",
            .truth = exactly("clipping=full"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_triangles},
           {{"full", "near and sides",
             "Clips at the near plane and the four side planes; triangles that cross a plane are split."},

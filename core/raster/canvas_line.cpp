@@ -11,12 +11,12 @@ namespace {
 
 /// Half the width of what is walked at most, in pixels: twice the largest picture that fits into max_image_pixels as a
 /// square.
-constexpr double reach = 32768;
+constexpr double line_reach = 32768;
 
 template <class Real>
 bool cut(Vec2<Real>& a, Vec2<Real>& b) {
   if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) || !std::isfinite(b.y)) return false;
-  const auto limit = static_cast<Real>(reach);
+  const auto limit = static_cast<Real>(line_reach);
   if (std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)}) <= limit) return true;
   const std::vector<ClipPlane<Real>> borders{
       {{1, 0, 0}, limit, {}, {}}, {{-1, 0, 0}, limit, {}, {}}, {{0, 1, 0}, limit, {}, {}}, {{0, -1, 0}, limit, {}, {}}};

@@ -3,6 +3,32 @@
 namespace ps {
 namespace {
 
+constexpr CounterSet fragment_counts{Counter::shading_calls,
+                                     Counter::light_samples,
+                                     Counter::texel_reads,
+                                     Counter::triangles_in,
+                                     Counter::objects_culled,
+                                     Counter::triangles_backfacing,
+                                     Counter::triangles_clipped_away,
+                                     Counter::triangles_split,
+                                     Counter::triangles_degenerate,
+                                     Counter::triangles_drawn,
+                                     Counter::coverage_tests,
+                                     Counter::coverage_regions,
+                                     Counter::fragments,
+                                     Counter::subsamples,
+                                     Counter::depth_tests,
+                                     Counter::depth_failures,
+                                     Counter::attributes_interpolated,
+                                     Counter::pixels_written,
+                                     Counter::lines_drawn,
+                                     Counter::nan_pixels,
+                                     Counter::shadow_map_taps,
+                                     Counter::silhouette_edges,
+                                     Counter::stencil_tests,
+                                     Counter::stencil_updates,
+                                     Counter::environment_reads};
+
 bool fragments_show_objects(const SceneTraits& traits, const Settings&) {
   return traits.spheres || traits.triangles || traits.solids || traits.canvas_items;
 }
@@ -43,6 +69,7 @@ RendererRow rasterizer_row() {
   return {.renderer = Renderer::rasterizer,
           .render = render_rasterized,
           .inspect = inspect_rasterized,
+          .counts = fragment_counts,
           .fast_path = rasterized_fast_path,
           .left_out = left_out_by_fragments,
           .shows_objects = fragments_show_objects,

@@ -3,6 +3,13 @@
 namespace ps {
 namespace {
 
+constexpr CounterSet ray_counts{Counter::eye_rays,        Counter::shadow_rays,       Counter::reflection_rays,
+                                Counter::refraction_rays, Counter::sphere_tests,      Counter::triangle_tests,
+                                Counter::solid_tests,     Counter::node_visits,       Counter::edge_rays,
+                                Counter::shading_calls,   Counter::light_samples,     Counter::texel_reads,
+                                Counter::pixels_written,  Counter::pixels_subdivided, Counter::searches_saved,
+                                Counter::nan_pixels,      Counter::octree_entries,    Counter::triangles_degenerate};
+
 bool rays_show_objects(const SceneTraits& traits, const Settings&) {
   return traits.spheres || traits.triangles || traits.solids || traits.csg;
 }
@@ -20,6 +27,7 @@ RendererRow ray_tracer_row() {
   return {.renderer = Renderer::ray_tracer,
           .render = render_traced,
           .inspect = inspect_traced,
+          .counts = ray_counts,
           .fast_path = traced_fast_path,
           .left_out = left_out_by_rays,
           .shows_objects = rays_show_objects,

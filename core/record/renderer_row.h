@@ -14,7 +14,7 @@ namespace ps {
 /// A renderer, as everything above the renderers knows it: one row of the table in render/renderer_table.h. All
 /// functions are there.
 struct RendererRow {
-  Renderer renderer = Renderer::ray_tracer;
+  Renderer renderer{};  ///< its number; add_renderer() gives one to those that come with a program
 
   /// The picture; see render() in render/render.h. Of the channels it fills those that it can.
   Frame (*render)(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
@@ -22,6 +22,8 @@ struct RendererRow {
   /// Events, colour, levels and counters of one pixel; verdict and ledger only where they are not made of the events.
   PixelStory (*inspect)(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel, Prepared& prepared,
                         Progress& progress) = nullptr;
+  /// The counters that both give; all others are absent from frames and stories.
+  CounterSet counts;
   /// Which machinery draws a whole picture, and why nothing faster.
   FastPath (*fast_path)(const Settings& settings, const SceneTraits& traits, Channel channels) = nullptr;
   /// What it cannot show of such a scene, with the reason and what shows it.

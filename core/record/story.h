@@ -24,7 +24,7 @@ struct LedgerLine {
 /// All that one click reports, in the order in which it happened.
 struct PixelStory {
   Vec2i pixel{0, 0};  ///< array position: column, row
-  Renderer renderer = Renderer::ray_tracer;
+  Renderer renderer{};
   std::string verdict;  ///< one sentence, never empty
   Vec3d linear{0, 0, 0};
   std::array<int, 3> display{};  ///< exactly what `render` stores at this pixel

@@ -4,6 +4,7 @@
 
 #include "image/heat_colour.h"
 #include "math/portable.h"
+#include "options/renderer_kind.h"
 #include "options/robust_rays.h"
 #include "raster/depth_format.h"
 #include "raytrace/tracer.h"
@@ -59,7 +60,7 @@ class GapFinder {
  private:
   static Settings as_rays(const Settings& settings) {
     Settings rays = robust_rays(settings);
-    rays.renderer = Renderer::ray_tracer;
+    rays.renderer = renderer_for(PictureWay::rays);
     return rays;
   }
 

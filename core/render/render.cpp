@@ -10,13 +10,27 @@
 #include "render/story/finish_story.h"
 
 namespace ps {
+namespace {
+
+/// What the renderer cannot give is absent and not 0.
+void take_counts(const RendererRow& row, Counters& counters) {
+  for (std::size_t i = 0; i < counter_count; ++i)
+    PS_ASSERT(counters.values[i] == 0 || row.counts.contains(static_cast<Counter>(i)),
+              "a renderer counts what its row declares");
+  counters.given = row.counts;
+}
+
+}  // namespace
+
 Frame render(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
              Prepared& prepared, Progress& progress) {
   require_image_size(view.width, view.height, "picture");
   const StopScope stop(&progress);
   RenderRequest plain = request;
   plain.channels = without(without(request.channels, Channel::precision), Channel::depth_gap);
-  Frame frame = renderer_row(settings.renderer).render(scene, view, settings, plain, prepared, progress);
+  const RendererRow& row = renderer_row(settings.renderer);
+  Frame frame = row.render(scene, view, settings, plain, prepared, progress);
+  take_counts(row, frame.counters);
   if (has(request.channels, Channel::precision))
     compare_with_double(frame, scene, view, settings, request, prepared, progress);
   if (has(request.channels, Channel::depth_gap))
@@ -35,7 +49,9 @@ PixelStory inspect(const Scene& scene, const View& view, const Settings& setting
   require_image_size(view.width, view.height, "picture");
   const StopScope stop(&progress);
   PS_ASSERT(pixel.x >= 0 && pixel.y >= 0 && pixel.x < view.width && pixel.y < view.height, "pixel outside the view");
-  PixelStory story = renderer_row(settings.renderer).inspect(scene, view, settings, pixel, prepared, progress);
+  const RendererRow& row = renderer_row(settings.renderer);
+  PixelStory story = row.inspect(scene, view, settings, pixel, prepared, progress);
+  take_counts(row, story.counters);
   if (!story.listing) finish_story(story, scene, settings);  // a listing gives its own verdict and sum
   story.verdict += left_out_words(prepared_traits(scene, prepared), settings);
   return story;

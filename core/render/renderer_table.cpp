@@ -1,7 +1,7 @@
 #include "render/renderer_table.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "base/check.h"
 #include "raster/renderer.h"
@@ -9,11 +9,16 @@
 #include "textbook/renderer.h"
 
 namespace ps {
+namespace {
 
-std::span<const RendererRow> renderer_table() {
-  static const std::array<RendererRow, 3> table{ray_tracer_row(), rasterizer_row(), textbook_row()};
-  return table;
+std::vector<RendererRow>& rows() {
+  static std::vector<RendererRow> all{ray_tracer_row(), rasterizer_row(), textbook_row()};
+  return all;
 }
+
+}  // namespace
+
+std::span<const RendererRow> renderer_table() { return rows(); }
 
 const RendererRow& renderer_row(Renderer renderer) {
   const auto table = renderer_table();
@@ -21,6 +26,13 @@ const RendererRow& renderer_row(Renderer renderer) {
       std::find_if(table.begin(), table.end(), [&](const RendererRow& r) { return r.renderer == renderer; });
   PS_ASSERT(found != table.end(), "a renderer without a row");
   return *found;
+}
+
+Renderer add_renderer(const AddedRenderer& added) {
+  RendererRow row = added.row;
+  row.renderer = add_renderer_kind(added.kind);
+  rows().push_back(row);
+  return row.renderer;
 }
 
 }  // namespace ps

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/paths.h"
+#include "base/resources.h"
 #include "base/spelling.h"
 #include "scene/obj.h"
 #include "scene/scene_file.h"
@@ -23,7 +23,7 @@ struct BuiltinFile {
 std::vector<BuiltinFile> builtin_files() {
   std::vector<BuiltinFile> files;
   std::error_code error;
-  const fs::path root = asset_dir() / "scenes";
+  const fs::path root = scene_dir();
   for (const auto& folder : fs::directory_iterator(root, error)) {
     for (const auto& file : fs::directory_iterator(folder.path(), error)) {
       if (file.path().extension() != ".scene") continue;
@@ -69,9 +69,10 @@ std::vector<BuiltinScene> builtin_scenes() {
   for (const BuiltinFile& file : builtin_files()) {
     try {
       const auto heading = parse_scene_heading(read_text_file(file.path, max_scene_file_bytes), file.path.string());
-      scenes.push_back({file.name, heading.title.empty() ? file.name : heading.title, heading.description});
+      scenes.push_back(
+          {file.name, heading.title.empty() ? file.name : heading.title, heading.description, heading.keywords});
     } catch (const InputError& error) {
-      scenes.push_back({file.name, file.name, error.what()});
+      scenes.push_back({file.name, file.name, error.what(), {}});
     }
   }
   return scenes;

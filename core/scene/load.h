@@ -15,6 +15,7 @@ struct BuiltinScene {
   std::string name;  ///< "cgfs/reflections"
   std::string title;
   std::string description;
+  std::string keywords;  ///< other words that people search for, separated by commas
 };
 /// All of them, sorted by name. Reads only their headings. A scene that cannot be read is listed by its name, with the
 /// error as its description.

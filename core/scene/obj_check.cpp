@@ -15,7 +15,7 @@ namespace {
 constexpr int most_corners = 1000;
 
 /// Statements that say nothing about the surface, or nothing that Pixelscope draws.
-constexpr std::array<std::string_view, 13> ignored{
+constexpr std::array<std::string_view, 13> ignored_words{
     "o", "g", "mg", "vp", "vw", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "usemap", "maplib"};
 constexpr std::array<std::string_view, 9> used{"v", "vt", "vn", "f", "s", "l", "p", "usemtl", "mtllib"};
 /// Free-form curves and surfaces, which programs for construction write beside faces.
@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 17> free_form{"cstype", "deg",  "bmat",  
 
 std::vector<std::string_view> obj_words() {
   std::vector<std::string_view> words(used.begin(), used.end());
-  words.insert(words.end(), ignored.begin(), ignored.end());
+  words.insert(words.end(), ignored_words.begin(), ignored_words.end());
   return words;
 }
 
@@ -83,7 +83,7 @@ class ObjChecker {
       return skip(line, "free-form curves and surfaces are not drawn");
     if (word == "call" || word == "csh") return skip(line, "other files and programs are not run");
     if (word == "fo") line.fail("'fo', the old form of 'f'", "'f'");
-    if (std::find(ignored.begin(), ignored.end(), word) == ignored.end()) unknown(line, word);
+    if (std::find(ignored_words.begin(), ignored_words.end(), word) == ignored_words.end()) unknown(line, word);
   }
 
   [[noreturn]] static void unknown(const ObjLine& line, std::string_view word) {

@@ -1,5 +1,6 @@
 #include "scene/rotation.h"
 
+#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,7 +11,7 @@
 namespace ps {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,12 +30,21 @@ struct SceneSetting {
   bool operator==(const SceneSetting& other) const { return key == other.key && value == other.value; }
 };
 
+/// What a picture of a scene depends on besides view and settings: its parts, by their revisions, and its background.
+/// Scenes of equal revisions look alike from any camera.
+struct SceneRevision {
+  std::uint64_t geometry = 0, lights = 0, materials = 0, textures = 0, canvas_items = 0;
+  Vec3d background{};
+  bool operator==(const SceneRevision&) const = default;
+};
+
 /// Everything that is drawn, as an immutable value whose unchanged parts are shared between copies. World coordinates
 /// keep their source's own numbers.
 struct Scene {
   std::string name;         ///< "cgfs/reflections", or the file's path
   std::string title;        ///< for people; from the file, else the name
   std::string description;  ///< one or two sentences for the scene list; may be empty
+  std::string keywords;     ///< other words that people search for, separated by commas; may be empty
   int canvas_width = 600;   ///< the size used when none is asked for
   int canvas_height = 600;
   Camera camera;
@@ -52,6 +62,11 @@ struct Scene {
   std::vector<std::string> files;
   /// What the files ask for and could not be had, in whole sentences: the scene is shown without it.
   std::vector<std::string> warnings;
+
+  SceneRevision revision() const {
+    return {geometry.revision(), lights.revision(),       materials.revision(),
+            textures.revision(), canvas_items.revision(), background};
+  }
 };
 
 /// Which features a scene can use at all; options that need an absent feature are greyed, and renderers skip them.

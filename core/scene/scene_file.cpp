@@ -45,8 +45,9 @@ struct AssignmentReader {
   std::string_view key;
   void (*read)(const SceneValues&, const SceneTerm&, Scene&);
 };
-constexpr std::array<AssignmentReader, 7> assignments{{
+constexpr std::array<AssignmentReader, 8> assignments{{
     {"title", [](const SceneValues& v, const SceneTerm& t, Scene& s) { s.title = v.name(t, "a title"); }},
+    {"keywords", [](const SceneValues& v, const SceneTerm& t, Scene& s) { s.keywords = v.name(t, "words in quotes"); }},
     {"description",
      [](const SceneValues& v, const SceneTerm& t, Scene& s) { s.description = v.name(t, "a description in quotes"); }},
     {"canvas_size",
@@ -162,6 +163,7 @@ SceneHeading parse_scene_heading(std::string_view text, const std::string& file)
   const SceneValues values(file);
   for (const SceneEntry& entry : scene_tree(text, file)) {
     if (entry.key == "title") heading.title = values.name(entry.value);
+    if (entry.key == "keywords") heading.keywords = values.name(entry.value);
     if (entry.key == "description") heading.description = values.name(entry.value);
   }
   return heading;

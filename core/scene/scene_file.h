@@ -13,10 +13,11 @@ namespace ps {
 /// file, line and column for anything that it does not understand: nothing is ignored.
 Scene parse_scene(std::string_view text, const std::string& file, const std::filesystem::path& folder);
 
-/// Title and description alone, as cheaply as possible, for lists of scenes.
+/// Title, description and keywords alone, as cheaply as possible, for lists of scenes.
 struct SceneHeading {
   std::string title;
   std::string description;
+  std::string keywords;
 };
 SceneHeading parse_scene_heading(std::string_view text, const std::string& file);
 

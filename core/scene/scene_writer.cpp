@@ -73,6 +73,7 @@ class SceneWriter {
   void heading() {
     if (scene_.title != scene_.name) line("title = {}", scene_name(scene_.title));
     if (!scene_.description.empty()) line("description = {}", scene_name(scene_.description));
+    if (!scene_.keywords.empty()) line("keywords = {}", scene_name(scene_.keywords));
     line("canvas_size = {} x {}", scene_.canvas_width, scene_.canvas_height);
     line("viewport_size = {} x {}", scene_number(scene_.camera.viewport_width),
          scene_number(scene_.camera.viewport_height));

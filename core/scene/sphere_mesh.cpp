@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "math/portable.h"
 
 namespace ps {
 
 Mesh make_sphere_mesh(int divisions) {
-  constexpr double pi = 3.14159265358979323846;
+  using std::numbers::pi;
   const double step = 2 * pi / divisions;
   Mesh mesh;
   for (int ring = 0; ring <= divisions; ++ring) {

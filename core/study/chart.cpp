@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -246,6 +247,8 @@ Chart run_chart(const ChartRequest& request, StudyControl& control, const ChartU
   return Runner(request, control, update, clock).run();
 }
 
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
 void summarise(Chart& chart, ErrorMetric metric) {
   chart.metric = metric;
   std::vector<Tradeoff> tradeoffs;
@@ -256,7 +259,11 @@ void summarise(Chart& chart, ErrorMetric metric) {
     point.time_ms = quartiles(point.samples_ms);
     point.error = error_of(point.comparison, metric);
     const double sign = error_metric(metric).higher_is_better ? -1 : 1;
-    const auto work = static_cast<double>(point.work);
+    if (chart.across == ChartAcross::work && !point.work) {  // has no place on this axis
+      point.cost = {nowhere, nowhere, nowhere};
+      continue;
+    }
+    const auto work = static_cast<double>(point.work.value_or(0));
     point.cost = chart.across == ChartAcross::time ? point.time_ms : Quartiles{work, work, work};
     tradeoffs.push_back({point.cost.median, sign * point.error});
     measured.push_back(&point);

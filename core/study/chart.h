@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -28,18 +29,20 @@ struct ChartPoint {
   SweepPoint what;
   std::vector<double> samples_ms;  ///< wall time of one render, everything prepared; one for each repeat
   Quartiles time_ms;
-  Quartiles cost;         ///< on the chart's horizontal axis: time_ms, or work without any spread
+  Quartiles cost;         ///< on the chart's horizontal axis: time_ms, or work without any spread; NaN: not counted
   double prepare_ms = 0;  ///< the first render, with building trees, mips and tessellations, minus the median time
   double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes
   Comparison comparison;
   bool compared = false;  ///< comparison, memory, counters and work are known
   double error = 0;       ///< the chosen metric
   Counters counters;
-  std::uint64_t work = 0;  ///< counted_work() of the counters, which are the same on every processor
+  std::optional<std::uint64_t> work;  ///< counted_work() of the counters, which are the same on every processor
   bool on_front = false;
   std::optional<Image<Rgb8>> picture;  ///< for thumbnails and differences
 
   bool measured() const { return compared && !samples_ms.empty(); }
+  /// Has a place on the chart. A renderer that counts no work has none where work is the horizontal axis.
+  bool placed() const { return measured() && !std::isnan(cost.median); }
 };
 
 /// What decides the numbers of a chart besides the points and the machine; results with another identity do not mix.

@@ -24,16 +24,17 @@ Json point_json(const ChartPoint& point) {
             {"settings", point.what.settings}, {"time_ms", point.time_ms.median},
             {"time_q1_ms", point.time_ms.q1},  {"time_q3_ms", point.time_ms.q3},
             {"samples_ms", point.samples_ms},  {"prepare_ms", point.prepare_ms},
-            {"memory_mb", point.memory_mb},    {"work", point.work},
-            {"on_front", point.on_front}};
+            {"memory_mb", point.memory_mb},    {"on_front", point.on_front}};
+  json["work"] = point.work ? Json(*point.work) : Json();  // null: the renderer counts none
   if (std::isfinite(point.error))
     json["error"] = point.error;
   else
     json["error"] = nullptr;
   json["comparison"] = comparison_json(point.comparison);
-  for (std::size_t i = 0; i < counter_count; ++i)
-    if (point.counters.values[i] > 0)
-      json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = point.counters.values[i];
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);  // missing: the renderer cannot give it
+    if (const auto count = point.counters.get(counter)) json["counters"][std::string(counter_key(counter))] = *count;
+  }
   return json;
 }
 
@@ -49,7 +50,8 @@ std::string chart_csv(const Chart& chart) {
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(point.what.label),
                           renderer_key(point.what.value), csv_field(point.what.settings), point.time_ms.median,
                           point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb, point.on_front ? 1 : 0,
-                          point.work, csv_field(chart.identity.machinery), csv_field(chart.identity.reference));
+                          point.work ? work_text(point.work) : "", csv_field(chart.identity.machinery),
+                          csv_field(chart.identity.reference));
   return csv_with_provenance(text, chart_machine_provenance(chart), "base_settings");
 }
 

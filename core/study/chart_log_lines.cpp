@@ -42,12 +42,14 @@ ChartIdentity identity_from(const ChartJson& json) {
 
 Counters counters_from(const ChartJson& json) {
   Counters counters;
+  counters.given = {};
   for (std::size_t i = 0; i < counter_count; ++i) {
     const std::string key(counter_key(static_cast<Counter>(i)));
     if (!json.contains(key)) continue;
     if (!json.at(key).is_number_unsigned())
       throw InputError(fmt::format("found {} = {}, expected a count", key, json.at(key).type_name()));
     counters.values[i] = json.at(key);
+    counters.given.insert(static_cast<Counter>(i));
   }
   return counters;
 }
@@ -78,9 +80,10 @@ ChartJson chart_picture_json(const ChartPoint& point) {
                  {"settings", point.what.settings}, {"comparison", comparison_json(point.comparison)},
                  {"memory_mb", point.memory_mb},    {"prepare_ms", point.prepare_ms}};
   json["all-settings"] = changed_options(point.what.value);
-  for (std::size_t i = 0; i < counter_count; ++i)
-    if (point.counters.values[i] > 0)
-      json["counters"][std::string(counter_key(static_cast<Counter>(i)))] = point.counters.values[i];
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);  // missing: the renderer cannot give it
+    if (const auto count = point.counters.get(counter)) json["counters"][std::string(counter_key(counter))] = *count;
+  }
   return json;
 }
 
@@ -93,7 +96,7 @@ ChartPoint chart_picture_from(const ChartJson& json, int points) {
   point.comparison = comparison_from_json(json.at("comparison"));
   point.memory_mb = json_number(json, "memory_mb", 0, largest_chart_memory_mb);
   point.prepare_ms = json_number(json, "prepare_ms", 0, longest_sample_ms);
-  if (json.contains("counters")) point.counters = counters_from(json.at("counters"));
+  point.counters = counters_from(json.value("counters", ChartJson::object()));
   point.work = counted_work(point.counters);
   point.compared = true;
   return point;

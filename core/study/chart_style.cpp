@@ -12,7 +12,7 @@ namespace ps {
 ChartAxes chart_axes(const Chart& chart) {
   std::vector<double> costs, errors;
   for (const ChartPoint& point : chart.points) {
-    if (!point.measured()) continue;
+    if (!point.placed()) continue;
     costs.insert(costs.end(), {point.cost.q1, point.cost.median, point.cost.q3});
     errors.push_back(point.error);
   }

@@ -11,6 +11,7 @@
 #include "study/axis.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
+#include "study/counted_work.h"
 #include "study/label_layout.h"
 #include "study/missing_points.h"
 
@@ -109,9 +110,9 @@ std::string mark(const ChartPoint& point, const ChartAxes& axes, double largest_
   for (const Vec2d& end : {low, high}) svg += line(end - Vec2d(0, 4), end + Vec2d(0, 4), colour, 2);
   const std::string look = fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", colour,
                                        point.on_front ? "#000000" : "#ffffff", point.on_front ? 2 : 1);
-  const std::string words =
-      fmt::format("{}: {:.4g} ms ({:.4g} to {:.4g}), work {}, error {:.4g}, {:.4g} MB", point.what.settings,
-                  point.time_ms.median, point.time_ms.q1, point.time_ms.q3, point.work, point.error, point.memory_mb);
+  const std::string words = fmt::format("{}: {:.4g} ms ({:.4g} to {:.4g}), work {}, error {:.4g}, {:.4g} MB",
+                                        point.what.settings, point.time_ms.median, point.time_ms.q1, point.time_ms.q3,
+                                        work_text(point.work), point.error, point.memory_mb);
   return svg + sign(point.what.value.renderer, at, mark_radius(point.memory_mb, largest_memory), look, words);
 }
 
@@ -119,7 +120,7 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
   std::vector<LabelWish> wishes;
   std::vector<const ChartPoint*> of_wish;
   for (const ChartPoint& point : chart.points) {
-    if (!point.measured()) continue;
+    if (!point.placed()) continue;
     const Vec2d at = on_plot(axes, point.cost.median, point.error) - plot_corner;
     const double low = on_plot(axes, point.cost.q1, point.error).x - plot_corner.x;
     const double high = on_plot(axes, point.cost.q3, point.error).x - plot_corner.x;
@@ -165,7 +166,7 @@ std::string legend(const Chart& chart, double largest_memory) {
     const Settings& value = point.what.value;
     std::string name = option_text(*find_option("renderer"), value);
     if (value.precision == Precision::float64) name += ", double";
-    if (!point.measured() || std::find(named.begin(), named.end(), name) != named.end()) continue;
+    if (!point.placed() || std::find(named.begin(), named.end(), name) != named.end()) continue;
     svg += sign(value.renderer, {x + 6, y}, 6, fmt::format("fill=\"{}\"", hex_colour(mark_colour(value))), name);
     x += 19;
     words(name);
@@ -216,7 +217,7 @@ std::string chart_svg(const Chart& chart) {
   svg += draw_axes(axes, chart.metric);
   svg += front_line(chart, axes);
   for (const ChartPoint& point : chart.points)
-    if (point.measured()) svg += mark(point, axes, largest_memory);
+    if (point.placed()) svg += mark(point, axes, largest_memory);
   svg += labels(chart, axes);
   const std::size_t missing = missing_points(chart).size();
   svg += notes(

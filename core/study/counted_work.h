@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "base/counters.h"
 #include "options/settings.h"
@@ -7,8 +9,12 @@
 
 namespace ps {
 
-/// Counted work: rays, tests of boxes, primitives and samples, fragments, and reads of textures and maps.
-std::uint64_t counted_work(const Counters& counters);
+/// Counted work: rays, tests of boxes, primitives and samples, fragments, and reads of textures and maps. Nothing if
+/// the renderer counts none of them.
+std::optional<std::uint64_t> counted_work(const Counters& counters);
+
+/// The count, or "none".
+std::string work_text(const std::optional<std::uint64_t>& work);
 
 /// The settings that draw the same picture with counts that are the same on every processor. SIMD searches visit a tree
 /// of their own, as wide as the processor's vectors; all other machinery counts what scalar code does.

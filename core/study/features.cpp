@@ -21,39 +21,42 @@ constexpr std::array<Feature, 8> table{{
 }};
 
 /// Of each option the cheapest value first.
-constexpr std::array<Saving, 31> all_savings{{
-    {"renderer", "rasterizer"},
-    {"lighting", "off"},
-    {"shadows", "none"},
-    {"specular", "off"},
-    {"shadow-rays", "useful"},
-    {"reflection-depth", "0"},
-    {"reflection-depth", "1"},
-    {"reflection-depth", "2"},
-    {"reflection-depth", "3"},
-    {"reflection-depth", "4"},
-    {"reflection-depth", "5"},
-    {"reflection-depth", "6"},
-    {"reflection-depth", "8"},
-    {"reflection-depth", "12"},
-    {"reflection-cutoff", "0.1"},
-    {"reflection-cutoff", "0.05"},
-    {"reflection-cutoff", "0.02"},
-    {"refraction", "off"},
-    {"transparency", "fixed"},
-    {"attenuation", "off"},
-    {"textures", "off"},
-    {"texture-filter", "nearest"},
-    {"texture-filter", "bilinear"},
-    {"texture-filter", "mipmap"},
-    {"normals", "triangle"},
-    {"shading", "flat"},
-    {"shading", "gouraud"},
-    {"samples-per-pixel", "1"},
-    {"samples-per-pixel", "4"},
-    {"samples-per-pixel", "16"},
-    {"precision", "float"},
-}};
+const std::array<Saving, 31>& all_savings() {
+  static const std::array<Saving, 31> all{{
+      {"renderer", renderer_kind(renderer_for(PictureWay::fragments)).key},
+      {"lighting", "off"},
+      {"shadows", "none"},
+      {"specular", "off"},
+      {"shadow-rays", "useful"},
+      {"reflection-depth", "0"},
+      {"reflection-depth", "1"},
+      {"reflection-depth", "2"},
+      {"reflection-depth", "3"},
+      {"reflection-depth", "4"},
+      {"reflection-depth", "5"},
+      {"reflection-depth", "6"},
+      {"reflection-depth", "8"},
+      {"reflection-depth", "12"},
+      {"reflection-cutoff", "0.1"},
+      {"reflection-cutoff", "0.05"},
+      {"reflection-cutoff", "0.02"},
+      {"refraction", "off"},
+      {"transparency", "fixed"},
+      {"attenuation", "off"},
+      {"textures", "off"},
+      {"texture-filter", "nearest"},
+      {"texture-filter", "bilinear"},
+      {"texture-filter", "mipmap"},
+      {"normals", "triangle"},
+      {"shading", "flat"},
+      {"shading", "gouraud"},
+      {"samples-per-pixel", "1"},
+      {"samples-per-pixel", "4"},
+      {"samples-per-pixel", "16"},
+      {"precision", "float"},
+  }};
+  return all;
+}
 
 const Option& row(std::string_view key) {
   const Option* option = find_option(key);
@@ -63,9 +66,9 @@ const Option& row(std::string_view key) {
 
 /// Place of a value among the savings of its option: cheaper ones come first. Past the end if it is none.
 std::size_t rank(const Option& option, std::string_view value) {
-  for (std::size_t i = 0; i < all_savings.size(); ++i)
-    if (all_savings[i].option == option.key && all_savings[i].value == value) return i;
-  return all_savings.size();
+  for (std::size_t i = 0; i < all_savings().size(); ++i)
+    if (all_savings()[i].option == option.key && all_savings()[i].value == value) return i;
+  return all_savings().size();
 }
 
 /// Is it cheaper than what is set now? Only then is it a saving, and no search goes in circles.
@@ -96,7 +99,7 @@ std::vector<Saving> savings(const Settings& settings, const SceneTraits& traits)
   std::vector<Saving> usable;
   const TextureFilter filter = settings.texture_filter;
   const bool finest_only = sends_rays(settings.renderer) && filter != TextureFilter::nearest;
-  for (const Saving& saving : all_savings) {
+  for (const Saving& saving : all_savings()) {
     const Option* option = find_option(saving.option);
     if (!option || inactive_reason(*option, settings, traits)) continue;
     Settings then = settings;

@@ -9,7 +9,7 @@
 namespace ps {
 namespace {
 
-constexpr std::array<ErrorMetricRow, 6> rows{{
+constexpr std::array<ErrorMetricRow, 6> metric_rows{{
     {ErrorMetric::mae, "mae", "mean absolute error", false, true, true},
     {ErrorMetric::rmse, "rmse", "RMSE", false, true, true},
     {ErrorMetric::psnr, "psnr", "PSNR (dB)", true, false, false},
@@ -41,13 +41,13 @@ Comparison compare_region(const Image<T>& a, const Image<T>& b, const std::optio
 
 }  // namespace
 
-std::span<const ErrorMetricRow> error_metrics() { return rows; }
+std::span<const ErrorMetricRow> error_metrics() { return metric_rows; }
 
-const ErrorMetricRow& error_metric(ErrorMetric metric) { return rows[static_cast<std::size_t>(metric)]; }
+const ErrorMetricRow& error_metric(ErrorMetric metric) { return metric_rows[static_cast<std::size_t>(metric)]; }
 
 ErrorMetric parse_error_metric(std::string_view key) {
   std::string known;
-  for (const ErrorMetricRow& row : rows) {
+  for (const ErrorMetricRow& row : metric_rows) {
     if (row.key == key) return row.metric;
     known += fmt::format(" {}", row.key);
   }

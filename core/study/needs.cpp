@@ -77,7 +77,11 @@ class Search {
     RenderRequest how;
     how.priority = request_.priority;
     const Frame frame = render(request_.scene, request_.view, settings, how, prepared_, control_.progress());
-    return {display_frame(frame, settings), counted_work(frame.counters)};
+    const auto work = counted_work(frame.counters);
+    if (!work)
+      throw InputError(fmt::format("renderer: found {}, which counts no work; expected one whose work can be compared",
+                                   renderer_kind(settings.renderer).key));
+    return {display_frame(frame, settings), *work};
   }
 
   Tried try_out(const Settings& settings) {

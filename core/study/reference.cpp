@@ -130,7 +130,7 @@ bool shown_by_rays(const Settings& base, const SceneTraits& traits) {
 
 Settings reference_settings(const Settings& base, const SceneTraits& traits) {
   Settings best = robust_rays(base);
-  best.renderer = shown_by_rays(base, traits) ? Renderer::ray_tracer : Renderer::rasterizer;
+  best.renderer = renderer_for(shown_by_rays(base, traits) ? PictureWay::rays : PictureWay::fragments);
   best.samples_per_pixel = 1;
   best.multisampling = 1;
   best.adaptive_sampling = false;

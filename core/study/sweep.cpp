@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "base/check.h"
+#include "options/renderer_kind.h"
 #include "options/scene_settings.h"
 
 namespace ps {
@@ -186,26 +187,28 @@ SweepAxis parse_sweep_axis(std::string_view text) {
 }
 
 std::span<const NamedSweep> named_sweeps() {
+  const std::string_view by_rays = renderer_kind(renderer_for(PictureWay::rays)).key,
+                         by_fragments = renderer_kind(renderer_for(PictureWay::fragments)).key;
+  const std::string fragments = fmt::format("renderer={}", by_fragments),
+                    both = fmt::format("renderer={},{}", by_rays, by_fragments);
   static const std::vector<NamedSweep> sweeps{
-      {"renderers", "Renderers", {"renderer=ray-tracer,rasterizer"}},
+      {"renderers", "Renderers", {both}},
       {"accelerators", "Accelerators", {"accelerator"}},
-      {"shading-models", "Shading models", {"renderer=rasterizer", "shading", "highlight"}},
-      {"texture-filters", "Texture filters", {"renderer=ray-tracer,rasterizer", "texture-filter"}},
+      {"shading-models", "Shading models", {fragments, "shading", "highlight"}},
+      {"texture-filters", "Texture filters", {both, "texture-filter"}},
       {"reflection-depths", "Reflection depth", {"reflection-depth=0,1,2,3,4,6,8"}},
       {"reflection-cutoffs",
        "Minimum contribution",
        {"reflection-depth=3,12", "reflection-cutoff=0,0.01,0.02,0.05,0.1,0.2"}},
-      {"tessellation-levels",
-       "Tessellation against exact spheres",
-       {"renderer=ray-tracer,rasterizer", "tessellation=0.05,0.2,0.5,2,8,32"}},
+      {"tessellation-levels", "Tessellation against exact spheres", {both, "tessellation=0.05,0.2,0.5,2,8,32"}},
       {"precision-and-tests", "Precision and tests", {"precision", "sphere-test", "self-hit"}},
-      {"snapping", "Sub-pixel bits", {"renderer=rasterizer", "subpixel-bits=0,2,4,6,8,10,12"}},
+      {"snapping", "Sub-pixel bits", {fragments, "subpixel-bits=0,2,4,6,8,10,12"}},
       {"samples", "Samples per pixel", {"samples-per-pixel=1,4,16,64"}},
       {"shadow-methods",
        "Shadow methods",
-       {"renderer=rasterizer", "shadows=none,map,stencil-depth-pass,stencil-depth-fail",
-        "shadow-map-size=16,64,256,1024,4096", "shadow-filter"}},
-      {"coverage-strategies", "Coverage strategies", {"renderer=rasterizer", "coverage"}},
+       {fragments, "shadows=none,map,stencil-depth-pass,stencil-depth-fail", "shadow-map-size=16,64,256,1024,4096",
+        "shadow-filter"}},
+      {"coverage-strategies", "Coverage strategies", {fragments, "coverage"}},
   };
   static const std::vector<NamedSweep> usable = [] {
     std::vector<NamedSweep> all;

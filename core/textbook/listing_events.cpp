@@ -18,7 +18,8 @@ std::vector<Event> listing_events(const BookScene& book, const ListingTrace& tra
 }
 
 Renderer stepped_like(const NamedListing& listing) {
-  return listing.listing->order == ListingOrder::pixel_by_pixel ? Renderer::ray_tracer : Renderer::rasterizer;
+  return renderer_for(listing.listing->order == ListingOrder::pixel_by_pixel ? PictureWay::rays
+                                                                             : PictureWay::fragments);
 }
 
 Settings settings_as_listed(const NamedListing& listing, const Scene& scene, const Settings& settings) {

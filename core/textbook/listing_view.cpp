@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/atomic_file.h"
-#include "base/paths.h"
+#include "base/resources.h"
 
 namespace ps {
 namespace {
@@ -61,7 +61,7 @@ ListingText parse_listing(const std::string& source) {
 }
 
 ListingText load_listing_text(const std::string& folder) {
-  return parse_listing(read_whole_file(chapter_dir() / folder / "listing.cpp", largest_listing));
+  return parse_listing(read_whole_file(listing_file(folder), largest_listing));
 }
 
 ListingView::ListingView(const ListingTrace& trace, const ListingText& text) : trace_(trace), text_(text) {

@@ -65,6 +65,7 @@ RendererRow textbook_row() {
   return {.renderer = Renderer::textbook,
           .render = render_textbook,
           .inspect = inspect_textbook,
+          .counts = {Counter::nan_pixels},
           .fast_path = textbook_path,
           .left_out = gaps_of_listing,
           .shows_objects = listing_shows_objects,

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "base/paths.h"
+#include "base/resources.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"

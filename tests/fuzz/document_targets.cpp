@@ -7,9 +7,9 @@
 
 #include "base/atomic_file.h"
 #include "document/permalink.h"
+#include "engine/lesson.h"
 #include "fuzz/read_or_refuse.h"
 #include "image/file.h"
-#include "engine/lesson.h"
 #include "study/chart_log.h"
 
 namespace ps::fuzz {

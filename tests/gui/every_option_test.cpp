@@ -48,7 +48,8 @@ std::string expectations(const Outcome& outcome) {
   std::string text = fmt::format("expect a/picture {}\n", hash(outcome.picture));
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
-    text += fmt::format("expect a/counter/{} {}\n", counter_key(counter), outcome.counters[counter]);
+    const auto count = outcome.counters.get(counter);
+    text += fmt::format("expect a/counter/{} {}\n", counter_key(counter), count ? std::to_string(*count) : "none");
   }
   return text;
 }

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "base/paths.h"
+#include "base/resources.h"
 #include "gui/program.h"
 #include "gui/theme/theme.h"
 #include "options/option.h"
@@ -45,7 +45,7 @@ TEST(Theme, AccentsAreOkabeAndIto) {
 class Glyphs : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(ps::font_dir() / "Inter-Regular.otf")) GTEST_SKIP() << "Inter is not installed";
+    if (!std::filesystem::exists(ps::font_file("Inter-Regular.otf"))) GTEST_SKIP() << "Inter is not installed";
     ImGui::CreateContext();
     theme().set_scale(theme().scale() == 1 ? 1.25 : 1);  // another than before: fonts belong to a context
     theme().prepare();

@@ -35,11 +35,18 @@ forbid 'A thread started outside core/base' 'std::(jthread|async|thread(?!::))\b
 forbid 'Functions of the C library whose last bits differ, in what makes pictures' \
   'std::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|pow|log(2|10|1p)?|cbrt|hypot|fma)f?\(' \
   '^core/(accel|frame|raster|raytrace|record|render|scene|shade|textbook)/|^chapters/' '^core/record/value_text'
+# The renderers of core are named by the enum and its default, by their rows in the option table, and by the table that
+# asks each folder for its row; whatever else must know how a picture is made asks options/renderer_kind.h.
+namers='^core/(options/settings\.h|options/renderer\.cpp|render/renderer_table\.cpp)$'
 forbid 'One renderer by name: ask for its way of making pictures (options/renderer_kind.h) or its row' \
-  '[!=]= (ps::)?Renderer::|case (ps::)?Renderer::' '^(core|chapters|app)/' '^core/(raytrace|raster|textbook)/|^core/options/renderer.cpp'
+  '^((?!//).)*(Renderer::(ray_tracer|rasterizer|textbook)\b|\b(ray_tracer|rasterizer|textbook)_row\(|"(ray-tracer|rasterizer|textbook)"|"[^"]*renderer=(ray-tracer|rasterizer|textbook))' \
+  '^(core|chapters|app)/' "^core/(raytrace|raster|textbook)/|$namers"
 forbid 'What libc++ 14 lacks, in core/ or chapters/' \
   "$(includes '(format|source_location|stop_token|syncstream|stacktrace|expected|generator)>')|std::(jthread|stop_token|source_location|format|views|ranges::views)\\b" \
   "$library"
+
+forbid 'A path of shipped files outside core/base/resources' '\b(asset|chapter|font)_dir\(|PIXELSCOPE_(ASSET|CHAPTER|FONT)_DIR' \
+  '^(core|chapters|app)/' '^core/base/resources\.'
 
 forbid 'app/ or tests/ in core/ or chapters/' "$(includes '(app|gui|cli|tests|support)/')" "$library"
 forbid 'chapters/ in core/' "$(includes 'chapters/')" '^core/'

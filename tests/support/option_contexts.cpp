@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/paths.h"
+#include "base/resources.h"
 #include "frame/display_frame.h"
 #include "options/scene_settings.h"
 #include "render/render.h"

@@ -317,7 +317,7 @@ TEST(Chart, WorkTakesThePlaceOfTime) {
   chart.across = ChartAcross::work;
   summarise(chart, ErrorMetric::rmse);
   for (const ChartPoint& point : chart.points) {
-    EXPECT_EQ(point.cost.median, static_cast<double>(point.work));
+    EXPECT_EQ(point.cost.median, static_cast<double>(point.work.value()));
     EXPECT_TRUE(point.on_front) << "more bounces, more work, less error";
   }
   EXPECT_NE(chart_svg(chart).find("work: rays"), std::string::npos);

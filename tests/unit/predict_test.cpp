@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/check.h"
-#include "inspect/vertex_chain.h"
 #include "engine/lesson.h"
+#include "inspect/vertex_chain.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"

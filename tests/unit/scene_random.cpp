@@ -109,6 +109,7 @@ Scene scene_with_everything(std::mt19937_64& random) {
   Dice dice(random);
   Scene scene;
   scene.title = "A \"title\" with \\ and # in it";
+  scene.keywords = "z-buffer, \"AA\"";
   scene.canvas_width = 1 + dice.below(2000);
   scene.canvas_height = 1 + dice.below(2000);
   scene.telling_pixel =
@@ -188,6 +189,7 @@ Scene scene_with_everything(std::mt19937_64& random) {
 void expect_equal_scenes(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.title, b.title);
   EXPECT_EQ(a.description, b.description);
+  EXPECT_EQ(a.keywords, b.keywords);
   EXPECT_EQ(a.canvas_width, b.canvas_width);
   EXPECT_EQ(a.canvas_height, b.canvas_height);
   EXPECT_TRUE(a.camera == b.camera);

@@ -66,9 +66,11 @@ void publish_side(Session& session, const PicturesState& pictures, Side side) {
   for (const auto& option : option_table())
     out.publish(name + "option/" + std::string(option.key), option_text(option, session.settings(side)));
   if (result)
-    for (std::size_t i = 0; i < counter_count; ++i)
-      out.publish(name + "counter/" + std::string(counter_key(static_cast<Counter>(i))),
-                  result->frame.counters[static_cast<Counter>(i)]);
+    for (std::size_t i = 0; i < counter_count; ++i) {
+      const auto counter = static_cast<Counter>(i);
+      const auto count = result->frame.counters.get(counter);
+      out.publish(name + "counter/" + std::string(counter_key(counter)), count ? std::to_string(*count) : "none");
+    }
   const auto story = session.story(side);
   out.publish(name + "verdict", story ? story->verdict : "");
   out.publish(name + "colour", story ? colour_text(story->display) : "");

@@ -1,29 +1,18 @@
 #include "gui/script/expectation.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
 
+#include "base/number_text.h"
 #include "base/spelling.h"
 #include "gui/shell/values.h"
 #include "gui/widgets/record.h"
 
 namespace ps::gui {
-namespace {
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return value;
-}
-
-}  // namespace
-
 bool fulfils(const std::string& found, const Expectation& expected) {
-  const auto left = number_in(found), right = number_in(expected.value);
+  const auto left = parse_number(found), right = parse_number(expected.value);
   const bool numbers = left && right;
   if (expected.relation == "contains") return found.find(expected.value) != std::string::npos;
   const bool equal = found == expected.value || (numbers && *left == *right);

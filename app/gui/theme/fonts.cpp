@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/paths.h"
+#include "base/resources.h"
 #include "gui/theme/theme.h"
 
 namespace ps::gui {
@@ -90,17 +90,16 @@ void Theme::load_fonts() {
   atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
   atlas.TexDesiredWidth = scale_ > 1.5 ? 4096 : 2048;
-  const auto folder = font_dir();
   for (int i = 0; i < IM_ARRAYSIZE(fonts_); ++i) {
     const FaceFile face = face_file(static_cast<Face>(i));
     const double em = face.size * scale_;
-    fonts_[i] = load((folder / face.file).string(), em, face.ranges, false);
+    fonts_[i] = load(font_file(face.file).string(), em, face.ranges, false);
     if (!fonts_[i]) {
       ImFontConfig config;
       config.SizePixels = static_cast<float>(std::round(em));
       fonts_[i] = atlas.AddFontDefault(&config);
     }
-    if (face.fallback) load((folder / face.fallback).string(), em, face.ranges, true);
+    if (face.fallback) load(font_file(face.fallback).string(), em, face.ranges, true);
   }
   atlas.Build();
   ImGui::GetIO().FontDefault = fonts_[0];

@@ -43,12 +43,7 @@ bool same_display(const PictureRequest& a, const PictureRequest& b) {
 }  // namespace
 
 bool same_render(const PictureRequest& a, const PictureRequest& b) {
-  const Scene &s = a.scene, &t = b.scene;
-  if (s.geometry.revision() != t.geometry.revision() || s.lights.revision() != t.lights.revision() ||
-      s.materials.revision() != t.materials.revision() || s.textures.revision() != t.textures.revision() ||
-      s.canvas_items.revision() != t.canvas_items.revision() || s.background != t.background || !(a.view == b.view) ||
-      a.region != b.region)
-    return false;
+  if (!(a.scene.revision() == b.scene.revision()) || !(a.view == b.view) || a.region != b.region) return false;
   if (a.settings == b.settings) return true;
   return std::all_of(option_table().begin(), option_table().end(), [&](const Option& option) {
     return option.effect == OptionEffect::display || option.get(a.settings) == option.get(b.settings);

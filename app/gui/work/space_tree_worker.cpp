@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "base/stop.h"
-#include "gui/work/same_scene.h"
 
 namespace ps::gui {
 
 bool same_request(const SpaceTreeRequest& a, const SpaceTreeRequest& b) {
-  return a.story == b.story && a.prepared == b.prepared && a.settings == b.settings && same_scene(a.scene, b.scene);
+  return a.story == b.story && a.prepared == b.prepared && a.settings == b.settings &&
+         a.scene.revision() == b.scene.revision();
 }
 
 SpaceTreeWorker::SpaceTreeWorker(std::function<void()> wake)

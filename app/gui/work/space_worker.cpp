@@ -3,13 +3,11 @@
 #include <memory>
 #include <utility>
 
-#include "gui/work/same_scene.h"
-
 namespace ps::gui {
 namespace {
 
 bool same_request(const SpaceRequest& a, const SpaceRequest& b) {
-  return same_scene(a.scene, b.scene) && a.view == b.view && a.near == b.near;
+  return a.scene.revision() == b.scene.revision() && a.view == b.view && a.near == b.near;
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ constexpr double mark_length = 0.04;  // of an owner's mark, in pixels
 constexpr double mark_spacing = 0.055;
 constexpr double name_room = 0.12;  // that a name leaves around the centre of the pixel
 
-const ClipWindow shown{Vec2d(-micro_margin), Vec2d(1 + micro_margin)};
+const ClipWindow shown_part{Vec2d(-micro_margin), Vec2d(1 + micro_margin)};
 
 void add_line(MicroDrawing& drawing, MicroKind kind, const Vec2d& from, const Vec2d& to) {
-  if (const auto part = clip_segment(from, to, shown))
+  if (const auto part = clip_segment(from, to, shown_part))
     drawing.items.push_back({kind, MicroShape::line, {(*part)[0], (*part)[1]}});
 }
 
@@ -43,7 +43,7 @@ void add_owner_marks(MicroDrawing& drawing, const std::array<Vec2d, 2>& part, co
   if (dot(across, inside - part[0]) < 0) across = -across;
   for (double at = mark_spacing / 2; at < length; at += mark_spacing) {
     const Vec2d foot = part[0] + along * (at / length);
-    if (const auto mark = clip_segment(foot, foot + across * mark_length, shown))
+    if (const auto mark = clip_segment(foot, foot + across * mark_length, shown_part))
       drawing.items.push_back(
           {MicroKind::owner_mark, MicroShape::line, {(*mark)[0], (*mark)[1]}, {}, triangle, emphasised});
   }
@@ -51,13 +51,13 @@ void add_owner_marks(MicroDrawing& drawing, const std::array<Vec2d, 2>& part, co
 
 void add_triangle(MicroDrawing& drawing, const MicroTriangle& triangle, int index, bool emphasised) {
   for (std::size_t i = 0; i < 3; ++i) {  // edge i lies opposite corner i
-    const auto part = clip_segment(triangle.corners[(i + 1) % 3], triangle.corners[(i + 2) % 3], shown);
+    const auto part = clip_segment(triangle.corners[(i + 1) % 3], triangle.corners[(i + 2) % 3], shown_part);
     if (!part) continue;
     const MicroKind kind = triangle.owns[i] ? MicroKind::edge_owned : MicroKind::edge_not_owned;
     drawing.items.push_back({kind, MicroShape::line, {(*part)[0], (*part)[1]}, {}, index, emphasised});
   }
   for (const Vec2d& corner : triangle.corners)
-    if (clip_segment(corner, corner, shown))
+    if (clip_segment(corner, corner, shown_part))
       drawing.items.push_back({MicroKind::corner, MicroShape::dot, {corner}, {}, index, emphasised});
 }
 
@@ -66,12 +66,12 @@ void add_owners(MicroDrawing& drawing, const MicroTriangle& triangle, int index,
   const Vec2d middle = (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3.0;
   for (std::size_t i = 0; i < 3; ++i)
     if (triangle.owns[i])
-      if (const auto part = clip_segment(triangle.corners[(i + 1) % 3], triangle.corners[(i + 2) % 3], shown))
+      if (const auto part = clip_segment(triangle.corners[(i + 1) % 3], triangle.corners[(i + 2) % 3], shown_part))
         add_owner_marks(drawing, *part, middle, index, emphasised);
 }
 
 void add_name(MicroDrawing& drawing, const MicroTriangle& triangle, int index, bool emphasised) {
-  const auto part = clip_polygon({triangle.corners.begin(), triangle.corners.end()}, shown);
+  const auto part = clip_polygon({triangle.corners.begin(), triangle.corners.end()}, shown_part);
   if (part.size() < 3) return;
   Vec2d middle(0);
   for (const Vec2d& corner : part) middle += corner / static_cast<double>(part.size());
@@ -97,8 +97,8 @@ bool is_dark(const MicroDrawing& drawing, const Vec2d& point) {
 
 MicroDrawing pixel_drawing(const Microscope& microscope, const MicroReading& reading, int selected) {
   MicroDrawing drawing;
-  drawing.low = shown.low;
-  drawing.high = shown.high;
+  drawing.low = shown_part.low;
+  drawing.high = shown_part.high;
   drawing.backdrop = microscope.enlarged();
   const Settings& settings = microscope.settings();
   if (draws_fragments(settings.renderer)) add_grids(drawing, settings.subpixel_bits);

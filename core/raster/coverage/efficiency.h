@@ -6,11 +6,12 @@
 namespace ps::raster {
 
 /// Covered samples for each test, a test being of a sample, a row, a cell or a piece of a triangle (CGPP 15.6.2 calls
-/// it sample test efficiency). Nothing if nothing was tested.
+/// it sample test efficiency). Nothing if nothing was tested, or if the renderer does not count tests.
 inline std::optional<double> sample_test_efficiency(const Counters& counters) {
-  const std::uint64_t tests = counters[Counter::coverage_tests] + counters[Counter::coverage_regions];
-  if (tests == 0) return {};
-  return static_cast<double>(counters[Counter::fragments]) / static_cast<double>(tests);
+  const auto samples = counters.get(Counter::coverage_tests), regions = counters.get(Counter::coverage_regions);
+  const auto fragments = counters.get(Counter::fragments);
+  if (!samples || !regions || !fragments || *samples + *regions == 0) return {};
+  return static_cast<double>(*fragments) / static_cast<double>(*samples + *regions);
 }
 
 }  // namespace ps::raster

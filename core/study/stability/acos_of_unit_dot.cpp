@@ -5,7 +5,7 @@
 #include "math/vec.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::acos_of_unit_dot {
 
 /// The angle of a normalised vector with itself: in float its square is above 1 for many vectors.
 static std::vector<StabilityRow> measure_acos_of_unit_dot(const StabilityRun& run) {
@@ -30,6 +30,7 @@ extern const StabilityExperiment acos_of_unit_dot{
     .key = "acos-of-unit-dot",
     .place = {Subject::numbers, 50},
     .title = "acos of a unit vector's square",
+    .keywords = "NaN, arc cosine, domain, rounding, clamp",
     .knob = "length",
     .naive = "acos(dot)",
     .robust = "clamp to [-1, 1] first",
@@ -39,4 +40,4 @@ extern const StabilityExperiment acos_of_unit_dot{
     .window = nowhere_safe,
     .measure = measure_acos_of_unit_dot};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::acos_of_unit_dot

@@ -11,7 +11,7 @@
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::adaptive_sampling {
 namespace {
 
 /// The book's three balls on a chequered floor that runs to the horizon, and balls smaller than a pixel. Everything has
@@ -240,6 +240,7 @@ extern const StabilityExperiment adaptive_sampling_misses{
     .key = "adaptive-sampling-misses",
     .place = {Subject::sampling, 30},
     .title = "Adaptive sampling never sees what it missed",
+    .keywords = "AA, antialias, supersampling, undersampling, Whitted",
     .knob = "threshold (levels of 255)",
     .naive = "16 jittered samples where the first rays of neighbours differ",
     .robust = "16 jittered samples everywhere",
@@ -252,4 +253,4 @@ extern const StabilityExperiment adaptive_sampling_misses{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::adaptive_sampling

@@ -1,11 +1,12 @@
 #include <array>
 #include <memory>
 
+#include "options/renderer_kind.h"
 #include "scene/scene_writer.h"
 #include "scene/texture_generator.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::affine_texture {
 namespace {
 
 constexpr double near_z = 1.5, far_z = 9.5, below_eye = 0.5;
@@ -41,7 +42,7 @@ Scene strip(const Vec3d& first, const Vec3d& last, const Vec3d& across, int piec
 /// The texture coordinates that the rasterizer interpolates, with vertices rounded to its finest 1/4096 px.
 Frame coordinates(const Scene& scene, const View& view, Interpolation interpolation, const StabilityRun& run) {
   Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  settings.renderer = renderer_for(PictureWay::fragments);
   settings.precision = Precision::float64;
   settings.interpolation = interpolation;
   settings.subpixel_bits = 12;
@@ -133,7 +134,7 @@ StabilityPicture picture(double pieces) {
   scene.camera.forward = {0, -0.18, 1};  // a shifted picture: the floor fills it, and z stays what it is
   scene.camera.viewport_height = 0.36;
   StabilityPicture picture{.scene = write_scene(scene, "."), .width = 240, .height = 160};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.lighting = false;
   picture.robust.backface_culling = false;
   picture.robust.clipping = Clipping::near_only;
@@ -151,6 +152,7 @@ extern const StabilityExperiment affine_texture{
     .place = {Subject::depth, 30},
     .set_up = SetUp::reproduction,
     .title = "Affine textures",
+    .keywords = "perspective correct, texture warping, PlayStation, interpolation",
     .knob = "pieces along the floor",
     .naive = "interpolate u and v on the screen",
     .robust = "interpolate u/z, v/z and 1/z",
@@ -163,4 +165,4 @@ extern const StabilityExperiment affine_texture{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::affine_texture

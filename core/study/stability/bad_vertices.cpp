@@ -6,7 +6,7 @@
 #include "study/stability/half_tree.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::bad_vertices {
 namespace {
 
 /// 3,200 triangles.
@@ -130,6 +130,7 @@ extern const StabilityExperiment nan_vertex{
     .key = "nan-vertex",
     .place = {Subject::boxes, 50},
     .title = "A NaN among the vertices",
+    .keywords = "NaN, not a number, bad model, BVH",
     .knob = "vertices that are NaN",
     .naive = "std::min(new, accumulated)",
     .robust = "std::min(accumulated, new) or std::fmin, and refuse NaN on loading",
@@ -143,6 +144,7 @@ extern const StabilityExperiment infinite_vertex{
     .key = "infinite-vertex",
     .place = {Subject::boxes, 60},
     .title = "A vertex at infinity",
+    .keywords = "infinity, overflow, bad model, bounding box",
     .knob = "coordinate of one vertex",
     .naive = "build with it",
     .robust = "refuse it",
@@ -154,4 +156,4 @@ extern const StabilityExperiment infinite_vertex{
     .window = {nowhere, 1e18},
     .measure = measure_infinite};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::bad_vertices

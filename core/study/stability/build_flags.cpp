@@ -3,7 +3,7 @@
 #include "study/stability/build_flags/kernels.h"
 #include "study/stability/triangle_methods.h"
 
-namespace ps::stability {
+namespace ps::stability::build_flags {
 namespace {
 
 std::vector<StabilityRow> measure_contraction(const StabilityRun& run) {
@@ -87,6 +87,7 @@ extern const StabilityExperiment fma_contraction{
     .place = {Subject::rays, 130},
     .set_up = SetUp::reproduction,
     .title = "Fused multiply-add",
+    .keywords = "FMA, fused multiply-add, compiler, reproducible, rounding",
     .knob = "0 = products rounded, 1 = fused by the compiler",
     .naive = "-mfma -ffp-contract=fast",
     .robust = "-ffp-contract=off",
@@ -102,6 +103,7 @@ extern const StabilityExperiment build_flags{
     .place = {Subject::numbers, 70},
     .set_up = SetUp::reproduction,
     .title = "Flags of the compiler",
+    .keywords = "fast-math, compiler flags, optimisation, optimization, x87, reproducible",
     .knob = "1 -O0, 2 fused, 3 fast-math, 4 both, 5 x87, 6 unfused",
     .naive = "the book's scene in float with other flags",
     .robust = "-ffp-contract=off at any optimisation",
@@ -111,4 +113,4 @@ extern const StabilityExperiment build_flags{
     .window = {1, 1},
     .measure = measure_flags};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::build_flags

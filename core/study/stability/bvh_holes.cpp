@@ -2,7 +2,7 @@
 #include "raytrace/triangle_watertight.h"
 #include "study/stability/aimed_rays.h"
 
-namespace ps::stability {
+namespace ps::stability::bvh_holes {
 namespace {
 
 struct FloatRay {
@@ -122,6 +122,7 @@ extern const StabilityExperiment bvh_holes{
     .key = "bvh-holes",
     .place = {Subject::boxes, 20},
     .title = "Holes in a tree of boxes",
+    .keywords = "BVH, bounding box, overlap, missed hit, cracks",
     .knob = "distance of the sphere from the origin (world units)",
     .naive = "near <= far, as computed (slab-test = naive)",
     .robust = "far end grown by its rounding error, 2 gamma(3) (slab-test = robust)",
@@ -132,4 +133,4 @@ extern const StabilityExperiment bvh_holes{
     .window = nowhere_safe,
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::bvh_holes

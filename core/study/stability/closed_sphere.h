@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "raytrace/geometry.h"
@@ -23,7 +24,7 @@ struct ClosedSphere {
 constexpr Vec3d far_centre{148376, 1234, -223423};
 
 inline ClosedSphere closed_sphere(int rings, int segments, double radius, const Vec3d& centre) {
-  constexpr double pi = 3.14159265358979323846;
+  using std::numbers::pi;
   ClosedSphere mesh;
   const auto index = [&](int ring, int segment) {
     if (ring == 0) return 0u;

@@ -6,7 +6,7 @@
 #include "raytrace/triangle_moeller_trumbore.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::constant_normal_bump {
 namespace {
 
 struct Rates {
@@ -161,6 +161,7 @@ extern const StabilityExperiment constant_normal_bump{
     .key = "constant-normal-bump",
     .place = {Subject::rays, 80},
     .title = "A constant bump along the normal",
+    .keywords = "acne, shadow acne, bias, epsilon, offset, self-intersection",
     .knob = "distance of the world from the origin",
     .naive = "start as found, or 0.0001 along the normal",
     .robust = "offset by the bound of the point's own error",
@@ -170,4 +171,4 @@ extern const StabilityExperiment constant_normal_bump{
     .window = {nowhere, 100},
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::constant_normal_bump

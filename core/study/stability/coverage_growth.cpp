@@ -3,7 +3,7 @@
 #include "raster/coverage/walk.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::coverage_growth {
 namespace {
 
 using raster::FixedPoint;
@@ -80,6 +80,7 @@ extern const StabilityExperiment coverage_growth{
     .key = "coverage-growth",
     .place = {Subject::coverage, 70},
     .title = "Tests grow with the bounding box",
+    .keywords = "overdraw, bounding box, half-space, efficiency",
     .knob = "side of the triangle's bounding box (px)",
     .naive = "every sample of the box",
     .robust = "rows, cells, tiles or pieces",
@@ -91,4 +92,4 @@ extern const StabilityExperiment coverage_growth{
     .window = {0, 8},
     .measure = measure_growth};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::coverage_growth

@@ -6,7 +6,7 @@
 #include "study/stability/closed_sphere.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::cracks_in_an_image {
 namespace {
 
 using Vertices = std::array<std::uint32_t, 3>;
@@ -100,6 +100,7 @@ extern const StabilityExperiment cracks_in_an_image{
     .key = "cracks-in-an-image",
     .place = {Subject::rays, 100},
     .title = "Cracks in a picture",
+    .keywords = "holes, watertight, seams, light leak",
     .knob = "side of the picture (px)",
     .naive = "Moeller-Trumbore (triangle-test = moeller-trumbore)",
     .robust = "watertight (Woop; triangle-test = watertight)",
@@ -111,4 +112,4 @@ extern const StabilityExperiment cracks_in_an_image{
     .window = nowhere_safe,
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::cracks_in_an_image

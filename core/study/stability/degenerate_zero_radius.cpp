@@ -7,7 +7,7 @@
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::degenerate_zero_radius {
 namespace {
 
 /// A textbook sphere test that turns away what it can name: a negative discriminant, a root before t = 0. What is
@@ -76,6 +76,7 @@ extern const StabilityExperiment degenerate_zero_radius{
     .place = {Subject::rays, 160},
     .set_up = SetUp::reproduction,
     .title = "Degenerate shapes",
+    .keywords = "zero area, division by zero, NaN, sliver",
     .knob = "none",
     .naive = "if (bad) return miss",
     .robust = "return good, and refuse bad input when it is read",
@@ -85,4 +86,4 @@ extern const StabilityExperiment degenerate_zero_radius{
     .window = nowhere_safe,
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::degenerate_zero_radius

@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "raster/depth_format.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::depth_buffers {
 namespace {
 
 using raster::DepthCode;
@@ -170,7 +171,7 @@ std::vector<StabilityRow> measure_linear(const StabilityRun& run) {
 
 StabilityPicture sheets() {
   StabilityPicture picture{.scene = "lab/z-fighting"};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.lighting = false;
   picture.robust.backface_culling = false;
   picture.robust.near = 0.1;
@@ -213,6 +214,7 @@ extern const StabilityExperiment depth_bits_z_fighting{
     .place = {Subject::depth, 40},
     .set_up = SetUp::reproduction,
     .title = "Z-fighting",
+    .keywords = "z-buffer, zbuffer, depth buffer, depth precision, flicker, stitching",
     .knob = "gap between two surfaces, or their depth (world units)",
     .naive = "depth from 0 at the near plane to 1 at the far plane",
     .robust = "float from 1 at the near plane to 0 at the far plane (reversed)",
@@ -229,6 +231,7 @@ extern const StabilityExperiment near_plane{
     .place = {Subject::depth, 50},
     .set_up = SetUp::reproduction,
     .title = "A near plane too near",
+    .keywords = "z-buffer, zbuffer, depth buffer, z-fighting, depth precision, near clip",
     .knob = "distance of the near plane (world units)",
     .naive = "depth in 24 bits",
     .robust = "reversed float",
@@ -246,6 +249,7 @@ extern const StabilityExperiment sixteen_bit_linear_z{
     .place = {Subject::depth, 60},
     .set_up = SetUp::reproduction,
     .title = "16 bits of z itself",
+    .keywords = "z-buffer, zbuffer, depth buffer, w-buffer, depth precision",
     .knob = "depth (world units)",
     .naive = "16 bits of z",
     .robust = "24 bits of z",
@@ -257,4 +261,4 @@ extern const StabilityExperiment sixteen_bit_linear_z{
     .picture = picture_linear,
     .frames = places};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::depth_buffers

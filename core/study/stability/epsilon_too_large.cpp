@@ -3,7 +3,7 @@
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::epsilon_too_large {
 namespace {
 
 constexpr int point_light = 1, sun = 2;
@@ -81,6 +81,7 @@ extern const StabilityExperiment epsilon_too_large{
     .key = "epsilon-too-large",
     .place = {Subject::rays, 30},
     .title = "Epsilon too large",
+    .keywords = "bias, light leak, shadow, self-intersection",
     .knob = "shadow epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon",
     .robust = "bounded offset, no epsilon",
@@ -92,4 +93,4 @@ extern const StabilityExperiment epsilon_too_large{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::epsilon_too_large

@@ -3,7 +3,7 @@
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::epsilon_unit {
 namespace {
 
 constexpr double epsilon = 1e-3;
@@ -50,6 +50,7 @@ extern const StabilityExperiment epsilon_unit{
     .place = {Subject::rays, 40},
     .set_up = SetUp::reproduction,
     .title = "Epsilon in t is not a distance",
+    .keywords = "bias, scale, ray parameter, acne",
     .knob = "length of the light's direction",
     .naive = "t > 0.001",
     .robust = "distance > 0.001",
@@ -59,4 +60,4 @@ extern const StabilityExperiment epsilon_unit{
     .window = {1, 1},
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::epsilon_unit

@@ -86,6 +86,7 @@ struct StabilityExperiment {
   Place place;
   SetUp set_up = SetUp::illustration;
   std::string_view title;
+  std::string_view keywords{};     ///< other words that people search for, separated by commas
   std::string_view knob;           ///< what is turned, with its unit
   std::string_view naive, robust;  ///< the two methods
   std::string_view explanation;    ///< why, in two sentences
@@ -100,6 +101,9 @@ struct StabilityExperiment {
 std::span<const StabilityExperiment> stability_experiments();
 /// Throws InputError naming the nearest key.
 const StabilityExperiment& find_stability_experiment(std::string_view key);
+/// Whether an experiment is found by what a person types: every word must occur in its key, title, keywords,
+/// explanation or methods.
+bool experiment_matches(const StabilityExperiment& experiment, std::string_view wanted);
 
 /// The table "knob,series,naive,robust,unit"; a method that does not exist is an empty field.
 std::string stability_csv(std::span<const StabilityRow> rows);

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "options/renderer_kind.h"
 #include "raster/vertex_stage.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::far_from_origin {
 namespace {
 
 constexpr double eye_distance = 4;  ///< from the ball's centre, world units
@@ -78,7 +79,7 @@ Errors errors_at(double distance, const StabilityRun& run) {
     camera.position = centre - camera.forward * eye_distance;
     const FloatMatrix matrix(camera);
     Settings settings;
-    settings.renderer = Renderer::rasterizer;
+    settings.renderer = renderer_for(PictureWay::fragments);
     for (const bool camera_relative : {true, false}) {
       settings.camera_relative = camera_relative;
       const auto pass = raster::make_pass<float>(scene, {camera, 600, 600}, settings, Channel::none, prepared);
@@ -116,7 +117,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 StabilityPicture picture(double distance) {
   StabilityPicture picture{.scene = ball_text(distance)};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.naive = picture.robust;
   picture.naive.camera_relative = false;
   return picture;
@@ -130,6 +131,7 @@ extern const StabilityExperiment far_from_origin{
     .key = "far-from-origin",
     .place = {Subject::shading, 60},
     .title = "Far from the origin",
+    .keywords = "floating origin, large world, jitter, float precision",
     .knob = "distance of the scene from the origin, along each axis (world units)",
     .naive = "round world positions to float, then subtract the camera's position",
     .robust = "subtract the camera's position in double, then round (camera-relative = on)",
@@ -141,4 +143,4 @@ extern const StabilityExperiment far_from_origin{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::far_from_origin

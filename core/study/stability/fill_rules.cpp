@@ -3,7 +3,7 @@
 #include "raster/interpolate.h"
 #include "study/stability/jittered_mesh.h"
 
-namespace ps::stability {
+namespace ps::stability::fill_rules {
 namespace {
 
 using raster::CoverageGrid;
@@ -134,6 +134,7 @@ extern const StabilityExperiment fill_rule_easy{
     .key = "fill-rule-easy",
     .place = {Subject::coverage, 10},
     .title = "Who owns an edge",
+    .keywords = "fill rule, top-left rule, shared edge, double hit",
     .knob = "rule (0: inside where >= 0, 1: inside where > 0)",
     .naive = "inside where all edge values are >= 0, or > 0 (fill-rule = inclusive, exclusive)",
     .robust = "top-left rule",
@@ -149,6 +150,7 @@ extern const StabilityExperiment int32_edge_functions{
     .key = "int32-edge-functions",
     .place = {Subject::coverage, 30},
     .title = "Edge functions in 32 bits",
+    .keywords = "overflow, integer overflow, fixed point, wrap-around",
     .knob = "square root of a triangle's area (px)",
     .naive = "32-bit integers with 8 sub-pixel bits (edge-arithmetic = int32)",
     .robust = "64-bit integers (edge-arithmetic = fixed)",
@@ -163,6 +165,7 @@ extern const StabilityExperiment inclusive_scanlines{
     .key = "inclusive-scanlines",
     .place = {Subject::coverage, 80},
     .title = "Scanlines with both ends",
+    .keywords = "fill rule, shared edge, overlap, double hit",
     .knob = "length of a triangle's legs (px)",
     .naive = "the book's filling, both ends of a row included",
     .robust = "top-left rule",
@@ -172,4 +175,4 @@ extern const StabilityExperiment inclusive_scanlines{
     .window = nowhere_safe,
     .measure = measure_inclusive};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::fill_rules

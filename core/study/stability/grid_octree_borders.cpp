@@ -4,7 +4,7 @@
 
 #include "study/stability/octree_shortcuts.h"
 
-namespace ps::stability {
+namespace ps::stability::grid_octree_borders {
 namespace {
 
 using Primitives = Intersector<double, Silent>;
@@ -180,6 +180,7 @@ extern const StabilityExperiment grid_octree_borders{
     .key = "grid-octree-borders",
     .place = {Subject::boxes, 40},
     .title = "Borders of octree cells",
+    .keywords = "octree, grid, spatial index, missed hit",
     .knob = "cells along a side",
     .naive = "short cuts in where primitives are kept and in when the search ends",
     .robust = "keep a primitive in every cell it touches, and the nearest hit until no cell begins before it",
@@ -189,4 +190,4 @@ extern const StabilityExperiment grid_octree_borders{
     .window = nowhere_safe,
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::grid_octree_borders

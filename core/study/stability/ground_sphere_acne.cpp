@@ -7,7 +7,7 @@
 #include "study/stability/ground_sphere_points.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::ground_sphere_acne {
 namespace {
 
 /// The book's camera and its ground sphere alone, touching y = -1, under one point light.
@@ -146,6 +146,7 @@ extern const StabilityExperiment ground_sphere_acne{
     .place = {Subject::rays, 10},
     .set_up = SetUp::reproduction,
     .title = "Ground-sphere acne",
+    .keywords = "shadow acne, self-intersection, bias, epsilon, large sphere",
     .knob = "shadow epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon (self-hit = epsilon)",
     .robust = "start outside the error bound of the hit point (self-hit = offset)",
@@ -160,4 +161,4 @@ extern const StabilityExperiment ground_sphere_acne{
     .picture = picture_ground,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::ground_sphere_acne

@@ -8,7 +8,7 @@
 namespace ps::stability {
 namespace {
 
-constexpr int side = 600;
+constexpr int picture_side = 600;
 
 /// The discriminant from the remainder vector and the root that loses nothing, with all numbers of one precision: c is
 /// (|f| - r)(|f| + r).
@@ -40,11 +40,11 @@ SphereRoots<Real> roots_of(SphereForm form, const Vec3<Real>& origin, const Vec3
 /// Calls visit(point) for each place where a ray of the camera meets the ground.
 template <class Real, class Visit>
 void for_each_point(const TracedSphere<Real>& ground, SphereForm form, Visit&& visit) {
-  constexpr int middle = side / 2;
-  for (int row = 0; row < side; ++row)
-    for (int column = 0; column < side; ++column) {
-      const Vec3<Real> direction{static_cast<Real>(column - middle) / Real(side),
-                                 static_cast<Real>(middle - row) / Real(side), Real(1)};
+  constexpr int middle = picture_side / 2;
+  for (int row = 0; row < picture_side; ++row)
+    for (int column = 0; column < picture_side; ++column) {
+      const Vec3<Real> direction{static_cast<Real>(column - middle) / Real(picture_side),
+                                 static_cast<Real>(middle - row) / Real(picture_side), Real(1)};
       const Vec3<Real> eye(0);
       const SphereRoots<Real> roots = roots_of(form, eye, direction, ground);
       if (roots.discriminant >= 0 && roots.near > 0) visit(eye + direction * roots.near);

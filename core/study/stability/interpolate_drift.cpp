@@ -5,7 +5,7 @@
 #include "raster/interpolate.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::interpolate_drift {
 namespace {
 
 constexpr std::array lengths{100, 600, 1000, 10000, 100000, 1000000};
@@ -151,6 +151,7 @@ extern const StabilityExperiment interpolate_drift{
     .place = {Subject::depth, 10},
     .set_up = SetUp::reproduction,
     .title = "Interpolate drifts",
+    .keywords = "DDA, accumulated error, incremental, rounding",
     .knob = "steps",
     .naive = "d += slope (the book's Interpolate)",
     .robust = "each value from the ends",
@@ -161,4 +162,4 @@ extern const StabilityExperiment interpolate_drift{
     .window = {nowhere, 10000},
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::interpolate_drift

@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "raster/depth_test.h"
 #include "raster/geometry.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::inverse_depth {
 namespace {
 
 constexpr int canvas = 600, middle = canvas / 2;  ///< px, the book's
@@ -56,7 +57,7 @@ Scene scene_of(const Wall& wall) {
 std::vector<double> depths(const Wall& wall, DepthValue value, const StabilityRun& run) {
   run.check();
   Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  settings.renderer = renderer_for(PictureWay::fragments);
   settings.sample_position = SamplePosition::corner;
   settings.lighting = false;
   settings.backface_culling = false;
@@ -135,7 +136,7 @@ StabilityPicture picture(double ratio) {
       "  triangles {{ (0, 1, 2, (70, 120, 190)) (2, 1, 3, (70, 120, 190)) }}\n}}\n"
       "instance {{ model = wall }}\ninstance {{ model = board }}\n",
       2 * wall.a_x, 2 * wall.b_x, 2 * wall.b_z, 0.4 * z, 0.1 * z, z);
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.lighting = false;
   picture.robust.backface_culling = false;
   picture.naive = picture.robust;
@@ -152,6 +153,7 @@ extern const StabilityExperiment inverse_depth{
     .place = {Subject::depth, 20},
     .set_up = SetUp::reproduction,
     .title = "z against 1/z",
+    .keywords = "z-buffer, zbuffer, depth interpolation, perspective correct, barycentric",
     .knob = "ratio of the depths of an edge's ends",
     .naive = "interpolate z on the screen (depth-value = z)",
     .robust = "interpolate 1/z (depth-value = inverse-z)",
@@ -162,4 +164,4 @@ extern const StabilityExperiment inverse_depth{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::inverse_depth

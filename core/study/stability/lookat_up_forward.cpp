@@ -1,7 +1,7 @@
 #include "math/unit.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::lookat_up_forward {
 namespace {
 
 /// The right vector of a camera at `eye` that looks at `target`, in float.
@@ -56,6 +56,7 @@ extern const StabilityExperiment lookat_up_forward{
     .place = {Subject::shading, 70},
     .set_up = SetUp::reproduction,
     .title = "Looking straight up",
+    .keywords = "look-at, camera, gimbal lock, cross product, NaN",
     .knob = "angle between up and forward (radians)",
     .naive = "cross(up, forward)",
     .robust = "another up vector below 0.001 radians",
@@ -65,4 +66,4 @@ extern const StabilityExperiment lookat_up_forward{
     .window = {1e-3, everywhere},
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::lookat_up_forward

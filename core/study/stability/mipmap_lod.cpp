@@ -5,9 +5,10 @@
 #include "image/mip_level.h"
 #include "image/planes.h"
 #include "image/texture_sampling.h"
+#include "options/renderer_kind.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::mipmap_lod {
 namespace {
 
 constexpr int width = 256, height = 128, square = 8, texels_per_unit = 64;
@@ -150,7 +151,7 @@ std::vector<StabilityRow> measure_lod(const StabilityRun& run) {
 
 StabilityPicture picture_lod(double bias) {
   StabilityPicture picture{.scene = "cgfs/crates"};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.anisotropy = 16;
   picture.naive = picture.robust;
   picture.naive.anisotropy = 1;
@@ -166,6 +167,7 @@ extern const StabilityExperiment mipmap_lod{
     .key = "mipmap-lod",
     .place = {Subject::sampling, 60},
     .title = "Mip level of a texture",
+    .keywords = "LOD selection, mip bias, level of detail, blur, aliasing, minification",
     .knob = "mip bias, or maximum number of lookups",
     .naive = "one lookup: nearest, bilinear, or trilinear with a bias",
     .robust = "trilinear, up to 16 lookups along the footprint (anisotropic)",
@@ -178,4 +180,4 @@ extern const StabilityExperiment mipmap_lod{
     .picture = picture_lod,
     .frames = biases};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::mipmap_lod

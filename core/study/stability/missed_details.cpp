@@ -6,7 +6,7 @@
 #include "scene/scene_writer.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::missed_details {
 namespace {
 
 /// White things before black, without lights, in an orthographic picture whose pixels are 1 world unit wide.
@@ -165,6 +165,7 @@ extern const StabilityExperiment sub_pixel_disc_missed{
     .place = {Subject::sampling, 40},
     .set_up = SetUp::reproduction,
     .title = "Discs between the samples",
+    .keywords = "aliasing, undersampling, small objects, AA, antialias, flicker",
     .knob = "diameter (px)",
     .naive = "one sample per pixel: at the centre, at a corner, at both, or anywhere",
     .robust = "4 x 4 samples per pixel",
@@ -182,6 +183,7 @@ extern const StabilityExperiment subsampling_bars{
     .place = {Subject::sampling, 50},
     .set_up = SetUp::reproduction,
     .title = "Bars between traced pixels",
+    .keywords = "undersampling, half resolution, thin objects, aliasing",
     .knob = "subsampling: every k-th pixel is searched",
     .naive = "subsampling = k",
     .robust = "subsampling = 1",
@@ -194,4 +196,4 @@ extern const StabilityExperiment subsampling_bars{
     .picture = picture_bars,
     .frames = steps};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::missed_details

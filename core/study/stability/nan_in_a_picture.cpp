@@ -6,7 +6,7 @@
 #include "image/mixing.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::nan_in_a_picture {
 namespace {
 
 constexpr double limit = 0.01;  ///< of the error that a check of pictures lets pass
@@ -151,6 +151,7 @@ extern const StabilityExperiment nan_in_a_picture{
     .place = {Subject::numbers, 60},
     .set_up = SetUp::reproduction,
     .title = "A NaN in a picture",
+    .keywords = "not a number, metric, RMSE, comparison",
     .knob = "width of the blur in pixels, 0 = none",
     .naive = "treat it as any number",
     .robust = "test for valid values, count those that are not finite",
@@ -161,4 +162,4 @@ extern const StabilityExperiment nan_in_a_picture{
     .window = nowhere_safe,
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::nan_in_a_picture

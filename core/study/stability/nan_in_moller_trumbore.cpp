@@ -1,7 +1,7 @@
 #include "raytrace/triangle_moeller_trumbore.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::nan_in_moller_trumbore {
 namespace {
 
 /// Moeller-Trumbore as it is often written: every way to miss has its return.
@@ -53,6 +53,7 @@ extern const StabilityExperiment nan_in_moller_trumbore{
     .place = {Subject::rays, 150},
     .set_up = SetUp::reproduction,
     .title = "NaN in Moeller-Trumbore",
+    .keywords = "not a number, Moeller-Trumbore, Möller-Trumbore, ray triangle",
     .knob = "none",
     .naive = "if (u < 0 || ...) return miss",
     .robust = "return u >= 0 && ...",
@@ -62,4 +63,4 @@ extern const StabilityExperiment nan_in_moller_trumbore{
     .window = nowhere_safe,
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::nan_in_moller_trumbore

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "scene/scene_file.h"
 #include "study/stability/inner_pixels.h"
 
-namespace ps::stability {
+namespace ps::stability::near_plane_clipping {
 namespace {
 
 constexpr double near = 1;  ///< the book's: the projection plane
@@ -23,7 +24,7 @@ std::string floor_text(double third_z) {
 
 Settings fragments(Clipping clipping) {
   Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  settings.renderer = renderer_for(PictureWay::fragments);
   settings.clipping = clipping;
   settings.near = near;
   settings.lighting = false;
@@ -75,6 +76,7 @@ extern const StabilityExperiment near_plane_clipping{
     .key = "near-plane-clipping",
     .place = {Subject::depth, 80},
     .title = "Vertices behind the camera",
+    .keywords = "clipping, frustum, behind the eye, w < 0",
     .knob = "z of one vertex of a floor (world units before the camera)",
     .naive = "project it without clipping, drop the triangle, or move the vertex",
     .robust = "clip the triangle at the near plane",
@@ -87,4 +89,4 @@ extern const StabilityExperiment near_plane_clipping{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::near_plane_clipping

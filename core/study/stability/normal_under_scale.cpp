@@ -8,7 +8,7 @@
 #include "shade/illumination.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::normal_under_scale {
 namespace {
 
 struct LambertError {
@@ -85,6 +85,7 @@ extern const StabilityExperiment normal_under_scale{
     .place = {Subject::shading, 30},
     .set_up = SetUp::reproduction,
     .title = "Normals under a scale",
+    .keywords = "inverse transpose, normal matrix, non-uniform scale",
     .knob = "scale along one axis",
     .naive = "transform like positions",
     .robust = "inverse transpose",
@@ -94,4 +95,4 @@ extern const StabilityExperiment normal_under_scale{
     .window = {1, 1},
     .measure = measure_normal_under_scale};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::normal_under_scale

@@ -3,9 +3,10 @@
 #include <memory>
 #include <numeric>
 
+#include "options/renderer_kind.h"
 #include "study/stability/inner_pixels.h"
 
-namespace ps::stability {
+namespace ps::stability::painters_cycle {
 namespace {
 
 constexpr int side = 200;  ///< of the picture, px
@@ -54,7 +55,7 @@ class Judge {
   /// float are rounded.
   double wrong(Visibility visibility, const std::vector<std::size_t>& order) const {
     Settings settings;
-    settings.renderer = Renderer::rasterizer;
+    settings.renderer = renderer_for(PictureWay::fragments);
     settings.visibility = visibility;
     settings.lighting = false;
     settings.backface_culling = false;
@@ -187,7 +188,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 StabilityPicture picture(double) {
   StabilityPicture picture{.scene = "cgfs/depth"};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.lighting = false;
   picture.robust.backface_culling = false;
   picture.naive = picture.robust;
@@ -203,6 +204,7 @@ extern const StabilityExperiment painters_cycle{
     .key = "painter-s-cycle",
     .place = {Subject::depth, 70},
     .title = "The painter's cycle",
+    .keywords = "hidden surface, painter's algorithm, depth sort, z-buffer, cyclic overlap",
     .knob = "number of sheets",
     .naive = "draw from far to near (painter's algorithm)",
     .robust = "depth buffer",
@@ -214,4 +216,4 @@ extern const StabilityExperiment painters_cycle{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::painters_cycle

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "study/stability/shadow_map_ball.h"
 
-namespace ps::stability {
+namespace ps::stability::peter_panning {
 namespace {
 
 using raster::ShadowComparison;
@@ -121,7 +122,7 @@ light { type = directional  intensity = 0.75  direction = (-1, 0.35, -0.4) }
 )",
                            .width = 240,
                            .height = 160};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.shadows = Shadows::map;
   picture.robust.tessellation = 0.05;
   picture.robust.shadow_bias = 0;
@@ -140,6 +141,7 @@ extern const StabilityExperiment peter_panning{
     .key = "peter-panning",
     .place = {Subject::shadows, 30},
     .title = "Detached shadows (peter-panning)",
+    .keywords = "bias, shadow map, depth bias, light leak, floating shadow",
     .knob = "constant bias (world units)",
     .naive = "constant bias",
     .robust = "slope bias of half a texel and 1/256",
@@ -152,4 +154,4 @@ extern const StabilityExperiment peter_panning{
     .picture = picture,
     .frames = biases};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::peter_panning

@@ -6,7 +6,7 @@
 #include "scene/load.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::precision {
 namespace {
 
 Settings book(Precision precision, double epsilon) {
@@ -66,6 +66,7 @@ extern const StabilityExperiment precision{
     .place = {Subject::numbers, 80},
     .set_up = SetUp::reproduction,
     .title = "Float against double",
+    .keywords = "float, double, single precision, rounding error",
     .knob = "reflection epsilon (ray parameter)",
     .naive = "the book's tests with an epsilon",
     .robust = "offset by the error bound, no epsilon",
@@ -77,4 +78,4 @@ extern const StabilityExperiment precision{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::precision

@@ -13,7 +13,7 @@
 #include "raytrace/sphere_robust.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::ray_sphere_cancellation {
 
 namespace {
 
@@ -190,6 +190,7 @@ extern const StabilityExperiment ray_sphere_cancellation{
     .place = {Subject::rays, 50},
     .set_up = SetUp::reproduction,
     .title = "Ray and sphere: cancellation",
+    .keywords = "quadratic formula, discriminant, loss of significance, catastrophic cancellation",
     .knob = "distance / radius",
     .naive = "discriminant b^2 - 4ac (sphere-test = quadratic)",
     .robust = "discriminant from the remainder vector",
@@ -207,6 +208,7 @@ extern const StabilityExperiment stable_q_alone{
     .place = {Subject::rays, 60},
     .set_up = SetUp::reproduction,
     .title = "Stable roots alone",
+    .keywords = "quadratic formula, discriminant, loss of significance",
     .knob = "distance / radius",
     .naive = "discriminant b^2 - 4ac, roots without cancellation",
     .robust = "remainder vector, roots without cancellation (sphere-test = robust)",
@@ -216,4 +218,4 @@ extern const StabilityExperiment stable_q_alone{
     .window = {nowhere, 100},
     .measure = measure_stable_q_alone};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::ray_sphere_cancellation

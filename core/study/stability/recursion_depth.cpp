@@ -12,7 +12,7 @@
 #include "scene/load.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::recursion_depth {
 
 namespace {
 
@@ -114,6 +114,7 @@ extern const StabilityExperiment recursion_depth{
     .place = {Subject::numbers, 30},
     .set_up = SetUp::reproduction,
     .title = "Recursion depth",
+    .keywords = "mirror, reflection, recursion limit, bounces",
     .knob = "depth (reflections in a row)",
     .naive = "a small depth",
     .robust = "depth 8",
@@ -125,4 +126,4 @@ extern const StabilityExperiment recursion_depth{
     .picture = picture_recursion_depth,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::recursion_depth

@@ -5,7 +5,7 @@
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::reflection_self_hit {
 namespace {
 
 /// The ground of the book's scene alone, in ambient light: a ground pixel is brighter than half of its colour only if
@@ -67,6 +67,7 @@ extern const StabilityExperiment reflection_self_hit{
     .place = {Subject::rays, 20},
     .set_up = SetUp::reproduction,
     .title = "Reflection self-hit",
+    .keywords = "acne, self-intersection, bias, epsilon, mirror",
     .knob = "reflection epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon",
     .robust = "bounded offset, no epsilon",
@@ -78,4 +79,4 @@ extern const StabilityExperiment reflection_self_hit{
     .picture = picture_reflection_self_hit,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::reflection_self_hit

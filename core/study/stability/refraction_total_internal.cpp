@@ -3,7 +3,7 @@
 
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::refraction_total_internal {
 
 /// Rays that leave glass, cosine-weighted over the hemisphere: Snell's law asks for the root of a negative number
 /// beyond the critical angle. Robust: that branch is total reflection.
@@ -32,6 +32,7 @@ extern const StabilityExperiment refraction_total_internal{
     .place = {Subject::numbers, 40},
     .set_up = SetUp::reproduction,
     .title = "Total internal reflection",
+    .keywords = "glass, Snell, NaN, total reflection, critical angle",
     .knob = "index of refraction",
     .naive = "Snell's law alone",
     .robust = "reflect beyond the critical angle",
@@ -41,4 +42,4 @@ extern const StabilityExperiment refraction_total_internal{
     .window = {1, 1},
     .measure = measure_refraction_total_internal};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::refraction_total_internal

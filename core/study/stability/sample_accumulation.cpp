@@ -4,7 +4,7 @@
 
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::sample_accumulation {
 
 namespace {
 
@@ -100,6 +100,7 @@ extern const StabilityExperiment sample_accumulation{
     .place = {Subject::numbers, 20},
     .set_up = SetUp::reproduction,
     .title = "Sums of many samples",
+    .keywords = "accumulation buffer, float sum, Kahan, stagnation",
     .knob = "samples",
     .naive = "float sum",
     .robust = "Kahan's sum",
@@ -109,4 +110,4 @@ extern const StabilityExperiment sample_accumulation{
     .window = {nowhere, 1e6},
     .measure = measure_sample_accumulation};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::sample_accumulation

@@ -5,7 +5,7 @@
 #include "raytrace/sampling/pattern.h"
 #include "study/stability/sampling_rates.h"
 
-namespace ps::stability {
+namespace ps::stability::sampling_patterns {
 namespace {
 
 /// Root mean square error of the mean of `count` samples over many edges. `angle` is that of the edge's normal; without
@@ -109,6 +109,7 @@ extern const StabilityExperiment supersampling_rate{
     .place = {Subject::sampling, 10},
     .set_up = SetUp::reproduction,
     .title = "What another sample is worth",
+    .keywords = "AA, antialias, antialiasing, SSAA, convergence, noise, Monte Carlo",
     .knob = "samples per pixel",
     .naive = "random, or a grid",
     .robust = "jittered grid, or a low-discrepancy sequence",
@@ -126,6 +127,7 @@ extern const StabilityExperiment grid_moire{
     .place = {Subject::sampling, 20},
     .set_up = SetUp::reproduction,
     .title = "Moire: a grid of samples over a regular pattern",
+    .keywords = "moiré, aliasing, AA, antialias, jitter, regular pattern",
     .knob = "samples per pixel",
     .naive = "grid",
     .robust = "jittered grid",
@@ -137,4 +139,4 @@ extern const StabilityExperiment grid_moire{
     .picture = picture_moire,
     .frames = few};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::sampling_patterns

@@ -138,7 +138,7 @@ class Sampler {
   std::vector<Points> blue_;
 };
 
-enum Subject { any_edge, vertical_edge, diagonal_edge, wave, board, subjects };
+enum Sampled { any_edge, vertical_edge, diagonal_edge, wave, board, subjects };
 constexpr std::array subject_names{"any edge", "vertical edge", "edge at 45 degrees", "smooth wave",
                                    "8 x 8 squares anywhere"};
 
@@ -196,7 +196,7 @@ void add_sampling_rates(Rows& rows, const StabilityRun& run) {
   struct Pair {
     const char* names;
     Pattern naive, robust;
-    std::vector<Subject> of;
+    std::vector<Sampled> of;
   };
   for (const Pair& pair :
        {Pair{"random and jitter", Pattern::random, Pattern::jitter, {vertical_edge, diagonal_edge, wave, board}},
@@ -207,7 +207,7 @@ void add_sampling_rates(Rows& rows, const StabilityRun& run) {
              Pattern::blue,
              {any_edge, vertical_edge, diagonal_edge, wave, board}}}) {
     const Errors naive = errors_of(pair.naive, sampler, run), robust = errors_of(pair.robust, sampler, run);
-    for (const Subject subject : pair.of) {
+    for (const Sampled subject : pair.of) {
       const std::string name = fmt::format("{}, {}", subject_names[subject], pair.names);
       const RateErrors &a = naive[subject], &b = robust[subject];
       for (std::size_t k = 0; k < rate_counts.size(); ++k)

@@ -7,6 +7,8 @@
 
 #include <glm/common.hpp>
 
+#include "options/renderer_kind.h"
+
 namespace ps::stability {
 namespace {
 
@@ -28,9 +30,9 @@ class BallPictures {
  public:
   /// The smooth ball.
   BallPictures(const Material& material, int side, const StabilityRun& run)
-      : BallPictures(Sphere{}, material, side, Renderer::ray_tracer, run) {}
+      : BallPictures(Sphere{}, material, side, renderer_for(PictureWay::rays), run) {}
   BallPictures(Mesh triangles, const Material& material, int side, const StabilityRun& run)
-      : BallPictures(Instance{}, material, side, Renderer::rasterizer, run) {
+      : BallPictures(Instance{}, material, side, renderer_for(PictureWay::fragments), run) {
     triangles.materials = {0};
     scene_.geometry.edit(
         [&](Geometry& geometry) { geometry.meshes = {std::make_shared<const Mesh>(std::move(triangles))}; });

@@ -32,7 +32,7 @@ double wrong_floor_share(const Scene& scene, const Settings& fragments, const St
   constexpr int floor_object = 0, sun = 1;
   const View view{scene.camera, 150, 100};
   const Channel channels = Channel::ids | Channel::shadow;
-  const Settings rays = shadow_settings(Renderer::ray_tracer, Shadows::traced, fragments.near);
+  const Settings rays = shadow_settings(renderer_for(PictureWay::rays), Shadows::traced, fragments.near);
   const Frame truth = picture_of(scene, view, rays, channels, run);
   const Frame frame = picture_of(scene, view, fragments, channels, run);
   const auto bit = [](const Frame& f, int x, int y) { return f.shadow.at(x, y) >> sun & 1; };

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "study/stability/shadow_map_ball.h"
 
-namespace ps::stability {
+namespace ps::stability::shadow_map_acne {
 namespace {
 
 using raster::ShadowComparison;
@@ -93,7 +94,7 @@ std::vector<StabilityRow> measure_filter(const StabilityRun& run) {
 
 StabilityPicture picture_filter(double taps) {
   StabilityPicture picture{.scene = "lab/shadow-acne", .width = 240, .height = 160};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.shadows = Shadows::map;
   picture.robust.shadow_map_size = 256;
   picture.robust.shadow_bias = 0;
@@ -121,6 +122,7 @@ extern const StabilityExperiment shadow_map_acne{
     .place = {Subject::shadows, 10},
     .set_up = SetUp::reproduction,
     .title = "Shadow map acne",
+    .keywords = "shadow acne, bias, depth bias, slope scale, self-shadowing",
     .knob = "constant bias (world units)",
     .naive = "constant bias",
     .robust = "slope bias of half a texel and 1/256",
@@ -139,6 +141,7 @@ extern const StabilityExperiment pcf_one_tap_bias{
     .place = {Subject::shadows, 20},
     .set_up = SetUp::reproduction,
     .title = "Percentage-closer filtering with the bias of one tap",
+    .keywords = "PCF, shadow map, acne, soft shadow, bias",
     .knob = "taps along a side",
     .naive = "slope bias of one texel",
     .robust = "slope bias of half the taps and 1/256",
@@ -151,4 +154,4 @@ extern const StabilityExperiment pcf_one_tap_bias{
     .picture = picture_filter,
     .frames = taps};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::shadow_map_acne

@@ -5,7 +5,7 @@
 #include "scene/generate/uv_sphere.h"
 #include "study/stability/shaded_ball.h"
 
-namespace ps::stability {
+namespace ps::stability::shadow_terminator {
 namespace {
 
 constexpr int terminator_lights = 20;  // each has a bit of the shadow channel
@@ -107,6 +107,7 @@ extern const StabilityExperiment shadow_terminator{
     .key = "shadow-terminator",
     .place = {Subject::shading, 40},
     .title = "The shadow terminator",
+    .keywords = "terminator problem, shading normal, low polygon, self-shadowing, acne",
     .knob = "triangles of the ball",
     .naive = "shadow ray from the triangle",
     .robust = "shadow ray from the smooth surface (Hanika)",
@@ -117,4 +118,4 @@ extern const StabilityExperiment shadow_terminator{
     .window = {65000, everywhere},
     .measure = measure_terminator};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::shadow_terminator

@@ -4,7 +4,7 @@
 #include "study/stability/edge_methods.h"
 #include "study/stability/jittered_mesh.h"
 
-namespace ps::stability {
+namespace ps::stability::shared_edges {
 namespace {
 
 using raster::CoverageChoice;
@@ -184,6 +184,7 @@ extern const StabilityExperiment fill_rule_adversarial{
     .key = "fill-rule-adversarial",
     .place = {Subject::coverage, 20},
     .title = "Edges through a sample",
+    .keywords = "fill rule, top-left rule, tie, shared edge",
     .knob = "length of the edge (px)",
     .naive = "edge functions in float",
     .robust = "vertices in one order for both triangles, or 64-bit integers (edge-arithmetic = fixed)",
@@ -194,4 +195,4 @@ extern const StabilityExperiment fill_rule_adversarial{
     .window = nowhere_safe,
     .measure = measure_adversarial};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::shared_edges

@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "raster/tessellate.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::silhouette_tessellation {
 namespace {
 
 constexpr double half_a_pixel = 0.5;  ///< the default of the option `tessellation`
@@ -93,7 +94,7 @@ StabilityPicture picture(double segments) {
                                     "light { type = directional intensity = 0.7 direction = (1, 2, -2) }\n",
                            .width = 160,
                            .height = 160};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.projection = Projection::orthographic;
   picture.naive = picture.robust;
   picture.naive.tessellation = error_for(64, segments);
@@ -109,6 +110,7 @@ extern const StabilityExperiment silhouette_tessellation{
     .place = {Subject::shading, 50},
     .set_up = SetUp::reproduction,
     .title = "Polygonal outlines of round objects",
+    .keywords = "silhouette, level of detail, LOD, polygon count, subdivision",
     .knob = "segments of the outline, or the ball's radius (px)",
     .naive = "the same number of segments at any size",
     .robust = "as many as half a pixel of error asks for (tessellation = 0.5)",
@@ -120,4 +122,4 @@ extern const StabilityExperiment silhouette_tessellation{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::silhouette_tessellation

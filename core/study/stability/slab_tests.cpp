@@ -3,7 +3,7 @@
 #include "accel/slab.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::slab_tests {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -180,6 +180,7 @@ extern const StabilityExperiment slab_test_false_miss{
     .key = "slab-test-false-miss",
     .place = {Subject::boxes, 10},
     .title = "Boxes missed at their edges",
+    .keywords = "ray box, AABB, bounding box, BVH, rounding",
     .knob = "dimensions of the box (3 = solid, 2 = a rectangle, 1 = a line)",
     .naive = "near <= far, as computed (slab-test = naive)",
     .robust = "far end grown by its rounding error, 2 gamma(3) (slab-test = robust)",
@@ -193,6 +194,7 @@ extern const StabilityExperiment zero_inf_nan_slab{
     .key = "0-inf-nan-slab",
     .place = {Subject::boxes, 30},
     .title = "0 times infinity in a slab test",
+    .keywords = "NaN, infinity, ray box, AABB, division by zero",
     .knob = "sign of the zero components of the direction (0 = both)",
     .naive = "min and max, with one order of operands or the other",
     .robust = "planes in the order of the ray, comparisons false for NaN (slab-test = robust)",
@@ -203,4 +205,4 @@ extern const StabilityExperiment zero_inf_nan_slab{
     .window = nowhere_safe,
     .measure = measure_nan_slab};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::slab_tests

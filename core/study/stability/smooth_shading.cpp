@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include "math/unit.h"
+#include "options/renderer_kind.h"
 #include "scene/generate/uv_sphere.h"
 #include "study/stability/shaded_ball.h"
 
-namespace ps::stability {
+namespace ps::stability::smooth_shading {
 namespace {
 
 std::vector<StabilityRow> measure_gouraud(const StabilityRun& run) {
@@ -67,7 +68,7 @@ light {{ type = ambient  intensity = 0.2 }}
 light {{ type = directional  intensity = 0.8  direction = (1, 1, -1) }}
 )",
                                                 rings)};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.naive = picture.robust;
   return picture;
 }
@@ -91,6 +92,7 @@ extern const StabilityExperiment gouraud_highlight{
     .key = "gouraud-highlight",
     .place = {Subject::shading, 10},
     .title = "Gouraud shading loses highlights",
+    .keywords = "Gouraud, per vertex, specular, Phong, highlight",
     .knob = "triangles of the ball",
     .naive = "lighting at the vertices (Gouraud)",
     .robust = "lighting at each pixel (Phong)",
@@ -108,6 +110,7 @@ extern const StabilityExperiment unnormalised_interpolated_normals{
     .place = {Subject::shading, 20},
     .set_up = SetUp::reproduction,
     .title = "Interpolated normals get short",
+    .keywords = "normalize, renormalise, Phong, highlight, interpolation",
     .knob = "angle between neighbouring vertex normals (degrees)",
     .naive = "as interpolated",
     .robust = "renormalised",
@@ -121,4 +124,4 @@ extern const StabilityExperiment unnormalised_interpolated_normals{
     .picture = picture_unnormalised,
     .frames = angles};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::smooth_shading

@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "raster/edge_function.h"
 #include "scene/generate/uv_sphere.h"
 #include "study/stability/jittered_mesh.h"
 
-namespace ps::stability {
+namespace ps::stability::snapped_corners {
 namespace {
 
 using raster::CoverageGrid;
@@ -94,7 +95,7 @@ class Agreement {
     settings_.lighting = false;
     settings_.precision = Precision::float64;
     traced_ = ids();
-    settings_.renderer = Renderer::rasterizer;
+    settings_.renderer = renderer_for(PictureWay::fragments);
   }
   /// Pixels with another triangle.
   double differing(int bits, SamplePosition position = SamplePosition::centre) {
@@ -146,7 +147,7 @@ std::vector<StabilityRow> measure_agreement(const StabilityRun& run) {
 
 StabilityPicture picture_bits(double bits) {
   StabilityPicture picture{.scene = "cgfs/shading"};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.naive = picture.robust;
   picture.naive.subpixel_bits = static_cast<int>(bits);
   return picture;
@@ -160,6 +161,7 @@ extern const StabilityExperiment sub_pixel_bits{
     .key = "sub-pixel-bits",
     .place = {Subject::coverage, 50},
     .title = "Sub-pixel bits",
+    .keywords = "fixed point, snapping, vertex precision, overflow",
     .knob = "fractional bits of vertex positions",
     .naive = "few bits",
     .robust = "8 bits",
@@ -176,6 +178,7 @@ extern const StabilityExperiment ray_vs_raster_agreement{
     .key = "ray-vs-raster-agreement",
     .place = {Subject::coverage, 60},
     .title = "Rays and fragments may see different triangles",
+    .keywords = "rasterizer, ray tracer, hybrid rendering, edge pixels",
     .knob = "sub-pixel bits",
     .naive = "few bits",
     .robust = "12 bits, the same sample position",
@@ -188,4 +191,4 @@ extern const StabilityExperiment ray_vs_raster_agreement{
     .picture = picture_bits,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::snapped_corners

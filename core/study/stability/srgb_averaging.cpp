@@ -2,7 +2,7 @@
 
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::srgb_averaging {
 namespace {
 
 /// Linear light as an sRGB level (IEC 61966-2-1).
@@ -54,6 +54,7 @@ extern const StabilityExperiment srgb_averaging{
     .place = {Subject::numbers, 10},
     .set_up = SetUp::reproduction,
     .title = "Averages of sRGB levels",
+    .keywords = "gamma, gamma-incorrect averaging, linear light, blending, resize",
     .knob = "share of white (%)",
     .naive = "mean of the levels",
     .robust = "level of the mean light",
@@ -63,4 +64,4 @@ extern const StabilityExperiment srgb_averaging{
     .window = nowhere_safe,
     .measure = measure_srgb_averaging};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::srgb_averaging

@@ -2,17 +2,18 @@
 
 #include <fmt/format.h>
 
+#include "options/renderer_kind.h"
 #include "scene/scene_file.h"
 #include "study/stability/shadow_floor.h"
 
-namespace ps::stability {
+namespace ps::stability::stencil_shadows {
 namespace {
 
 /// What depth pass makes of the floor, and what depth fail does.
 StabilityRow passed_and_failed(double knob, const char* series, const Scene& scene, double near,
                                const StabilityRun& run) {
   const auto wrong = [&](Shadows shadows) {
-    return wrong_floor_share(scene, shadow_settings(Renderer::rasterizer, shadows, near), run);
+    return wrong_floor_share(scene, shadow_settings(renderer_for(PictureWay::fragments), shadows, near), run);
   };
   return {knob, series, wrong(Shadows::stencil_depth_pass), wrong(Shadows::stencil_depth_fail),
           "% of floor pixels wrong"};
@@ -53,10 +54,10 @@ double lit_share(int boards, int bits, const StabilityRun& run) {
   const Scene scene = parse_scene(boards_text(boards), "boards", ".");
   const View view{scene.camera, 90, 60};
   const Channel channels = Channel::ids | Channel::shadow;
-  Settings settings = shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.1);
+  Settings settings = shadow_settings(renderer_for(PictureWay::fragments), Shadows::stencil_depth_fail, 0.1);
   settings.stencil_bits = bits;
   const Frame truth =
-      picture_of(scene, view, shadow_settings(Renderer::ray_tracer, Shadows::traced, 0.1), channels, run);
+      picture_of(scene, view, shadow_settings(renderer_for(PictureWay::rays), Shadows::traced, 0.1), channels, run);
   const Frame frame = picture_of(scene, view, settings, channels, run);
   double dark = 0, lit = 0;
   for (int y = 1; y + 1 < 60; ++y)
@@ -84,8 +85,8 @@ std::vector<StabilityRow> measure_wrap(const StabilityRun& run) {
 
 StabilityPicture picture_inside(double z) {
   StabilityPicture picture{.scene = roof_text(z), .width = 240, .height = 160};
-  picture.naive = shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_pass, 0.05);
-  picture.robust = shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.05);
+  picture.naive = shadow_settings(renderer_for(PictureWay::fragments), Shadows::stencil_depth_pass, 0.05);
+  picture.robust = shadow_settings(renderer_for(PictureWay::fragments), Shadows::stencil_depth_fail, 0.05);
   return picture;
 }
 StabilityPicture picture_near(double near) {
@@ -112,6 +113,7 @@ extern const StabilityExperiment z_pass_in_volume{
     .key = "z-pass-in-volume",
     .place = {Subject::shadows, 40},
     .title = "Camera inside a shadow volume",
+    .keywords = "shadow volume, stencil shadow, depth pass, z-pass",
     .knob = "z of the camera (the shadow lies between -2 and 2)",
     .naive = "count faces before the surface (depth pass)",
     .robust = "count faces behind the surface (depth fail)",
@@ -127,6 +129,7 @@ extern const StabilityExperiment near_plane_cuts_volume{
     .key = "near-plane-cuts-volume",
     .place = {Subject::shadows, 50},
     .title = "The near plane cuts a volume",
+    .keywords = "shadow volume, stencil shadow, near clip, z-pass, z-fail",
     .knob = "distance of the near plane (world units)",
     .naive = "count faces before the surface (depth pass)",
     .robust = "count faces behind the surface (depth fail)",
@@ -142,6 +145,7 @@ extern const StabilityExperiment stencil_bits_wrap{
     .key = "stencil-bits-wrap",
     .place = {Subject::shadows, 70},
     .title = "More shadows than the stencil buffer counts",
+    .keywords = "overflow, stencil buffer, shadow volume, counter, wrap-around",
     .knob = "volumes that overlap",
     .naive = "4 or 8 bits",
     .robust = "16 bits",
@@ -153,4 +157,4 @@ extern const StabilityExperiment stencil_bits_wrap{
     .picture = picture_wrap,
     .frames = boards};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::stencil_shadows

@@ -1,7 +1,7 @@
 #include "raster/coverage/walk.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::stepped_edge_drift {
 namespace {
 
 /// The columns of one row that the program covers, as a coverage sink.
@@ -70,6 +70,7 @@ extern const StabilityExperiment stepped_edge_drift{
     .key = "stepped-edge-drift",
     .place = {Subject::coverage, 40},
     .title = "Stepped edges drift",
+    .keywords = "incremental, accumulated error, DDA, float, cracks",
     .knob = "side of the canvas (px)",
     .naive = "float, one addition for each sample (edge-arithmetic = float-stepped)",
     .robust = "float, each sample computed afresh (edge-arithmetic = float)",
@@ -79,4 +80,4 @@ extern const StabilityExperiment stepped_edge_drift{
     .window = {nowhere, 1024},
     .measure = measure};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::stepped_edge_drift

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace ps::stability {
 
-inline constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 inline constexpr double nowhere = -std::numeric_limits<double>::infinity();
 inline constexpr double everywhere = std::numeric_limits<double>::infinity();
 inline constexpr SafeWindow nowhere_safe{everywhere, nowhere};

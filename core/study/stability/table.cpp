@@ -8,22 +8,24 @@
 #include "base/check.h"
 #include "base/csv.h"
 #include "base/spelling.h"
+#include "base/word_search.h"
 #include "study/stability/experiment.h"
 
 namespace ps {
 
 namespace stability {
-#define PS_DECLARE(name) extern const StabilityExperiment name;
+#define PS_DECLARE(file, name)                                                                                         \
+  namespace file {                                                                                                     \
+  extern const StabilityExperiment name;                                                                               \
+  }
 PS_STABILITY_EXPERIMENTS(PS_DECLARE)
 #undef PS_DECLARE
 }  // namespace stability
 
 namespace {
 
-using namespace stability;
-
 std::vector<StabilityExperiment> in_order() {
-#define PS_EXPERIMENT(name) name,
+#define PS_EXPERIMENT(file, name) stability::file::name,
   std::vector<StabilityExperiment> all{PS_STABILITY_EXPERIMENTS(PS_EXPERIMENT)};
 #undef PS_EXPERIMENT
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
@@ -40,6 +42,11 @@ std::string number_field(double value) { return std::isnan(value) ? "" : fmt::fo
 }  // namespace
 
 std::span<const StabilityExperiment> stability_experiments() { return table(); }
+
+bool experiment_matches(const StabilityExperiment& experiment, std::string_view wanted) {
+  return has_words(wanted, {experiment.key, experiment.title, experiment.keywords, experiment.explanation,
+                            experiment.naive, experiment.robust});
+}
 
 const StabilityExperiment& find_stability_experiment(std::string_view key) {
   const auto found = std::find_if(table().begin(), table().end(), [&](const auto& row) { return row.key == key; });

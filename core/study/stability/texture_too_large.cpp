@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include "image/planes.h"
+#include "options/renderer_kind.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::texture_too_large {
 namespace {
 
 constexpr int screen = 256, finest = 2048;
@@ -64,7 +65,7 @@ Scene filled_screen(const ScalarImage& values) {
 /// RMSE in levels of 255 of the rasterizer's picture.
 double error_on_screen(const Scene& scene, TextureFilter filter, const ScalarImage& truth, const StabilityRun& run) {
   Settings settings;
-  settings.renderer = Renderer::rasterizer;
+  settings.renderer = renderer_for(PictureWay::fragments);
   settings.projection = Projection::orthographic;
   settings.precision = Precision::float64;
   settings.lighting = false;
@@ -101,7 +102,7 @@ texture {{ name = wall  generator = bricks  size = {} }}
 rectangle {{ corner = (-1, -1, 2)  side_a = (2, 0, 0)  side_b = (0, 2, 0)  color = white  texture = wall }}
 )",
                                                 side)};
-  picture.robust.renderer = Renderer::rasterizer;
+  picture.robust.renderer = renderer_for(PictureWay::fragments);
   picture.robust.lighting = false;
   picture.naive = picture.robust;
   picture.naive.texture_filter = TextureFilter::nearest;
@@ -116,6 +117,7 @@ extern const StabilityExperiment texture_too_large{
     .key = "texture-too-large",
     .place = {Subject::sampling, 70},
     .title = "A texture larger than the screen",
+    .keywords = "minification, aliasing, mipmap, shimmer, moire",
     .knob = "texels along a side",
     .naive = "the texel nearest to the pixel's centre",
     .robust = "trilinear: the mip level of the screen's size",
@@ -127,4 +129,4 @@ extern const StabilityExperiment texture_too_large{
     .picture = picture,
     .frames = sizes};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::texture_too_large

@@ -2,7 +2,7 @@
 
 #include "study/stability/triangle_methods.h"
 
-namespace ps::stability {
+namespace ps::stability::triangle_cracks {
 namespace {
 
 std::string name_of(AimAt what) {
@@ -130,6 +130,7 @@ extern const StabilityExperiment triangle_edge_cracks{
     .place = {Subject::rays, 90},
     .set_up = SetUp::reproduction,
     .title = "Cracks along triangle edges",
+    .keywords = "watertight, holes, seams, Moeller-Trumbore, Möller-Trumbore, shared edge",
     .knob = "precision (bits of a floating-point number)",
     .naive = "Moeller-Trumbore (triangle-test = moeller-trumbore)",
     .robust = "watertight (Woop; triangle-test = watertight)",
@@ -144,6 +145,7 @@ extern const StabilityExperiment mt_tolerance{
     .place = {Subject::rays, 110},
     .set_up = SetUp::reproduction,
     .title = "A tolerance instead of a watertight test",
+    .keywords = "watertight, epsilon, Moeller-Trumbore, Möller-Trumbore, double hit, cracks",
     .knob = "tolerance of the barycentric weights",
     .naive = "Moeller-Trumbore that accepts weights >= -tolerance",
     .robust = "watertight (Woop)",
@@ -158,6 +160,7 @@ extern const StabilityExperiment plucker_vertices{
     .place = {Subject::rays, 140},
     .set_up = SetUp::reproduction,
     .title = "Pluecker coordinates at vertices",
+    .keywords = "Plücker, watertight, shared vertex, ray triangle",
     .knob = "where rays are aimed (0: edges, 1: vertices, 2: inside triangles)",
     .naive = "Pluecker coordinates",
     .robust = "watertight (Woop)",
@@ -171,6 +174,7 @@ extern const StabilityExperiment absolute_det_epsilon{
     .key = "absolute-det-epsilon",
     .place = {Subject::rays, 120},
     .title = "An absolute epsilon for determinants",
+    .keywords = "determinant, small triangles, tolerance, scale, Moeller-Trumbore",
     .knob = "radius of the mesh (world units)",
     .naive = "Moeller-Trumbore that rejects |det| <= epsilon as parallel (triangle-epsilon)",
     .robust = "watertight (Woop), which rejects det = 0 alone",
@@ -180,4 +184,4 @@ extern const StabilityExperiment absolute_det_epsilon{
     .window = {1, everywhere},
     .measure = measure_determinant};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::triangle_cracks

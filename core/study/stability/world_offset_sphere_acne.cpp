@@ -6,7 +6,7 @@
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 
-namespace ps::stability {
+namespace ps::stability::world_offset_sphere_acne {
 namespace {
 
 /// The book's red ball under one point light, the whole world with its camera moved by `distance` along all three axes.
@@ -90,6 +90,7 @@ extern const StabilityExperiment world_offset_sphere_acne{
     .key = "world-offset-sphere-acne",
     .place = {Subject::rays, 70},
     .title = "Acne far from the origin",
+    .keywords = "shadow acne, large world, floating origin, self-intersection",
     .knob = "distance of the world along each axis",
     .naive = "ignore hits up to epsilon",
     .robust = "bounded offset, no epsilon",
@@ -101,4 +102,4 @@ extern const StabilityExperiment world_offset_sphere_acne{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::world_offset_sphere_acne

@@ -1,14 +1,17 @@
 #include <array>
 
+#include "options/renderer_kind.h"
 #include "scene/scene_file.h"
 #include "study/stability/shadow_floor.h"
 
-namespace ps::stability {
+namespace ps::stability::z_fail_caps {
 namespace {
 
 constexpr double outside = -8, inside = 0;  ///< z of the camera; the roof's shadow lies between -2 and 2
 
-Settings depth_fail() { return shadow_settings(Renderer::rasterizer, Shadows::stencil_depth_fail, 0.05); }
+Settings depth_fail() {
+  return shadow_settings(renderer_for(PictureWay::fragments), Shadows::stencil_depth_fail, 0.05);
+}
 Settings of_length(double length) {
   Settings settings = depth_fail();
   settings.volume_length = length;
@@ -60,6 +63,7 @@ extern const StabilityExperiment z_fail_caps{
     .key = "z-fail-caps",
     .place = {Subject::shadows, 60},
     .title = "Depth fail without its caps",
+    .keywords = "Carmack, shadow volume, stencil shadow, depth fail, cap",
     .knob = "length of the volumes, or distance of the far plane (world units)",
     .naive = "open volumes, short ones, or volumes cut at the far plane",
     .robust = "caps at both ends, nothing cut at the far plane",
@@ -72,4 +76,4 @@ extern const StabilityExperiment z_fail_caps{
     .picture = picture,
     .frames = frames};
 
-}  // namespace ps::stability
+}  // namespace ps::stability::z_fail_caps

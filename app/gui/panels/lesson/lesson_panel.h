@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
-#include "gui/session/session.h"
 #include "engine/lesson.h"
+#include "gui/session/session.h"
 
 namespace ps::gui {
 

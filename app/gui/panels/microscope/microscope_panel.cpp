@@ -8,7 +8,6 @@
 
 #include "gui/panels/space/space_panel.h"
 #include "gui/widgets/draw.h"
-#include "gui/work/same_scene.h"
 #include "inspect/microscope/event_of_triangle.h"
 #include "inspect/microscope/micro_svg.h"
 #include "record/value_text.h"
@@ -20,7 +19,7 @@ constexpr double number_width = 86, name_width = 134;  // of the table's columns
 constexpr std::size_t most_rows = 40;
 
 bool same_pixel(const MicroRequest& a, const MicroRequest& b) {
-  return same_scene(a.scene, b.scene) && a.view == b.view && a.settings == b.settings && a.pixel == b.pixel;
+  return a.scene.revision() == b.scene.revision() && a.view == b.view && a.settings == b.settings && a.pixel == b.pixel;
 }
 
 /// Keeps what it gathered for a pixel while only the sample point moves.

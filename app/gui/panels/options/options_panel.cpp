@@ -3,22 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <sstream>
 #include <utility>
 
 #include "gui/panels/options/lights_panel.h"
 #include "gui/widgets/widgets.h"
+#include "options/option_search.h"
 
 namespace ps::gui {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 bool differs(const Option& option, const Session& session) {
   return option.get(session.settings(Side::a)) != option.get(session.settings(Side::b));
@@ -111,16 +103,6 @@ void point_at_option(OptionsPanelState& state, const Option& option) {
   state.only_differences = false;
 }
 
-bool option_matches(const Option& option, const std::string& search) {
-  std::string all = lower(option.key) + ' ' + lower(option.label) + ' ' + lower(option.group) + ' ' +
-                    lower(option.help.what) + ' ' + lower(option.help.source);
-  for (const auto& choice : option.choices) all += ' ' + lower(choice.label);
-  std::istringstream words(lower(search));
-  for (std::string word; words >> word;)
-    if (all.find(word) == std::string::npos) return false;
-  return true;
-}
-
 void options_panel(Session& session, OptionsPanelState& state) {
   const NameScope scope("options");
   header(session, state);
@@ -152,9 +134,12 @@ void options_panel(Session& session, OptionsPanelState& state) {
   }
   if (any && state.search.empty() && !state.only_differences)
     lights_panel(session, state.selected_light, state.lights_open);
-  if (!any)
-    ImGui::TextWrapped("%s", state.only_differences && state.search.empty() ? "A and B have the same options."
-                                                                            : "No option matches.");
+  if (!any) {
+    const char* nothing =
+        state.only_differences && state.search.empty() ? "A and B have the same options." : "No option matches.";
+    ImGui::TextWrapped("%s", nothing);
+    controls().record("nothing-found", nothing);
+  }
   ImGui::EndChild();
 }
 

@@ -27,8 +27,4 @@ void options_panel(Session& session, OptionsPanelState& state);
 /// Brings an option's row into sight and highlights it.
 void point_at_option(OptionsPanelState& state, const Option& option);
 
-/// Whether a row is shown for what was typed into the search box: every word must occur in its key, label, group or
-/// help, in any case.
-bool option_matches(const Option& option, const std::string& search);
-
 }  // namespace ps::gui

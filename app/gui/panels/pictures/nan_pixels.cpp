@@ -44,7 +44,7 @@ void hatch(ImDrawList& list, ImVec2 low, ImVec2 high) {
 void NanPixels::find(const std::shared_ptr<const RenderResult>& result) {
   found_in_ = result;
   runs_.clear();
-  if (!result || result->frame.counters[Counter::nan_pixels] == 0) return;
+  if (!result || result->frame.counters.get(Counter::nan_pixels) == 0u) return;
   const auto& colour = result->frame.colour;
   for (int y = 0; y < colour.height() && runs_.size() < most_runs; ++y)
     for (int x = 0; x < colour.width(); ++x) {

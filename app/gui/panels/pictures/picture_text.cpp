@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <vector>
 
 #include "options/option.h"
@@ -115,25 +116,30 @@ std::string footer_text(const RenderStatus& status, const RenderResult* result) 
     break;
   }
   if (!result) return "rendering";
-  const Counters& c = result->frame.counters;
+  const auto sum = [&](std::initializer_list<Counter> counted) { return counted_sum(result->frame.counters, counted); };
   std::string text = time_text(result->milliseconds);
   switch (picture_way(result->request.settings.renderer)) {
   case PictureWay::rays: {
-    const auto rays = c[Counter::eye_rays] + c[Counter::shadow_rays] + c[Counter::reflection_rays];
-    text += fmt::format("   {}", plural(rays, "ray"));
+    const auto rays = sum({Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays});
+    if (rays) text += fmt::format("   {}", plural(*rays, "ray"));
     break;
   }
   case PictureWay::fragments: {
-    const bool lines = c[Counter::lines_drawn] > 0 && c[Counter::fragments] == 0;
-    text += fmt::format("   {}   {}", plural(c[Counter::triangles_drawn], "triangle"),
-                        lines ? plural(c[Counter::lines_drawn], "line") : plural(c[Counter::fragments], "fragment"));
+    const auto triangles = sum({Counter::triangles_drawn}), lines = sum({Counter::lines_drawn}),
+               fragments = sum({Counter::fragments});
+    if (triangles) text += fmt::format("   {}", plural(*triangles, "triangle"));
+    if (lines.value_or(0) > 0 && fragments.value_or(0) == 0)
+      text += fmt::format("   {}", plural(*lines, "line"));
+    else if (fragments)
+      text += fmt::format("   {}", plural(*fragments, "fragment"));
     break;
   }
-  case PictureWay::listing:  // a listing counts nothing
+  case PictureWay::listing:  // a listing counts no work
     break;
   }
   // A pixel without a number is worth more attention than all the others.
-  if (const auto nan = c[Counter::nan_pixels]; nan > 0) text += fmt::format("   {} NaN!", plural(nan, "pixel"));
+  const auto nan = sum({Counter::nan_pixels});
+  if (nan.value_or(0) > 0) text += fmt::format("   {} NaN!", plural(*nan, "pixel"));
   return text;
 }
 
@@ -141,8 +147,8 @@ std::string counters_text(const RenderResult& result) {
   std::string text;
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
-    if (const auto value = result.frame.counters[counter]; value > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : "\n", value, counter_label(counter));
+    if (const auto value = result.frame.counters.get(counter); value.value_or(0) > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : "\n", *value, counter_label(counter));
   }
   return text;
 }

@@ -104,9 +104,10 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     if (session.shown(which) != ShownChannel::colour) return;
     const auto result = session.renderer(which).result();
     state.nan_pixels[index_of(which)].draw(list, result, state.transform, area);
-    if (const std::uint64_t pixels = result ? result->frame.counters[Counter::nan_pixels] : 0; pixels > 0)
+    const auto pixels = result ? result->frame.counters.get(Counter::nan_pixels) : std::nullopt;
+    if (pixels.value_or(0) > 0)
       controls().record(which == Side::a ? "view/a/nan" : "view/b/nan", area.min, area.max,
-                        fmt::format("{} pixels are not a number", pixels));
+                        fmt::format("{} pixels are not a number", *pixels));
   };
   list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
   draw_picture(list, state.pictures[index_of(shown_side)], state.transform, area, style_of(shown_side));

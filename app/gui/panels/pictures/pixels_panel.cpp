@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "gui/widgets/draw.h"
-#include "gui/work/same_scene.h"
 #include "render/render.h"
 
 namespace ps::gui {
@@ -22,7 +21,7 @@ Image<float> count_tests(const CostRequest& request, Prepared& prepared, Progres
 }
 
 bool same_cost(const CostRequest& a, const CostRequest& b) {
-  return same_scene(a.scene, b.scene) && a.view == b.view && a.settings == b.settings;
+  return a.scene.revision() == b.scene.revision() && a.view == b.view && a.settings == b.settings;
 }
 
 bool still(Session& session) { return !session.busy() && !session.has_news(); }

@@ -297,14 +297,13 @@ void update_space(Session& session, SpacePanelState& state) {
   const Side side = inspected_side(session);
   const auto story = session.story(side);
   const Scene& scene = session.scene();
-  const std::array revisions{scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
-  if (story == state.shown_story && revisions == state.revisions && session.view() == state.view &&
+  if (story == state.shown_story && scene.revision() == state.revision && session.view() == state.view &&
       session.settings(side) == state.settings && same_vertex(state.vertex, state.followed) &&
       (!state.tree || (state.whole_tree && story)))
     return update_tree(session, state);
   if (story != state.shown_story) state.play.up_to = -1;
   state.shown_story = story;
-  state.revisions = revisions;
+  state.revision = scene.revision();
   state.view = session.view();
   state.base = scene.camera;
   state.settings = session.settings(side);

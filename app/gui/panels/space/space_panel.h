@@ -40,7 +40,7 @@ struct SpacePanelState {
 
   // The model and what it was made from.
   std::shared_ptr<const PixelStory> shown_story;
-  std::array<std::uint64_t, 3> revisions{};
+  SceneRevision revision;
   View view;
   Camera base;  ///< whose axes the orbit turns about
   Settings settings;

@@ -18,7 +18,7 @@ constexpr double least_values = 300;  // beside the code; in less room they go b
 /// The listing that is shown: the one that the option names, else the open lesson's, else what suits the scene.
 Settings listing_settings(const Session& session, Side side) {
   Settings settings = session.settings(side);
-  settings.renderer = Renderer::textbook;
+  settings.renderer = renderer_for(PictureWay::listing);
   if (settings.listing > 0) return settings;
   const auto all = listings();
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -72,8 +72,8 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
     Settings settings = session.settings(side);
     const bool rays = state.shown_story && state.shown_story->listing &&
                       state.shown_story->listing->listing.listing->order == ListingOrder::pixel_by_pixel;
-    settings.renderer = !shown ? Renderer::textbook : rays ? Renderer::ray_tracer : Renderer::rasterizer;
-    session.set_settings(side, settings, fmt::format("{}: {}", letter_of(side), shown ? "renderer" : "textbook"));
+    settings.renderer = renderer_for(!shown ? PictureWay::listing : rays ? PictureWay::rays : PictureWay::fragments);
+    session.set_settings(side, settings, fmt::format("{}: {}", letter_of(side), renderer_label(settings.renderer)));
   }
   same_line_if_room(button_width("Fill"));
   const bool fill = button_on_off("fill", "Fill", filled,

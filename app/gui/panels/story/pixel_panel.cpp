@@ -69,7 +69,7 @@ void work(const PixelStory& story, const std::string& name) {
   };
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
-    if (story.counters[counter] > 0) row(counter_label(counter), story.counters[counter]);
+    if (const auto count = story.counters.get(counter); count.value_or(0) > 0) row(counter_label(counter), *count);
   }
   if (story.triangles_elsewhere > 0) row("triangles elsewhere", story.triangles_elsewhere);
   ImGui::EndTable();

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/lesson.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/draw.h"
-#include "engine/lesson.h"
 #include "render/story/names.h"
 
 namespace ps::gui {

@@ -62,7 +62,7 @@ void numbers(const Chart& chart, const ChartPoint& point) {
   const std::string title = chart_axes(chart).error_title;
   const std::string error = std::isfinite(point.error) ? fmt::format("{:.4g}", point.error) : "equal";
   line(title.c_str(), error);
-  line("work", fmt::format("{:.3g} million", 1e-6 * static_cast<double>(point.work)));
+  if (point.work) line("work", fmt::format("{:.3g} million", 1e-6 * static_cast<double>(*point.work)));
   line("memory", fmt::format("{:.3g} MB", point.memory_mb));
   line("first picture", fmt::format("{:.0f} ms more", point.prepare_ms));
   ImGui::EndTable();

@@ -36,7 +36,7 @@ std::vector<Mark> place_marks(const Chart& chart, const PlotFrame& frame) {
   std::vector<Mark> marks;
   for (std::size_t i = 0; i < chart.points.size(); ++i) {
     const ChartPoint& point = chart.points[i];
-    if (!point.measured()) continue;
+    if (!point.placed()) continue;
     marks.push_back({i, frame.at(point.cost.median, point.error), px(mark_radius(point.memory_mb, memory))});
   }
   return marks;

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "base/check.h"
-#include "gui/panels/options/options_panel.h"
 #include "gui/panels/studies/chart_setup.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
+#include "options/option_search.h"
 
 namespace ps::gui {
 namespace {

@@ -14,6 +14,7 @@
 #include "gui/widgets/widgets.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
+#include "study/counted_work.h"
 
 namespace ps::gui {
 namespace {
@@ -345,7 +346,7 @@ void publish_chart(const ChartTabState& state) {
     out.publish(name + "error", point.error);
     out.publish(name + "time-ms", point.time_ms.median);
     out.publish(name + "memory-mb", point.memory_mb);
-    out.publish(name + "work", static_cast<double>(point.work));
+    out.publish(name + "work", work_text(point.work));
     out.publish(name + "on-front", point.on_front);
     out.publish(name + "runs", static_cast<int>(point.samples_ms.size()));
   }

@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "base/check.h"
@@ -94,16 +93,6 @@ void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
   draw_text({min.x + px(8), min.y}, {max.x - note_width - px(4), max.y}, experiment.title, palette().text, 0);
   controls().record(experiment.key, note);
   if (clicked) select(state, experiment);
-}
-
-/// Whether an experiment is listed for what was typed: it must occur in its title, key or explanation, in any case.
-bool listed(const StabilityExperiment& experiment, const std::string& search) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  for (const std::string_view text : {experiment.title, experiment.key, experiment.explanation})
-    if (std::search(text.begin(), text.end(), search.begin(), search.end(), same) != text.end()) return true;
-  return search.empty();
 }
 
 /// Those that were asked for last and are not complete.
@@ -330,8 +319,16 @@ bool laboratory(StabilityTabState& state, bool filled) {
       ImGui::Dummy({1, ImGui::GetTextLineHeight()});
     }
     ImGui::BeginChild("rows");
-    for (const StabilityExperiment& experiment : stability_experiments())
-      if (listed(experiment, state.search)) list_row(state, experiment);
+    bool any = false;
+    for (const StabilityExperiment& experiment : stability_experiments()) {
+      if (!experiment_matches(experiment, state.search)) continue;
+      any = true;
+      list_row(state, experiment);
+    }
+    if (!any) {
+      ImGui::TextColored(palette().text_quiet, "No experiment matches.");
+      controls().record("nothing-found", "No experiment matches.");
+    }
     ImGui::EndChild();
     ImGui::EndChild();
     ImGui::SameLine(0, px(14));

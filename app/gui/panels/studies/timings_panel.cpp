@@ -115,9 +115,10 @@ void counters(const Results& results) {
     bool any = false;
     for (std::size_t side = 0; side < 2; ++side) {
       if (!results[side]) continue;
-      const auto count = results[side]->frame.counters[counter];
-      values[side] = static_cast<double>(count);
-      any = any || count > 0;
+      const auto count = results[side]->frame.counters.get(counter);
+      if (!count) continue;  // this renderer cannot give it
+      values[side] = static_cast<double>(*count);
+      any = any || *count > 0;
     }
     if (any)
       row(counter_label(counter), values, [](double value) { return count_text(static_cast<std::uint64_t>(value)); });

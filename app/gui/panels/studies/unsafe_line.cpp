@@ -19,14 +19,10 @@ constexpr ImGuiWindowFlags below_picture = ImGuiWindowFlags_NoDecoration | ImGui
                                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground;
 constexpr double least_shown = 0.005;  // percent of the pixels; less than one pixel of a common picture
 
-std::array<std::uint64_t, 3> revisions_of(const Scene& scene) {
-  return {scene.geometry.revision(), scene.lights.revision(), scene.materials.revision()};
-}
-
 void ask(Session& session, UnsafeSide& state, const Settings& settings) {
   state.asked = true;
   state.settings = settings;
-  state.revisions = revisions_of(session.scene());
+  state.revision = session.scene().revision();
   state.view = session.view();
   state.measured = false;
   state.study.cancel();
@@ -110,7 +106,7 @@ void update_unsafe(Session& session, UnsafeState& state) {
     const Settings& settings = session.settings(side);
     const auto render = session.renderer(side).status().state;
     const bool busy = render == RenderState::coarse || render == RenderState::full;
-    const bool changed = !one.asked || !(settings == one.settings) || revisions_of(session.scene()) != one.revisions ||
+    const bool changed = !one.asked || !(settings == one.settings) || !(session.scene().revision() == one.revision) ||
                          !(session.view() == one.view);
     if (changed) one.known.clear();
     if (changed && !busy) ask(session, one, settings);  // after the picture itself

@@ -19,7 +19,7 @@ struct UnsafeSide {
   explicit UnsafeSide(const std::function<void()>& wake) : study(wake) {}
   bool asked = false;
   Settings settings;  ///< those that were asked about, in this scene and view
-  std::array<std::uint64_t, 3> revisions{};
+  SceneRevision revision;
   View view;
   std::vector<UnsafeSetting> known;  ///< leaves a safe window; shares are measured only if `measured`
   bool measured = false;

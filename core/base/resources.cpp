@@ -1,4 +1,4 @@
-#include "base/paths.h"
+#include "base/resources.h"
 
 #include <cstdlib>
 
@@ -14,7 +14,12 @@ std::filesystem::path under_root(const char* name, const char* built_in) {
 }  // namespace
 
 std::filesystem::path asset_dir() { return under_root("assets", PIXELSCOPE_ASSET_DIR); }
+std::filesystem::path scene_dir() { return asset_dir() / "scenes"; }
+
 std::filesystem::path chapter_dir() { return under_root("chapters", PIXELSCOPE_CHAPTER_DIR); }
-std::filesystem::path font_dir() { return PIXELSCOPE_FONT_DIR; }
+std::filesystem::path lesson_file(std::string_view folder) { return chapter_dir() / folder / "lesson.md"; }
+std::filesystem::path listing_file(std::string_view folder) { return chapter_dir() / folder / "listing.cpp"; }
+
+std::filesystem::path font_file(std::string_view name) { return std::filesystem::path(PIXELSCOPE_FONT_DIR) / name; }
 
 }  // namespace ps

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+/// Where the files that Pixelscope ships with lie. No other file joins such paths, so that another home for them (a
+/// package, a browser's file system) is a change here alone. The folders are those of the source tree it was built
+/// from, unless the environment variable PIXELSCOPE_ROOT names another folder with assets/ and chapters/ in it.
+
+namespace ps {
+
+std::filesystem::path asset_dir();
+/// The built-in scenes: one folder for each source, a .scene file for each scene.
+std::filesystem::path scene_dir();
+
+/// One folder for each lesson.
+std::filesystem::path chapter_dir();
+/// The text of the lesson in this folder of chapter_dir(), and its listing; either may be missing.
+std::filesystem::path lesson_file(std::string_view folder);
+std::filesystem::path listing_file(std::string_view folder);
+
+/// A font copied beside the programs ("Inter-Regular.otf"); it may be missing.
+std::filesystem::path font_file(std::string_view name);
+
+}  // namespace ps
