@@ -46,12 +46,13 @@ struct Gesture {
   std::string group;  ///< heading in the help sheet
 };
 
-/// Something besides the actions that the palette finds by its label.
+/// Something besides the actions that the palette finds by its label, or by other words.
 struct PaletteEntry {
   std::string name;  ///< stable: "lesson/cgfs_03_light", "option/shading"
   std::string label;
   std::string kind;  ///< "lesson", "option": written where actions have their keys
   std::function<void()> run;
+  std::string words = {};  ///< not shown: what else people call it
 };
 
 class Actions {

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <string_view>
 
+#include "base/word_search.h"
 #include "gui/shell/values.h"
 #include "gui/widgets/widgets.h"
 
@@ -13,17 +16,30 @@ namespace ps::gui {
 namespace {
 bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
+/// How well a line fits what was typed. The best come first.
+enum class Fit { label_has_it, words_have_it, letters_in_order };
+
 /// A line of the list.
 struct Found {
   const Action* action = nullptr;  ///< null for another entry
   std::string name, label, note;
+  Fit fit = Fit::label_has_it;
 };
+
+constexpr const char* nothing_found = "No command, lesson, option, scene or experiment matches.";
 
 bool in_one_piece(const std::string& wanted, const std::string& label) {
   return std::search(label.begin(), label.end(), wanted.begin(), wanted.end(), [](char a, char b) {
            return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
          }) != label.end();
 }
+std::optional<Fit> fit_of(const std::string& wanted, const std::string& label, std::string_view words) {
+  if (in_one_piece(wanted, label)) return Fit::label_has_it;
+  if (has_words(wanted, {label, words})) return Fit::words_have_it;
+  if (palette_matches(wanted, label)) return Fit::letters_in_order;
+  return {};
+}
+
 }  // namespace
 
 bool palette_matches(const std::string& wanted, const std::string& label) {
@@ -59,7 +75,7 @@ void CommandPalette::draw(const Actions& actions) {
   ImGui::SetNextItemWidth(-1);
   if (just_opened_) ImGui::SetKeyboardFocusHere();
   ImGui::PushStyleColor(ImGuiCol_FrameBg, palette().panel);
-  const bool enter = ImGui::InputTextWithHint("##text", "Type a command, a lesson or an option", &text_,
+  const bool enter = ImGui::InputTextWithHint("##text", "Type a command, a lesson, an option or a value", &text_,
                                               ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopStyleColor();
   if (ImGui::IsItemEdited()) selected_ = 0;
@@ -67,13 +83,13 @@ void CommandPalette::draw(const Actions& actions) {
 
   std::vector<Found> found;
   for (const Action& action : actions.all())
-    if (action.run && palette_matches(text_, action.label))
-      found.push_back({&action, action.name, action.label, actions.key_text(action.name)});
+    if (const auto fit = action.run ? fit_of(text_, action.label, {}) : std::nullopt)
+      found.push_back({&action, action.name, action.label, actions.key_text(action.name), *fit});
   if (!text_.empty())
     for (const PaletteEntry& entry : entries_)
-      if (palette_matches(text_, entry.label)) found.push_back({nullptr, entry.name, entry.label, entry.kind});
-  // Of many, those come first that have what was typed in one piece.
-  std::stable_partition(found.begin(), found.end(), [&](const Found& one) { return in_one_piece(text_, one.label); });
+      if (const auto fit = fit_of(text_, entry.label, entry.words))
+        found.push_back({nullptr, entry.name, entry.label, entry.kind, *fit});
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.fit < b.fit; });
   constexpr std::size_t most = 12;
   if (found.size() > most) found.resize(most);
   const int count = static_cast<int>(found.size());
@@ -91,7 +107,10 @@ void CommandPalette::draw(const Actions& actions) {
     ImGui::SameLine(width - px(14) - ImGui::CalcTextSize(one.note.c_str()).x);
     ImGui::TextUnformatted(one.note.c_str());
   }
-  if (count == 0) ImGui::TextColored(palette().text_quiet, "No command, lesson or option matches.");
+  if (count == 0) {
+    ImGui::TextColored(palette().text_quiet, "%s", nothing_found);
+    controls().record("nothing-found", nothing_found);
+  }
   if (enter && count > 0) chosen = found[static_cast<std::size_t>(selected_)].name;
   const bool lost = !just_opened_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   if (lost || enter || !chosen.empty() || key_pressed(ImGuiKey_Escape)) open_ = false;

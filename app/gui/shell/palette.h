@@ -7,7 +7,8 @@
 
 namespace ps::gui {
 
-/// Finds an action by typing a part of its label and runs it; then lessons and options.
+/// Finds an action by typing a part of its label and runs it; then lessons, options with their values, scenes and
+/// experiments, also by other words for them.
 class CommandPalette {
  public:
   void open();

@@ -1,0 +1,55 @@
+#include "gui/panels/options/value_entries.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "options/option.h"
+
+namespace ps::gui {
+namespace {
+
+struct Value {
+  OptionNumber number = 0;
+  std::string_view key, label;
+};
+
+std::vector<Value> values_of(const Option& option) {
+  if (option.kind == OptionKind::boolean) return {{1, "on", "on"}, {0, "off", "off"}};
+  std::vector<Value> all;
+  for (const Choice& choice : option.choices)
+    all.push_back({static_cast<OptionNumber>(all.size()), choice.key, choice.label});
+  return all;
+}
+
+/// What Enter does, in few words.
+std::string effect(const Session& session, const Option& option, Side side, const Value& value) {
+  const char letter = letter_of(side);
+  if (option.get(session.settings(side)) == value.number) return fmt::format("{} has it", letter);
+  if (inactive_reason(option, session.settings(side), session.traits())) return fmt::format("no effect in {}", letter);
+  return fmt::format("set in {}", letter);
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> value_entries(Session& session) {
+  std::vector<PaletteEntry> entries;
+  for (const Option& option : option_table())
+    for (const Value& value : values_of(option))
+      for (const Side side : both_sides) {
+        const auto set = [&session, &option, side, number = value.number] {
+          Settings settings = session.settings(side);
+          option.set(settings, number);
+          session.set_settings(side, settings,
+                               fmt::format("{}: {} = {}", letter_of(side), option.key, option_text(option, settings)));
+        };
+        entries.push_back({.name = fmt::format("value/{}/{}/{}", option.key, value.key, side == Side::a ? "a" : "b"),
+                           .label = fmt::format("{}: {}", option.label, value.label),
+                           .kind = effect(session, option, side, value),
+                           .run = set,
+                           .words = fmt::format("{} {}", option.key, value.key)});
+      }
+  return entries;
+}
+
+}  // namespace ps::gui
