@@ -16,6 +16,7 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 #include "study/chart.h"
+#include "study/chart_conclusion.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
 #include "study/counted_work.h"
@@ -74,7 +75,7 @@ void print_status(const StudyStatus& status) {
 
 void print_table(const Chart& chart) {
   fmt::print("{:>11} {:>11} {:>11} {:>12} {:>10} {:>11}    {}\n", "time ms", "quartile 1", "quartile 3", "work",
-             error_metric(chart.metric).key, "memory MB", "point (* on the front)");
+             error_metric(chart.metric).key, "memory MB", "point (* on the front, ~ a tie with it)");
   for (const ChartPoint& point : chart.points) {
     if (!point.measured()) {
       fmt::print("{:>11} {:>11} {:>11} {:>12} {:>10} {:>11}    {}: not measured\n", "-", "-", "-", "-", "-", "-",
@@ -83,7 +84,10 @@ void print_table(const Chart& chart) {
     }
     fmt::print("{:>11.4g} {:>11.4g} {:>11.4g} {:>12} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median,
                point.time_ms.q1, point.time_ms.q3, work_text(point.work), point.error, point.memory_mb,
-               point.on_front ? '*' : ' ', point.what.label);
+               point.tie        ? '~'
+               : point.on_front ? '*'
+                                : ' ',
+               point.what.label);
   }
   fmt::print("{}", chart_provenance(chart));
   if (chart.reference_halves) {
@@ -92,6 +96,8 @@ void print_table(const Chart& chart) {
     fmt::print(" The reference itself is uncertain by {:.3g}.", reference_noise(reference, chart.metric).value_or(0));
   }
   fmt::print("\n");
+  const std::string conclusion = chart_conclusion(chart).sentence;
+  if (!conclusion.empty()) fmt::print("{}\n", conclusion);
 }
 
 int run_merge(const ChartArguments& arguments) {

@@ -11,6 +11,7 @@
 #include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "study/chart_front.h"
 #include "study/chart_log.h"
 #include "study/counted_work.h"
 #include "study/pareto.h"
@@ -255,6 +256,7 @@ void summarise(Chart& chart, ErrorMetric metric) {
   std::vector<ChartPoint*> measured;
   for (ChartPoint& point : chart.points) {
     point.on_front = false;
+    point.tie = false;
     if (!point.measured()) continue;
     point.time_ms = quartiles(point.samples_ms);
     point.error = error_of(point.comparison, metric);
@@ -269,7 +271,10 @@ void summarise(Chart& chart, ErrorMetric metric) {
     measured.push_back(&point);
   }
   const std::vector<bool> front = pareto_front(tradeoffs);
-  for (std::size_t i = 0; i < measured.size(); ++i) measured[i]->on_front = front[i];
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    measured[i]->on_front = front[i];
+    measured[i]->tie = front_place(chart, *measured[i]) == FrontPlace::tie;
+  }
 }
 
 Chart merge_charts(const std::vector<std::filesystem::path>& folders, ErrorMetric metric) {

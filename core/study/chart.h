@@ -36,8 +36,9 @@ struct ChartPoint {
   bool compared = false;  ///< comparison, memory, counters and work are known
   double error = 0;       ///< the chosen metric
   Counters counters;
-  std::optional<std::uint64_t> work;  ///< counted_work() of the counters, which are the same on every processor
-  bool on_front = false;
+  std::optional<std::uint64_t> work;   ///< counted_work() of the counters, which are the same on every processor
+  bool on_front = false;               ///< by the measured numbers: no other point is as good in both and better in one
+  bool tie = false;                    ///< whether it lies on the front is decided by noise (FrontPlace::tie)
   std::optional<Image<Rgb8>> picture;  ///< for thumbnails and differences
 
   bool measured() const { return compared && !samples_ms.empty(); }

@@ -9,6 +9,7 @@
 #include "base/csv.h"
 #include "options/choice_key.h"
 #include "render/provenance.h"
+#include "study/chart_conclusion.h"
 #include "study/comparison_json.h"
 #include "study/missing_points.h"
 
@@ -24,7 +25,8 @@ Json point_json(const ChartPoint& point) {
             {"settings", point.what.settings}, {"time_ms", point.time_ms.median},
             {"time_q1_ms", point.time_ms.q1},  {"time_q3_ms", point.time_ms.q3},
             {"samples_ms", point.samples_ms},  {"prepare_ms", point.prepare_ms},
-            {"memory_mb", point.memory_mb},    {"on_front", point.on_front}};
+            {"memory_mb", point.memory_mb},    {"on_front", point.on_front},
+            {"name", point.what.name},         {"tie", point.tie}};
   json["work"] = point.work ? Json(*point.work) : Json();  // null: the renderer counts none
   if (std::isfinite(point.error))
     json["error"] = point.error;
@@ -52,7 +54,10 @@ std::string chart_csv(const Chart& chart) {
                           point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb, point.on_front ? 1 : 0,
                           point.work ? work_text(point.work) : "", csv_field(chart.identity.machinery),
                           csv_field(chart.identity.reference));
-  return csv_with_provenance(text, chart_machine_provenance(chart), "base_settings");
+  std::vector<std::string> ties;
+  for (const ChartPoint& point : chart.points)
+    if (point.measured()) ties.emplace_back(point.tie ? "1" : "0");
+  return csv_with_columns(csv_with_provenance(text, chart_machine_provenance(chart), "base_settings"), "tie", ties);
 }
 
 std::string chart_json(const Chart& chart) {
@@ -70,7 +75,8 @@ std::string chart_json(const Chart& chart) {
             {"region", id.region},
             {"reference", id.reference},
             {"machinery", id.machinery},
-            {"across", chart_across_key(chart.across)}};
+            {"across", chart_across_key(chart.across)},
+            {"conclusion", chart_conclusion(chart).sentence}};
   if (chart.reference_halves) json["reference-halves"] = comparison_json(*chart.reference_halves);
   json["points"] = Json::array();
   for (const ChartPoint& point : chart.points)

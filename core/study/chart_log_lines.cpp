@@ -79,6 +79,7 @@ ChartJson chart_picture_json(const ChartPoint& point) {
   ChartJson json{{"picture", point.number},         {"label", point.what.label},
                  {"settings", point.what.settings}, {"comparison", comparison_json(point.comparison)},
                  {"memory_mb", point.memory_mb},    {"prepare_ms", point.prepare_ms}};
+  json["name"] = point.what.name;
   json["all-settings"] = changed_options(point.what.value);
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);  // missing: the renderer cannot give it
@@ -91,6 +92,7 @@ ChartPoint chart_picture_from(const ChartJson& json, int points) {
   ChartPoint point;
   point.number = json_integer(json, "picture", 0, points - 1);
   point.what.label = json.at("label");
+  point.what.name = json.value("name", point.what.label);
   point.what.settings = json.at("settings");
   for (const std::string assignment : json.at("all-settings")) parse_assignment(assignment, point.what.value);
   point.comparison = comparison_from_json(json.at("comparison"));

@@ -28,6 +28,15 @@ ChartAxes chart_axes(const Chart& chart) {
   return axes;
 }
 
+SweepNames chart_names(const Chart& chart) {
+  std::vector<std::string> names;
+  for (const ChartPoint& point : chart.points)
+    names.push_back(point.what.name.empty() ? point.what.label : point.what.name);
+  return split_names(names);
+}
+
+std::string mark_label(const ChartPoint& point, const std::string& name) { return point.tie ? name + " (tie)" : name; }
+
 std::vector<const ChartPoint*> front_by_cost(const Chart& chart) {
   std::vector<const ChartPoint*> front;
   for (const ChartPoint& point : chart.points)

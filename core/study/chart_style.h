@@ -17,6 +17,11 @@ struct ChartAxes {
 /// Axes that hold all measured points. PSNR and SSIM grow upwards as they are: better is then up, not down.
 ChartAxes chart_axes(const Chart& chart);
 
+/// The names of all points, in their order, and what they have in common: "Samples per pixel", and "1", "4", "16".
+SweepNames chart_names(const Chart& chart);
+/// What stands beside the mark of a point: its part of chart_names(), and whether it is a tie.
+std::string mark_label(const ChartPoint& point, const std::string& name);
+
 /// Points on the front, the cheapest first.
 std::vector<const ChartPoint*> front_by_cost(const Chart& chart);
 /// The sentences under a chart: what its errors are measured against, which code its times are of, and whether its log

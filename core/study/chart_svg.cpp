@@ -9,7 +9,9 @@
 #include "options/renderer_kind.h"
 #include "render/provenance.h"
 #include "study/axis.h"
+#include "study/chart_conclusion.h"
 #include "study/chart_files.h"
+#include "study/chart_front.h"
 #include "study/chart_style.h"
 #include "study/counted_work.h"
 #include "study/label_layout.h"
@@ -18,9 +20,9 @@
 namespace ps {
 namespace {
 
-constexpr double paper_width = 1000, paper_height = 660;
+constexpr double paper_width = 1000, paper_height = 700;
 constexpr Vec2d plot_corner{92, 92}, plot_size{880, 448};
-constexpr int title_size = 20, axis_size = 15, tick_size = 14, label_size = 14, note_size = 11;
+constexpr int title_size = 20, axis_size = 15, tick_size = 14, label_size = 14, conclusion_size = 15, note_size = 11;
 
 /// About how wide a text stands in a sans-serif face of that size: a file cannot measure the face it is shown in.
 double estimated_width(std::string_view text, double size) {
@@ -75,15 +77,35 @@ std::string draw_axes(const ChartAxes& axes, ErrorMetric metric) {
   return svg;
 }
 
+/// The front as steps on the plot, from its upper edge to its right one.
+std::vector<Vec2d> front_on_plot(const Chart& chart, const ChartAxes& axes) {
+  std::vector<Vec2d> corners;
+  for (const Vec2d& corner : front_staircase(chart)) corners.push_back(on_plot(axes, corner.x, corner.y));
+  if (corners.empty()) return corners;
+  const bool up = error_metric(chart.metric).higher_is_better;
+  corners.insert(corners.begin(), {corners.front().x, up ? plot_corner.y + plot_size.y : plot_corner.y});
+  corners.emplace_back(plot_corner.x + plot_size.x, corners.back().y);
+  return corners;
+}
+
 std::string front_line(const Chart& chart, const ChartAxes& axes) {
   std::string points;
-  for (const ChartPoint* point : front_by_cost(chart)) {
-    const Vec2d place = on_plot(axes, point->cost.median, point->error);
-    points += fmt::format("{:.1f},{:.1f} ", place.x, place.y);
-  }
+  for (const Vec2d& place : front_on_plot(chart, axes)) points += fmt::format("{:.1f},{:.1f} ", place.x, place.y);
   return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"2\" "
                      "stroke-dasharray=\"7 5\"/>\n",
                      points);
+}
+
+constexpr std::string_view band_look = "fill=\"#000000\" fill-opacity=\"0.09\"";
+
+std::string uncertain_band(const Chart& chart, const ChartAxes& axes) {
+  std::string svg;
+  for (const FrontBandPart& part : front_band(chart)) {
+    const Vec2d a = on_plot(axes, part.cost_from, part.error.best), b = on_plot(axes, part.cost_to, part.error.worst);
+    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>\n", a.x,
+                       std::min(a.y, b.y), b.x - a.x, std::abs(a.y - b.y), band_look);
+  }
+  return svg;
 }
 
 /// Round for rays, square for fragments, a triangle for the textbook. `words` are shown to a pointer over it.
@@ -108,8 +130,11 @@ std::string mark(const ChartPoint& point, const ChartAxes& axes, double largest_
   const std::string colour = hex_colour(mark_colour(point.what.value));
   std::string svg = line(low, high, colour, 2);
   for (const Vec2d& end : {low, high}) svg += line(end - Vec2d(0, 4), end + Vec2d(0, 4), colour, 2);
-  const std::string look = fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", colour,
-                                       point.on_front ? "#000000" : "#ffffff", point.on_front ? 2 : 1);
+  const std::string look = fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", point.tie ? "#ffffff" : colour,
+                                       point.tie        ? colour
+                                       : point.on_front ? "#000000"
+                                                        : "#ffffff",
+                                       point.on_front || point.tie ? 2 : 1);
   const std::string words = fmt::format("{}: {:.4g} ms ({:.4g} to {:.4g}), work {}, error {:.4g}, {:.4g} MB",
                                         point.what.settings, point.time_ms.median, point.time_ms.q1, point.time_ms.q3,
                                         work_text(point.work), point.error, point.memory_mb);
@@ -117,24 +142,26 @@ std::string mark(const ChartPoint& point, const ChartAxes& axes, double largest_
 }
 
 std::string labels(const Chart& chart, const ChartAxes& axes) {
+  const SweepNames names = chart_names(chart);
   std::vector<LabelWish> wishes;
   std::vector<const ChartPoint*> of_wish;
-  for (const ChartPoint& point : chart.points) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < chart.points.size(); ++i) {
+    const ChartPoint& point = chart.points[i];
     if (!point.placed()) continue;
+    texts.push_back(mark_label(point, names.parts[i]));
     const Vec2d at = on_plot(axes, point.cost.median, point.error) - plot_corner;
     const double low = on_plot(axes, point.cost.q1, point.error).x - plot_corner.x;
     const double high = on_plot(axes, point.cost.q3, point.error).x - plot_corner.x;
     wishes.push_back({at,
-                      {estimated_width(point.what.label, label_size), label_size + 2},
+                      {estimated_width(texts.back(), label_size), label_size + 2},
                       point.on_front ? 0 : 1,
                       {at.x - low, high - at.x}});
     of_wish.push_back(&point);
   }
   std::vector<LabelLine> front;
-  const std::vector<const ChartPoint*> on_front = front_by_cost(chart);
-  for (std::size_t i = 1; i < on_front.size(); ++i)
-    front.emplace_back(on_plot(axes, on_front[i - 1]->cost.median, on_front[i - 1]->error) - plot_corner,
-                       on_plot(axes, on_front[i]->cost.median, on_front[i]->error) - plot_corner);
+  const std::vector<Vec2d> steps = front_on_plot(chart, axes);
+  for (std::size_t i = 1; i < steps.size(); ++i) front.emplace_back(steps[i - 1] - plot_corner, steps[i] - plot_corner);
   std::string lines, words;
   const std::vector<LabelPlace> places = place_labels(wishes, plot_size, largest_mark_radius, front);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -147,7 +174,7 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
     for (const std::string& look :
          {std::string(" stroke=\"#ffffff\" stroke-width=\"3\" fill=\"#ffffff\""), fmt::format(" fill=\"{}\"", colour)})
       words += text_at(plot_corner.x + places[i].corner.x, plot_corner.y + places[i].corner.y + label_size - 1, "start",
-                       of_wish[i]->what.label, label_size, look);
+                       texts[i], label_size, look);
   }
   return lines + words;
 }
@@ -175,22 +202,25 @@ std::string legend(const Chart& chart, double largest_memory) {
   svg += line({x, y}, {x + 26, y}, "#000000", 2, " stroke-dasharray=\"7 5\"");
   x += 34;
   words("Pareto front");
+  svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"22\" height=\"12\" {}/>\n", x, y - 6, band_look);
+  x += 28;
+  words("within noise");
   words(fmt::format("area: memory, up to {:.3g} MB", largest_memory));
   return svg;
 }
 
 /// The text in lines that fit on the paper, broken at blanks.
-std::string notes(const std::string& text, double y) {
+std::string notes(const std::string& text, double y, int size = note_size) {
   std::string svg, so_far;
   const auto put = [&] {
-    svg += text_at(plot_corner.x, y, "start", so_far, note_size);
-    y += note_size + 5;
+    svg += text_at(plot_corner.x, y, "start", so_far, size);
+    y += size + 5;
     so_far.clear();
   };
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t blank = std::min(text.find(' ', from), text.size());
     const std::string word = text.substr(from, blank - from);
-    if (!so_far.empty() && estimated_width(fmt::format("{} {}", so_far, word), note_size) > plot_size.x) put();
+    if (!so_far.empty() && estimated_width(fmt::format("{} {}", so_far, word), size) > plot_size.x) put();
     so_far += (so_far.empty() ? "" : " ") + word;
     from = blank + 1;
   }
@@ -207,24 +237,28 @@ std::string chart_svg(const Chart& chart) {
                                 "{0} {1}\" font-family=\"Inter, Helvetica, Arial, sans-serif\" fill=\"#202020\">\n"
                                 "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
                                 paper_width, paper_height);
-  svg += text_at(
-      plot_corner.x, 36, "start",
-      fmt::format("{}, {} x {}: {} against error", id.scene, id.width, id.height, chart_across_key(chart.across)),
-      title_size, " font-weight=\"bold\"");
+  const std::string swept = chart_names(chart).common;
+  svg += text_at(plot_corner.x, 36, "start",
+                 fmt::format("{}, {} x {}: {} against error{}{}", id.scene, id.width, id.height,
+                             chart_across_key(chart.across), swept.empty() ? "" : ", for each value of ", swept),
+                 title_size, " font-weight=\"bold\"");
   double largest_memory = 0;
   for (const ChartPoint& point : chart.points) largest_memory = std::max(largest_memory, point.memory_mb);
   svg += legend(chart, largest_memory);
   svg += draw_axes(axes, chart.metric);
+  svg += uncertain_band(chart, axes);
   svg += front_line(chart, axes);
   for (const ChartPoint& point : chart.points)
     if (point.placed()) svg += mark(point, axes, largest_memory);
   svg += labels(chart, axes);
+  const double below = plot_corner.y + plot_size.y;
+  svg += notes(chart_conclusion(chart).sentence, below + 72, conclusion_size);
   const std::size_t missing = missing_points(chart).size();
   svg += notes(
       fmt::format("{}{} pixelscope {}, {}, {}, {} threads. {}", chart_provenance(chart),
                   missing == 0 ? "" : fmt::format(" Incomplete: {} of {} points are missing.", missing, id.points),
                   chart.machine.version, chart.machine.processor, chart.machine.simd, chart.machine.threads, id.base),
-      plot_corner.y + plot_size.y + 72);
+      below + 114);
   return svg_with_provenance(svg + "</svg>\n", provenance_of(chart.machine, id.base));
 }
 

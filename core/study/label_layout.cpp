@@ -44,6 +44,21 @@ std::vector<Vec2d> candidates(const LabelWish& wish, double radius) {
   return corners;
 }
 
+/// Do the lines cross? Lines that only touch, as those of two marks in one place do, do not.
+bool cross_each_other(const LabelLine& a, const LabelLine& b) {
+  const auto side = [](const LabelLine& line, const Vec2d& p) {
+    const Vec2d along = line.second - line.first, to = p - line.first;
+    return along.x * to.y - along.y * to.x;
+  };
+  return side(a, b.first) * side(a, b.second) < 0 && side(b, a.first) * side(b, a.second) < 0;
+}
+
+/// The point of a label that is nearest to its mark.
+Vec2d nearest_to_mark(const LabelWish& wish, const Vec2d& corner) {
+  const Vec2d high = corner + wish.size;
+  return {std::clamp(wish.mark.x, corner.x, high.x), std::clamp(wish.mark.y, corner.y, high.y)};
+}
+
 }  // namespace
 
 std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius,
@@ -63,28 +78,43 @@ std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const
     if (rect.low.x < 0 || rect.low.y < 0 || rect.high.x > box.x || rect.high.y > box.y) return false;
     return std::none_of(taken.begin(), taken.end(), [&](const Rect& other) { return rect.meets(other); });
   };
+  // From the middle of the mark: where the drawn leader begins depends on the size of the mark.
+  std::vector<LabelLine> leaders;
+  std::vector<Rect> labels;
+  const auto reaches = [&](const LabelLine& leader, const Rect& rect) {
+    return std::none_of(
+               leaders.begin(), leaders.end(),
+               [&](const LabelLine& other) { return cross_each_other(leader, other) || crosses(other, rect); }) &&
+           std::none_of(labels.begin(), labels.end(), [&](const Rect& other) { return crosses(leader, other); });
+  };
   std::vector<LabelPlace> places(wishes.size());
   for (const std::size_t i : order) {
     std::optional<Rect> found;
+    LabelLine leader;
     for (const Vec2d& corner : candidates(wishes[i], radius)) {
       const Rect rect{corner, corner + wishes[i].size};
-      if (!is_free(rect)) continue;
+      const LabelLine line{wishes[i].mark, nearest_to_mark(wishes[i], corner)};
+      if (!is_free(rect) || !reaches(line, rect)) continue;
       const bool clear =
-          std::none_of(lines.begin(), lines.end(), [&](const LabelLine& line) { return crosses(line, rect); });
-      if (!found || clear) found = rect;
+          std::none_of(lines.begin(), lines.end(), [&](const LabelLine& other) { return crosses(other, rect); });
+      if (!found || clear) {
+        found = rect;
+        leader = line;
+      }
       if (clear) break;
     }
     if (!found) continue;
     places[i] = {true, found->low};
     taken.push_back(*found);
+    labels.push_back(*found);
+    leaders.push_back(leader);
   }
   return places;
 }
 
 std::optional<LabelLine> label_leader(const LabelWish& wish, const LabelPlace& place, double radius) {
   if (!place.shown) return {};
-  const Vec2d high = place.corner + wish.size;
-  const Vec2d end(std::clamp(wish.mark.x, place.corner.x, high.x), std::clamp(wish.mark.y, place.corner.y, high.y));
+  const Vec2d end = nearest_to_mark(wish, place.corner);
   const Vec2d away = end - wish.mark;
   const double distance = std::hypot(away.x, away.y);
   if (distance < 2 * radius + 4) return {};

@@ -23,8 +23,8 @@ struct LabelPlace {
 using LabelLine = std::pair<Vec2d, Vec2d>;
 
 /// Finds for each label a place near its mark where it covers no mark, no error bar and no other label and stays inside
-/// the box from (0, 0) to `box`; where there is a choice it crosses none of the lines either. `radius` is that of the
-/// marks.
+/// the box from (0, 0) to `box`; where there is a choice it crosses none of the lines either. No two lines from marks
+/// to their labels cross, and none runs through another label. `radius` is that of the largest mark.
 std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius,
                                      const std::vector<LabelLine>& lines = {});
 

@@ -64,30 +64,43 @@ bool any_number(const std::vector<std::string>& values, const Option& option) {
   return option.kind != OptionKind::choice && !values.empty();
 }
 
-/// How many letters the swept numbers' keys have in common, in whole words: the 7 of "shadow-" in shadow-map-size and
-/// shadow-filter, none if only one is swept.
-std::size_t common_start(std::span<const SweepAxis> axes) {
+/// "Map size" as it is written within a sentence: "map size", but "MSAA" as it is.
+std::string begun_small(std::string label) {
+  const bool word = label.size() > 1 && label[1] >= 'a' && label[1] <= 'z';
+  if (word && label[0] >= 'A' && label[0] <= 'Z') label[0] = static_cast<char>(label[0] - 'A' + 'a');
+  return label;
+}
+
+/// How many letters the swept numbers' names have in common, in whole words that end with `separator`: the 7 of
+/// "shadow-" in shadow-map-size and shadow-filter, none if only one is swept.
+std::size_t common_start(std::span<const SweepAxis> axes, std::string_view Option::*text, char separator) {
   std::optional<std::string_view> common;
   int numbers = 0;
   for (const SweepAxis& axis : axes) {
     if (axis.values.size() < 2 || !any_number(axis.values, *axis.option)) continue;
     ++numbers;
-    const std::string_view key = axis.option->key;
-    if (!common) common = key;
-    const auto parted = std::mismatch(common->begin(), common->end(), key.begin(), key.end());
+    const std::string_view name = axis.option->*text;
+    if (!common) common = name;
+    const auto parted = std::mismatch(common->begin(), common->end(), name.begin(), name.end());
     common = common->substr(0, static_cast<std::size_t>(parted.first - common->begin()));
   }
   if (numbers < 2) return 0;
-  const auto dash = common->rfind('-');
-  return dash == std::string_view::npos ? 0 : dash + 1;
+  const auto end = common->rfind(separator);
+  return end == std::string_view::npos ? 0 : end + 1;
 }
 
-/// A choice's value says enough; a number or on/off needs its name. What cannot act there is left out.
+/// Whether an axis says something about a point. What cannot act there is left out.
+bool sets_apart(std::span<const SweepAxis> axes, const SweepAxis& axis, const Settings& settings,
+                const SceneTraits& traits) {
+  return axis.values.size() >= 2 && (axes.size() == 1 || !inactive_reason(*axis.option, settings, traits));
+}
+
+/// A choice's value says enough; a number or on/off needs its name.
 std::string short_label(std::span<const SweepAxis> axes, const Settings& settings, const SceneTraits& traits) {
-  const std::size_t start = common_start(axes);
+  const std::size_t start = common_start(axes, &Option::key, '-');
   std::string label;
   for (const SweepAxis& axis : axes) {
-    if (axis.values.size() < 2 || (axes.size() > 1 && inactive_reason(*axis.option, settings, traits))) continue;
+    if (!sets_apart(axes, axis, settings, traits)) continue;
     const std::string text = option_text(*axis.option, settings);
     label += label.empty() ? "" : ", ";
     label += any_number(axis.values, *axis.option) ? fmt::format("{} {}", axis.option->key.substr(start), text) : text;
@@ -95,10 +108,44 @@ std::string short_label(std::span<const SweepAxis> axes, const Settings& setting
   return label.empty() ? "as set" : label;
 }
 
+/// The value as people read it: a choice by its label.
+std::string value_words(const Option& option, const Settings& settings) {
+  return option.kind == OptionKind::choice ? std::string(chosen(option, settings).label)
+                                           : option_text(option, settings);
+}
+
+/// short_label() in the words of the option table. Of one option alone the name comes first, with a colon.
+std::string short_name(std::span<const SweepAxis> axes, const Settings& settings, const SceneTraits& traits) {
+  if (axes.size() == 1) return fmt::format("{}: {}", axes[0].option->label, value_words(*axes[0].option, settings));
+  const std::size_t start = common_start(axes, &Option::label, ' ');
+  std::string name;
+  for (const SweepAxis& axis : axes) {
+    if (!sets_apart(axes, axis, settings, traits)) continue;
+    const std::string value = value_words(*axis.option, settings);
+    name += name.empty() ? "" : ", ";
+    if (!any_number(axis.values, *axis.option)) {
+      name += value;
+      continue;
+    }
+    const std::string label = std::string(axis.option->label.substr(start));
+    name += fmt::format("{} {}", name.empty() ? label : begun_small(label), value);
+  }
+  return name.empty() ? "as set" : name;
+}
+
 std::string assignments(std::span<const SweepAxis> axes, const Settings& settings) {
   std::string text;
   for (const SweepAxis& axis : axes)
     text += fmt::format("{}{}={}", text.empty() ? "" : ";", axis.option->key, option_text(*axis.option, settings));
+  return text;
+}
+
+std::string all_words(std::span<const SweepAxis> axes, const Settings& settings) {
+  std::string text;
+  for (const SweepAxis& axis : axes)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                        text.empty() ? std::string(axis.option->label) : begun_small(std::string(axis.option->label)),
+                        value_words(*axis.option, settings));
   return text;
 }
 
@@ -286,13 +333,17 @@ std::vector<SweepPoint> sweep_points(std::span<const SweepAxis> axes, const Sett
   std::set<std::string> seen;
   for (const Settings& combination : all) {
     const Settings settings = axes.size() > 1 ? without_idle(acting, combination, base, traits) : combination;
-    SweepPoint point{short_label(axes, settings, traits), all_assignments(axes, scene_start, settings), settings};
+    SweepPoint point{short_label(axes, settings, traits), short_name(axes, settings, traits),
+                     all_assignments(axes, scene_start, settings), settings};
     if (!seen.insert(point.settings).second) continue;
     ++uses[point.label];
     points.push_back(std::move(point));
   }
   for (SweepPoint& point : points)
-    if (uses[point.label] > 1) point.label = assignments(axes, point.value);
+    if (uses[point.label] > 1) {
+      point.label = assignments(axes, point.value);
+      point.name = all_words(axes, point.value);
+    }
   return points;
 }
 
@@ -301,9 +352,36 @@ std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settin
   std::vector<std::string> sentences;
   for (const SweepAxis& axis : axes)
     if (!acts_somewhere(axis, all, traits))
-      sentences.push_back(fmt::format("{} changes nothing here: {}.", axis.option->key,
+      sentences.push_back(fmt::format("{} changes nothing here: {}.", axis.option->label,
                                       inactive_reason(*axis.option, all.front(), traits).value_or("")));
   return sentences;
+}
+
+std::optional<std::string> idle_sweep(const NamedSweep& sweep, const Settings& base, const SceneTraits& traits) {
+  const std::vector<SweepAxis> axes = parse_sweep(sweep.key);
+  const std::vector<Settings> all = combinations(axes, base);
+  const SweepAxis* idle = nullptr;
+  for (const SweepAxis& axis : axes) {
+    if (axes.size() > 1 && axis.option->key == "renderer") continue;
+    if (acts_somewhere(axis, all, traits)) return {};
+    if (!idle) idle = &axis;
+  }
+  if (!idle) return {};
+  // The reason under the renderer of the last combination: the sweeps name the one last that needs the option.
+  return std::string(inactive_reason(*idle->option, all.back(), traits).value_or(""));
+}
+
+SweepNames split_names(const std::vector<std::string>& names) {
+  SweepNames split{"", names};
+  if (names.empty()) return split;
+  const std::size_t end = names.front().find(": ");
+  if (end == std::string::npos) return split;
+  const std::string start = names.front().substr(0, end + 2);
+  if (!std::all_of(names.begin(), names.end(), [&](const std::string& name) { return name.starts_with(start); }))
+    return split;
+  split.common = start.substr(0, end);
+  for (std::string& part : split.parts) part.erase(0, start.size());
+  return split;
 }
 
 }  // namespace ps

@@ -41,7 +41,8 @@ std::vector<SweepAxis> parse_sweep_text(std::string_view text);
 
 /// One point of a sweep before it is measured.
 struct SweepPoint {
-  std::string label;     ///< what sets it apart from the others: "rasterizer, gouraud"
+  std::string label;     ///< what sets it apart from the others, by keys: "rasterizer, gouraud"
+  std::string name;      ///< the same for people: "rasterizer, Gouraud", or "Samples per pixel: 16"
   std::string settings;  ///< the swept options and what else differs from the scene's settings: "K=V;K=V"
   Settings value;
 };
@@ -52,7 +53,18 @@ struct SweepPoint {
 std::vector<SweepPoint> sweep_points(std::span<const SweepAxis> axes, const Settings& base, const Settings& scene_start,
                                      const SceneTraits& traits);
 
+/// The part that all names begin with, up to a colon, and what is left of each: "Samples per pixel", and "1", "4",
+/// "16".
+struct SweepNames {
+  std::string common;              ///< empty if the names have no such part
+  std::vector<std::string> parts;  ///< in the order of the names
+};
+SweepNames split_names(const std::vector<std::string>& names);
+
 /// Swept options that act nowhere in the sweep, each with its reason, in whole sentences.
 std::vector<std::string> idle_axes(std::span<const SweepAxis> axes, const Settings& base, const SceneTraits& traits);
+/// Why a named sweep changes nothing with these settings and this scene ("needs a texture"), or nothing if it does:
+/// none of its options can act. A renderer that it also sweeps does not count.
+std::optional<std::string> idle_sweep(const NamedSweep& sweep, const Settings& base, const SceneTraits& traits);
 
 }  // namespace ps

@@ -95,6 +95,38 @@ TEST(LabelLayout, LabelsCoverNeitherEachOtherNorMarksNorLeaveTheBox) {
   }
 }
 
+/// Do two lines cross, and not only touch?
+bool cross(const LabelLine& a, const LabelLine& b) {
+  const auto side = [](const LabelLine& line, const Vec2d& p) {
+    const Vec2d d = line.second - line.first, e = p - line.first;
+    return d.x * e.y - d.y * e.x;
+  };
+  return side(a, b.first) * side(a, b.second) < -1e-9 && side(b, a.first) * side(b, a.second) < -1e-9;
+}
+
+TEST(LabelLayout, LinesToLabelsDoNotCross) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int lines = 0;
+  for (int round = 0; round < 400; ++round) {
+    // Marks in a heap, so that most labels stand away from theirs.
+    std::vector<LabelWish> wishes(6 + random() % 20);
+    for (LabelWish& wish : wishes)
+      wish = {{200 + unit(random) * 60, 130 + unit(random) * 40}, {20 + unit(random) * 60, 12}, 0};
+    const auto places = place_labels(wishes, {400, 300}, 8);
+    std::vector<LabelLine> drawn;
+    // Drawn from the rim of each mark's own size, which is at most the largest.
+    for (std::size_t i = 0; i < wishes.size(); ++i)
+      if (const auto line = label_leader(wishes[i], places[i], 4)) drawn.push_back(*line);
+    lines += static_cast<int>(drawn.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(cross(drawn[i], drawn[k])) << "round " << round;
+  }
+  EXPECT_GT(lines, 400);
+}
+
 TEST(LabelLayout, LabelsKeepClearOfLinesWhereTheyCan) {
   // The first choice, to the right, is crossed by a line that comes from there; above nothing is.
   const std::vector<LabelWish> wishes{{{100, 100}, {60, 12}, 0}};

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
@@ -15,7 +16,9 @@
 #include "options/scene_settings.h"
 #include "options/simd_choice.h"
 #include "scene/load.h"
+#include "study/chart_conclusion.h"
 #include "study/chart_files.h"
+#include "study/chart_style.h"
 #include "support/run_cli.h"
 
 namespace {
@@ -243,13 +246,17 @@ TEST(Chart, FilesHoldTheTableOfTheDesign) {
   const std::string csv = chart_csv(chart);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth,"
-            "program,processor,simd,threads,base_settings");
+            "program,processor,simd,threads,base_settings,tie");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
   const std::string svg = chart_svg(chart);
   std::size_t circles = 0;
   for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++circles;
   EXPECT_EQ(circles, 8u) << "six points, and both precisions in the legend";
   EXPECT_NE(chart_json(chart).find("\"processor\""), std::string::npos);
+  const auto json = nlohmann::json::parse(chart_json(chart));
+  EXPECT_EQ(json.at("conclusion"), chart_conclusion(chart).sentence);
+  EXPECT_NE(json.at("conclusion"), "");
+  EXPECT_EQ(json.at("points").at(0).at("tie"), chart.points[0].tie);
 }
 
 Chart swept_chart(const std::string& scene, const std::vector<std::string>& sweeps,
@@ -338,8 +345,10 @@ TEST(Chart, LabelsLieOverTheirRimsInAnyViewer) {
     return found;
   };
   std::size_t shown = 0;
-  for (const ChartPoint& point : chart.points) {
-    const std::string words = ">" + point.what.label + "</text>";
+  const SweepNames names = chart_names(chart);
+  for (std::size_t i = 0; i < chart.points.size(); ++i) {
+    const ChartPoint& point = chart.points[i];
+    const std::string words = ">" + mark_label(point, names.parts[i]) + "</text>";
     const std::size_t first = svg.find(words);
     if (first == std::string::npos) continue;
     ++shown;

@@ -66,6 +66,38 @@ TEST(Sweep, LabelsSayWhatActsAndNoMore) {
   EXPECT_TRUE(labels.contains("map, map-size 256, filter 2"));
 }
 
+TEST(Sweep, NamesAreWordsWithWhatIsCommonOnce) {
+  std::vector<std::string> names;
+  for (const SweepPoint& point : points_of({"samples"}, "cgfs/shadows")) names.push_back(point.name);
+  ASSERT_EQ(names.size(), 4u);
+  EXPECT_EQ(names[2], "Samples per pixel: 16");
+  const SweepNames split = split_names(names);
+  EXPECT_EQ(split.common, "Samples per pixel");
+  EXPECT_EQ(split.parts, (std::vector<std::string>{"1", "4", "16", "64"}));
+  std::set<std::string> methods;
+  for (const SweepPoint& point : points_of({"shadow-methods"}, "cgfs/shadows")) {
+    EXPECT_TRUE(methods.insert(point.name).second) << point.name;
+    EXPECT_EQ(point.name.find('='), std::string::npos) << point.name;
+  }
+  EXPECT_TRUE(methods.contains("shadow map, size 256, filter 2"));
+  EXPECT_EQ(split_names({methods.begin(), methods.end()}).common, "");
+}
+
+TEST(Sweep, ASweepOfOptionsThatCannotActSaysWhy) {
+  const auto reason = [](const char* scene_name, std::string_view key) {
+    const Scene scene = load_scene(scene_name);
+    for (const NamedSweep& sweep : named_sweeps())
+      if (sweep.key == key) return idle_sweep(sweep, settings_for(scene), scene_traits(scene));
+    return std::optional<std::string>("no such sweep");
+  };
+  const auto filters = reason("cgfs/spheres", "texture-filters");
+  ASSERT_TRUE(filters);
+  EXPECT_NE(filters->find("texture"), std::string::npos) << *filters;
+  EXPECT_FALSE(reason("cgfs/crates", "texture-filters"));
+  for (const char* scene : {"cgfs/spheres", "cgfs/crates"})
+    for (const char* key : {"renderers", "samples", "precision-and-tests"}) EXPECT_FALSE(reason(scene, key)) << key;
+}
+
 TEST(Sweep, StandardValuesOfEveryOptionAreValidAndDifferent) {
   for (const Option& option : option_table()) {
     const auto values = standard_values(option);

@@ -64,6 +64,7 @@ void numbers(const Chart& chart, const ChartPoint& point) {
   line(title.c_str(), error);
   if (point.work) line("work", fmt::format("{:.3g} million", 1e-6 * static_cast<double>(*point.work)));
   line("memory", fmt::format("{:.3g} MB", point.memory_mb));
+  if (point.tie) line("tie", "noise decides whether it lies on the front");
   line("first picture", fmt::format("{:.0f} ms more", point.prepare_ms));
   ImGui::EndTable();
 }
@@ -97,7 +98,7 @@ void chart_hover(const ChartTabState& state, const ChartPoint& point, ChartPrevi
   ImGui::PushTextWrapPos(px(2 * picture_side + 12));
   {
     const FontScope bold(Face::bold);
-    ImGui::TextUnformatted(point.what.label.c_str());
+    ImGui::TextUnformatted(point.what.name.c_str());
   }
   numbers(state.chart, point);
   if (preview.of) pictures(preview);

@@ -10,11 +10,13 @@
 #include "gui/theme/theme.h"
 #include "gui/widgets/record.h"
 #include "options/renderer_kind.h"
+#include "study/chart_front.h"
 #include "study/chart_style.h"
 
 namespace ps::gui {
 namespace {
 
+constexpr float band_strength = 0.1f;
 constexpr double reach = 8;  // pixels around a mark that still hit it, at scale 1
 
 ImU32 colour_of(Rgb8 c) { return IM_COL32(c.r, c.g, c.b, 255); }
@@ -42,12 +44,22 @@ std::vector<Mark> place_marks(const Chart& chart, const PlotFrame& frame) {
   return marks;
 }
 
+/// The front as steps, from the upper edge of the plot to its right one.
+std::vector<ImVec2> front_steps(const Chart& chart, const PlotFrame& frame) {
+  std::vector<ImVec2> steps;
+  for (const Vec2d& corner : front_staircase(chart)) steps.push_back(frame.at(corner.x, corner.y));
+  if (steps.empty()) return steps;
+  const bool up = error_metric(chart.metric).higher_is_better;
+  steps.insert(steps.begin(), {steps.front().x, up ? frame.inner.max.y : frame.inner.min.y});
+  steps.push_back({frame.inner.max.x, steps.back().y});
+  return steps;
+}
+
 void draw_front(ImDrawList& list, const Chart& chart, const PlotFrame& frame) {
-  const auto front = front_by_cost(chart);
+  const std::vector<ImVec2> steps = front_steps(chart, frame);
   const float dash = px(5), gap = px(4);
-  for (std::size_t i = 1; i < front.size(); ++i) {
-    const ImVec2 a = frame.at(front[i - 1]->cost.median, front[i - 1]->error);
-    const ImVec2 b = frame.at(front[i]->cost.median, front[i]->error);
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const ImVec2 a = steps[i - 1], b = steps[i];
     const float length = std::hypot(b.x - a.x, b.y - a.y);
     for (float from = 0; from < length; from += dash + gap) {
       const float to = std::min(from + dash, length);
@@ -56,6 +68,14 @@ void draw_front(ImDrawList& list, const Chart& chart, const PlotFrame& frame) {
       };
       list.AddLine(on_line(from), on_line(to), colour_u32(palette().text), px(1.2));
     }
+  }
+}
+
+/// Where the front may lie, since times vary and the reference is uncertain.
+void draw_uncertain_band(ImDrawList& list, const Chart& chart, const PlotFrame& frame) {
+  for (const FrontBandPart& part : front_band(chart)) {
+    const ImVec2 a = frame.at(part.cost_from, part.error.best), b = frame.at(part.cost_to, part.error.worst);
+    list.AddRectFilled({a.x, std::min(a.y, b.y)}, {b.x, std::max(a.y, b.y)}, colour_u32(palette().text, band_strength));
   }
 }
 
@@ -79,8 +99,10 @@ void fill_mark(ImDrawList& list, Renderer renderer, ImVec2 at, float r, ImU32 fi
 }
 
 void draw_mark(ImDrawList& list, const Mark& mark, const ChartPoint& point, bool strong) {
-  const ImU32 fill = colour_of(mark_colour(point.what.value));
-  const ImU32 edge = colour_u32(point.on_front || strong ? palette().text : palette().field);
+  const ImU32 own = colour_of(mark_colour(point.what.value));
+  const ImU32 fill = point.tie ? colour_u32(palette().field) : own;
+  const ImU32 edge =
+      point.tie && !strong ? own : colour_u32(point.on_front || strong ? palette().text : palette().field);
   const float r = mark.radius, width = px(strong ? 2.5 : 1.5);
   const ImVec2 low{mark.at.x - r, mark.at.y - r}, high{mark.at.x + r, mark.at.y + r};
   fill_mark(list, point.what.value.renderer, mark.at, r, fill);
@@ -109,6 +131,8 @@ void draw_ring(ImDrawList& list, const Mark& mark, const char* letter, const ImV
 void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, const std::vector<Mark>& marks,
                  const ChartMarks& shown, ChartLabels& labels) {
   ImFont* font = theme().font(Face::small);
+  const SweepNames names = chart_names(chart);
+  const auto text_of = [&](const Mark& mark) { return mark_label(chart.points[mark.point], names.parts[mark.point]); };
   const auto inside = [&](ImVec2 p) { return Vec2d(p.x - frame.inner.min.x, p.y - frame.inner.min.y); };
   std::string key = fmt::format("{} {} {}", frame.inner.width(), frame.inner.height(), static_cast<int>(chart.metric)) +
                     std::string(chart_across_key(chart.across));
@@ -122,7 +146,8 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
     const ChartPoint& point = chart.points[mark.point];
     key += fmt::format(" {:.0f},{:.0f},{:.0f},{:.0f},{:.0f},{:.0f}", mark.at.x, mark.at.y,
                        frame.at(point.cost.q1, point.error).x, frame.at(point.cost.q3, point.error).x,
-                       taken(mark, shown.a), taken(mark, shown.b));
+                       taken(mark, shown.a), taken(mark, shown.b)) +
+           (point.tie ? "t" : "");
     radius = std::max(radius, mark.radius);
   }
   if (key != labels.key || labels.places.size() != marks.size()) {
@@ -131,7 +156,7 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
     wishes.clear();
     for (const Mark& mark : marks) {
       const ChartPoint& point = chart.points[mark.point];
-      const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, point.what.label.c_str());
+      const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text_of(mark).c_str());
       const float low = frame.at(point.cost.q1, point.error).x, high = frame.at(point.cost.q3, point.error).x;
       wishes.push_back(
           {inside(mark.at),
@@ -140,10 +165,8 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
            {std::max(mark.at.x - low, taken(mark, shown.a)), std::max(high - mark.at.x, taken(mark, shown.b))}});
     }
     std::vector<LabelLine> lines;
-    const auto front = front_by_cost(chart);
-    for (std::size_t i = 1; i < front.size(); ++i)
-      lines.emplace_back(inside(frame.at(front[i - 1]->cost.median, front[i - 1]->error)),
-                         inside(frame.at(front[i]->cost.median, front[i]->error)));
+    const std::vector<ImVec2> steps = front_steps(chart, frame);
+    for (std::size_t i = 1; i < steps.size(); ++i) lines.emplace_back(inside(steps[i - 1]), inside(steps[i]));
     labels.places = place_labels(wishes, {frame.inner.width(), frame.inner.height()}, radius, lines);
   }
   const auto outside = [&](const Vec2d& p) {
@@ -156,7 +179,7 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
     const ImVec2 at = outside(labels.places[i].corner);
     const ChartPoint& point = chart.points[marks[i].point];
     list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)},
-                 colour_u32(point.on_front ? palette().text : palette().text_quiet), point.what.label.c_str());
+                 colour_u32(point.on_front ? palette().text : palette().text_quiet), text_of(marks[i]).c_str());
   }
 }
 
@@ -184,6 +207,7 @@ std::optional<std::size_t> draw_chart(ImDrawList& list, const Area& area, const 
   list.PushClipRect(area.min, area.max, true);
   const std::vector<Mark> marks = place_marks(chart, frame);
   const auto hovered = nearest(marks, mouse);
+  draw_uncertain_band(list, chart, frame);
   draw_front(list, chart, frame);
   for (const Mark& mark : marks) {
     const ChartPoint& point = chart.points[mark.point];
@@ -231,6 +255,10 @@ void draw_chart_legend(ImDrawList& list, const Area& area, const Chart& chart) {
   entry("Pareto front", [&](ImVec2 at) {
     list.AddLine({at.x - px(8), at.y}, {at.x - px(2), at.y}, ink, px(1.2));
     list.AddLine({at.x + px(2), at.y}, {at.x + px(8), at.y}, ink, px(1.2));
+  });
+  entry("within noise", [&](ImVec2 at) {
+    list.AddRectFilled({at.x - px(8), at.y - px(5)}, {at.x + px(8), at.y + px(5)},
+                       colour_u32(palette().text, 2 * band_strength));
   });
   if (chart.across == ChartAcross::time)
     entry("quartiles", [&](ImVec2 at) {

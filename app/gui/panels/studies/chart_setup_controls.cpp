@@ -11,6 +11,7 @@
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "options/option_search.h"
+#include "study/setting_words.h"
 
 namespace ps::gui {
 namespace {
@@ -29,6 +30,12 @@ void heading(const char* text) {
   ImGui::TextUnformatted(text);
 }
 
+std::string value_label(const Option& option, const std::string& value) {
+  const auto choice =
+      std::find_if(option.choices.begin(), option.choices.end(), [&](const Choice& one) { return one.key == value; });
+  return choice == option.choices.end() ? value : std::string(choice->label);
+}
+
 /// A button for each value of a choice or a toggle. Answers whether the chosen ones changed.
 bool value_buttons(SweepAxis& axis) {
   bool changed = false, first = true;
@@ -36,9 +43,10 @@ bool value_buttons(SweepAxis& axis) {
   for (const std::string& value : all) {
     const auto place = std::find(axis.values.begin(), axis.values.end(), value);
     const bool on = place != axis.values.end();
-    if (!first) same_line_if_room(button_width(value), px(4));
+    const std::string label = value_label(*axis.option, value);
+    if (!first) same_line_if_room(button_width(label), px(4));
     first = false;
-    if (!button_on_off(value, value, on, {.tooltip = on ? "Excludes this value." : "Includes this value."})) continue;
+    if (!button_on_off(value, label, on, {.tooltip = on ? "Excludes this value." : "Includes this value."})) continue;
     if (on && axis.values.size() == 1) continue;  // none at all would be no sweep
     if (on)
       axis.values.erase(place);
@@ -191,7 +199,7 @@ void chart_setup_controls(ChartSetup& setup, const ChartPlan& plan, const Sessio
   heading("Error");
   comparison(setup, session);
   heading("Truth");
-  quiet_text(plan.truth);
+  quiet_text(settings_in_words(plan.truth));
   reference(setup, browse);
   heading("Timed on");
   machinery(setup);

@@ -22,6 +22,7 @@ ChartPoint light(const ChartPoint& point) {
   copy.counters = point.counters;
   copy.work = point.work;
   copy.on_front = point.on_front;
+  copy.tie = point.tie;
   return copy;
 }
 
@@ -48,6 +49,12 @@ ChartFound next_state(const Chart& chart, const ChartFound& before, const std::f
 
 bool ChartFound::complete() const {
   return std::all_of(chart.points.begin(), chart.points.end(), [](const ChartPoint& p) { return p.measured(); });
+}
+
+void start_estimate(ChartEstimateStudy& study, ChartRequest request) {
+  study.start([request = std::move(request)](StudyControl& control, const ChartEstimateStudy::Publish& publish) {
+    publish(std::make_shared<const StudyEstimate>(estimate_chart(request, control)), {1, 1, 0});
+  });
 }
 
 void start_chart(ChartStudy& study, ChartRequest request) {

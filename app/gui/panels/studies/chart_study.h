@@ -4,6 +4,7 @@
 
 #include "gui/panels/studies/background_study.h"
 #include "study/chart.h"
+#include "study/estimate.h"
 
 namespace ps::gui {
 
@@ -16,6 +17,10 @@ struct ChartFound {
 };
 
 using ChartStudy = BackgroundStudy<ChartFound>;
+
+/// What a chart will take, before it is measured.
+using ChartEstimateStudy = BackgroundStudy<StudyEstimate>;
+void start_estimate(ChartEstimateStudy& study, ChartRequest request);
 
 /// Begins or goes on with a chart, whose results are kept in the request's folder.
 void start_chart(ChartStudy& study, ChartRequest request);

@@ -12,15 +12,18 @@
 #include "gui/panels/studies/chart_hover.h"
 #include "gui/shell/values.h"
 #include "gui/widgets/widgets.h"
+#include "study/chart_conclusion.h"
 #include "study/chart_files.h"
 #include "study/chart_style.h"
 #include "study/counted_work.h"
+#include "study/setting_words.h"
 
 namespace ps::gui {
 namespace {
 
 constexpr const char* own_sweep = "own";
 constexpr double least_height_for_legend = 170;  // at scale 1; below, the room is the plot's
+constexpr double least_height_for_conclusion = 130;
 
 void choose_named(ChartTabState& state, const NamedSweep& sweep) { set_axes(state.setup, parse_sweep(sweep.key)); }
 
@@ -43,6 +46,15 @@ void begin(ChartTabState& state) {
   if (state.setup.axes.empty()) choose_named(state, named_sweeps().front());
 }
 
+/// Why each of the named sweeps changes nothing here; empty for those that do.
+void look_for_idle_sweeps(const Session& session, ChartTabState& state) {
+  if (state.idle_for == state.plan.key) return;
+  state.idle_for = state.plan.key;
+  state.idle_sweeps.clear();
+  for (const NamedSweep& sweep : named_sweeps())
+    state.idle_sweeps.push_back(idle_sweep(sweep, state.plan.base, session.traits()).value_or(""));
+}
+
 void sweep_choice(ChartTabState& state, float width) {
   std::vector<Choice> choices;
   for (const NamedSweep& sweep : named_sweeps()) choices.push_back({sweep.key, sweep.label, ""});
@@ -50,8 +62,9 @@ void sweep_choice(ChartTabState& state, float width) {
   const auto named = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.key == shown; });
   int index = static_cast<int>(named - choices.begin());
   if (named == choices.end()) choices.push_back({own_sweep, "A custom sweep", ""});
+  const std::vector<std::string_view> idle(state.idle_sweeps.begin(), state.idle_sweeps.end());
   if (!choice("sweep", choices, index,
-              {.tooltip = "The sweep: one picture for each combination of values.", .width = width}))
+              {.tooltip = "The sweep: one picture for each combination of values.", .width = width, .idle = idle}))
     return;
   const auto chosen = static_cast<std::size_t>(index);
   if (chosen < named_sweeps().size()) choose_named(state, named_sweeps()[chosen]);
@@ -74,6 +87,7 @@ void setup_popup(Session& session, ChartTabState& state, const ChartHost& host) 
 void show_found(ChartTabState& state) {
   state.chart.across = state.across;
   summarise(state.chart, state.metric);
+  state.conclusion = chart_conclusion(state.chart).sentence;
 }
 
 void metric_choice(ChartTabState& state, float width) {
@@ -104,7 +118,25 @@ const char* measure_word(const ChartTabState& state) {
   return state.kept ? "Resume" : "Measure";
 }
 
-void run_buttons(Session& session, ChartTabState& state, const StudyFolder& folder) {
+/// Begins to estimate what Measure will take, if that is not known for what is planned now.
+void keep_estimate(Session& session, ChartTabState& state) {
+  const std::string wanted = fmt::format("{}|{} runs", state.plan.key, state.setup.repeats);
+  if (state.estimated == wanted || state.study.running() || !state.plan.error.empty()) return;
+  state.estimated = wanted;
+  start_estimate(state.estimate, make_request(state.plan, state.setup, state.metric, session));
+}
+
+/// "Measure (about 40 s, 20 pictures)"
+std::string measure_label(const ChartTabState& state, const std::string& word) {
+  if (word == "Resume" || !state.plan.error.empty()) return word;
+  const std::size_t pictures = state.plan.points.size();
+  const auto estimate = state.estimate.found();
+  if (estimate) return fmt::format("{} ({})", word, estimate_text(*estimate));
+  const char* time = state.estimate.state() == StudyState::failed ? "time unknown" : "time not known yet";
+  return fmt::format("{} ({}, {} picture{})", word, time, pictures, pictures == 1 ? "" : "s");
+}
+
+void run_buttons(Session& session, ChartTabState& state, const StudyFolder& folder, const std::string& label) {
   if (state.study.running()) {
     const bool paused = state.study.state() == StudyState::paused;
     if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(64)}))
@@ -116,10 +148,10 @@ void run_buttons(Session& session, ChartTabState& state, const StudyFolder& fold
     return;
   }
   const std::string word = measure_word(state);
-  if (!button("measure", word, Emphasis::primary,
-              {.tooltip = "Renders every picture several times in the background.",
-               .disabled = state.plan.error,
-               .width = button_width("Measure")}))
+  if (!button("measure", label, Emphasis::primary,
+              {.tooltip = "Renders every picture several times in the background. The time is estimated from small "
+                          "pictures of all points and of the reference.",
+               .disabled = state.plan.error}))
     return;
   if (word == "Again") StudyFolder::forget(folder.of(state.plan.key));
   measure_chart(session, state, folder);
@@ -147,8 +179,10 @@ bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, 
   sweep_choice(state, px(wide ? 220 : 116));
   same_line_if_room(button_width("Setup"), px(3));
   setup_popup(session, state, host);
-  same_line_if_room(button_width("Measure"), gap);
-  run_buttons(session, state, folder);
+  keep_estimate(session, state);
+  const std::string measure = measure_label(state, measure_word(state));
+  same_line_if_room(button_width(state.study.running() ? "Measure" : measure), gap);
+  run_buttons(session, state, folder, measure);
   same_line_if_room(px(wide ? 150 : 76), gap);
   metric_choice(state, px(wide ? 150 : 76));
   same_line_if_room(px(76), px(3));
@@ -180,7 +214,9 @@ std::string state_line(const ChartTabState& state) {
   }
   if (!state.found) return state.plan.error.empty() ? "" : state.plan.error;
   const ChartIdentity& id = state.chart.identity;
-  std::string text = fmt::format("{}, {} x {}. {}", id.scene, id.width, id.height, chart_provenance(state.chart));
+  const std::string swept = chart_names(state.chart).common;
+  std::string text = fmt::format("{}{}{}, {} x {}. {}", swept, swept.empty() ? "" : ". ", id.scene, id.width, id.height,
+                                 settings_in_words(chart_provenance(state.chart)));
   if (state.chart.reference_halves) {
     Reference reference;
     reference.halves = state.chart.reference_halves;
@@ -224,7 +260,7 @@ void invitation(const ChartTabState& state, const Area& area) {
                                : fmt::format("How much time for how much accuracy? {} point{}: each is rendered and "
                                              "compared with the reference: {}. Press {}.",
                                              state.plan.points.size(), state.plan.points.size() == 1 ? "" : "s",
-                                             state.plan.truth, measure_word(state));
+                                             settings_in_words(state.plan.truth), measure_word(state));
   ImFont* font = theme().font(Face::body);
   const float wrap = std::min(area.width() - px(40), px(460));
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
@@ -240,7 +276,21 @@ std::optional<std::size_t> showing(const Chart& chart, const Settings& settings)
 }
 
 void load_point(Session& session, const ChartPoint& point, Side side) {
-  session.set_settings(side, point.what.value, fmt::format("{}: {} (chart)", letter_of(side), point.what.label));
+  session.set_settings(side, point.what.value, fmt::format("{}: {} (chart)", letter_of(side), point.what.name));
+}
+
+/// Of the sentence under the chart, wrapped.
+float conclusion_height(const ChartTabState& state, const Area& area) {
+  if (state.conclusion.empty()) return 0;
+  ImFont* font = theme().font(Face::body);
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, area.width(), state.conclusion.c_str()).y + px(6);
+}
+
+void draw_conclusion(ImDrawList& list, const ChartTabState& state, const Area& area) {
+  ImFont* font = theme().font(Face::body);
+  list.AddText(font, font->FontSize, {std::round(area.min.x), std::round(area.min.y + px(2))},
+               colour_u32(palette().text), state.conclusion.c_str(), nullptr, area.width());
+  controls().record("conclusion", state.conclusion);
 }
 
 void plot(Session& session, ChartTabState& state, const Area& area) {
@@ -254,13 +304,15 @@ void plot(Session& session, ChartTabState& state, const Area& area) {
   if (!any) return invitation(state, area);
   auto& list = *ImGui::GetWindowDrawList();
   const float legend = area.height() >= px(least_height_for_legend) ? chart_legend_height() : 0;
-  const Area chart_area{area.min, {area.max.x, area.max.y - legend}};
+  const float conclusion = area.height() >= px(least_height_for_conclusion) ? conclusion_height(state, area) : 0;
+  const Area chart_area{area.min, {area.max.x, area.max.y - legend - conclusion}};
   const ChartMarks marks{showing(state.chart, session.settings(Side::a)),
                          showing(state.chart, session.settings(Side::b)), state.hovered};
   const ImVec2 nowhere{-1e6f, -1e6f};
   state.hovered =
       draw_chart(list, chart_area, state.chart, state.labels, marks, over ? ImGui::GetIO().MousePos : nowhere);
-  if (legend > 0) draw_chart_legend(list, {{area.min.x, chart_area.max.y}, area.max}, state.chart);
+  if (conclusion > 0) draw_conclusion(list, state, {{area.min.x, chart_area.max.y}, area.max});
+  if (legend > 0) draw_chart_legend(list, {{area.min.x, chart_area.max.y + conclusion}, area.max}, state.chart);
   if (!state.hovered) return;
   const ChartPoint& point = state.chart.points[*state.hovered];
   // Settings belong to their scene: those of one made for another may not fit.
@@ -292,6 +344,7 @@ bool chart_tab(Session& session, ChartTabState& state, const StudyFolder& folder
     state.kept_for = state.plan.key;
     state.kept = StudyFolder::holds_results(folder.of(state.plan.key));
   }
+  look_for_idle_sweeps(session, state);
   const bool fill = toolbar(session, state, folder, host, filled);
   keep_sweep(session, state);
   progress_line(state);
@@ -316,6 +369,7 @@ void measure_chart(Session& session, ChartTabState& state, const StudyFolder& fo
   if (state.measured != state.plan.key) {
     state.found = nullptr;
     state.chart = {};
+    state.conclusion.clear();
   }
   state.measured = state.plan.key;
   state.kept_for.clear();
@@ -348,6 +402,7 @@ void publish_chart(const ChartTabState& state) {
     out.publish(name + "memory-mb", point.memory_mb);
     out.publish(name + "work", work_text(point.work));
     out.publish(name + "on-front", point.on_front);
+    out.publish(name + "tie", point.tie);
     out.publish(name + "runs", static_cast<int>(point.samples_ms.size()));
   }
   out.publish("chart/planned", static_cast<int>(state.plan.points.size()));
@@ -358,6 +413,7 @@ void publish_chart(const ChartTabState& state) {
   out.publish("chart/truth", state.chart.identity.reference);
   out.publish("chart/machinery", state.chart.identity.machinery);
   out.publish("chart/hovered", state.hovered ? state.chart.points[*state.hovered].what.label : std::string());
+  out.publish("chart/conclusion", state.conclusion);
 }
 
 }  // namespace ps::gui

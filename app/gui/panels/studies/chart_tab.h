@@ -22,7 +22,7 @@ struct ChartPreview {
 
 /// What the chart remembers of itself.
 struct ChartTabState {
-  explicit ChartTabState(const std::function<void()>& wake) : study(wake) {}
+  explicit ChartTabState(const std::function<void()>& wake) : study(wake), estimate(wake) {}
 
   ChartSetup setup;
   bool begun = false;  ///< the first sweep has been chosen
@@ -35,11 +35,17 @@ struct ChartTabState {
   std::string measured;                     ///< key of the plan whose results are shown
   std::shared_ptr<const ChartFound> found;  ///< what `chart` was made from
   Chart chart;                              ///< in the metric and along the axis that are chosen
+  std::string conclusion;                   ///< what `chart` shows, in a sentence
   ChartLabels labels;
   std::optional<std::size_t> hovered;
   ChartPreview preview;
 
+  std::vector<std::string> idle_sweeps;  ///< why a named sweep changes nothing here, one for each; empty if it does
+  std::string idle_for;                  ///< key of the plan that they were found for
+  std::string estimated;                 ///< key of the plan and its runs that `estimate` was begun for
+
   ChartStudy study;
+  ChartEstimateStudy estimate;  ///< of what Measure will take
 };
 
 /// What the chart asks of the window around it.

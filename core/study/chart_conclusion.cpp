@@ -1,0 +1,215 @@
+#include "study/chart_conclusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "study/chart_front.h"
+#include "study/chart_style.h"
+
+namespace ps {
+namespace {
+
+using Points = std::vector<const ChartPoint*>;
+using Kind = ChartClaim::Kind;
+
+constexpr std::size_t most_named = 3;  ///< points of a list; more are counted
+
+std::string ratio_text(double ratio) {
+  return ratio < 10 ? fmt::format("{:.2g}", ratio) : fmt::format("{:.0f}", ratio);
+}
+
+/// Writes the sentence of one chart. Every order that it states goes through claim().
+class Writer {
+ public:
+  explicit Writer(const Chart& chart) : chart_(chart), names_(chart_names(chart)) {
+    for (const ChartPoint& point : chart.points)
+      if (point.placed() && !std::isnan(point.error)) points_.push_back(&point);
+  }
+
+  ChartConclusion write() {
+    if (points_.empty()) return {};
+    std::string sentence = measured();
+    const bool partial = std::any_of(chart_.points.begin(), chart_.points.end(),
+                                     [](const ChartPoint& point) { return !point.measured(); });
+    std::string start = partial ? "So far" : "";
+    if (!names_.common.empty()) start += (start.empty() ? "" : ", ") + names_.common;
+    made_.sentence = start.empty() ? begun_large(sentence) : fmt::format("{}: {}", start, sentence);
+    return std::move(made_);
+  }
+
+ private:
+  std::string measured() {
+    if (points_.size() == 1) return "only one point is measured, so there is nothing to compare.";
+    const bool costs_tie = none([&](auto& a, auto& b) { return cheaper(a, b); });
+    const bool errors_tie = none([&](auto& a, auto& b) { return more_exact(a, b); });
+    if (costs_tie && errors_tie)
+      return fmt::format("none of the {} points is better than another; {}, and {}.", points_.size(), cost_tie(),
+                         error_tie());
+    if (errors_tie) return only_costs();
+    if (costs_tie) return only_errors();
+    return both();
+  }
+
+  std::string only_costs() {
+    const Points first = those_without([&](auto& other, auto& point) { return cheaper(other, point); });
+    if (first.size() > 1)
+      return fmt::format("the {} is one of {}, which no point surely beats; {}.",
+                         time() ? "fastest" : "one with the least work", list(first, "and"), error_tie());
+    const ChartPoint& slowest = *largest(points_, [](auto& point) { return point.cost.median; });
+    claim_all(Kind::cheaper, *first.front());
+    return fmt::format("{} {} {} times the {} of {}; {}.", name(slowest), time() ? "takes" : "needs",
+                       ratio_text(slowest.cost.median / first.front()->cost.median), cost(), name(*first.front()),
+                       error_tie());
+  }
+
+  std::string only_errors() {
+    const Points best = those_without([&](auto& other, auto& point) { return more_exact(other, point); });
+    if (best.size() > 1)
+      return fmt::format("the most exact is one of {}, which no point surely beats; {}.", list(best, "and"),
+                         cost_tie());
+    claim_all(Kind::more_exact, *best.front());
+    return fmt::format("{} is the most exact ({} {}{}); {}.", name(*best.front()), quantity(),
+                       number(best.front()->error), unit(), cost_tie());
+  }
+
+  std::string both() {
+    const Points cheapest = those_without([&](auto& other, auto& point) { return cheaper(other, point); });
+    const Points best = those_without([&](auto& other, auto& point) { return more_exact(other, point); });
+    Points ideal;
+    for (const ChartPoint* point : cheapest)
+      if (std::find(best.begin(), best.end(), point) != best.end()) ideal.push_back(point);
+    if (!ideal.empty())
+      return fmt::format("no point is surely {} or more exact than {}.", time() ? "faster" : "cheaper",
+                         list(ideal, "or"));
+    const ChartPoint *from = nullptr, *to = nullptr;
+    for (const ChartPoint* a : cheapest)
+      for (const ChartPoint* b : best) {
+        if (!cheaper(*a, *b) || !more_exact(*b, *a)) continue;
+        const bool better = !from || b->cost.median < to->cost.median ||
+                            (b == to && better_error(chart_.metric, a->error, from->error));
+        if (!better) continue;
+        from = a;
+        to = b;
+      }
+    if (!from) return "times and errors overlap too much for an order of the points.";
+    claim(Kind::cheaper, *from, *to);
+    claim(Kind::more_exact, *to, *from);
+    return fmt::format("from {} to {}, the {} for {} times the {}{}.", name(*from), name(*to), change(*from, *to),
+                       ratio_text(to->cost.median / from->cost.median), cost(), no_gain(*to));
+  }
+
+  /// "RMSE falls from 1.7 to 0.7 levels of 255"
+  std::string change(const ChartPoint& from, const ChartPoint& to) const {
+    return fmt::format("{} {} from {} to {}{}", quantity(), to.error > from.error ? "rises" : "falls",
+                       number(from.error), number(to.error), unit());
+  }
+
+  /// What costs more than the most exact point without a gain.
+  std::string no_gain(const ChartPoint& best) {
+    Points more;
+    for (const ChartPoint* point : points_)
+      if (cheaper(best, *point) && !more_exact(*point, best)) more.push_back(point);
+    if (more.empty()) return "";
+    for (const ChartPoint* point : more) claim(Kind::cheaper, best, *point);
+    if (more.size() > 1) return fmt::format("; {} points take more without a measurable gain", more.size());
+    return fmt::format("; {} takes more without a measurable gain", name(*more.front()));
+  }
+
+  std::string cost_tie() const {
+    if (!time()) return "all need the same work";
+    const bool few = std::any_of(points_.begin(), points_.end(), [](const ChartPoint* point) {
+      return static_cast<int>(point->samples_ms.size()) < least_runs_for_quartiles;
+    });
+    return few ? fmt::format("fewer than {} runs do not order their times", least_runs_for_quartiles)
+               : "their times overlap";
+  }
+
+  std::string error_tie() const {
+    const bool equal = std::all_of(points_.begin(), points_.end(),
+                                   [&](const ChartPoint* point) { return point->error == points_.front()->error; });
+    if (equal) return "their errors are equal";
+    return fmt::format("their errors differ by less than the uncertainty of the reference{}", noise_text());
+  }
+
+  /// " (0.56)", where the uncertainty has the unit of the errors.
+  std::string noise_text() const {
+    const auto noise = chart_noise(chart_);
+    const bool same_unit = chart_.metric != ErrorMetric::psnr && chart_.metric != ErrorMetric::ssim;
+    return noise && same_unit ? fmt::format(" ({:.2g})", *noise) : "";
+  }
+
+  bool time() const { return chart_.across == ChartAcross::time; }
+  std::string_view cost() const { return time() ? "time" : "work"; }
+  std::string quantity() const {
+    return chart_.metric == ErrorMetric::psnr ? "PSNR" : std::string(error_metric(chart_.metric).label);
+  }
+  std::string unit() const {
+    if (chart_.metric == ErrorMetric::psnr) return " dB";
+    if (!error_metric(chart_.metric).in_levels) return "";
+    return chart_.identity.values == "linear" ? "" : " levels of 255";
+  }
+  static std::string number(double value) { return std::isinf(value) ? "infinity" : fmt::format("{:.3g}", value); }
+
+  /// In quotes if it has a comma of its own.
+  std::string name(const ChartPoint& point) const {
+    const std::string& text = names_.parts[static_cast<std::size_t>(&point - chart_.points.data())];
+    return text.find(',') == std::string::npos ? text : fmt::format("\"{}\"", text);
+  }
+  /// "A, B and C"
+  std::string list(const Points& points, std::string_view last) const {
+    if (points.size() > most_named) return fmt::format("{} points", points.size());
+    std::string text;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      text += (i == 0 ? "" : i + 1 == points.size() ? fmt::format(" {} ", last) : std::string(", ")) + name(*points[i]);
+    return text;
+  }
+
+  bool cheaper(const ChartPoint& a, const ChartPoint& b) const { return surely_cheaper(chart_, a, b); }
+  bool more_exact(const ChartPoint& a, const ChartPoint& b) const { return surely_more_exact(chart_, a, b); }
+
+  template <class Relation>
+  bool none(const Relation& holds) const {
+    return std::none_of(points_.begin(), points_.end(), [&](const ChartPoint* a) {
+      return std::any_of(points_.begin(), points_.end(), [&](const ChartPoint* b) { return holds(*a, *b); });
+    });
+  }
+  /// The points to which no other has the relation.
+  template <class Relation>
+  Points those_without(const Relation& holds) const {
+    Points found;
+    for (const ChartPoint* point : points_)
+      if (std::none_of(points_.begin(), points_.end(), [&](const ChartPoint* other) { return holds(*other, *point); }))
+        found.push_back(point);
+    return found;
+  }
+  template <class Value>
+  static const ChartPoint* largest(const Points& points, const Value& value) {
+    return *std::max_element(points.begin(), points.end(),
+                             [&](const ChartPoint* a, const ChartPoint* b) { return value(*a) < value(*b); });
+  }
+
+  void claim(Kind kind, const ChartPoint& first, const ChartPoint& second) {
+    made_.claims.push_back({kind, first.number, second.number});
+  }
+  void claim_all(Kind kind, const ChartPoint& first) {
+    for (const ChartPoint* point : points_)
+      if (point != &first) claim(kind, first, *point);
+  }
+  static std::string begun_large(std::string text) {
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+  }
+
+  const Chart& chart_;
+  SweepNames names_;
+  Points points_;  ///< measured
+  ChartConclusion made_;
+};
+
+}  // namespace
+
+ChartConclusion chart_conclusion(const Chart& chart) { return Writer(chart).write(); }
+
+}  // namespace ps
