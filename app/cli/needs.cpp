@@ -10,6 +10,7 @@
 #include "options/scene_settings.h"
 #include "render/provenance.h"
 #include "study/needs.h"
+#include "study/needs_words.h"
 
 namespace ps::cli {
 namespace {
@@ -33,6 +34,7 @@ void print_json(const Document& document, const Needs& needs) {
                               {"threads", made.threads},
                               {"scene", document.scene_name},
                               {"base-settings", made.settings},
+                              {"sentence", needs_sentence(document.scene_name, needs)},
                               {"metric", "largest mean FLIP of a tile"},
                               {"tolerance", needs.tolerance},
                               {"within-tolerance", needs.within_tolerance},
@@ -62,6 +64,7 @@ void print_json(const Document& document, const Needs& needs) {
 }
 
 void print_text(const Document& document, const Needs& needs) {
+  fmt::print("{}\n\n", needs_sentence(document.scene_name, needs));
   fmt::print("{:<30} {:>14} {:>11} {:>11}\n", "feature", "error without", "time share", "work share");
   for (const FeatureShare& share : needs.shares)
     if (share.used)
@@ -77,8 +80,8 @@ void print_text(const Document& document, const Needs& needs) {
   fmt::print("advice     {}\n", advice.empty() ? "keep the settings" : advice);
   if (!needs.within_tolerance)
     fmt::print("           the current settings differ from the reference by more than the tolerance; these do not\n");
-  fmt::print("error      {:.4g} of {:.4g} allowed (largest mean FLIP of a tile); now {:.4g}\n", needs.error,
-             needs.tolerance, needs.default_error);
+  fmt::print("error      {:.4g} of {:.4g} allowed, which is {} (largest mean FLIP of a tile); now {:.4g}\n",
+             needs.error, needs.tolerance, tolerance_words(needs.tolerance), needs.default_error);
   fmt::print("time       {:.4g} ms, now {:.4g} ms{} ({})\n", needs.time_ms, needs.default_time_ms,
              needs.time_differs ? "" : ": the same within noise", needs.machinery);
   fmt::print("work       {} rays, tests, fragments and texels, now {}\n", needs.work, needs.default_work);

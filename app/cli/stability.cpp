@@ -16,6 +16,7 @@
 #include "image/file.h"
 #include "number_option.h"
 #include "render/provenance.h"
+#include "study/stability/figures.h"
 #include "study/stability/pictures.h"
 #include "study/stability_study.h"
 
@@ -37,10 +38,14 @@ void print_rows(const StabilityExperiment& experiment, const std::vector<Stabili
   fmt::print("{} ({})\n{}\n", experiment.title, experiment.key, experiment.explanation);
   fmt::print("naive: {}; robust: {}; safe: {}\n", experiment.naive, experiment.robust, experiment.safe);
   fmt::print("set-up: {}\n", set_up_text(experiment.set_up));
+  fmt::print("{}\n", first_figure_text(experiment, rows));
   fmt::print("{:>12} {:>12} {:>12}  {}\n", "knob", "naive", "robust", experiment.knob);
-  for (const StabilityRow& row : rows)
-    fmt::print("{:>12.4g} {:>12} {:>12}  {}: {}\n", row.knob, measured_text(row.naive), measured_text(row.robust),
-               row.series, row.unit);
+  for (const StabilityRow& row : rows) {
+    const StabilitySeries& quantity = quantity_of(experiment, row.series);
+    const std::string_view value = case_name(quantity, row.knob);
+    fmt::print("{:>12.4g} {:>12} {:>12}  {}{}{}: {}\n", row.knob, measured_text(row.naive), measured_text(row.robust),
+               row.series, value.empty() ? "" : ", ", value, row.unit);
+  }
   fmt::print("\n");
 }
 
@@ -56,7 +61,8 @@ int save_strip(const std::vector<const StabilityExperiment*>& chosen, const std:
   Provenance made = provenance_of(Settings{});
   made.more = {{"experiment", std::string(chosen.front()->key)}};
   save_image(file, *strip, {image_texts(made)});
-  fmt::print("from left to right, {}: {}\n", chosen.front()->knob, fmt::join(chosen.front()->frames, ", "));
+  fmt::print("from left to right, {}: {}\n", knob_title(*chosen.front(), chosen.front()->series.front()),
+             fmt::join(chosen.front()->frames, ", "));
   fmt::print("above: {}; below: {}; at the bottom, white: where they differ\n", chosen.front()->naive,
              chosen.front()->robust);
   return 0;
@@ -90,10 +96,12 @@ int run_stability(const StabilityArguments& arguments) {
   forward_interrupts(control.progress());
   run_stability(request, control, [&](const MeasuredExperiment& measured, const StudyStatus&) {
     if (!measured.complete) return;
+    const StabilityExperiment& experiment = find_stability_experiment(measured.key);
     if (kept)
       write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
-                            csv_with_provenance(stability_csv(measured.rows), made));
-    print_rows(find_stability_experiment(measured.key), measured.rows);
+                            stability_csv_with_meaning(csv_with_provenance(stability_csv(measured.rows), made),
+                                                       experiment, measured.rows));
+    print_rows(experiment, measured.rows);
     require_printed();  // measuring takes minutes, and its progress should be visible
   });
   return 0;

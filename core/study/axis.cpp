@@ -61,6 +61,11 @@ std::vector<Tick> PlotAxis::ticks() const {
   return scale == AxisScale::linear ? linear_ticks(*this) : log_ticks(*this);
 }
 
+std::optional<double> PlotAxis::break_place() const {
+  if (scale == AxisScale::linear || !zero_place) return {};
+  return 0.8 * zero_share;
+}
+
 PlotAxis fit_axis(const std::vector<double>& values, AxisScale scale) {
   PlotAxis axis;
   axis.scale = scale;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct PlotAxis {
   /// Position of a value; outside values are clamped.
   double place(double value) const;
   std::vector<Tick> ticks() const;
+  /// Where the axis is broken, between the place of zero and the smallest value; nothing if it is whole.
+  std::optional<double> break_place() const;
 };
 
 /// An axis that holds all finite values with some room at both ends.

@@ -68,6 +68,11 @@ std::string draw_axes(const ChartAxes& axes, ErrorMetric metric) {
   }
   svg += line({plot_corner.x, bottom}, {right, bottom}, "#606060", 1.5);
   svg += line({plot_corner.x, plot_corner.y}, {plot_corner.x, bottom}, "#606060", 1.5);
+  if (const auto place = axes.error.break_place()) {
+    const double y = plot_corner.y + plot_size.y * (1 - *place);
+    for (const double side : {-3.0, 3.0})
+      svg += line({plot_corner.x - 6, y + side + 3}, {plot_corner.x + 6, y + side - 3}, "#202020", 1.5);
+  }
   svg += text_at(plot_corner.x + plot_size.x / 2, bottom + 44, "middle",
                  fmt::format("{}{}; left is cheaper", axes.cost_title, axes.cost_spread), axis_size);
   const bool up = error_metric(metric).higher_is_better;

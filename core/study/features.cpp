@@ -10,14 +10,14 @@ namespace ps {
 namespace {
 
 constexpr std::array<Feature, 8> table{{
-    {"lighting", "Lighting", "lighting", "off"},
-    {"shadows", "Shadows", "shadows", "none"},
-    {"highlights", "Highlights", "specular", "off"},
-    {"reflection", "Reflected and refracted rays", "reflection-depth", "0"},
-    {"refraction", "Refraction", "refraction", "off"},
-    {"attenuation", "Attenuation", "attenuation", "off"},
-    {"textures", "Textures", "textures", "off"},
-    {"vertex-normals", "Vertex normals", "normals", "triangle"},
+    {"lighting", "Lighting", "lighting", "no light", "lighting", "off"},
+    {"shadows", "Shadows", "shadows", "no shadows", "shadows", "none"},
+    {"highlights", "Highlights", "highlights", "no highlights", "specular", "off"},
+    {"reflection", "Reflected and refracted rays", "reflected rays", "nothing to reflect", "reflection-depth", "0"},
+    {"refraction", "Refraction", "refraction", "nothing to refract", "refraction", "off"},
+    {"attenuation", "Attenuation", "attenuation", "no attenuated light", "attenuation", "off"},
+    {"textures", "Textures", "textures", "no textures", "textures", "off"},
+    {"vertex-normals", "Vertex normals", "vertex normals", "no vertex normals", "normals", "triangle"},
 }};
 
 /// Of each option the cheapest value first.
@@ -93,6 +93,10 @@ std::optional<std::string_view> unused_reason(const Feature& feature, const Sett
   if (const auto reason = inactive_reason(row(feature.option), settings, traits)) return reason;
   if (without(feature, settings) == settings) return "it is off already";
   return {};
+}
+
+bool never_used(const Feature& feature, const SceneTraits& traits) {
+  return inactive_reason(row(feature.option), Settings{}, traits).has_value();
 }
 
 std::vector<Saving> savings(const Settings& settings, const SceneTraits& traits) {

@@ -13,6 +13,8 @@ namespace ps {
 struct Feature {
   std::string_view name;    ///< "shadows"
   std::string_view label;   ///< "Shadows"
+  std::string_view noun;    ///< within a sentence: "shadows"
+  std::string_view absent;  ///< what a scene has that cannot use it: "no shadows", "nothing to reflect"
   std::string_view option;  ///< key of the option that switches it
   std::string_view off;     ///< the value without it
 };
@@ -24,6 +26,9 @@ Settings without(const Feature& feature, const Settings& settings);
 /// nothing if it may show in the picture.
 std::optional<std::string_view> unused_reason(const Feature& feature, const Settings& settings,
                                               const SceneTraits& traits);
+
+/// Can the scene never use the feature, whatever the settings?
+bool never_used(const Feature& feature, const SceneTraits& traits);
 
 /// One way to make a picture more cheaply: a value of an option.
 struct Saving {

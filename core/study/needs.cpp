@@ -19,6 +19,7 @@ namespace {
 
 struct Tried {
   Settings settings;
+  std::shared_ptr<const Image<Rgb8>> picture;
   double error = 0;
   std::uint64_t work = 0;
 };
@@ -46,6 +47,7 @@ class Search {
     const Tried start = try_out(request_.base);
     needs_.default_error = start.error;
     needs_.default_work = start.work;
+    needs_.picture = start.picture;
     needs_.within_tolerance = start.error <= request_.tolerance;
     measure_features(start);
     // Where the settings themselves stray too far, what costs less strays as well: the search comes from the truth.
@@ -85,11 +87,12 @@ class Search {
   }
 
   Tried try_out(const Settings& settings) {
-    const Rendered rendered = picture_of(counted_settings(settings, traits_));
+    Rendered rendered = picture_of(counted_settings(settings, traits_));
     ++status_.done;
     status_.total = std::max(status_.total, status_.done);
     if (update_) update_(needs_, status_);
-    return {settings, worst_tile_flip(reference_, rendered.levels), rendered.work};
+    const double error = worst_tile_flip(reference_, rendered.levels);
+    return {settings, std::make_shared<const Image<Rgb8>>(std::move(rendered.levels)), error, rendered.work};
   }
 
   void measure_features(const Tried& start) {
@@ -98,10 +101,12 @@ class Search {
       share.feature = feature;
       if (const auto reason = unused_reason(feature, request_.base, traits_)) {
         share.reason = std::string(*reason);
+        share.absent = never_used(feature, traits_);
       } else {
         share.used = true;
         const Tried tried = try_out(without(feature, request_.base));
         share.error_without = tried.error;
+        share.picture = tried.picture;
         if (start.work > 0) share.work_share = 1 - static_cast<double>(tried.work) / static_cast<double>(start.work);
       }
       needs_.shares.push_back(std::move(share));

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,13 @@ struct NeedsRequest {
 struct FeatureShare {
   Feature feature;
   bool used = false;
+  bool absent = false;        ///< the scene cannot use it with any settings
   std::string reason;         ///< why it is free to drop, if it is not used
   double error_without = 0;   ///< worst_tile_flip against the reference when it is switched off
   double cost_share = 0;      ///< share of the time of a picture that it takes
   bool cost_differs = false;  ///< the quartiles of both times lie apart; else the share is within noise
   double work_share = 0;      ///< the same of the counted work
+  std::shared_ptr<const Image<Rgb8>> picture;  ///< without it; null if it is not used
 };
 
 /// Why a feature that is not used is free to drop.
@@ -51,6 +54,7 @@ struct Needs {
   std::string machinery;      ///< which code was timed, the same for all: TimedSettings::reason
   std::uint64_t work = 0, default_work = 0;
   std::vector<FeatureShare> shares;
+  std::shared_ptr<const Image<Rgb8>> picture;  ///< with the settings as they are
   std::vector<NeedsStep> trail;
   /// False if the settings as they are differ from the reference by more than the tolerance: then the advice keeps to
   /// it, and may cost more than they do.

@@ -109,10 +109,4 @@ std::vector<MeasuredExperiment> run_stability(const StabilityRequest& request, S
   return StabilityRunner(request, control, update, clock).run();
 }
 
-std::string default_series(const std::vector<StabilityRow>& rows) {
-  for (const StabilityRow& row : rows)
-    if (!std::isnan(row.naive) && !std::isnan(row.robust) && row.naive != row.robust) return row.series;
-  return rows.empty() ? "" : rows.front().series;
-}
-
 }  // namespace ps

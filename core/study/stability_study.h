@@ -28,9 +28,6 @@ struct StabilityRequest {
   enum class Kept { take, measure_again } kept = Kept::take;
 };
 
-/// The default series: the first one in which naive and robust values differ, or the very first. "" without rows.
-std::string default_series(const std::vector<StabilityRow>& rows);
-
 /// Called after each row and each complete experiment, on the thread that runs the study; the status counts
 /// experiments.
 using StabilityUpdate = std::function<void(const MeasuredExperiment&, const StudyStatus&)>;

@@ -21,6 +21,9 @@ Needs needs_with(double time, double default_time, bool differs) {
 TEST(NeedsAdvice, SaysWhatWorkIs) {
   const NeedsAdvice words = needs_advice(needs_with(10, 20, true), Settings{});
   EXPECT_NE(words.verdict.find("94 % of the counted work"), std::string::npos) << words.verdict;
+  EXPECT_NE(words.verdict.find("allowed: 0.05, hard to see"), std::string::npos) << words.verdict;
+  EXPECT_EQ(words.changes, "shadows=none");
+  EXPECT_EQ(words.words, "Shadows: none");
   EXPECT_NE(words.saving.find("60,000 instead of 1 M rays, tests, fragments and reads of textures and maps"),
             std::string::npos)
       << words.saving;

@@ -55,6 +55,7 @@ TEST_P(EachExperiment, RunsWithLittleEffort) {
   for (const StabilityRow& row : rows) {
     EXPECT_FALSE(row.series.empty());
     EXPECT_FALSE(row.unit.empty()) << row.series;
+    EXPECT_NO_THROW(quantity_of(experiment, row.series)) << "each series is declared";
     EXPECT_FALSE(std::isnan(row.naive) && std::isnan(row.robust)) << row.series << " at " << row.knob;
   }
   EXPECT_EQ(stability_csv(arrived), stability_csv(rows)) << "each row is reported as it is measured";

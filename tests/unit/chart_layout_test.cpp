@@ -23,6 +23,11 @@ TEST(Axis, ZeroHasAPlaceBelowTheSmallestValue) {
   EXPECT_TRUE(axis.zero_place);
   EXPECT_LT(axis.place(0), axis.place(1e-3));
   EXPECT_EQ(axis.ticks().front().text, "0");
+  ASSERT_TRUE(axis.break_place()) << "zero is not on the scale of the others";
+  EXPECT_GT(*axis.break_place(), axis.place(0));
+  EXPECT_LT(*axis.break_place(), axis.place(1e-3));
+  EXPECT_FALSE(fit_axis({1e-3, 5}, AxisScale::logarithmic).break_place());
+  EXPECT_FALSE(fit_axis({0, 5}, AxisScale::linear).break_place());
   const PlotAxis only_zero = fit_axis({0, 0}, AxisScale::logarithmic);
   EXPECT_GE(only_zero.place(0), 0);
   EXPECT_TRUE(std::isfinite(fit_axis({}, AxisScale::linear).place(0.5)));

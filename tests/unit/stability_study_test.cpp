@@ -136,21 +136,6 @@ TEST(StabilityStudy, ResultsOfAnotherSeedDoNotMix) {
   EXPECT_THROW(run_stability(request, control), InputError);
 }
 
-TEST(StabilityStudy, TheSeriesShownFirstIsOneInWhichSomethingFails) {
-  const auto made = [](const char* series, double naive, double robust) {
-    StabilityRow row;
-    row.series = series;
-    row.naive = naive;
-    row.robust = robust;
-    return row;
-  };
-  EXPECT_EQ(default_series({}), "");
-  EXPECT_EQ(default_series({made("holes", 0, 0), made("doubles", 0, 0)}), "holes");
-  EXPECT_EQ(default_series(
-                {made("holes", 0, 0), made("formula", 3, std::nan("")), made("doubles", 0, 0), made("doubles", 7, 0)}),
-            "doubles");
-}
-
 TEST(StabilityStudy, ReportsTheTimeThatIsLeft) {
   StabilityRequest request = request_in("stability-study-time");
   double now = 0;

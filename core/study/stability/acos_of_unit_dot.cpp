@@ -26,6 +26,10 @@ static std::vector<StabilityRow> measure_acos_of_unit_dot(const StabilityRun& ru
   return rows;
 }
 
+static constexpr StabilitySeries acos_of_unit_dot_series[]{
+    {.names = "*", .title = "unit vectors whose angle is not a number", .unit = "%"},
+};
+
 extern const StabilityExperiment acos_of_unit_dot{
     .key = "acos-of-unit-dot",
     .place = {Subject::numbers, 50},
@@ -38,6 +42,7 @@ extern const StabilityExperiment acos_of_unit_dot{
         "Normalising rounds, so that many unit vectors are a little too long. acos of more than 1 is not a number.",
     .safe = "Nowhere in float.",
     .window = nowhere_safe,
+    .series = acos_of_unit_dot_series,
     .measure = measure_acos_of_unit_dot};
 
 }  // namespace ps::stability::acos_of_unit_dot

@@ -236,6 +236,25 @@ constexpr std::array frames{64.0, 16.0, 4.0, 1.0};
 
 }  // namespace
 
+static constexpr StabilitySeries adaptive_sampling_misses_series[]{
+    {.names = "tiny balls in the sky", .title = "tiny balls that the picture lacks", .unit = "%"},
+    {.names = "error|error, *", .title = "error of the picture (RMSE)", .unit = "levels of 255"},
+    {.names = "cost|cost, *", .title = "eye rays for each pixel", .unit = "rays"},
+    {.names = "off by 8 levels|off by 8 levels, *", .title = "pixels off by at least 8 levels", .unit = "%"},
+    {.names = "grid and jitter",
+     .title = "error of the picture (RMSE)",
+     .unit = "levels of 255",
+     .knob = "samples per pixel",
+     .naive = "grid",
+     .robust = "jittered grid"},
+    {.names = "grid and jitter, off by 8 levels",
+     .title = "pixels off by at least 8 levels",
+     .unit = "%",
+     .knob = "samples per pixel",
+     .naive = "grid",
+     .robust = "jittered grid"},
+};
+
 extern const StabilityExperiment adaptive_sampling_misses{
     .key = "adaptive-sampling-misses",
     .place = {Subject::sampling, 30},
@@ -249,6 +268,7 @@ extern const StabilityExperiment adaptive_sampling_misses{
         "threshold, so the error keeps a floor while the cost rises.",
     .safe = "Pictures without anything smaller than a pixel.",
     .window = nowhere_safe,
+    .series = adaptive_sampling_misses_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

@@ -147,11 +147,19 @@ constexpr std::array frames{1.0, 2.0, 4.0, 8.0, 16.0};
 
 }  // namespace
 
+static constexpr StabilitySeries affine_texture_series[]{
+    {.names = "floor*", .title = "error of the texture coordinates (RMSE)", .unit = "texels of 512"},
+    {.names = "wall*",
+     .title = "largest error of the texture coordinates",
+     .unit = "texels of 256",
+     .knob = "distance between divisions (px)"},
+};
+
 extern const StabilityExperiment affine_texture{
     .key = "affine-texture",
     .place = {Subject::depth, 30},
     .set_up = SetUp::reproduction,
-    .title = "Affine textures",
+    .title = "Affine texture mapping: textures bend",
     .keywords = "perspective correct, texture warping, PlayStation, interpolation",
     .knob = "pieces along the floor",
     .naive = "interpolate u and v on the screen",
@@ -161,6 +169,7 @@ extern const StabilityExperiment affine_texture{
         "triangles divide the error by four; one division at each pixel removes it.",
     .safe = "64 pieces: a tenth of a texel.",
     .window = {64, everywhere},
+    .series = affine_texture_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

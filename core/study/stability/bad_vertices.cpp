@@ -126,6 +126,11 @@ std::vector<StabilityRow> measure_infinite(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr KnobCase nan_vertex_cases[]{{0, "no NaN"}, {1, "one NaN"}, {3, "three NaN"}};
+static constexpr StabilitySeries nan_vertex_series[]{
+    {.names = "*", .title = "rays that hit nothing any more", .unit = "%", .cases = nan_vertex_cases},
+};
+
 extern const StabilityExperiment nan_vertex{
     .key = "nan-vertex",
     .place = {Subject::boxes, 50},
@@ -138,7 +143,12 @@ extern const StabilityExperiment nan_vertex{
                    "what a box held before, in every box above it.",
     .safe = "No NaN.",
     .window = {0, 0},
+    .series = nan_vertex_series,
     .measure = measure_nan};
+
+static constexpr StabilitySeries infinite_vertex_series[]{
+    {.names = "*", .title = "boxes visited by a ray", .unit = "boxes"},
+};
 
 extern const StabilityExperiment infinite_vertex{
     .key = "infinite-vertex",
@@ -154,6 +164,7 @@ extern const StabilityExperiment infinite_vertex{
                    "after another. In a mesh, neighbours stay together.",
     .safe = "Coordinates whose squares are finite, up to 1e18.",
     .window = {nowhere, 1e18},
+    .series = infinite_vertex_series,
     .measure = measure_infinite};
 
 }  // namespace ps::stability::bad_vertices

@@ -82,13 +82,22 @@ std::vector<StabilityRow> measure_flags(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr KnobCase fma_contraction_cases[]{{0, "products rounded"}, {1, "products fused"}};
+static constexpr StabilitySeries fma_contraction_series[]{
+    {.names = "watertight (Woop)|Moeller-Trumbore|*",
+     .title = "rays that slip through",
+     .unit = "per million",
+     .cases = fma_contraction_cases},
+    {.names = "*double hits", .title = "rays that hit two triangles", .unit = "per million"},
+};
+
 extern const StabilityExperiment fma_contraction{
     .key = "fma-contraction",
     .place = {Subject::rays, 130},
     .set_up = SetUp::reproduction,
-    .title = "Fused multiply-add",
+    .title = "FMA contraction: fused multiply-add",
     .keywords = "FMA, fused multiply-add, compiler, reproducible, rounding",
-    .knob = "0 = products rounded, 1 = fused by the compiler",
+    .knob = "how the compiler rounds products",
     .naive = "-mfma -ffp-contract=fast",
     .robust = "-ffp-contract=off",
     .explanation =
@@ -96,7 +105,13 @@ extern const StabilityExperiment fma_contraction{
         "products is not rounded, and which one it is depends on the order.",
     .safe = "Without contraction, or where the products are compared or subtracted by Kahan's method.",
     .window = {0, 0},
+    .series = fma_contraction_series,
     .measure = measure_contraction};
+
+static constexpr StabilitySeries build_flags_series[]{
+    {.names = "*", .title = "pixels that differ from the book's picture", .unit = "px of 360,000"},
+    {.names = "*, largest difference", .title = "largest difference", .unit = "levels of 255"},
+};
 
 extern const StabilityExperiment build_flags{
     .key = "build-flags",
@@ -104,13 +119,14 @@ extern const StabilityExperiment build_flags{
     .set_up = SetUp::reproduction,
     .title = "Flags of the compiler",
     .keywords = "fast-math, compiler flags, optimisation, optimization, x87, reproducible",
-    .knob = "1 -O0, 2 fused, 3 fast-math, 4 both, 5 x87, 6 unfused",
+    .knob = "flags of the compiler",
     .naive = "the book's scene in float with other flags",
     .robust = "-ffp-contract=off at any optimisation",
     .explanation = "Flags that let the compiler fuse or reorder sums change roundings, and where a mirrored ray grazes "
                    "the ground one rounding decides what it meets. Optimisation alone changes nothing.",
     .safe = "-O0 to -O3 without contraction.",
     .window = {1, 1},
+    .series = build_flags_series,
     .measure = measure_flags};
 
 }  // namespace ps::stability::build_flags

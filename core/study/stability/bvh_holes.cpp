@@ -118,6 +118,11 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries bvh_holes_series[]{
+    {.names = "rays at vertices|*", .title = "rays that miss the mesh", .unit = "per million"},
+    {.names = "cost", .title = "nodes visited by a ray", .unit = "nodes"},
+};
+
 extern const StabilityExperiment bvh_holes{
     .key = "bvh-holes",
     .place = {Subject::boxes, 20},
@@ -131,6 +136,7 @@ extern const StabilityExperiment bvh_holes{
         "along edges of boxes at every level of the tree.",
     .safe = "Nowhere for rays that are aimed at vertices.",
     .window = nowhere_safe,
+    .series = bvh_holes_series,
     .measure = measure};
 
 }  // namespace ps::stability::bvh_holes

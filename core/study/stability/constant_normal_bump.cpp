@@ -157,6 +157,26 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries constant_normal_bump_series[]{
+    {.names = "normal bump 1e-4|*", .title = "rays that hit the surface they leave", .unit = "%"},
+    {.names = "mean offset*",
+     .title = "mean length of the offset",
+     .unit = "world units",
+     .naive = "256 numbers along the normal",
+     .robust = "bound of the error"},
+    {.names = "mean distance*",
+     .title = "mean distance of hit points from the plane",
+     .unit = "world units",
+     .naive = "o + t d",
+     .robust = "from the barycentric weights"},
+    {.names = "distance to plane*",
+     .title = "distance from the plane, o + t d divided by barycentric",
+     .unit = "times",
+     .better = Better::neither,
+     .naive = "ratio",
+     .robust = "none"},
+};
+
 extern const StabilityExperiment constant_normal_bump{
     .key = "constant-normal-bump",
     .place = {Subject::rays, 80},
@@ -169,6 +189,7 @@ extern const StabilityExperiment constant_normal_bump{
                    "are spaced more closely than the bump.",
     .safe = "A bump of 0.0001 up to a few hundred units from the origin.",
     .window = {nowhere, 100},
+    .series = constant_normal_bump_series,
     .measure = measure};
 
 }  // namespace ps::stability::constant_normal_bump

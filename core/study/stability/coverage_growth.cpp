@@ -76,6 +76,10 @@ std::vector<StabilityRow> measure_growth(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries coverage_growth_series[]{
+    {.names = "*", .title = "samples, rows, cells and pieces tested", .unit = "tests"},
+};
+
 extern const StabilityExperiment coverage_growth{
     .key = "coverage-growth",
     .place = {Subject::coverage, 70},
@@ -90,6 +94,7 @@ extern const StabilityExperiment coverage_growth{
         "triangle, for a thin one is cut as often as a wide one.",
     .safe = "Triangles of a few pixels: then the box has hardly more samples than the triangle.",
     .window = {0, 8},
+    .series = coverage_growth_series,
     .measure = measure_growth};
 
 }  // namespace ps::stability::coverage_growth

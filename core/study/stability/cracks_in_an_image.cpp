@@ -96,6 +96,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries cracks_in_an_image_series[]{
+    {.names = "float|*", .title = "pixels that show the background", .unit = "px", .between = Between::nothing},
+};
+
 extern const StabilityExperiment cracks_in_an_image{
     .key = "cracks-in-an-image",
     .place = {Subject::rays, 100},
@@ -110,6 +114,7 @@ extern const StabilityExperiment cracks_in_an_image{
         "vertices, one in a million does.",
     .safe = "Views that no edge is aligned with; no size is safe for every view.",
     .window = nowhere_safe,
+    .series = cracks_in_an_image_series,
     .measure = measure};
 
 }  // namespace ps::stability::cracks_in_an_image

@@ -71,19 +71,30 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries degenerate_zero_radius_series[]{
+    {.names = "*", .title = "hits of a shape without a surface", .unit = "hits"},
+    {.names = "a ball ahead", .title = "hits of a proper ball", .unit = "hits", .better = Better::higher},
+    {.names = "*t of the hit",
+     .title = "place of the hit on the ray",
+     .unit = "ray parameter",
+     .better = Better::neither},
+    {.names = "scene file*", .title = "scene files that are accepted", .unit = "files"},
+};
+
 extern const StabilityExperiment degenerate_zero_radius{
     .key = "degenerate-zero-radius",
     .place = {Subject::rays, 160},
     .set_up = SetUp::reproduction,
     .title = "Degenerate shapes",
     .keywords = "zero area, division by zero, NaN, sliver",
-    .knob = "none",
+    .knob = "shape",
     .naive = "if (bad) return miss",
     .robust = "return good, and refuse bad input when it is read",
     .explanation = "Every comparison with NaN is false. A test that lists reasons to reject a ray finds none and "
                    "reports a hit. A test that lists reasons to accept it finds none either and reports a miss.",
     .safe = "Input that was checked.",
     .window = nowhere_safe,
+    .series = degenerate_zero_radius_series,
     .measure = measure};
 
 }  // namespace ps::stability::degenerate_zero_radius

@@ -209,28 +209,61 @@ constexpr std::array places{1000.0};
 
 }  // namespace
 
+static constexpr StabilitySeries depth_bits_z_fighting_series[]{
+    {.names = "unorm 24, z = 1000|*, z = 1000",
+     .title = "pixels that show the wrong surface, at depth 1,000",
+     .unit = "%",
+     .knob = "gap between the two surfaces (world units)",
+     .between = Between::nothing},
+    {.names = "unorm 24, resolved|*, resolved",
+     .title = "smallest gap that 99 % of pairs show",
+     .unit = "world units",
+     .knob = "depth of the two surfaces (world units)"},
+    {.names = "*, z = 9000",
+     .title = "pixels that show the wrong surface, at depth 9,000",
+     .unit = "%",
+     .knob = "gap between the two surfaces (world units)"},
+    {.names = "*, any z*",
+     .title = "pairs of surfaces that look the same",
+     .unit = "%",
+     .knob = "gap as a share of the depth"},
+};
+
 extern const StabilityExperiment depth_bits_z_fighting{
     .key = "depth-bits-z-fighting",
     .place = {Subject::depth, 40},
     .set_up = SetUp::reproduction,
-    .title = "Z-fighting",
+    .title = "Z-fighting: surfaces within one depth code",
     .keywords = "z-buffer, zbuffer, depth buffer, depth precision, flicker, stitching",
-    .knob = "gap between two surfaces, or their depth (world units)",
+    .knob = "gap between the two surfaces (world units)",
     .naive = "depth from 0 at the near plane to 1 at the far plane",
     .robust = "float from 1 at the near plane to 0 at the far plane (reversed)",
-    .explanation = "1/z has most of its values close behind the near plane, and floats have most of theirs near 0. "
-                   "Reversed, the two compensate. Reversing an integer buffer gains nothing.",
+    .explanation =
+        "Z-fighting: the depths of two surfaces round to the same code. There the one that is drawn first shows, which "
+        "changes from pixel to pixel and flickers when the camera moves. The near plane is at 0.1 here, the far plane "
+        "at 10,000. 1/z has most of its values close behind the near plane, and floats have most of theirs near 0. "
+        "Reversed, the two compensate. Reversing an integer buffer gains nothing.",
     .safe = "Gaps above z^2 / (near 2^bits).",
     .window = nowhere_safe,
+    .series = depth_bits_z_fighting_series,
     .measure = measure_formats,
     .picture = picture_formats,
     .frames = gaps};
+
+static constexpr StabilitySeries near_plane_series[]{
+    {.names = "z = 1000", .title = "smallest gap that 99 % of pairs show, at depth 1,000", .unit = "world units"},
+    {.names = "closed form*",
+     .title = "width of a depth code",
+     .unit = "world units",
+     .naive = "closed form",
+     .robust = "none"},
+};
 
 extern const StabilityExperiment near_plane{
     .key = "near-plane",
     .place = {Subject::depth, 50},
     .set_up = SetUp::reproduction,
-    .title = "A near plane too near",
+    .title = "Depth precision: a near plane too near",
     .keywords = "z-buffer, zbuffer, depth buffer, z-fighting, depth precision, near clip",
     .knob = "distance of the near plane (world units)",
     .naive = "depth in 24 bits",
@@ -240,15 +273,20 @@ extern const StabilityExperiment near_plane{
         "wider everywhere.",
     .safe = "The farthest near plane that cuts nothing off.",
     .window = {1, everywhere},
+    .series = near_plane_series,
     .measure = measure_near,
     .picture = picture_near,
     .frames = nears};
+
+static constexpr StabilitySeries sixteen_bit_linear_z_series[]{
+    {.names = "gap 0.01|*", .title = "pixels that show the wrong surface", .unit = "%"},
+};
 
 extern const StabilityExperiment sixteen_bit_linear_z{
     .key = "16-bit-linear-z",
     .place = {Subject::depth, 60},
     .set_up = SetUp::reproduction,
-    .title = "16 bits of z itself",
+    .title = "Linear depth: 16 bits of z itself",
     .keywords = "z-buffer, zbuffer, depth buffer, w-buffer, depth precision",
     .knob = "depth (world units)",
     .naive = "16 bits of z",
@@ -257,6 +295,7 @@ extern const StabilityExperiment sixteen_bit_linear_z{
                    "are 0.0006, but z is not linear on the screen, so it cannot be interpolated there.",
     .safe = "Gaps above 1/65,536 of the range.",
     .window = nowhere_safe,
+    .series = sixteen_bit_linear_z_series,
     .measure = measure_linear,
     .picture = picture_linear,
     .frames = places};

@@ -77,6 +77,10 @@ constexpr std::array frames{1e-3, 0.1, 0.2, 0.3, 0.5};
 
 }  // namespace
 
+static constexpr StabilitySeries epsilon_too_large_series[]{
+    {.names = "directional light|point light", .title = "shadow on the ground that is lost", .unit = "%"},
+};
+
 extern const StabilityExperiment epsilon_too_large{
     .key = "epsilon-too-large",
     .place = {Subject::rays, 30},
@@ -89,6 +93,7 @@ extern const StabilityExperiment epsilon_too_large{
                    "directional light (1, 4, 4) it skips nearly six times its value.",
     .safe = "Up to 0.01 for this scene.",
     .window = {nowhere, 0.01},
+    .series = epsilon_too_large_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

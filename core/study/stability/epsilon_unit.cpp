@@ -45,6 +45,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries epsilon_unit_series[]{
+    {.names = "*", .title = "gap between board and wall that is skipped", .unit = "world units"},
+};
+
 extern const StabilityExperiment epsilon_unit{
     .key = "epsilon-unit",
     .place = {Subject::rays, 40},
@@ -58,6 +62,7 @@ extern const StabilityExperiment epsilon_unit{
                    "0.0035 units towards its point light and 0.0057 towards its directional one.",
     .safe = "Directions of length 1.",
     .window = {1, 1},
+    .series = epsilon_unit_series,
     .measure = measure};
 
 }  // namespace ps::stability::epsilon_unit

@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "options/settings.h"
 #include "study/control.h"
+#include "study/stability/series.h"
 
 namespace ps {
 
@@ -86,15 +87,16 @@ struct StabilityExperiment {
   Place place;
   SetUp set_up = SetUp::illustration;
   std::string_view title;
-  std::string_view keywords{};     ///< other words that people search for, separated by commas
-  std::string_view knob;           ///< what is turned, with its unit
-  std::string_view naive, robust;  ///< the two methods
-  std::string_view explanation;    ///< why, in two sentences
-  std::string_view safe;           ///< where the naive method may be used, in words
-  SafeWindow window;               ///< the same on the knob
+  std::string_view keywords{};              ///< other words that people search for, separated by commas
+  std::string_view knob;                    ///< what is turned, with its unit
+  std::string_view naive, robust;           ///< the two methods
+  std::string_view explanation;             ///< why, in two sentences
+  std::string_view safe;                    ///< where the naive method may be used, in words
+  SafeWindow window;                        ///< the same on the knob
+  std::span<const StabilitySeries> series;  ///< what its series measure; the one first that the text speaks of
   std::vector<StabilityRow> (*measure)(const StabilityRun&) = nullptr;
   StabilityPicture (*picture)(double knob) = nullptr;  ///< null: nothing to see
-  std::span<const double> frames{};                    ///< knobs of the film strip, from left to right
+  std::span<const double> frames{};  ///< knobs of the film strip, from left to right: those of the first of `series`
 };
 
 /// All experiments, by their place. Adding one is a file with its constant: cmake/Experiments.cmake finds those.

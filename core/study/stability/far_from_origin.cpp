@@ -127,6 +127,11 @@ constexpr std::array frames{1e4, 1e5, 1e6, 1e7};
 
 }  // namespace
 
+static constexpr StabilitySeries far_from_origin_series[]{
+    {.names = "camera-relative = off, rms|*", .title = "error of projected vertices (RMS)", .unit = "px"},
+    {.names = "*largest", .title = "largest error of projected vertices", .unit = "px"},
+};
+
 extern const StabilityExperiment far_from_origin{
     .key = "far-from-origin",
     .place = {Subject::shading, 60},
@@ -139,6 +144,7 @@ extern const StabilityExperiment far_from_origin{
                    "difference between vertex and camera is small and fits a float well.",
     .safe = "Up to 10,000 units: a vertex is off by a quarter of a pixel at most.",
     .window = {nowhere, 1e4},
+    .series = far_from_origin_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

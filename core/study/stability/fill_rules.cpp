@@ -130,12 +130,17 @@ std::vector<StabilityRow> measure_inclusive(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries fill_rule_easy_series[]{
+    {.names = "*holes", .title = "pixels that no triangle paints", .unit = "px of 429,025"},
+    {.names = "*doubles", .title = "pixels that two triangles paint", .unit = "px of 429,025"},
+};
+
 extern const StabilityExperiment fill_rule_easy{
     .key = "fill-rule-easy",
     .place = {Subject::coverage, 10},
-    .title = "Who owns an edge",
+    .title = "Fill rule: which triangle owns an edge",
     .keywords = "fill rule, top-left rule, shared edge, double hit",
-    .knob = "rule (0: inside where >= 0, 1: inside where > 0)",
+    .knob = "fill rule",
     .naive = "inside where all edge values are >= 0, or > 0 (fill-rule = inclusive, exclusive)",
     .robust = "top-left rule",
     .explanation = "If a sample lies exactly on a shared edge, both triangles decide alike: both paint it, or neither "
@@ -144,12 +149,17 @@ extern const StabilityExperiment fill_rule_easy{
                    "up to a fifth of a cell and rounded to half pixels.",
     .safe = "Meshes without a sample on an edge.",
     .window = nowhere_safe,
+    .series = fill_rule_easy_series,
     .measure = measure_easy};
+
+static constexpr StabilitySeries int32_edge_functions_series[]{
+    {.names = "*", .title = "pixels that no triangle paints", .unit = "px of 429,025"},
+};
 
 extern const StabilityExperiment int32_edge_functions{
     .key = "int32-edge-functions",
     .place = {Subject::coverage, 30},
-    .title = "Edge functions in 32 bits",
+    .title = "Integer overflow: edge functions in 32 bits",
     .keywords = "overflow, integer overflow, fixed point, wrap-around",
     .knob = "square root of a triangle's area (px)",
     .naive = "32-bit integers with 8 sub-pixel bits (edge-arithmetic = int32)",
@@ -159,7 +169,12 @@ extern const StabilityExperiment int32_edge_functions{
                    "bits its sign changes.",
     .safe = "Triangles with edges of up to 128 pixels, whose areas are at most half of 128 by 128.",
     .window = {nowhere, 90},
+    .series = int32_edge_functions_series,
     .measure = measure_int32};
+
+static constexpr StabilitySeries inclusive_scanlines_series[]{
+    {.names = "*", .title = "pixels painted more than once", .unit = "%"},
+};
 
 extern const StabilityExperiment inclusive_scanlines{
     .key = "inclusive-scanlines",
@@ -173,6 +188,7 @@ extern const StabilityExperiment inclusive_scanlines{
                    "twice. The smaller the triangles, the more of their pixels lie on edges.",
     .safe = "Opaque triangles, where painting a pixel twice only costs time.",
     .window = nowhere_safe,
+    .series = inclusive_scanlines_series,
     .measure = measure_inclusive};
 
 }  // namespace ps::stability::fill_rules

@@ -176,6 +176,10 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries grid_octree_borders_series[]{
+    {.names = "centres alone|*", .title = "hits that are missed, and hits of the wrong primitive", .unit = "%"},
+};
+
 extern const StabilityExperiment grid_octree_borders{
     .key = "grid-octree-borders",
     .place = {Subject::boxes, 40},
@@ -188,6 +192,7 @@ extern const StabilityExperiment grid_octree_borders{
                    "another. The position of the hit must decide, not the cell that was searched.",
     .safe = "Nowhere.",
     .window = nowhere_safe,
+    .series = grid_octree_borders_series,
     .measure = measure};
 
 }  // namespace ps::stability::grid_octree_borders

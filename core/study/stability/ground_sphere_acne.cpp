@@ -141,11 +141,25 @@ static std::vector<StabilityRow> measure_ground_sphere_acne(const StabilityRun& 
   return rows;
 }
 
+static constexpr StabilitySeries ground_sphere_acne_series[]{
+    {.names = "radius 5000, float|radius*", .title = "lit pixels in their own shadow", .unit = "%"},
+    {.names = "hit point*",
+     .title = "distance of hit points from the sphere (RMS)",
+     .unit = "world units",
+     .naive = "hit point",
+     .robust = "none"},
+    {.names = "hit point*largest",
+     .title = "largest distance of a hit point from the sphere",
+     .unit = "world units",
+     .naive = "hit point",
+     .robust = "none"},
+};
+
 extern const StabilityExperiment ground_sphere_acne{
     .key = "ground-sphere-acne",
     .place = {Subject::rays, 10},
     .set_up = SetUp::reproduction,
-    .title = "Ground-sphere acne",
+    .title = "Shadow acne: a ground sphere shadows itself",
     .keywords = "shadow acne, self-intersection, bias, epsilon, large sphere",
     .knob = "shadow epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon (self-hit = epsilon)",
@@ -157,6 +171,7 @@ extern const StabilityExperiment ground_sphere_acne{
         "light stands.",
     .safe = "No epsilon is safe for every radius and light; 0.001 is enough for the book's scene.",
     .window = nowhere_safe,
+    .series = ground_sphere_acne_series,
     .measure = measure_ground_sphere_acne,
     .picture = picture_ground,
     .frames = frames};

@@ -146,11 +146,18 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries interpolate_drift_series[]{
+    {.names = "float, worst of 64 edges|*", .title = "error at the end of the edge", .unit = "px"},
+    {.names = "float, edges anywhere", .title = "steps that land on another pixel", .unit = "%"},
+    {.names = "float 1/z*", .title = "error of z at the end", .unit = "%"},
+    {.names = "float, turned*", .title = "length gained by a vector that is turned", .unit = "lengths"},
+};
+
 extern const StabilityExperiment interpolate_drift{
     .key = "interpolate-drift",
     .place = {Subject::depth, 10},
     .set_up = SetUp::reproduction,
-    .title = "Interpolate drifts",
+    .title = "Incremental error: Interpolate drifts",
     .keywords = "DDA, accumulated error, incremental, rounding",
     .knob = "steps",
     .naive = "d += slope (the book's Interpolate)",
@@ -160,6 +167,7 @@ extern const StabilityExperiment interpolate_drift{
         "the ends is rounded only once or twice.",
     .safe = "Up to about 10,000 steps for a third of a pixel.",
     .window = {nowhere, 10000},
+    .series = interpolate_drift_series,
     .measure = measure};
 
 }  // namespace ps::stability::interpolate_drift

@@ -148,11 +148,22 @@ constexpr std::array frames{1.1, 2.0, 5.0, 100.0};
 
 }  // namespace
 
+static constexpr StabilitySeries inverse_depth_series[]{
+    {.names = "largest on the edge|closed form*",
+     .title = "largest error of the depth",
+     .unit = "share of the depth range"},
+    {.names = "the book's edge",
+     .title = "depth at the centre of the canvas, where 6 is right",
+     .unit = "world units",
+     .better = Better::neither},
+    {.names = "the book's edge before*", .title = "pixels that show the wrong surface", .unit = "%"},
+};
+
 extern const StabilityExperiment inverse_depth{
     .key = "z-vs-1-z",
     .place = {Subject::depth, 20},
     .set_up = SetUp::reproduction,
-    .title = "z against 1/z",
+    .title = "Depth interpolation: z against 1/z",
     .keywords = "z-buffer, zbuffer, depth interpolation, perspective correct, barycentric",
     .knob = "ratio of the depths of an edge's ends",
     .naive = "interpolate z on the screen (depth-value = z)",
@@ -160,6 +171,7 @@ extern const StabilityExperiment inverse_depth{
     .explanation = "Equal steps on the screen are not equal steps in depth. 1/z is linear on the screen, z is not.",
     .safe = "Ratios up to 1.1 for an error of 2.5 % of the depth range.",
     .window = {nowhere, 1.1},
+    .series = inverse_depth_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

@@ -51,11 +51,16 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries lookat_up_forward_series[]{
+    {.names = "right vector", .title = "error of the right vector (RMS)", .unit = "degrees"},
+    {.names = "no right vector", .title = "right vectors that are not numbers", .unit = "%"},
+};
+
 extern const StabilityExperiment lookat_up_forward{
     .key = "lookat-up-forward",
     .place = {Subject::shading, 70},
     .set_up = SetUp::reproduction,
-    .title = "Looking straight up",
+    .title = "Look-at singularity: looking straight up",
     .keywords = "look-at, camera, gimbal lock, cross product, NaN",
     .knob = "angle between up and forward (radians)",
     .naive = "cross(up, forward)",
@@ -64,6 +69,7 @@ extern const StabilityExperiment lookat_up_forward{
                    "has no direction. A camera that passes the pole turns at random.",
     .safe = "From 0.001 radians on.",
     .window = {1e-3, everywhere},
+    .series = lookat_up_forward_series,
     .measure = measure};
 
 }  // namespace ps::stability::lookat_up_forward

@@ -163,12 +163,42 @@ constexpr std::array biases{-2.0, -1.0, 0.0, 1.0, 2.0};
 
 }  // namespace
 
+static constexpr StabilitySeries mipmap_lod_series[]{
+    {.names = "trilinear, bias|*",
+     .title = "error of the floor (RMSE)",
+     .unit = "levels of 255",
+     .knob = "mip bias (levels)"},
+    {.names = "anisotropic, taps", .title = "error of the floor (RMSE)", .unit = "levels of 255"},
+    {.names = "trilinear, bias, far quarter|*far quarter",
+     .title = "error of the far quarter (RMSE)",
+     .unit = "levels of 255",
+     .knob = "mip bias (levels)"},
+    {.names = "anisotropic, taps, far quarter", .title = "error of the far quarter (RMSE)", .unit = "levels of 255"},
+    {.names = "trilinear, bias, cost|*cost",
+     .title = "lookups of 4 texels for each pixel",
+     .unit = "lookups",
+     .knob = "mip bias (levels)"},
+    {.names = "anisotropic, taps, cost", .title = "lookups of 4 texels for each pixel", .unit = "lookups"},
+    {.names = "many samples, no levels",
+     .title = "error of the floor (RMSE)",
+     .unit = "levels of 255",
+     .knob = "samples per pixel"},
+    {.names = "many samples, no levels, far quarter",
+     .title = "error of the far quarter (RMSE)",
+     .unit = "levels of 255",
+     .knob = "samples per pixel"},
+    {.names = "many samples, no levels, cost",
+     .title = "lookups of 4 texels for each pixel",
+     .unit = "lookups",
+     .knob = "samples per pixel"},
+};
+
 extern const StabilityExperiment mipmap_lod{
     .key = "mipmap-lod",
     .place = {Subject::sampling, 60},
-    .title = "Mip level of a texture",
+    .title = "Mip level (LOD) selection: aliasing against blur",
     .keywords = "LOD selection, mip bias, level of detail, blur, aliasing, minification",
-    .knob = "mip bias, or maximum number of lookups",
+    .knob = "largest number of lookups",
     .naive = "one lookup: nearest, bilinear, or trilinear with a bias",
     .robust = "trilinear, up to 16 lookups along the footprint (anisotropic)",
     .explanation =
@@ -176,6 +206,7 @@ extern const StabilityExperiment mipmap_lod{
         "either aliased in depth or blurred across; several lookups along the footprint fit both.",
     .safe = "Surfaces that face the viewer.",
     .window = {16, everywhere},
+    .series = mipmap_lod_series,
     .measure = measure_lod,
     .picture = picture_lod,
     .frames = biases};

@@ -160,11 +160,15 @@ constexpr std::array steps{2.0, 4.0, 8.0, 16.0};
 
 }  // namespace
 
+static constexpr StabilitySeries sub_pixel_disc_missed_series[]{
+    {.names = "centres|*", .title = "discs that no sample meets", .unit = "%"},
+};
+
 extern const StabilityExperiment sub_pixel_disc_missed{
     .key = "sub-pixel-disc-missed",
     .place = {Subject::sampling, 40},
     .set_up = SetUp::reproduction,
-    .title = "Discs between the samples",
+    .title = "Sub-pixel detail: discs between the samples",
     .keywords = "aliasing, undersampling, small objects, AA, antialias, flicker",
     .knob = "diameter (px)",
     .naive = "one sample per pixel: at the centre, at a corner, at both, or anywhere",
@@ -174,15 +178,20 @@ extern const StabilityExperiment sub_pixel_disc_missed{
         "diameter D <= 1 px with probability 1 - pi D^2 / 4, random samples miss more. No later step brings it back.",
     .safe = "Discs larger than 1.42 pixels.",
     .window = {1.42, everywhere},
+    .series = sub_pixel_disc_missed_series,
     .measure = measure_disc,
     .picture = picture_disc,
     .frames = diameters};
+
+static constexpr StabilitySeries subsampling_bars_series[]{
+    {.names = "bars 1 px wide|*", .title = "bars that no traced column meets", .unit = "%"},
+};
 
 extern const StabilityExperiment subsampling_bars{
     .key = "subsampling-bars",
     .place = {Subject::sampling, 50},
     .set_up = SetUp::reproduction,
-    .title = "Bars between traced pixels",
+    .title = "Subsampling: bars between traced pixels",
     .keywords = "undersampling, half resolution, thin objects, aliasing",
     .knob = "subsampling: every k-th pixel is searched",
     .naive = "subsampling = k",
@@ -192,6 +201,7 @@ extern const StabilityExperiment subsampling_bars{
                    "well. Tracing where neighbours differ does not help, because both sides of the bar agree.",
     .safe = "Objects at least k pixels wide.",
     .window = {1, 1},
+    .series = subsampling_bars_series,
     .measure = measure_bars,
     .picture = picture_bars,
     .frames = steps};

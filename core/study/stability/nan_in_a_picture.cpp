@@ -146,6 +146,22 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries nan_in_a_picture_series[]{
+    {.names = "blur, one NaN pixel", .title = "pixels lost around one NaN", .unit = "px", .between = Between::nothing},
+    {.names = "blur by a running sum", .title = "later means that are lost", .unit = "%", .between = Between::nothing},
+    {.names = "running mean of samples", .title = "later means that are lost", .unit = "%"},
+    {.names = "NaN left*", .title = "NaN pixels that are left", .unit = "px"},
+    {.names = "value of*", .title = "value of the NaN pixel", .unit = "linear light", .better = Better::neither},
+    {.names = "check of the error, a NaN in the picture",
+     .title = "checks passed by a picture with a NaN",
+     .unit = "checks"},
+    {.names = "check of the error, the right picture",
+     .title = "checks passed by the right picture",
+     .unit = "checks",
+     .better = Better::higher},
+    {.names = "not finite*", .title = "values reported as not finite", .unit = "px", .better = Better::higher},
+};
+
 extern const StabilityExperiment nan_in_a_picture{
     .key = "nan-in-a-picture",
     .place = {Subject::numbers, 60},
@@ -160,6 +176,7 @@ extern const StabilityExperiment nan_in_a_picture{
                    "operands, and an error of NaN is not above the limit.",
     .safe = "No NaN.",
     .window = nowhere_safe,
+    .series = nan_in_a_picture_series,
     .measure = measure};
 
 }  // namespace ps::stability::nan_in_a_picture

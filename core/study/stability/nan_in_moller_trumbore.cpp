@@ -48,19 +48,25 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries nan_in_moller_trumbore_series[]{
+    {.names = "*", .title = "hits of what cannot be hit", .unit = "hits"},
+    {.names = "a triangle ahead", .title = "hits of a proper triangle", .unit = "hits", .better = Better::higher},
+};
+
 extern const StabilityExperiment nan_in_moller_trumbore{
     .key = "nan-in-moller-trumbore",
     .place = {Subject::rays, 150},
     .set_up = SetUp::reproduction,
     .title = "NaN in Moeller-Trumbore",
     .keywords = "not a number, Moeller-Trumbore, Möller-Trumbore, ray triangle",
-    .knob = "none",
+    .knob = "ray and triangle",
     .naive = "if (u < 0 || ...) return miss",
     .robust = "return u >= 0 && ...",
     .explanation = "Every comparison with NaN is false. If the code tests for reasons to miss, none applies and the "
                    "triangle is hit. If it tests for reasons to hit, none applies and the triangle is missed.",
     .safe = "Finite coordinates whose products are finite.",
     .window = nowhere_safe,
+    .series = nan_in_moller_trumbore_series,
     .measure = measure};
 
 }  // namespace ps::stability::nan_in_moller_trumbore

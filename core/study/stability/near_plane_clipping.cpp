@@ -72,10 +72,14 @@ constexpr std::array frames{1.0, -0.5, -1.0, -3.0};
 
 }  // namespace
 
+static constexpr StabilitySeries near_plane_clipping_series[]{
+    {.names = "clipping = none|*", .title = "wrong pixels of the picture", .unit = "%"},
+};
+
 extern const StabilityExperiment near_plane_clipping{
     .key = "near-plane-clipping",
     .place = {Subject::depth, 80},
-    .title = "Vertices behind the camera",
+    .title = "Near-plane clipping: vertices behind the camera",
     .keywords = "clipping, frustum, behind the eye, w < 0",
     .knob = "z of one vertex of a floor (world units before the camera)",
     .naive = "project it without clipping, drop the triangle, or move the vertex",
@@ -85,6 +89,7 @@ extern const StabilityExperiment near_plane_clipping{
         "at z = 0 to infinity. Only cutting the triangle at the near plane keeps its visible part right.",
     .safe = "Triangles wholly before the near plane.",
     .window = {near, everywhere},
+    .series = near_plane_clipping_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

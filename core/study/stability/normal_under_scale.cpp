@@ -80,11 +80,17 @@ static std::vector<StabilityRow> measure_normal_under_scale(const StabilityRun& 
   return rows;
 }
 
+static constexpr StabilitySeries normal_under_scale_series[]{
+    {.names = "all slopes", .title = "largest error of the normal", .unit = "degrees"},
+    {.names = "diffuse light*", .title = "error of the diffuse light (RMSE)", .unit = "levels of 255"},
+    {.names = "ball lit*", .title = "places of the ball on the wrong side of the terminator", .unit = "%"},
+};
+
 extern const StabilityExperiment normal_under_scale{
     .key = "normal-under-scale",
     .place = {Subject::shading, 30},
     .set_up = SetUp::reproduction,
-    .title = "Normals under a scale",
+    .title = "Normal transformation: normals under a scale",
     .keywords = "inverse transpose, normal matrix, non-uniform scale",
     .knob = "scale along one axis",
     .naive = "transform like positions",
@@ -93,6 +99,7 @@ extern const StabilityExperiment normal_under_scale{
                    "transpose keeps normal and plane perpendicular.",
     .safe = "Uniform scales only.",
     .window = {1, 1},
+    .series = normal_under_scale_series,
     .measure = measure_normal_under_scale};
 
 }  // namespace ps::stability::normal_under_scale

@@ -200,10 +200,17 @@ constexpr std::array frames{3.0};
 
 }  // namespace
 
+static constexpr StabilitySeries painters_cycle_series[]{
+    {.names = "three bars*", .title = "wrong pixels of three bars in a cycle", .unit = "% of covered pixels"},
+    {.names = "random triangles, painter|*",
+     .title = "wrong pixels of random triangles",
+     .unit = "% of covered pixels"},
+};
+
 extern const StabilityExperiment painters_cycle{
     .key = "painter-s-cycle",
     .place = {Subject::depth, 70},
-    .title = "The painter's cycle",
+    .title = "Painter's algorithm: cycles have no order",
     .keywords = "hidden surface, painter's algorithm, depth sort, z-buffer, cyclic overlap",
     .knob = "number of sheets",
     .naive = "draw from far to near (painter's algorithm)",
@@ -212,6 +219,7 @@ extern const StabilityExperiment painters_cycle{
                    "near to far has no single depth for the sort. A depth buffer decides for each pixel.",
     .safe = "Sheets that have an order from far to near, such as one alone.",
     .window = {0, 1},
+    .series = painters_cycle_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

@@ -137,10 +137,18 @@ constexpr std::array biases{0.4, 0.2, 0.1, 0.05, 0.02};
 
 }  // namespace
 
+static constexpr StabilitySeries peter_panning_series[]{
+    {.names = "1024 texels, sun at 10 degrees|256 texels, sun at 10 degrees|4096 texels, sun at 10 degrees",
+     .title = "contact shadow that is lost",
+     .unit = "%"},
+    {.names = "*10 degrees, *", .title = "contact shadow that is lost by other methods", .unit = "%"},
+    {.names = "*whole shadow", .title = "floor around the object that loses its shadow", .unit = "%"},
+};
+
 extern const StabilityExperiment peter_panning{
     .key = "peter-panning",
     .place = {Subject::shadows, 30},
-    .title = "Detached shadows (peter-panning)",
+    .title = "Peter-panning: detached shadows",
     .keywords = "bias, shadow map, depth bias, light leak, floating shadow",
     .knob = "constant bias (world units)",
     .naive = "constant bias",
@@ -150,6 +158,7 @@ extern const StabilityExperiment peter_panning{
                    "of half a texel only loses the jagged front of the shadow, which more texels make smaller.",
     .safe = "Biases far below the size of objects.",
     .window = {nowhere, 0.02},
+    .series = peter_panning_series,
     .measure = measure,
     .picture = picture,
     .frames = biases};

@@ -61,6 +61,14 @@ constexpr std::array frames{1e-3, 1e-2, 1e-1};
 
 }  // namespace
 
+static constexpr StabilitySeries precision_series[]{
+    {.names = "float against double|the epsilons alone, in double",
+     .title = "pixels that differ",
+     .unit = "px of 360,000"},
+    {.names = "float against double, size", .title = "size of the differences (RMSE)", .unit = "levels of 255"},
+    {.names = "float against double, largest", .title = "largest difference", .unit = "levels of 255"},
+};
+
 extern const StabilityExperiment precision{
     .key = "precision",
     .place = {Subject::numbers, 80},
@@ -74,6 +82,7 @@ extern const StabilityExperiment precision{
                    "makes the two more alike, and both less accurate.",
     .safe = "No epsilon: the offset gives the same picture in both but for a few pixels.",
     .window = nowhere_safe,
+    .series = precision_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

@@ -185,11 +185,17 @@ constexpr std::array frames{10.0, 100.0, 1000.0, 2000.0, 4100.0};
 
 }  // namespace
 
+static constexpr StabilitySeries ray_sphere_series[]{
+    {.names = "hit or miss|hit or miss*", .title = "rays with a wrong hit and rays with a wrong miss", .unit = "%"},
+    {.names = "place*", .title = "distance of hit points from the sphere (RMS)", .unit = "radii"},
+    {.names = "normal*", .title = "largest error of the normal", .unit = "degrees"},
+};
+
 extern const StabilityExperiment ray_sphere_cancellation{
     .key = "ray-sphere-cancellation",
     .place = {Subject::rays, 50},
     .set_up = SetUp::reproduction,
-    .title = "Ray and sphere: cancellation",
+    .title = "Cancellation: ray and sphere",
     .keywords = "quadratic formula, discriminant, loss of significance, catastrophic cancellation",
     .knob = "distance / radius",
     .naive = "discriminant b^2 - 4ac (sphere-test = quadratic)",
@@ -199,6 +205,7 @@ extern const StabilityExperiment ray_sphere_cancellation{
                    "its own products is left, which grows with D.",
     .safe = "Up to 100 radii.",
     .window = {nowhere, 100},
+    .series = ray_sphere_series,
     .measure = measure_ray_sphere_cancellation,
     .picture = picture_ray_sphere,
     .frames = frames};
@@ -207,7 +214,7 @@ extern const StabilityExperiment stable_q_alone{
     .key = "stable-q-alone",
     .place = {Subject::rays, 60},
     .set_up = SetUp::reproduction,
-    .title = "Stable roots alone",
+    .title = "Cancellation: stable roots alone",
     .keywords = "quadratic formula, discriminant, loss of significance",
     .knob = "distance / radius",
     .naive = "discriminant b^2 - 4ac, roots without cancellation",
@@ -216,6 +223,7 @@ extern const StabilityExperiment stable_q_alone{
                    "decided by the discriminant, which has lost its digits before.",
     .safe = "Up to 100 radii, as with the textbook's roots.",
     .window = {nowhere, 100},
+    .series = ray_sphere_series,
     .measure = measure_stable_q_alone};
 
 }  // namespace ps::stability::ray_sphere_cancellation

@@ -109,6 +109,22 @@ static StabilityPicture picture_recursion_depth(double depth) {
 
 static constexpr std::array frames{0.0, 1.0, 2.0, 3.0, 5.0};
 
+static constexpr StabilitySeries recursion_depth_series[]{
+    {.names = "book scene|*",
+     .title = "error of the picture (RMSE)",
+     .unit = "levels of 255",
+     .between = Between::nothing},
+    {.names = "*largest difference",
+     .title = "largest error of a pixel",
+     .unit = "levels of 255",
+     .between = Between::nothing},
+    {.names = "*pixels off by half a level",
+     .title = "pixels off by half a level",
+     .unit = "%",
+     .between = Between::nothing},
+    {.names = "*rays", .title = "rays for each pixel", .unit = "rays", .between = Between::nothing},
+};
+
 extern const StabilityExperiment recursion_depth{
     .key = "recursion-depth",
     .place = {Subject::numbers, 30},
@@ -122,6 +138,7 @@ extern const StabilityExperiment recursion_depth{
                    "reflectivity of 0.5 it falls below half a level at depth 8.",
     .safe = "From a depth of 3 for this scene: an error of 0.4 levels (RMS).",
     .window = {3, everywhere},
+    .series = recursion_depth_series,
     .measure = measure_recursion_depth,
     .picture = picture_recursion_depth,
     .frames = frames};

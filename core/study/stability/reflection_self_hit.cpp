@@ -62,11 +62,15 @@ constexpr std::array frames{1e-4, 1e-3, 1e-2, 1e-1};
 
 }  // namespace
 
+static constexpr StabilitySeries reflection_self_hit_series[]{
+    {.names = "float|*", .title = "ground pixels that reflect the ground", .unit = "%"},
+};
+
 extern const StabilityExperiment reflection_self_hit{
     .key = "reflection-self-hit",
     .place = {Subject::rays, 20},
     .set_up = SetUp::reproduction,
-    .title = "Reflection self-hit",
+    .title = "Self-intersection: the ground reflects itself",
     .keywords = "acne, self-intersection, bias, epsilon, mirror",
     .knob = "reflection epsilon (ray parameter)",
     .naive = "ignore hits up to epsilon",
@@ -75,6 +79,7 @@ extern const StabilityExperiment reflection_self_hit{
                    "error for long. The book's 0.001 is enough in double and not in float.",
     .safe = "0.1 in float; 0.001 in double.",
     .window = {0.1, everywhere},
+    .series = reflection_self_hit_series,
     .measure = measure_reflection_self_hit,
     .picture = picture_reflection_self_hit,
     .frames = frames};

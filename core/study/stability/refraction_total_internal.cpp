@@ -27,6 +27,10 @@ static std::vector<StabilityRow> measure_refraction_total_internal(const Stabili
   return rows;
 }
 
+static constexpr StabilitySeries refraction_total_internal_series[]{
+    {.names = "*", .title = "refracted directions that are not numbers", .unit = "%"},
+};
+
 extern const StabilityExperiment refraction_total_internal{
     .key = "refraction-total-internal",
     .place = {Subject::numbers, 40},
@@ -40,6 +44,7 @@ extern const StabilityExperiment refraction_total_internal{
                    "exceed 1. Its cosine is then the root of a negative number.",
     .safe = "Index 1.",
     .window = {1, 1},
+    .series = refraction_total_internal_series,
     .measure = measure_refraction_total_internal};
 
 }  // namespace ps::stability::refraction_total_internal

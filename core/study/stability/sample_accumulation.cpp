@@ -95,11 +95,16 @@ std::vector<StabilityRow> measure_sample_accumulation(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries sample_accumulation_series[]{
+    {.names = "uniform samples|*", .title = "error of the mean", .unit = "share of the mean"},
+    {.names = "sum of ones", .title = "sum of 100,000,000 ones", .unit = "ones", .better = Better::higher},
+};
+
 extern const StabilityExperiment sample_accumulation{
     .key = "sample-accumulation",
     .place = {Subject::numbers, 20},
     .set_up = SetUp::reproduction,
-    .title = "Sums of many samples",
+    .title = "Summation error: float sums of many samples",
     .keywords = "accumulation buffer, float sum, Kahan, stagnation",
     .knob = "samples",
     .naive = "float sum",
@@ -108,6 +113,7 @@ extern const StabilityExperiment sample_accumulation{
         "A float sum of size S adds multiples of its own spacing only. From 16,777,216 on it no longer counts by ones.",
     .safe = "Up to a million samples for 1e-5.",
     .window = {nowhere, 1e6},
+    .series = sample_accumulation_series,
     .measure = measure_sample_accumulation};
 
 }  // namespace ps::stability::sample_accumulation

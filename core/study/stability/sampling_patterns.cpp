@@ -104,11 +104,54 @@ constexpr std::array few{1.0, 4.0, 16.0, 64.0};
 
 }  // namespace
 
+static constexpr StabilitySeries supersampling_rate_series[]{
+    {.names = "any edge, random and jitter|*random and jitter",
+     .title = "error of the pixel (RMSE)",
+     .unit = "share of white",
+     .naive = "random",
+     .robust = "jittered grid"},
+    {.names = "*grid and Halton",
+     .title = "error of the pixel (RMSE)",
+     .unit = "share of white",
+     .naive = "grid",
+     .robust = "Halton"},
+    {.names = "*random and R2",
+     .title = "error of the pixel (RMSE)",
+     .unit = "share of white",
+     .naive = "random",
+     .robust = "R2"},
+    {.names = "*N-rooks and blue noise",
+     .title = "error of the pixel (RMSE)",
+     .unit = "share of white",
+     .naive = "N-rooks",
+     .robust = "blue noise"},
+    {.names = "*random and jitter, slope",
+     .title = "exponent of the number of samples in the error",
+     .unit = "exponent",
+     .naive = "random",
+     .robust = "jittered grid"},
+    {.names = "*grid and Halton, slope",
+     .title = "exponent of the number of samples in the error",
+     .unit = "exponent",
+     .naive = "grid",
+     .robust = "Halton"},
+    {.names = "*random and R2, slope",
+     .title = "exponent of the number of samples in the error",
+     .unit = "exponent",
+     .naive = "random",
+     .robust = "R2"},
+    {.names = "*N-rooks and blue noise, slope",
+     .title = "exponent of the number of samples in the error",
+     .unit = "exponent",
+     .naive = "N-rooks",
+     .robust = "blue noise"},
+};
+
 extern const StabilityExperiment supersampling_rate{
     .key = "supersampling-rate",
     .place = {Subject::sampling, 10},
     .set_up = SetUp::reproduction,
-    .title = "What another sample is worth",
+    .title = "Convergence rate: what another sample is worth",
     .keywords = "AA, antialias, antialiasing, SSAA, convergence, noise, Monte Carlo",
     .knob = "samples per pixel",
     .naive = "random, or a grid",
@@ -118,9 +161,14 @@ extern const StabilityExperiment supersampling_rate{
         "evenly fill the gaps, and the error at edges falls with about N^-0.75.",
     .safe = "Any number: the pattern changes the size of the error only.",
     .window = {1, everywhere},
+    .series = supersampling_rate_series,
     .measure = measure_rate,
     .picture = picture_rate,
     .frames = few};
+
+static constexpr StabilitySeries grid_moire_series[]{
+    {.names = "*", .title = "error of the pixel (RMSE)", .unit = "share of white"},
+};
 
 extern const StabilityExperiment grid_moire{
     .key = "grid-moire",
@@ -135,6 +183,7 @@ extern const StabilityExperiment grid_moire{
                    "phase: 16 samples are as bad as one. Jitter turns that error into noise.",
     .safe = "Grids as fine as the pattern: 64 samples here.",
     .window = {64, everywhere},
+    .series = grid_moire_series,
     .measure = measure_moire,
     .picture = picture_moire,
     .frames = few};

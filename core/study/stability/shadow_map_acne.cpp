@@ -117,6 +117,15 @@ constexpr std::array taps{7.0, 5.0, 3.0, 1.0};
 
 }  // namespace
 
+static constexpr StabilitySeries shadow_map_acne_series[]{
+    {.names = "1024 texels, sun at 10 degrees|*", .title = "lit floor that is dark", .unit = "%"},
+    {.names = "*slope bias (texels)", .title = "lit floor that is dark", .unit = "%", .knob = "slope bias (texels)"},
+    {.names = "1024 texels, leaning roof*",
+     .title = "lit roof that is dark",
+     .unit = "%",
+     .knob = "slope bias (texels)"},
+};
+
 extern const StabilityExperiment shadow_map_acne{
     .key = "shadow-map-acne",
     .place = {Subject::shadows, 10},
@@ -132,15 +141,20 @@ extern const StabilityExperiment shadow_map_acne{
         "the slope runs along the map's axes, as on a floor; 0.71 texels are enough for any surface.",
     .safe = "A slope bias of half a texel and 1/256 on floors, of 0.71 texels and 1/256 on any surface.",
     .window = {0.05, everywhere},
+    .series = shadow_map_acne_series,
     .measure = measure_acne,
     .picture = picture_acne,
     .frames = biases};
+
+static constexpr StabilitySeries pcf_one_tap_bias_series[]{
+    {.names = "*", .title = "lit floor that is dark", .unit = "%", .between = Between::nothing},
+};
 
 extern const StabilityExperiment pcf_one_tap_bias{
     .key = "pcf-one-tap-bias",
     .place = {Subject::shadows, 20},
     .set_up = SetUp::reproduction,
-    .title = "Percentage-closer filtering with the bias of one tap",
+    .title = "PCF: percentage-closer filtering with the bias of one tap",
     .keywords = "PCF, shadow map, acne, soft shadow, bias",
     .knob = "taps along a side",
     .naive = "slope bias of one texel",
@@ -150,6 +164,7 @@ extern const StabilityExperiment pcf_one_tap_bias{
                    "k taps on each side needs a slope bias of k + 1/2 texels.",
     .safe = "One tap.",
     .window = {1, 1},
+    .series = pcf_one_tap_bias_series,
     .measure = measure_filter,
     .picture = picture_filter,
     .frames = taps};

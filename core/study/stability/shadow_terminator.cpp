@@ -103,6 +103,10 @@ std::vector<StabilityRow> measure_terminator(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries shadow_terminator_series[]{
+    {.names = "*", .title = "dark pixels among those lit by their normal", .unit = "%"},
+};
+
 extern const StabilityExperiment shadow_terminator{
     .key = "shadow-terminator",
     .place = {Subject::shading, 40},
@@ -116,6 +120,7 @@ extern const StabilityExperiment shadow_terminator{
                    "into the mesh. The share of such points falls with the angle between neighbouring triangles.",
     .safe = "Fine meshes: a quarter of a percent at 65,000 triangles.",
     .window = {65000, everywhere},
+    .series = shadow_terminator_series,
     .measure = measure_terminator};
 
 }  // namespace ps::stability::shadow_terminator

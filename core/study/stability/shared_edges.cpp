@@ -180,10 +180,16 @@ std::vector<StabilityRow> measure_adversarial(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries fill_rule_adversarial_series[]{
+    {.names = "float, own order, holes|*holes", .title = "samples that no triangle owns", .unit = "per million edges"},
+    {.names = "*doubles", .title = "samples that both triangles own", .unit = "per million edges"},
+    {.names = "*random mesh", .title = "holes and doubles of a random mesh", .unit = "px of 429,025"},
+};
+
 extern const StabilityExperiment fill_rule_adversarial{
     .key = "fill-rule-adversarial",
     .place = {Subject::coverage, 20},
-    .title = "Edges through a sample",
+    .title = "Fill rule: edges through a sample",
     .keywords = "fill rule, top-left rule, tie, shared edge",
     .knob = "length of the edge (px)",
     .naive = "edge functions in float",
@@ -193,6 +199,7 @@ extern const StabilityExperiment fill_rule_adversarial{
         "both or inside both. Random meshes hardly ever show it, whatever the method: edges have to be aimed.",
     .safe = "Nowhere for edges that pass a sample within an ulp.",
     .window = nowhere_safe,
+    .series = fill_rule_adversarial_series,
     .measure = measure_adversarial};
 
 }  // namespace ps::stability::shared_edges

@@ -105,19 +105,31 @@ constexpr std::array frames{7.0, 10.0, 20.0, 45.0};
 
 }  // namespace
 
+static constexpr StabilitySeries silhouette_tessellation_series[]{
+    {.names = "radius 100 px|radius*|*", .title = "distance of the outline from the circle", .unit = "px"},
+    {.names = "segments for half a pixel*",
+     .title = "segments that half a pixel of error asks for",
+     .unit = "segments",
+     .better = Better::neither,
+     .knob = "radius of the ball (px)",
+     .naive = "closed form",
+     .robust = "the program's"},
+};
+
 extern const StabilityExperiment silhouette_tessellation{
     .key = "silhouette-tessellation",
     .place = {Subject::shading, 50},
     .set_up = SetUp::reproduction,
-    .title = "Polygonal outlines of round objects",
+    .title = "Silhouettes: polygonal outlines of round objects",
     .keywords = "silhouette, level of detail, LOD, polygon count, subdivision",
-    .knob = "segments of the outline, or the ball's radius (px)",
+    .knob = "segments of the outline",
     .naive = "the same number of segments at any size",
     .robust = "as many as half a pixel of error asks for (tessellation = 0.5)",
     .explanation = "The distance between a chord and its circle is R (1 - cos(pi / n)), which grows with the radius on "
                    "the screen. The number of segments that are enough follows from that radius and the visible error.",
     .safe = "100 segments up to a radius of 1,000 pixels.",
     .window = {100, everywhere},
+    .series = silhouette_tessellation_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

@@ -176,24 +176,37 @@ std::vector<StabilityRow> measure_nan_slab(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr KnobCase slab_test_false_miss_cases[]{{3, "solid box"}, {2, "rectangle"}, {1, "line"}};
+static constexpr StabilitySeries slab_test_false_miss_series[]{
+    {.names = "near <= far|*",
+     .title = "boxes missed by rays that meet them",
+     .unit = "per million",
+     .cases = slab_test_false_miss_cases},
+};
+
 extern const StabilityExperiment slab_test_false_miss{
     .key = "slab-test-false-miss",
     .place = {Subject::boxes, 10},
-    .title = "Boxes missed at their edges",
+    .title = "Slab test: boxes missed at their edges",
     .keywords = "ray box, AABB, bounding box, BVH, rounding",
-    .knob = "dimensions of the box (3 = solid, 2 = a rectangle, 1 = a line)",
+    .knob = "shape of the box",
     .naive = "near <= far, as computed (slab-test = naive)",
     .robust = "far end grown by its rounding error, 2 gamma(3) (slab-test = robust)",
     .explanation = "A ray at an edge of a box enters through one plane and leaves through another at the same t, which "
                    "is rounded twice. The flatter the box, the more of its rays do.",
     .safe = "Nowhere for boxes that touch.",
     .window = nowhere_safe,
+    .series = slab_test_false_miss_series,
     .measure = measure_false_miss};
+
+static constexpr StabilitySeries zero_inf_nan_slab_series[]{
+    {.names = "*", .title = "touched boxes that are missed", .unit = "%"},
+};
 
 extern const StabilityExperiment zero_inf_nan_slab{
     .key = "0-inf-nan-slab",
     .place = {Subject::boxes, 30},
-    .title = "0 times infinity in a slab test",
+    .title = "Slab test: 0 times infinity",
     .keywords = "NaN, infinity, ray box, AABB, division by zero",
     .knob = "sign of the zero components of the direction (0 = both)",
     .naive = "min and max, with one order of operands or the other",
@@ -203,6 +216,7 @@ extern const StabilityExperiment zero_inf_nan_slab{
                    "which boxes are lost.",
     .safe = "Directions without a zero component.",
     .window = nowhere_safe,
+    .series = zero_inf_nan_slab_series,
     .measure = measure_nan_slab};
 
 }  // namespace ps::stability::slab_tests

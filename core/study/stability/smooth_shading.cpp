@@ -88,6 +88,18 @@ constexpr std::array angles{90.0, 60.0, 30.0, 20.0, 10.0};
 
 }  // namespace
 
+static constexpr StabilitySeries gouraud_highlight_series[]{
+    {.names = "exponent 50, mean|*mean",
+     .title = "part of the highlight's peak that is kept, mean",
+     .unit = "of 1",
+     .better = Better::higher},
+    {.names = "*least",
+     .title = "part of the highlight's peak that is kept, least",
+     .unit = "of 1",
+     .better = Better::higher},
+    {.names = "error, *", .title = "error of the ball (RMSE)", .unit = "levels of 255"},
+};
+
 extern const StabilityExperiment gouraud_highlight{
     .key = "gouraud-highlight",
     .place = {Subject::shading, 10},
@@ -101,15 +113,22 @@ extern const StabilityExperiment gouraud_highlight{
         "than the brightest vertex. A highlight between vertices is lost, and flashes when it meets one.",
     .safe = "Triangles much smaller than the highlight: 65,000 keep 98 % of a peak of exponent 50.",
     .window = {65000, everywhere},
+    .series = gouraud_highlight_series,
     .measure = measure_gouraud,
     .picture = picture_gouraud,
     .frames = triangles};
+
+static constexpr StabilitySeries unnormalised_interpolated_normals_series[]{
+    {.names = "ball*", .title = "largest error of the ball", .unit = "levels of 255"},
+    {.names = "half-way*", .title = "length of the interpolated normal", .unit = "of 1", .better = Better::higher},
+    {.names = "(N.H)*", .title = "part of the highlight's peak that is kept", .unit = "of 1", .better = Better::higher},
+};
 
 extern const StabilityExperiment unnormalised_interpolated_normals{
     .key = "unnormalised-interpolated-normals",
     .place = {Subject::shading, 20},
     .set_up = SetUp::reproduction,
-    .title = "Interpolated normals get short",
+    .title = "Unnormalised normals: interpolated normals get short",
     .keywords = "normalize, renormalise, Phong, highlight, interpolation",
     .knob = "angle between neighbouring vertex normals (degrees)",
     .naive = "as interpolated",
@@ -120,6 +139,7 @@ extern const StabilityExperiment unnormalised_interpolated_normals{
         "lose 82 % of a peak of exponent 50 at 30 degrees.",
     .safe = "Up to 5 degrees: at most 6 of 255 levels.",
     .window = {0, 5},
+    .series = unnormalised_interpolated_normals_series,
     .measure = measure_unnormalised,
     .picture = picture_unnormalised,
     .frames = angles};

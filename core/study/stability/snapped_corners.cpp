@@ -157,6 +157,10 @@ constexpr std::array frames{0.0, 1.0, 2.0, 4.0, 8.0};
 
 }  // namespace
 
+static constexpr StabilitySeries sub_pixel_bits_series[]{
+    {.names = "legs of 2.60 px|*", .title = "pixels given to another triangle", .unit = "%"},
+};
+
 extern const StabilityExperiment sub_pixel_bits{
     .key = "sub-pixel-bits",
     .place = {Subject::coverage, 50},
@@ -170,9 +174,15 @@ extern const StabilityExperiment sub_pixel_bits{
         "the number of pixels that go to another triangle.",
     .safe = "8 bits: 0.2 % of the pixels with triangles of one pixel.",
     .window = {8, everywhere},
+    .series = sub_pixel_bits_series,
     .measure = measure_bits,
     .picture = picture_bits,
     .frames = frames};
+
+static constexpr StabilitySeries ray_vs_raster_agreement_series[]{
+    {.names = "both renderers|*", .title = "pixels with another triangle", .unit = "px"},
+    {.names = "*share of the ball", .title = "pixels of the ball with another triangle", .unit = "%"},
+};
 
 extern const StabilityExperiment ray_vs_raster_agreement{
     .key = "ray-vs-raster-agreement",
@@ -187,6 +197,7 @@ extern const StabilityExperiment ray_vs_raster_agreement{
         "between their sample positions does more harm than all rounding.",
     .safe = "8 bits and the same sample position.",
     .window = {8, everywhere},
+    .series = ray_vs_raster_agreement_series,
     .measure = measure_agreement,
     .picture = picture_bits,
     .frames = frames};

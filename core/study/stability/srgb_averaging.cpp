@@ -49,11 +49,19 @@ static std::vector<StabilityRow> measure_srgb_averaging(const StabilityRun& run)
   return rows;
 }
 
+static constexpr StabilitySeries srgb_averaging_series[]{
+    {.names = "white over black", .title = "error of the level", .unit = "levels of 255"},
+    {.names = "white over black, level shown",
+     .title = "level that is shown",
+     .unit = "level of 255",
+     .better = Better::neither},
+};
+
 extern const StabilityExperiment srgb_averaging{
     .key = "srgb-averaging",
     .place = {Subject::numbers, 10},
     .set_up = SetUp::reproduction,
-    .title = "Averages of sRGB levels",
+    .title = "Gamma-incorrect averaging: means of sRGB levels",
     .keywords = "gamma, gamma-incorrect averaging, linear light, blending, resize",
     .knob = "share of white (%)",
     .naive = "mean of the levels",
@@ -62,6 +70,7 @@ extern const StabilityExperiment srgb_averaging{
                    "light, so filtered edges become too dark.",
     .safe = "Between equal levels only.",
     .window = nowhere_safe,
+    .series = srgb_averaging_series,
     .measure = measure_srgb_averaging};
 
 }  // namespace ps::stability::srgb_averaging

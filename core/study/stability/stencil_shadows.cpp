@@ -109,10 +109,14 @@ constexpr std::array boards{8.0, 15.0, 16.0, 17.0};
 
 }  // namespace
 
+static constexpr StabilitySeries z_pass_in_volume_series[]{
+    {.names = "*", .title = "wrong pixels of the floor", .unit = "%"},
+};
+
 extern const StabilityExperiment z_pass_in_volume{
     .key = "z-pass-in-volume",
     .place = {Subject::shadows, 40},
-    .title = "Camera inside a shadow volume",
+    .title = "Depth-pass stencil: camera inside a shadow volume",
     .keywords = "shadow volume, stencil shadow, depth pass, z-pass",
     .knob = "z of the camera (the shadow lies between -2 and 2)",
     .naive = "count faces before the surface (depth pass)",
@@ -121,14 +125,19 @@ extern const StabilityExperiment z_pass_in_volume{
                    "shadow are exchanged.",
     .safe = "Cameras outside every volume.",
     .window = {nowhere, -2.5},
+    .series = z_pass_in_volume_series,
     .measure = measure_inside,
     .picture = picture_inside,
     .frames = places};
 
+static constexpr StabilitySeries near_plane_cuts_volume_series[]{
+    {.names = "*", .title = "wrong pixels of the floor", .unit = "%"},
+};
+
 extern const StabilityExperiment near_plane_cuts_volume{
     .key = "near-plane-cuts-volume",
     .place = {Subject::shadows, 50},
-    .title = "The near plane cuts a volume",
+    .title = "Depth-pass stencil: the near plane cuts a volume",
     .keywords = "shadow volume, stencil shadow, near clip, z-pass, z-fail",
     .knob = "distance of the near plane (world units)",
     .naive = "count faces before the surface (depth pass)",
@@ -137,14 +146,19 @@ extern const StabilityExperiment near_plane_cuts_volume{
                    "not counted. Depth fail counts faces behind the surface, where no near plane cuts.",
     .safe = "Near planes that stay outside every volume.",
     .window = {nowhere, 0.03},
+    .series = near_plane_cuts_volume_series,
     .measure = measure_near,
     .picture = picture_near,
     .frames = nears};
 
+static constexpr StabilitySeries stencil_bits_wrap_series[]{
+    {.names = "4 bits|*", .title = "shadow pixels that are lit", .unit = "%", .between = Between::nothing},
+};
+
 extern const StabilityExperiment stencil_bits_wrap{
     .key = "stencil-bits-wrap",
     .place = {Subject::shadows, 70},
-    .title = "More shadows than the stencil buffer counts",
+    .title = "Stencil overflow: more shadows than the buffer counts",
     .keywords = "overflow, stencil buffer, shadow volume, counter, wrap-around",
     .knob = "volumes that overlap",
     .naive = "4 or 8 bits",
@@ -153,6 +167,7 @@ extern const StabilityExperiment stencil_bits_wrap{
                    "gives a count that is not 0, so only multiples of 2^n fail.",
     .safe = "Fewer than 2^bits overlapping volumes.",
     .window = {nowhere, 15},
+    .series = stencil_bits_wrap_series,
     .measure = measure_wrap,
     .picture = picture_wrap,
     .frames = boards};

@@ -66,10 +66,14 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr StabilitySeries stepped_edge_drift_series[]{
+    {.names = "*", .title = "wrong pixels for each pixel of an edge", .unit = "px per px"},
+};
+
 extern const StabilityExperiment stepped_edge_drift{
     .key = "stepped-edge-drift",
     .place = {Subject::coverage, 40},
-    .title = "Stepped edges drift",
+    .title = "Incremental error: stepped edges drift",
     .keywords = "incremental, accumulated error, DDA, float, cracks",
     .knob = "side of the canvas (px)",
     .naive = "float, one addition for each sample (edge-arithmetic = float-stepped)",
@@ -78,6 +82,7 @@ extern const StabilityExperiment stepped_edge_drift{
                    "rounded to the spacing of the large one. The error grows with the square of the canvas.",
     .safe = "Canvases up to 1,000 pixels for one pixel in a thousand.",
     .window = {nowhere, 1024},
+    .series = stepped_edge_drift_series,
     .measure = measure};
 
 }  // namespace ps::stability::stepped_edge_drift

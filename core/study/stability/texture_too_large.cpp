@@ -113,10 +113,14 @@ constexpr std::array sizes{2048.0, 1024.0, 512.0, 256.0};
 
 }  // namespace
 
+static constexpr StabilitySeries texture_too_large_series[]{
+    {.names = "*", .title = "error of the picture (RMSE)", .unit = "levels of 255"},
+};
+
 extern const StabilityExperiment texture_too_large{
     .key = "texture-too-large",
     .place = {Subject::sampling, 70},
-    .title = "A texture larger than the screen",
+    .title = "Texture aliasing: a texture larger than the screen",
     .keywords = "minification, aliasing, mipmap, shimmer, moire",
     .knob = "texels along a side",
     .naive = "the texel nearest to the pixel's centre",
@@ -125,6 +129,7 @@ extern const StabilityExperiment texture_too_large{
                    "texel per pixel more memory makes the picture worse.",
     .safe = "One texel per pixel.",
     .window = {256, 256},
+    .series = texture_too_large_series,
     .measure = measure,
     .picture = picture,
     .frames = sizes};

@@ -125,6 +125,20 @@ std::vector<StabilityRow> measure_determinant(const StabilityRun& run) {
 
 }  // namespace
 
+static constexpr KnobCase triangle_edge_cracks_cases[]{{32, "float"}, {64, "double"}};
+static constexpr StabilitySeries triangle_edge_cracks_series[]{
+    {.names = "at edges, misses|*misses",
+     .title = "rays that slip through",
+     .unit = "per million",
+     .cases = triangle_edge_cracks_cases},
+    {.names = "*double hits",
+     .title = "rays that hit two triangles",
+     .unit = "per million",
+     .cases = triangle_edge_cracks_cases},
+    {.names = "far sphere, triangles without an area", .title = "triangles without an area", .unit = "of 9,800"},
+    {.names = "far sphere, at edges, misses", .title = "rays that slip through the far sphere", .unit = "of 40,000"},
+};
+
 extern const StabilityExperiment triangle_edge_cracks{
     .key = "triangle-edge-cracks",
     .place = {Subject::rays, 90},
@@ -138,7 +152,13 @@ extern const StabilityExperiment triangle_edge_cracks{
                    "both place a ray beyond it. The watertight test computes the same numbers on both sides.",
     .safe = "Nowhere for rays that are aimed at edges; random rays meet three cracks in a million.",
     .window = nowhere_safe,
+    .series = triangle_edge_cracks_series,
     .measure = measure_edge_cracks};
+
+static constexpr StabilitySeries mt_tolerance_series[]{
+    {.names = "at edges, misses|*misses", .title = "rays that slip through", .unit = "per million"},
+    {.names = "*double hits", .title = "rays that hit two triangles", .unit = "per million"},
+};
 
 extern const StabilityExperiment mt_tolerance{
     .key = "mt-tolerance",
@@ -153,7 +173,13 @@ extern const StabilityExperiment mt_tolerance{
                    "wrong for transparency and for counts that decide between inside and outside.",
     .safe = "Nowhere: 1e-4 leaves ten misses in a million rays at edges and makes all others hit twice.",
     .window = nowhere_safe,
+    .series = mt_tolerance_series,
     .measure = measure_tolerance};
+
+static constexpr StabilitySeries plucker_vertices_series[]{
+    {.names = "at vertices, misses|*misses", .title = "rays that slip through", .unit = "per million"},
+    {.names = "*double hits", .title = "rays that hit two triangles", .unit = "per million"},
+};
 
 extern const StabilityExperiment plucker_vertices{
     .key = "plucker-vertices",
@@ -161,14 +187,19 @@ extern const StabilityExperiment plucker_vertices{
     .set_up = SetUp::reproduction,
     .title = "Pluecker coordinates at vertices",
     .keywords = "Plücker, watertight, shared vertex, ray triangle",
-    .knob = "where rays are aimed (0: edges, 1: vertices, 2: inside triangles)",
+    .knob = "where rays are aimed",
     .naive = "Pluecker coordinates",
     .robust = "watertight (Woop)",
     .explanation = "Along an edge both neighbours compute the same number with opposite signs. Around a vertex several "
                    "edges meet, which are rounded independently.",
     .safe = "Rays at edges, but not at vertices.",
     .window = {0, 0},
+    .series = plucker_vertices_series,
     .measure = measure_pluecker};
+
+static constexpr StabilitySeries absolute_det_epsilon_series[]{
+    {.names = "epsilon 1e-7|*", .title = "rays that are lost", .unit = "%"},
+};
 
 extern const StabilityExperiment absolute_det_epsilon{
     .key = "absolute-det-epsilon",
@@ -182,6 +213,7 @@ extern const StabilityExperiment absolute_det_epsilon{
                    "square of the scale. In small units every triangle is rejected.",
     .safe = "Triangles with areas far above the epsilon; the losses that remain are cracks at edges.",
     .window = {1, everywhere},
+    .series = absolute_det_epsilon_series,
     .measure = measure_determinant};
 
 }  // namespace ps::stability::triangle_cracks

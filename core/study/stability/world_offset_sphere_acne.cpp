@@ -86,10 +86,14 @@ constexpr std::array frames{0.0, 1e3, 1e4, 1e5, 1e6};
 
 }  // namespace
 
+static constexpr StabilitySeries world_offset_sphere_acne_series[]{
+    {.names = "epsilon 0.001|*", .title = "lit pixels in their own shadow", .unit = "%"},
+};
+
 extern const StabilityExperiment world_offset_sphere_acne{
     .key = "world-offset-sphere-acne",
     .place = {Subject::rays, 70},
-    .title = "Acne far from the origin",
+    .title = "Shadow acne far from the origin",
     .keywords = "shadow acne, large world, floating origin, self-intersection",
     .knob = "distance of the world along each axis",
     .naive = "ignore hits up to epsilon",
@@ -98,6 +102,7 @@ extern const StabilityExperiment world_offset_sphere_acne{
                    "epsilon that is enough near the origin is soon smaller than that.",
     .safe = "Up to 10 units for 0.001.",
     .window = {nowhere, 10},
+    .series = world_offset_sphere_acne_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

@@ -59,12 +59,20 @@ constexpr std::array frames{5.0, 10.0, 20.0, 40.0};
 
 }  // namespace
 
+static constexpr StabilitySeries z_fail_caps_series[]{
+    {.names = "no caps, camera outside|*", .title = "wrong pixels of the floor", .unit = "%"},
+    {.names = "far plane",
+     .title = "wrong pixels of the floor",
+     .unit = "%",
+     .knob = "distance of the far plane (world units)"},
+};
+
 extern const StabilityExperiment z_fail_caps{
     .key = "z-fail-caps",
     .place = {Subject::shadows, 60},
-    .title = "Depth fail without its caps",
+    .title = "Depth-fail stencil: volumes without caps",
     .keywords = "Carmack, shadow volume, stencil shadow, depth fail, cap",
-    .knob = "length of the volumes, or distance of the far plane (world units)",
+    .knob = "length of the volumes (world units)",
     .naive = "open volumes, short ones, or volumes cut at the far plane",
     .robust = "caps at both ends, nothing cut at the far plane",
     .explanation = "Depth fail counts the faces of volumes behind a surface, so volumes must be closed there. If a "
@@ -72,6 +80,7 @@ extern const StabilityExperiment z_fail_caps{
                    "counted. A lit floor then lies in its own shadow.",
     .safe = "Closed volumes that reach beyond everything, with a far plane at infinity.",
     .window = nowhere_safe,
+    .series = z_fail_caps_series,
     .measure = measure,
     .picture = picture,
     .frames = frames};

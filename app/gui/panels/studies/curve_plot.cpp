@@ -37,53 +37,28 @@ PlotAxis knob_axis(const std::vector<double>& knobs) {
   return axis;
 }
 
-enum class Method { naive, robust };
-
-double value_of(const StabilityRow& row, Method method) {
-  switch (method) {
-  case Method::naive:
-    return row.naive;
-  case Method::robust:
-    return row.robust;
-  }
-  return row.naive;
+double value_of(const ExperimentFigure::Row& row, Method method) {
+  return method == Method::naive ? row.naive : row.robust;
 }
-
-void draw_sign(ImDrawList& list, ImVec2 at, Method method, bool strong) {
-  const float r = px(strong ? 6 : 4.5), width = px(strong ? 3 : 2);
-  switch (method) {
-  case Method::naive: {
-    const ImU32 ink = colour_u32(palette().wrong_text);
-    list.AddLine({at.x - r, at.y - r}, {at.x + r, at.y + r}, ink, width);
-    list.AddLine({at.x - r, at.y + r}, {at.x + r, at.y - r}, ink, width);
-    break;
-  }
-  case Method::robust:
-    list.AddCircleFilled(at, r, colour_u32(palette().field), 20);
-    list.AddCircle(at, r, colour_u32(palette().right_text), 20, width);
-    break;
-  }
-}
-
-const ImVec4& colour_of(Method method) { return method == Method::naive ? palette().wrong_text : palette().right_text; }
-ImU32 line_colour(Method method) { return colour_u32(colour_of(method)); }
 
 void draw_curve(ImDrawList& list, const Curves& curves, const PlotFrame& frame, Method method,
                 std::optional<std::size_t> strong) {
+  const auto& rows = curves.figure.rows;
   std::optional<ImVec2> last;
-  for (const StabilityRow& row : curves.rows) {
+  for (const ExperimentFigure::Row& row : rows) {
     const double value = value_of(row, method);
     if (!std::isfinite(value)) {
       last.reset();
       continue;
     }
     const ImVec2 at = frame.at(row.knob, value);
-    if (last) list.AddLine(*last, at, line_colour(method), px(2));
+    const bool joined = curves.figure.quantity->between == Between::values;
+    if (last && joined) list.AddLine(*last, at, colour_u32(method_colour(method)), px(2));
     last = at;
   }
-  for (std::size_t i = 0; i < curves.rows.size(); ++i) {
-    const double value = value_of(curves.rows[i], method);
-    if (std::isfinite(value)) draw_sign(list, frame.at(curves.rows[i].knob, value), method, i == strong);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double value = value_of(rows[i], method);
+    if (std::isfinite(value)) draw_method_sign(list, frame.at(rows[i].knob, value), method, i == strong);
   }
 }
 
@@ -107,48 +82,12 @@ void draw_safe_window(ImDrawList& list, const Curves& curves, const PlotFrame& f
   list.AddText(font, font->FontSize, {x, in.min.y + px(2)}, colour_u32(palette().right_text), text);
 }
 
-std::string name_of(const Curves& curves, Method method) {
-  return method == Method::naive ? "naive: " + curves.naive : "robust: " + curves.robust;
-}
-
-float name_width(const std::string& text) {
-  ImFont* font = theme().font(Face::small);
-  return px(34) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
-}
-
-/// Whether both names stand in one line.
-bool names_in_line(const Curves& curves, float width) {
-  return name_width(name_of(curves, Method::naive)) + name_width(name_of(curves, Method::robust)) <= width;
-}
-
-/// Both names above the plot, each behind its sign, in one line or in two. Answers the name under the mouse if it does
-/// not fit even so.
-std::string draw_names(ImDrawList& list, const Area& area, const Curves& curves, ImVec2 mouse) {
-  const FontScope small(Face::small);
-  const float height = ImGui::GetFontSize();
-  const bool in_line = names_in_line(curves, area.width());
-  std::string cut;
-  ImVec2 at = area.min;
-  for (const Method method : {Method::naive, Method::robust}) {
-    const std::string text = name_of(curves, method);
-    const Area line{at, {area.max.x, at.y + height + px(2)}};
-    if (at.x + name_width(text) - px(18) > area.max.x && line.contains(mouse)) cut = text;
-    draw_sign(list, {at.x + px(6), at.y + height / 2}, method, false);
-    draw_text({at.x + px(16), at.y}, {area.max.x, at.y + height}, text, colour_of(method), 0);
-    if (in_line)
-      at.x += name_width(text);
-    else
-      at.y += height + px(2);
-  }
-  return cut;
-}
-
 std::optional<std::size_t> nearest(const Curves& curves, const PlotFrame& frame, ImVec2 mouse) {
   if (!frame.inner.contains(mouse)) return {};
   std::optional<std::size_t> found;
   float best = px(40);
-  for (std::size_t i = 0; i < curves.rows.size(); ++i) {
-    const float distance = std::abs(frame.at(curves.rows[i].knob, 0).x - mouse.x);
+  for (std::size_t i = 0; i < curves.figure.rows.size(); ++i) {
+    const float distance = std::abs(frame.at(curves.figure.rows[i].knob, 0).x - mouse.x);
     if (distance >= best) continue;
     best = distance;
     found = i;
@@ -160,28 +99,29 @@ std::optional<std::size_t> nearest(const Curves& curves, const PlotFrame& frame,
 
 CurvesDrawn draw_curves(ImDrawList& list, const Area& area, const Curves& curves, ImVec2 mouse,
                         std::optional<std::size_t> marked) {
+  const auto& rows = curves.figure.rows;
   std::vector<double> knobs, results;
-  for (const StabilityRow& row : curves.rows) {
+  for (const ExperimentFigure::Row& row : rows) {
     knobs.push_back(row.knob);
     results.insert(results.end(), {row.naive, row.robust});
   }
-  const float line = theme().font(Face::small)->FontSize;
-  const float names = names_in_line(curves, area.width()) ? line + px(6) : 2 * line + px(8);
-  const Area plot{{area.min.x, area.min.y + names}, area.max};
+  const Area plot{{area.min.x, area.min.y + curves.names.height(area.width())}, area.max};
   CurvesDrawn drawn;
-  drawn.frame = draw_plot_frame(list, plot, knob_axis(knobs), axis_for(results), {curves.knob, curves.unit});
+  const std::string title = curves.figure.axis_title();
+  drawn.frame = draw_plot_frame(list, plot, knob_axis(knobs), axis_for(results), {curves.knob, title});
+  controls().record("axis", title);
   list.PushClipRect(area.min, area.max, true);
-  drawn.cut = draw_names(list, area, curves, mouse);
+  drawn.cut = curves.names.draw(list, area, mouse);
   draw_safe_window(list, curves, drawn.frame);
   drawn.hovered = nearest(curves, drawn.frame, mouse);
   const auto strong = drawn.hovered ? drawn.hovered : marked;
   if (strong) {
-    const float x = std::round(drawn.frame.at(curves.rows[*strong].knob, 0).x);
+    const float x = std::round(drawn.frame.at(rows[*strong].knob, 0).x);
     list.AddLine({x, drawn.frame.inner.min.y}, {x, drawn.frame.inner.max.y}, colour_u32(palette().text_quiet));
   }
   for (const Method method : {Method::robust, Method::naive}) draw_curve(list, curves, drawn.frame, method, strong);
-  for (std::size_t i = 0; i < curves.rows.size(); ++i) {
-    const StabilityRow& row = curves.rows[i];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ExperimentFigure::Row& row = rows[i];
     const ImVec2 at = drawn.frame.at(row.knob, std::isfinite(row.naive) ? row.naive : row.robust);
     controls().record(fmt::format("point/{}", i), {at.x - 2, at.y - 2}, {at.x + 2, at.y + 2},
                       fmt::format("{} {}", full_number(row.naive), full_number(row.robust)));

@@ -5,15 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "gui/panels/studies/method_signs.h"
 #include "gui/panels/studies/plot_frame.h"
-#include "study/stability/experiment.h"
+#include "study/stability/figures.h"
 
 namespace ps::gui {
 
 /// Naive beside robust over a knob.
 struct Curves {
-  std::vector<StabilityRow> rows;  ///< of one series, in the order of the knob
-  std::string knob, naive, robust, unit;
+  ExperimentFigure figure;  ///< a curve
+  std::string knob;
+  MethodNames names;
   SafeWindow safe;  ///< where the naive method may be used
 };
 
@@ -24,7 +26,7 @@ struct CurvesDrawn {
   std::string cut;  ///< the name under the mouse in full, if it was cut
 };
 
-/// Draws both curves with their names. Purple crosses are the naive method, green rings the robust one. `marked` is a
+/// Draws both curves with their names. Points are joined where something lies between them. `marked` is a
 /// row that is pointed out.
 CurvesDrawn draw_curves(ImDrawList& list, const Area& area, const Curves& curves, ImVec2 mouse,
                         std::optional<std::size_t> marked);

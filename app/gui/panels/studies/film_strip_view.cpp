@@ -5,18 +5,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "gui/panels/studies/plot_frame.h"
 #include "gui/widgets/widgets.h"
+#include "study/stability/figures.h"
 
 namespace ps::gui {
 namespace {
+
+constexpr FilmStripOptions strip_options{.frame_height = 240, .gap = 4};
+constexpr int methods = 3;             // rows: naive, robust, where they differ
+constexpr double largest_frame = 240;  // height in pixels at scale 1
+constexpr double between_frames = 8, lines_height = 26;
+
+/// Where the frames lie in the window.
+struct FrameLayout {
+  ImVec2 corner{0, 0};
+  float slot = 0;  ///< width of a column
+  ImVec2 frame{0, 0};
+  ImVec2 of(int column, int row) const {
+    return {std::round(corner.x + slot * static_cast<float>(column) + (slot - frame.x) / 2),
+            std::round(corner.y + static_cast<float>(row) * (frame.y + px(4)))};
+  }
+  float height() const { return methods * frame.y + (methods - 1) * px(4); }
+};
+
+/// As large as the columns are wide. Rows that are out of sight are scrolled to.
+FrameLayout layout_of(float width, int frames, float shape) {
+  FrameLayout layout;
+  layout.slot = width / static_cast<float>(frames);
+  layout.frame.x = std::min(layout.slot - px(between_frames), px(largest_frame) * shape);
+  layout.frame.y = layout.frame.x / shape;
+  return layout;
+}
+
+/// Which frame of the strip stands in each column: from left to right as on the axis above.
+std::vector<int> columns_of(const StabilityExperiment& experiment, const PlotFrame* above) {
+  std::vector<int> frames(experiment.frames.size());
+  std::iota(frames.begin(), frames.end(), 0);
+  const auto knob = [&](int i) { return experiment.frames[static_cast<std::size_t>(i)]; };
+  if (above) std::stable_sort(frames.begin(), frames.end(), [&](int a, int b) { return knob(a) < knob(b); });
+  return frames;
+}
+
+/// From the places of the knobs on the axis above down to their frames.
+void draw_lines(ImDrawList& list, const FrameLayout& layout, const std::vector<double>& knobs, const PlotFrame& above,
+                float top, float bottom) {
+  for (std::size_t i = 0; i < knobs.size(); ++i) {
+    const float from = above.at(knobs[i], 0).x;
+    const float to = layout.of(static_cast<int>(i), 0).x + layout.frame.x / 2;
+    list.AddLine({from, top}, {to, bottom}, colour_u32(palette().line_strong), px(1));
+    const float foot = above.inner.max.y;
+    list.AddTriangleFilled({from - px(4), foot + px(1)}, {from + px(4), foot + px(1)}, {from, foot - px(6)},
+                           colour_u32(palette().text_quiet));
+  }
+}
 
 void make(FilmStripState& state, const StabilityExperiment& experiment) {
   if (state.wanted == experiment.key) return;
   state.wanted = experiment.key;
   state.study.start([&experiment](StudyControl& control, const BackgroundStudy<FilmStrip>::Publish& publish) {
-    auto picture = film_strip(experiment, {}, control.progress());
+    auto picture = film_strip(experiment, strip_options, control.progress());
     if (picture)
       publish(std::make_shared<const FilmStrip>(FilmStrip{std::string(experiment.key), std::move(*picture)}),
               {1, 1, 0});
@@ -25,7 +76,8 @@ void make(FilmStripState& state, const StabilityExperiment& experiment) {
 
 }  // namespace
 
-std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment) {
+std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment,
+                                      const PlotFrame* above) {
   if (!experiment.picture || experiment.frames.empty()) return {};
   make(state, experiment);
   const auto found = state.study.found();
@@ -38,47 +90,61 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
     state.texture.upload(found->picture);
     state.texture.set_shrunk(true);
   }
-  const auto w = static_cast<float>(state.texture.width()), h = static_cast<float>(state.texture.height());
-  const float room_below = std::max(ImGui::GetContentRegionAvail().y - px(66), px(160));  // all rows in sight at once
-  const float shrink =
-      std::min({1.f, ImGui::GetContentRegionAvail().x / std::max(w, 1.f), room_below / std::max(h, 1.f)});
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size{std::floor(w * shrink), std::floor(h * shrink)};
-  const auto frames = static_cast<float>(experiment.frames.size());
+  const int frames = static_cast<int>(experiment.frames.size());
+  const auto width = static_cast<float>(state.texture.width()), height = static_cast<float>(state.texture.height());
+  const float gap = strip_options.gap, frame_height = strip_options.frame_height;
+  const float frame_width = (width - gap * static_cast<float>(frames - 1)) / static_cast<float>(frames);
   ImFont* font = theme().font(Face::small);
   auto& list = *ImGui::GetWindowDrawList();
-  const float line = font->FontSize + px(3);
-  const std::string above = "Rows: naive, robust, where they differ. A click opens the frame in A and B.";
-  const std::string below_it = fmt::format("Columns: {}.", experiment.knob);
-  ImGui::Dummy({size.x, 2 * line});
-  list.AddText(font, font->FontSize, at, colour_u32(palette().text_quiet), above.c_str());
-  list.AddText(font, font->FontSize, {at.x, at.y + line}, colour_u32(palette().text_quiet), below_it.c_str());
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const bool clicked = ImGui::InvisibleButton("strip", {std::max(size.x, 1.f), std::max(size.y, 1.f)});
+  const float line = font->FontSize + px(3), lines = above ? px(lines_height) : px(4);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+  FrameLayout layout = layout_of(room.x, frames, frame_width / frame_height);
+  layout.corner = {at.x, at.y + lines + line};
+  const std::vector<int> columns = columns_of(experiment, above);
+  std::vector<double> knobs;
+  for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
+  if (above) draw_lines(list, layout, knobs, *above, at.y, at.y + lines);
+  for (int i = 0; i < frames; ++i) {
+    const std::string text = axis_number(knobs[static_cast<std::size_t>(i)]);
+    const float half = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x / 2;
+    const float middle = layout.of(i, 0).x + layout.frame.x / 2;
+    list.AddText(font, font->FontSize, {std::round(middle - half), at.y + lines}, colour_u32(palette().text),
+                 text.c_str());
+  }
+  ImGui::Dummy({room.x, lines + line});
+  ImGui::SetCursorScreenPos(layout.corner);
+  const bool clicked = ImGui::InvisibleButton("strip", {room.x, std::max(layout.height(), 1.f)});
   controls().record("strip", std::string(experiment.key));
-  const bool over = ImGui::IsItemHovered();
-  list.AddImage(state.texture.id(), corner, {corner.x + size.x, corner.y + size.y});
-  const float step = size.x / frames;
-  const int under = over ? std::clamp(static_cast<int>((ImGui::GetIO().MousePos.x - corner.x) / step), 0,
-                                      static_cast<int>(frames) - 1)
-                         : -1;
-  const ImVec2 below{corner.x, corner.y + size.y};
-  float written_to = below.x;
-  for (int i = 0; i < static_cast<int>(experiment.frames.size()); ++i) {
-    const float left = corner.x + step * static_cast<float>(i);
-    const std::string text = axis_number(experiment.frames[static_cast<std::size_t>(i)]);
-    if (left + px(2) >= written_to) {  // else it would run into the one before
-      list.AddText(font, font->FontSize, {left + px(2), below.y + px(2)}, colour_u32(palette().text), text.c_str());
-      written_to = left + px(8) + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const int under = ImGui::IsItemHovered()
+                        ? std::clamp(static_cast<int>((mouse.x - layout.corner.x) / layout.slot), 0, frames - 1)
+                        : -1;
+  for (int i = 0; i < frames; ++i) {
+    const float u = (frame_width + gap) * static_cast<float>(columns[static_cast<std::size_t>(i)]) / width;
+    for (int row = 0; row < methods; ++row) {
+      const ImVec2 low = layout.of(i, row), high{low.x + layout.frame.x, low.y + layout.frame.y};
+      const float v = (frame_height + gap) * static_cast<float>(row) / height;
+      list.AddImage(state.texture.id(), low, high, {u, v}, {u + frame_width / width, v + frame_height / height});
     }
+    const ImVec2 low = layout.of(i, 0), last = layout.of(i, methods - 1);
+    const ImVec2 high{last.x + layout.frame.x, last.y + layout.frame.y};
     if (i == under) {
-      list.AddRect({left, corner.y}, {left + step, below.y}, colour_u32(palette().attention), 0, 0, px(3));
+      list.AddRect(low, high, colour_u32(palette().attention), 0, 0, px(3));
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     }
-    controls().record(fmt::format("frame/{}", i), {left, corner.y}, {left + step, below.y}, text);
+    controls().record(fmt::format("frame/{}", i), low, high, axis_number(knobs[static_cast<std::size_t>(i)]));
   }
-  ImGui::Dummy({size.x, line});
+  {
+    const FontScope small(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted(fmt::format("Columns: {}. Rows: naive, robust, where they differ. A click opens the frame "
+                                       "in A and B.",
+                                       knob_title(experiment, experiment.series.front()))
+                               .c_str());
+    ImGui::PopStyleColor();
+  }
   if (!clicked || under < 0) return {};
-  return experiment.frames[static_cast<std::size_t>(under)];
+  return knobs[static_cast<std::size_t>(under)];
 }
 
 }  // namespace ps::gui

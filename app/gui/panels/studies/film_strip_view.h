@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gui/panels/studies/background_study.h"
+#include "gui/panels/studies/plot_frame.h"
 #include "gui/platform/texture.h"
 #include "study/stability/pictures.h"
 
@@ -25,8 +26,10 @@ struct FilmStripState {
   BackgroundStudy<FilmStrip> study;
 };
 
-/// The strip of the experiment, `width` wide at most. Answers the knob of the frame that was clicked. Draws nothing for
-/// an experiment without pictures.
-std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment);
+/// The strip of the experiment over the whole width: above each frame its knob, with a line from there to the knob's
+/// place on the axis of the plot `above`, if there is one over the same knob. Answers the knob of the frame that was
+/// clicked. Draws nothing for an experiment without pictures.
+std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment,
+                                      const PlotFrame* above);
 
 }  // namespace ps::gui

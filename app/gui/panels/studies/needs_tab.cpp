@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <array>
 
+#include "document/number_list.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/studies/needs_view.h"
 #include "gui/shell/values.h"
 #include "gui/widgets/widgets.h"
+#include "options/option.h"
 #include "options/scene_settings.h"
+#include "study/needs_words.h"
 
 namespace ps::gui {
 namespace {
@@ -39,10 +42,43 @@ void measure(Session& session, NeedsTabState& state) {
   });
 }
 
-void run_buttons(Session& session, NeedsTabState& state) {
+/// Begins to estimate what the search will take, if that is not known for these settings and this view.
+void keep_estimate(const Session& session, NeedsTabState& state) {
+  const Document& document = session.document();
+  const View view = session.view();
+  std::string wanted =
+      fmt::format("{} {}x{} {} {}", document.scene_name, view.width, view.height, camera_text(view.camera),
+                  fmt::join(changed_options(session.settings(state.side)), ";"));
+  for (const SceneEdit& edit : document.edits) wanted += fmt::format(" {}={}", edit.path, edit.value);
+  if (state.estimated == wanted || state.study.running()) return;
+  state.estimated = std::move(wanted);
+  NeedsRequest request;
+  request.scene = session.scene();
+  request.view = view;
+  request.base = session.settings(state.side);
+  request.priority = WorkerPriority::background;
+  state.estimate.start(
+      [request = std::move(request)](StudyControl& control, const NeedsEstimateStudy::Publish& publish) {
+        publish(std::make_shared<const NeedsEstimate>(estimate_needs(request, control)), {1, 1, 0});
+      });
+}
+
+/// "Find out (at least about 12 s, 40 pictures)"
+std::string measure_label(const NeedsTabState& state) {
+  const char* word = state.needs ? "Find again" : "Find out";
+  const auto estimate = state.estimate.found();
+  if (!estimate)
+    return fmt::format("{} ({})", word,
+                       state.estimate.state() == StudyState::failed ? "time unknown" : "time not known yet");
+  return fmt::format("{} (at least {})", word, estimate_text(estimate->least));
+}
+
+void run_buttons(Session& session, NeedsTabState& state, const std::string& label) {
   if (!state.study.running()) {
-    if (button("measure", state.needs ? "Find again" : "Find out", Emphasis::primary,
-               {.tooltip = "Renders the scene without each feature, then searches for the cheapest settings."}))
+    if (button("measure", label, Emphasis::primary,
+               {.tooltip =
+                    "Renders the scene without each feature, then searches for the cheapest settings. The time is "
+                    "estimated from small pictures; each saving that is found adds a round."}))
       measure(session, state);
     return;
   }
@@ -65,8 +101,13 @@ bool toolbar(Session& session, NeedsTabState& state, bool filled) {
   ImGui::SameLine(0, px(6));
   number("tolerance", state.tolerance, {.minimum = 0, .maximum = 0.5},
          {.tooltip = "Drag it, or turn the wheel over it.", .width = px(110)});
-  same_line_if_room(button_width("Find again"), px(12));
-  run_buttons(session, state);
+  ImGui::SameLine(0, px(6));
+  ImGui::AlignTextToFramePadding();
+  value_text("tolerance-words", fmt::format("FLIP: {}", tolerance_words(state.tolerance)));
+  keep_estimate(session, state);
+  const std::string label = measure_label(state);
+  same_line_if_room(button_width(state.study.running() ? "Find again" : label), px(12));
+  run_buttons(session, state, label);
   same_line_if_room(button_width("Fill"), px(8));
   return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
 }
@@ -95,28 +136,44 @@ std::string state_line(const NeedsTabState& state) {
 
 std::string steps_text(std::size_t count) { return fmt::format("{} step{}", count, count == 1 ? "" : "s"); }
 
-void invitation() {
+void invitation(const NeedsTabState& state) {
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
   ImGui::TextWrapped(
       "What does this scene need? Each feature is switched off once, to see how much of the picture and of the time "
       "depends on it. Then the cheapest settings are searched for whose worst tile differs by at most the tolerance.");
+  if (const auto estimate = state.estimate.found())
+    ImGui::TextWrapped("This takes at least %s. Each saving that is found adds a round of up to %s.",
+                       estimate_text(estimate->least).c_str(), estimate_text(estimate->round).c_str());
   ImGui::PopStyleColor();
+}
+
+void wrapped(const char* name, const std::string& text) {
+  ImGui::TextWrapped("%s", text.c_str());
+  controls().record(name, text);
+}
+
+/// What the scene needs, in words: known as soon as every feature was tried.
+void needs_in_words(const NeedsTabState& state) {
+  const std::string text = needs_sentence(state.scene_name, *state.needs);
+  if (text.empty()) return;
+  const FontScope bold(Face::bold);
+  wrapped("needs", text);
 }
 
 void advice(Session& session, NeedsTabState& state) {
   const Needs& needs = *state.needs;
   const NeedsAdvice words = needs_advice(needs, state.base);
-  {
-    const FontScope bold(Face::bold);
-    ImGui::TextWrapped("%s", words.verdict.c_str());
-  }
-  controls().record("verdict", words.verdict);
+  wrapped("verdict", words.verdict);
   if (words.changes.empty()) return;
-  for (const auto& [name, text] :
-       {std::pair{"changes", words.changes}, std::pair{"saving", words.saving}, std::pair{"time", words.time}}) {
-    ImGui::TextWrapped("%s", text.c_str());
-    controls().record(name, text);
+  wrapped("words", fmt::format("Cheapest settings that stay within the tolerance: {}.", words.words));
+  {
+    const FontScope small(Face::small);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    wrapped("changes", words.changes);
+    wrapped("saving", words.saving);
+    wrapped("time", words.time);
+    ImGui::PopStyleColor();
   }
   const bool other_scene = session.document().scene_name != state.scene_name;
   const bool applied = session.settings(state.measured_side) == needs.advice;
@@ -148,10 +205,11 @@ bool needs_tab(Session& session, NeedsTabState& state, bool filled) {
   }
   ImGui::BeginChild("result");
   if (!state.needs) {
-    invitation();
+    invitation(state);
   } else {
+    needs_in_words(state);
     if (state.study.state() == StudyState::done) advice(session, state);
-    needs_shares(*state.needs, state.study.state() == StudyState::done);
+    needs_shares(*state.needs, state.study.state() == StudyState::done, state.thumbnails);
     if (!state.needs->trail.empty() &&
         section("trail", "The search", state.trail_open, steps_text(state.needs->trail.size())))
       needs_trail(*state.needs);
@@ -166,6 +224,7 @@ void publish_needs(const NeedsTabState& state) {
   if (!state.needs) return;
   const Needs& needs = *state.needs;
   out.publish("needs/error", needs.error);
+  out.publish("needs/sentence", needs_sentence(state.scene_name, needs));
   out.publish("needs/work", needs.work);
   out.publish("needs/default-work", needs.default_work);
   out.publish("needs/advice", fmt::format("{}", fmt::join(settings_difference(state.base, needs.advice), ";")));

@@ -3,16 +3,19 @@
 #include <memory>
 
 #include "gui/panels/studies/background_study.h"
+#include "gui/panels/studies/needs_view.h"
 #include "gui/session/session.h"
+#include "study/estimate.h"
 #include "study/needs.h"
 
 namespace ps::gui {
 
 using NeedsStudy = BackgroundStudy<Needs>;
+using NeedsEstimateStudy = BackgroundStudy<NeedsEstimate>;
 
 /// What the advice remembers of itself.
 struct NeedsTabState {
-  explicit NeedsTabState(const std::function<void()>& wake) : study(wake) {}
+  explicit NeedsTabState(const std::function<void()>& wake) : study(wake), estimate(wake) {}
 
   Side side = Side::a;
   double tolerance = NeedsRequest{}.tolerance;
@@ -21,8 +24,11 @@ struct NeedsTabState {
   Settings base;                       ///< those settings
   std::string scene_name;              ///< the scene they were measured with
   std::shared_ptr<const Needs> needs;  ///< as far as it is known
+  NeedsThumbnails thumbnails;
+  std::string estimated;  ///< what `estimate` was begun for
 
   NeedsStudy study;
+  NeedsEstimateStudy estimate;  ///< of what the search will take at least
 };
 
 /// Each feature's share of picture and cost, and the cheapest settings within a tolerance. `filled`: it has the whole

@@ -11,12 +11,15 @@
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "options/scene_settings.h"
+#include "study/needs_words.h"
+#include "study/setting_words.h"
 
 namespace ps::gui {
 namespace {
 
-constexpr double number_width = 62, least_bar = 30;  // pixels at scale 1
-constexpr double least_shown = 0.03;                 // share of a time; less is noise whatever the quartiles say
+constexpr double number_width = 62, least_bar = 30;           // pixels at scale 1
+constexpr double thumbnail_height = 64, large_picture = 300;  // pixels at scale 1
+constexpr double least_shown = 0.03;  // share of a time; less is noise whatever the quartiles say
 
 /// A number with a bar of that share of the cell, and a line at `limit` if there is one.
 void bar_cell(std::string_view name, double share, const std::string& text, std::optional<double> limit = {}) {
@@ -76,6 +79,30 @@ void time_cell(const FeatureShare& share) {
   controls().record("time", text);
 }
 
+float thumbnail_width(const Needs& needs) {
+  if (!needs.picture || needs.picture->height() < 1) return px(thumbnail_height);
+  return px(thumbnail_height) * static_cast<float>(needs.picture->width()) /
+         static_cast<float>(needs.picture->height());
+}
+
+void thumbnail_cell(NeedsThumbnails& thumbnails, std::string_view name,
+                    const std::shared_ptr<const Image<Rgb8>>& picture) {
+  ImGui::TableNextColumn();
+  if (!picture) return;
+  NeedsThumbnails::One& one = thumbnails.pictures[std::string(name)];
+  if (one.of != picture) {
+    one.of = picture;
+    one.texture.upload(*picture);
+    one.texture.set_shrunk(true);
+  }
+  const float shape = static_cast<float>(picture->width()) / static_cast<float>(std::max(picture->height(), 1));
+  ImGui::Image(one.texture.id(), {px(thumbnail_height) * shape, px(thumbnail_height)});
+  controls().record("thumbnail", fmt::format("{}x{}", picture->width(), picture->height()));
+  if (!begin_tooltip()) return;
+  ImGui::Image(one.texture.id(), {px(large_picture) * shape, px(large_picture)});
+  end_tooltip();
+}
+
 void free_features(const Needs& needs) {
   for (const FeatureShare& share : needs.shares) {
     if (share.used) continue;
@@ -111,6 +138,7 @@ bool needs_time_shown(const FeatureShare& share) {
 NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   NeedsAdvice words;
   words.changes = changes_text(base, needs.advice);
+  words.words = settings_in_words(words.changes);
   if (words.changes.empty()) {
     words.verdict = "The scene needs all its settings: none can be made cheaper within the tolerance.";
     return words;
@@ -119,9 +147,9 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
                           ? 100.0 * (1 - static_cast<double>(needs.work) / static_cast<double>(needs.default_work))
                           : 0;
   if (needs.within_tolerance)
-    words.verdict =
-        fmt::format("{:.0f} % of the counted work can be saved; the worst tile then differs by {} (allowed: {}).", work,
-                    short_number(needs.error), short_number(needs.tolerance));
+    words.verdict = fmt::format(
+        "{:.0f} % of the counted work can be saved; the worst tile then differs by a FLIP of {} (allowed: {}, {}).",
+        work, short_number(needs.error), short_number(needs.tolerance), tolerance_words(needs.tolerance));
   else
     words.verdict = fmt::format("The current settings are not enough: the worst tile differs by {} from the reference. "
                                 "The cheapest settings within {} differ by {}{}.",
@@ -135,7 +163,7 @@ NeedsAdvice needs_advice(const Needs& needs, const Settings& base) {
   return words;
 }
 
-void needs_shares(const Needs& needs, bool timed) {
+void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
   double largest = needs.tolerance * 1.5;
   bool any = false;
   for (const FeatureShare& share : needs.shares) {
@@ -143,14 +171,16 @@ void needs_shares(const Needs& needs, bool timed) {
     any = any || share.used;
   }
   ImGui::Spacing();
-  if (any && ImGui::BeginTable("shares", timed ? 4 : 3, ImGuiTableFlags_SizingStretchProp)) {
-    ImGui::TableSetupColumn("feature", ImGuiTableColumnFlags_WidthStretch, 1.1f);
+  if (any && ImGui::BeginTable("shares", timed ? 5 : 4, ImGuiTableFlags_SizingStretchProp)) {
+    ImGui::TableSetupColumn("thumbnail", ImGuiTableColumnFlags_WidthFixed, thumbnail_width(needs));
+    ImGui::TableSetupColumn("feature", ImGuiTableColumnFlags_WidthStretch, 0.8f);
     for (const char* name : {"picture", "work", "time"})
       if (timed || std::string_view(name) != "time")
         ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, 1);
     ImGui::TableNextRow();
+    column_heading("Picture", "The picture without the feature.");
     column_heading("Without", "The feature that is switched off.");
-    column_heading("Picture changes by",
+    column_heading("Picture changes by, FLIP of the worst tile",
                    "Mean FLIP of the worst tile against the reference. The line marks the tolerance.");
     column_heading("Work saved", "Fraction of the rays, intersection tests, fragments and texel reads.");
     if (timed)
@@ -158,10 +188,19 @@ void needs_shares(const Needs& needs, bool timed) {
           "Time saved",
           "Fraction of the time of one picture on this computer. Below 0: the picture takes longer without it. Within "
           "noise: the interquartile ranges of the runs overlap, or the times differ by less than 3 %.");
+    if (needs.picture) {
+      ImGui::TableNextRow();
+      thumbnail_cell(thumbnails, "", needs.picture);
+      name_cell("nothing: as it is");
+      ImGui::TableNextColumn();
+      bar_cell("as-it-is", needs.default_error / largest, fmt::format("{:.3f}", needs.default_error),
+               needs.tolerance / largest);
+    }
     for (const FeatureShare& share : needs.shares) {
       if (!share.used) continue;
       const NameScope scope(share.feature.name);
       ImGui::TableNextRow();
+      thumbnail_cell(thumbnails, share.feature.name, share.picture);
       name_cell(share.feature.label);
       ImGui::TableNextColumn();
       bar_cell("picture", share.error_without / largest, fmt::format("{:.3f}", share.error_without),
@@ -196,8 +235,9 @@ void needs_trail(const Needs& needs) {
     if (step.accepted) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, colour_u32(palette().selection));
     ImGui::TableNextColumn();
     if (step.accepted) ImGui::TextUnformatted("taken");
-    name_cell(step.change);
+    name_cell(setting_words(step.change));
     controls().record(fmt::format("trail/{}", i), step.change);
+    tooltip(step.change);
     ImGui::TableNextColumn();
     number_text(fmt::format("{:.3f}", step.error), 0, full_number(step.error));
     ImGui::TableNextColumn();

@@ -68,6 +68,27 @@ void draw_y_axis(const Pen& pen, const PlotFrame& frame) {
   }
 }
 
+/// Two strokes across an axis that leaps from zero to its smallest value.
+void draw_break(const Pen& pen, ImVec2 at, bool along_x) {
+  const float r = px(5), apart = px(3);
+  for (const float side : {-1.0f, 1.0f}) {
+    const ImVec2 middle{at.x + (along_x ? side * apart : 0), at.y + (along_x ? 0 : side * apart)};
+    const ImVec2 tilt = along_x ? ImVec2{px(2.5), r} : ImVec2{r, px(2.5)};
+    pen.list.AddLine({middle.x - tilt.x, middle.y + tilt.y}, {middle.x + tilt.x, middle.y - tilt.y},
+                     colour_u32(palette().text), px(1.5));
+  }
+  pen.list.AddLine({at.x - (along_x ? px(1.5) : 0), at.y - (along_x ? 0 : px(1.5))},
+                   {at.x + (along_x ? px(1.5) : 0), at.y + (along_x ? 0 : px(1.5))}, colour_u32(palette().field),
+                   px(3));
+}
+
+void draw_breaks(const Pen& pen, const PlotFrame& frame) {
+  if (const auto place = frame.x.break_place())
+    draw_break(pen, {frame.inner.min.x + frame.inner.width() * static_cast<float>(*place), frame.inner.max.y}, true);
+  if (const auto place = frame.y.break_place())
+    draw_break(pen, {frame.inner.min.x, frame.inner.max.y - frame.inner.height() * static_cast<float>(*place)}, false);
+}
+
 }  // namespace
 
 std::string axis_number(double value) { return power_text(value, short_number(value)); }
@@ -93,6 +114,7 @@ PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const PlotAxis& x,
   draw_x_axis(pen, frame);
   draw_y_axis(pen, frame);
   list.AddRect(frame.inner.min, frame.inner.max, colour_u32(palette().line_strong));
+  draw_breaks(pen, frame);
   pen.write({area.min.x, area.min.y}, titles.y);
   const float middle = (frame.inner.min.x + frame.inner.max.x - pen.size_of(titles.x).x) / 2;
   pen.write({std::max(area.min.x, middle), area.max.y - line}, titles.x);

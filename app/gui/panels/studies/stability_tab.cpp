@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "gui/panels/studies/bar_plot.h"
 #include "gui/shell/values.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
@@ -14,8 +15,10 @@
 namespace ps::gui {
 namespace {
 
-constexpr double list_width = 290, narrow = 640, little_height = 330;  // pixels at scale 1
-constexpr float curves_share = 0.52f;                                  // of the height, above a film strip
+constexpr double list_width = 290, wide_list = 350, room_for_wide_list = 1100, narrow = 640,
+                 little_height = 330;  // pixels at scale 1
+constexpr double least_plot = 230;     // below it, the rest is scrolled to
+constexpr float curves_share = 0.42f;  // of the height, above a film strip
 
 const StabilityExperiment& selected(const StabilityTabState& state) {
   for (const StabilityExperiment& experiment : stability_experiments())
@@ -61,18 +64,30 @@ void select(StabilityTabState& state, const StabilityExperiment& experiment) {
     begin(state, {std::string(experiment.key)}, StabilityRequest::Kept::take);
 }
 
-/// "6.1 / 0": the worst of the naive method in the series shown first, with the robust one at the same place.
-std::string worst_text(const std::vector<StabilityRow>& rows) {
-  const std::string series = default_series(rows);
-  const StabilityRow* worst = nullptr;
-  for (const StabilityRow& row : rows)
-    if (row.series == series && !std::isnan(row.naive) && (!worst || row.naive > worst->naive)) worst = &row;
-  return worst ? fmt::format("{} / {}", short_number(worst->naive), short_number(worst->robust)) : "";
+/// "worst: 6.1 %, robust 0": the worst of the naive method in the figure shown first, with the robust one at its place.
+std::string worst_text(const StabilityExperiment& experiment, const std::vector<StabilityRow>& rows) {
+  const auto figures = experiment_figures(experiment, rows);
+  if (figures.empty()) return "";
+  const auto worst = worst_row(figures.front());
+  if (!worst) return "";
+  const std::string naive = result_text(worst->naive, worst->naive);
+  const std::string unit(figures.front().quantity->unit);
+  if (std::isnan(worst->robust)) return fmt::format("worst: {} {}", naive, unit);
+  const double scale = std::max(std::abs(worst->naive), std::abs(worst->robust));
+  return fmt::format("worst: {} {}, robust {}", naive, unit, result_text(worst->robust, scale));
 }
 
-/// One experiment of the list: its title, and what came out.
+const std::string& kept_worst_text(StabilityTabState& state, const StabilityExperiment& experiment) {
+  const auto [kept, is_new] = state.worst.try_emplace(std::string(experiment.key));
+  if (is_new) kept->second = worst_text(experiment, state.measured.find(experiment.key)->second.rows);
+  return kept->second;
+}
+
+/// One experiment of the list: its title, and below it what came out.
 void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
-  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  const float small_line = theme().font(Face::small)->FontSize;
+  const float width = ImGui::GetContentRegionAvail().x, title = ImGui::GetTextLineHeight() + px(5);
+  const float height = title + small_line + px(5);
   const bool clicked = hit_area(experiment.key, {width, height}, {});
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   auto& list = *ImGui::GetWindowDrawList();
@@ -80,17 +95,15 @@ void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
   if (shown || ImGui::IsItemHovered())
     list.AddRectFilled(min, max, colour_u32(shown ? palette().selection : palette().field_hover), px(3));
   if (shown) list.AddRectFilled(min, {min.x + px(3), max.y}, colour_u32(palette().text));
-  const std::string note = state.study.running() && state.taken && state.taken->now == experiment.key ? "..."
-                           : complete(state, experiment.key)
-                               ? worst_text(state.measured.find(experiment.key)->second.rows)
-                               : "";
-  float note_width = 0;
+  const std::string note = state.study.running() && state.taken && state.taken->now == experiment.key ? "measuring"
+                           : complete(state, experiment.key) ? kept_worst_text(state, experiment)
+                                                             : "not measured yet";
+  draw_text({min.x + px(8), min.y}, {max.x - px(4), min.y + title}, experiment.title, palette().text, 0);
   {
     const FontScope small(Face::small);
-    note_width = note.empty() ? 0 : text_width(note) + px(12);
-    draw_text({max.x - note_width, min.y}, {max.x - px(6), max.y}, note, palette().text_quiet, 1);
+    draw_text({min.x + px(8), min.y + title}, {max.x - px(4), max.y - px(4)}, note, palette().text_quiet, 0);
   }
-  draw_text({min.x + px(8), min.y}, {max.x - note_width - px(4), max.y}, experiment.title, palette().text, 0);
+  if (text_width(experiment.title) > width - px(12)) tooltip(experiment.title);
   controls().record(experiment.key, note);
   if (clicked) select(state, experiment);
 }
@@ -185,116 +198,141 @@ void experiment_choice(StabilityTabState& state) {
     select(state, stability_experiments()[static_cast<std::size_t>(index)]);
 }
 
-std::vector<std::string> series_of(const std::vector<StabilityRow>& rows) {
-  std::vector<std::string> names;
-  for (const StabilityRow& row : rows)
-    if (std::find(names.begin(), names.end(), row.series) == names.end()) names.push_back(row.series);
-  return names;
+/// The figure that is chosen, or the first one.
+std::size_t shown_figure(const StabilityTabState& state, const std::vector<ExperimentFigure>& figures) {
+  const auto chosen =
+      std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.name == state.series; });
+  return chosen == figures.end() ? 0 : static_cast<std::size_t>(chosen - figures.begin());
 }
 
-/// The chosen series, or the default series of the rows that have arrived.
-std::string shown_series(const StabilityTabState& state, const std::vector<StabilityRow>& rows) {
-  const bool chosen =
-      std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.series == state.series; });
-  return chosen ? state.series : default_series(rows);
-}
-
-void series_choice(StabilityTabState& state, const std::vector<StabilityRow>& rows) {
-  const auto names = series_of(rows);
-  if (names.size() < 2) return;
-  const std::string shown = shown_series(state, rows);
+void figure_choice(StabilityTabState& state, const std::vector<ExperimentFigure>& figures) {
+  if (figures.size() < 2) return;
+  int index = static_cast<int>(shown_figure(state, figures));
   std::vector<Choice> choices;
-  int index = 0;
   float widest = 0;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == shown) index = static_cast<int>(i);
-    choices.push_back({names[i], names[i], ""});
-    widest = std::max(widest, ImGui::CalcTextSize(names[i].c_str()).x);
+  for (const ExperimentFigure& figure : figures) {
+    choices.push_back({figure.name, figure.name, figure.quantity->title});
+    widest = std::max(widest, ImGui::CalcTextSize(figure.name.c_str()).x);
   }
   const float room = ImGui::GetFrameHeight() + px(16);  // for the arrow and the frame
   if (choice("series", choices, index, {.width = std::min(widest + room, ImGui::GetContentRegionAvail().x)}))
-    state.series = names[static_cast<std::size_t>(index)];
+    state.series = figures[static_cast<std::size_t>(index)].name;
 }
 
-void explanation(const StabilityExperiment& experiment) {
+void explanation(const StabilityExperiment& experiment, std::span<const StabilityRow> rows) {
   {
     const FontScope bold(Face::bold);
     ImGui::TextWrapped("%s", std::string(experiment.title).c_str());
   }
   ImGui::TextWrapped("%s", std::string(experiment.explanation).c_str());
+  if (const std::string first = first_figure_text(experiment, rows); !first.empty()) {
+    ImGui::TextWrapped("%s", first.c_str());
+    controls().record("first", first);
+  }
+  const FontScope small(Face::small);
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("Safe: %s", std::string(experiment.safe).c_str());
-  ImGui::TextWrapped("Set-up: %s", std::string(set_up_text(experiment.set_up)).c_str());
+  ImGui::TextWrapped("Safe: %s Set-up: %s.", std::string(experiment.safe).c_str(),
+                     std::string(set_up_text(experiment.set_up)).c_str());
   ImGui::PopStyleColor();
   controls().record("explanation", std::string(experiment.explanation));
   controls().record("set-up", std::string(set_up_text(experiment.set_up)));
 }
 
-void point_tooltip(const Curves& curves, const StabilityRow& row, bool has_picture) {
+void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool has_picture) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(fmt::format("{}: {}", curves.knob, short_number(row.knob)).c_str());
   for (const auto& [name, value] : {std::pair{"naive", row.naive}, std::pair{"robust", row.robust}})
     if (!std::isnan(value))
-      ImGui::TextUnformatted(fmt::format("{}: {} {}", name, short_number(value), row.unit).c_str());
-  ImGui::TextUnformatted(curves.safe.holds(row.knob) ? "inside the safe window" : "outside the safe window");
+      ImGui::TextUnformatted(fmt::format("{}: {} {}", name, short_number(value), curves.figure.quantity->unit).c_str());
+  if (!curves.safe.empty())
+    ImGui::TextUnformatted(curves.safe.holds(row.knob) ? "inside the safe window" : "outside the safe window");
   if (has_picture) ImGui::TextUnformatted("Click: opens it in A (naive) and B (robust).");
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }
 
-void curves_area(StabilityTabState& state, const StabilityExperiment& experiment, float height) {
-  const ImVec2 at = ImGui::GetCursorScreenPos(), room{ImGui::GetContentRegionAvail().x, height};
-  if (room.x < px(80)) return;
-  const Area area{at, {at.x + room.x, at.y + room.y}};
-  const bool clicked = ImGui::InvisibleButton("plot", room);
-  controls().record("plot", fmt::format("{:.0f}x{:.0f}", room.x, room.y));
-  const bool over = ImGui::IsItemHovered();
-  auto& list = *ImGui::GetWindowDrawList();
-  const auto found = state.measured.find(experiment.key);
-  if (found == state.measured.end() || found->second.rows.empty()) {
-    list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
-    const bool now = state.taken && state.taken->now == experiment.key;
-    const char* text = !state.study.running() ? "Not measured yet: press Measure."
-                       : now                  ? "Measuring."
-                                              : "Not measured yet: others are being measured.";
-    draw_text(area.min, area.max, text, palette().text_quiet, 0.5f);
-    return;
-  }
-  Curves curves;
-  curves.knob = experiment.knob;
-  curves.naive = experiment.naive;
-  curves.robust = experiment.robust;
-  curves.safe = experiment.window;
-  const std::string series = shown_series(state, found->second.rows);
-  for (const StabilityRow& row : found->second.rows)
-    if (row.series == series) curves.rows.push_back(row);
-  if (curves.rows.empty()) return;
-  curves.unit = curves.rows.front().unit;
-  std::stable_sort(curves.rows.begin(), curves.rows.end(),
-                   [](const StabilityRow& a, const StabilityRow& b) { return a.knob < b.knob; });
-  const ImVec2 nowhere{-1e6f, -1e6f};
-  const CurvesDrawn drawn = draw_curves(list, area, curves, over ? ImGui::GetIO().MousePos : nowhere, {});
+/// What stands in place of a figure that is not there yet.
+void no_figure(const StabilityTabState& state, const StabilityExperiment& experiment, const Area& area) {
+  ImGui::GetWindowDrawList()->AddRectFilled(area.min, area.max, colour_u32(palette().field));
+  const bool now = state.taken && state.taken->now == experiment.key;
+  const char* text = !state.study.running() ? "Not measured yet: press Measure."
+                     : now                  ? "Measuring."
+                                            : "Not measured yet: others are being measured.";
+  draw_text(area.min, area.max, text, palette().text_quiet, 0.5f);
+}
+
+/// Pictures belong to the knob of the first figure.
+bool of_the_pictures(const StabilityExperiment& experiment, const ExperimentFigure& figure) {
+  return experiment.picture &&
+         knob_title(experiment, *figure.quantity) == knob_title(experiment, experiment.series.front());
+}
+
+/// Answers where the plot lies, if it is one over the knob of the pictures.
+std::optional<PlotFrame> curve_area(StabilityTabState& state, const StabilityExperiment& experiment,
+                                    const ExperimentFigure& figure, const Area& area, ImVec2 mouse, bool clicked) {
+  const bool has_picture = of_the_pictures(experiment, figure);
+  Curves curves{
+      figure,
+      std::string(knob_title(experiment, *figure.quantity)),
+      {std::string(naive_name(experiment, *figure.quantity)), std::string(robust_name(experiment, *figure.quantity))},
+      figure.quantity->knob.empty() ? experiment.window : SafeWindow{1, 0}};
+  const CurvesDrawn drawn = draw_curves(*ImGui::GetWindowDrawList(), area, curves, mouse, {});
   if (!drawn.cut.empty()) tooltip(drawn.cut);
-  if (!drawn.hovered) return;
-  const StabilityRow& row = curves.rows[*drawn.hovered];
-  point_tooltip(curves, row, experiment.picture != nullptr);
-  if (clicked && experiment.picture) begin_opening(state.opening, experiment, row.knob);
+  if (drawn.hovered) {
+    const ExperimentFigure::Row& row = figure.rows[*drawn.hovered];
+    point_tooltip(curves, row, has_picture);
+    if (clicked && has_picture) begin_opening(state.opening, experiment, row.knob);
+  }
+  if (!has_picture) return {};
+  return drawn.frame;
+}
+
+/// Draws the figure that is chosen; bars take the height that they need. Answers as curve_area().
+std::optional<PlotFrame> figure_area(StabilityTabState& state, const StabilityExperiment& experiment,
+                                     const std::vector<ExperimentFigure>& figures, float height) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (width < px(80)) return {};
+  const ExperimentFigure* figure = figures.empty() ? nullptr : &figures[shown_figure(state, figures)];
+  const bool bars = figure && figure->form == FigureForm::bars;
+  MethodNames names;
+  if (bars) {
+    names = {std::string(naive_name(experiment, *figure->quantity)),
+             std::string(robust_name(experiment, *figure->quantity))};
+    height = bars_height(*figure, names, width);
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Area area{at, {at.x + width, at.y + height}};
+  const bool clicked = ImGui::InvisibleButton("plot", {width, height});
+  controls().record("plot", fmt::format("{:.0f}x{:.0f}", width, height));
+  const ImVec2 mouse = ImGui::IsItemHovered() ? ImGui::GetIO().MousePos : ImVec2{-1e6f, -1e6f};
+  if (!figure) {
+    no_figure(state, experiment, area);
+    return {};
+  }
+  if (!bars) return curve_area(state, experiment, *figure, area, mouse, clicked);
+  const std::string cut = draw_bars(*ImGui::GetWindowDrawList(), area, *figure, names, mouse);
+  if (!cut.empty()) tooltip(cut);
+  return {};
 }
 
 /// Where there is little height the curves come first and the words follow below, to be scrolled to.
 void shown_experiment(StabilityTabState& state) {
   const StabilityExperiment& experiment = selected(state);
+  const auto found = state.measured.find(experiment.key);
+  const std::span<const StabilityRow> rows =
+      found == state.measured.end() ? std::span<const StabilityRow>{} : std::span(found->second.rows);
+  const auto figures = experiment_figures(experiment, rows);
   const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
-  if (!low) explanation(experiment);
-  if (const auto found = state.measured.find(experiment.key);
-      found != state.measured.end() && !found->second.rows.empty())
-    series_choice(state, found->second.rows);
+  if (!low) explanation(experiment, rows);
+  figure_choice(state, figures);
   const bool strip = experiment.picture && !experiment.frames.empty();
   const float room = ImGui::GetContentRegionAvail().y;
-  curves_area(state, experiment, std::max(strip && !low ? room * curves_share : room, px(120)));
-  if (low) explanation(experiment);
-  if (const auto knob = film_strip_view(state.strip, experiment)) begin_opening(state.opening, experiment, *knob);
+  const float height = std::max(strip && !low ? room * curves_share : room, px(least_plot));
+  const auto frame = figure_area(state, experiment, figures, height);
+  if (low) explanation(experiment, rows);
+  if (const auto knob = film_strip_view(state.strip, experiment, frame && !low ? &*frame : nullptr))
+    begin_opening(state.opening, experiment, *knob);
 }
 
 /// Buttons, the list, and the experiment that is chosen. Answers whether the window shall be filled.
@@ -309,15 +347,9 @@ bool laboratory(StabilityTabState& state, bool filled) {
   const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows this table in the whole window (Esc)."});
   progress_line(state);
   if (wide) {
-    ImGui::BeginChild("list", {px(list_width), 0});
+    const bool much = ImGui::GetContentRegionAvail().x >= px(room_for_wide_list);
+    ImGui::BeginChild("list", {px(much ? wide_list : list_width), 0});
     search_box("search", state.search, "Find an experiment");
-    {
-      const FontScope small(Face::small);
-      const ImVec2 at = ImGui::GetCursorScreenPos();
-      draw_text(at, {at.x + ImGui::GetContentRegionAvail().x - px(6), at.y + ImGui::GetTextLineHeight()},
-                "worst: naive / robust", palette().text_quiet, 1);
-      ImGui::Dummy({1, ImGui::GetTextLineHeight()});
-    }
     ImGui::BeginChild("rows");
     bool any = false;
     for (const StabilityExperiment& experiment : stability_experiments()) {
@@ -364,7 +396,10 @@ void update_stability(Session& session, StabilityTabState& state, const std::fil
   const auto found = state.study.found();
   if (found && found != state.taken) {
     state.taken = found;
-    for (const auto& [key, experiment] : found->measured) state.measured.insert_or_assign(key, experiment);
+    for (const auto& [key, experiment] : found->measured) {
+      state.measured.insert_or_assign(key, experiment);
+      state.worst.erase(key);
+    }
   }
 }
 
@@ -392,6 +427,8 @@ void publish_stability(const StabilityTabState& state) {
   if (found == state.measured.end()) return;
   const std::vector<StabilityRow>& rows = found->second.rows;
   out.publish("stability/rows", static_cast<int>(rows.size()));
+  const auto figures = experiment_figures(selected(state), rows);
+  out.publish("stability/figure", figures.empty() ? std::string() : figures[shown_figure(state, figures)].name);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string name = fmt::format("stability/row/{}/", i);
     out.publish(name + "naive", rows[i].naive);

@@ -29,9 +29,10 @@ struct StabilityTabState {
 
   std::string selected;  ///< key of the experiment that is shown; empty = the first
   LayoutChoice choice{&Layout::experiment};
-  std::string search;                                               ///< in the list
-  std::string series;                                               ///< of it, as chosen; empty = the default series
+  std::string search;  ///< in the list
+  std::string series;  ///< name of its figure, as chosen; empty = the first
   std::map<std::string, MeasuredExperiment, std::less<>> measured;  ///< by key; one of them may be a part
+  std::map<std::string, std::string, std::less<>> worst;            ///< what the list says of complete experiments
   std::vector<std::string> asked;                                   ///< keys of the study that was started last
   std::shared_ptr<const StabilityFound> taken;                      ///< what was taken up last
   std::shared_ptr<const StabilityOpening> opened;                   ///< the point that was shown last

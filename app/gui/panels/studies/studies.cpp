@@ -25,6 +25,7 @@ void Studies::update(Session& session) {
   chart_.study.set_held(held);
   chart_.estimate.set_held(held);
   needs_.study.set_held(held);
+  needs_.estimate.set_held(held);
   stability_.study.set_held(held);
   why_.causes.set_held(held);
   update_chart(session, chart_);
@@ -44,8 +45,9 @@ bool Studies::tab(const std::string& name, Session& session, const ChartHost& ho
 
 bool Studies::busy() const {
   return chart_.study.state() == StudyState::running || chart_.estimate.running() ||
-         needs_.study.state() == StudyState::running || stability_busy(stability_) || why_.causes.running() ||
-         why_.precision.running() || unsafe_.sides[0].study.running() || unsafe_.sides[1].study.running();
+         needs_.study.state() == StudyState::running || needs_.estimate.running() || stability_busy(stability_) ||
+         why_.causes.running() || why_.precision.running() || unsafe_.sides[0].study.running() ||
+         unsafe_.sides[1].study.running();
 }
 
 bool Studies::unsafe(Session& session, const PicturesState& pictures) {

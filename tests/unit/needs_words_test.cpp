@@ -1,0 +1,64 @@
+// What a scene needs, in words.
+#include "study/needs_words.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+/// Shares as a search would find them: errors of the features that are used, in their order; below 0: the scene lacks
+/// it, above 1: it is off.
+Needs needs_of(const std::vector<double>& errors) {
+  Needs needs;
+  needs.tolerance = 0.05;
+  for (std::size_t i = 0; i < features().size(); ++i) {
+    FeatureShare share;
+    share.feature = features()[i];
+    share.used = errors[i] >= 0 && errors[i] <= 1;
+    share.absent = errors[i] < 0;
+    share.error_without = errors[i];
+    needs.shares.push_back(share);
+  }
+  return needs;
+}
+
+TEST(NeedsWords, SayWhatIsNeededWhatIsNotAndWhatIsNotThere) {
+  EXPECT_EQ(
+      needs_sentence("cgfs/crates", needs_of({0.7, 0.2, 0.3, -1, -1, 0.06, 0.9, 0.0004})),
+      "Crates needs lighting, shadows, highlights, attenuation and textures. It can do without vertex normals; it "
+      "has nothing to reflect or refract.");
+  EXPECT_EQ(
+      needs_sentence("box", needs_of({0.7, -1, -1, -1, -1, -1, -1, -1})),
+      "Box needs lighting. It has nothing to reflect or refract, no shadows, no highlights, no attenuated light, no "
+      "textures and no vertex normals.");
+  EXPECT_EQ(
+      needs_sentence("a/b-c.scene", needs_of({0.01, 2, 2, 0.02, 2, 2, 2, 2})),
+      "B c needs none of its features. It can do without lighting and reflected rays. With these settings unused: "
+      "shadows, highlights, refraction, attenuation, textures and vertex normals.");
+}
+
+TEST(NeedsWords, NothingIsSaidBeforeEveryFeatureWasTried) {
+  Needs needs = needs_of({0.7, 0.2, 0.3, -1, -1, -1, 0.9, 0});
+  needs.shares.pop_back();
+  EXPECT_EQ(needs_sentence("cgfs/crates", needs), "");
+}
+
+TEST(NeedsWords, AToleranceHasAWord) {
+  EXPECT_EQ(tolerance_words(0), "no difference");
+  EXPECT_EQ(tolerance_words(0.05), "hard to see");
+  EXPECT_EQ(tolerance_words(0.15), "visible");
+  EXPECT_EQ(tolerance_words(0.3), "obvious");
+}
+
+TEST(NeedsWords, WhatASceneNeverUsesDoesNotDependOnSettings) {
+  const SceneTraits crates = scene_traits(load_scene("cgfs/crates"));
+  for (const Feature& feature : features())
+    EXPECT_EQ(never_used(feature, crates),
+              feature.name == "reflection" || feature.name == "refraction" || feature.name == "attenuation")
+        << feature.name;
+}
+
+}  // namespace
+}  // namespace ps
