@@ -12,11 +12,11 @@
 #include "base/version.h"
 #include "document/number_list.h"
 #include "gui/frame/app.h"
+#include "gui/gallery/gallery.h"
 #include "gui/platform/end_signals.h"
 #include "gui/platform/window.h"
 #include "gui/script/script.h"
 #include "gui/shell/shell.h"
-#include "gui/widgets/gallery.h"
 #include "number_option.h"
 
 namespace {

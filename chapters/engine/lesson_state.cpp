@@ -95,6 +95,8 @@ Document lesson_document(const Lesson& lesson, int step, const Document& now) {
   Document document = state_document(lesson.steps[static_cast<std::size_t>(step)].state, now);
   document.lesson = lesson.name;
   document.step = step;
+  document.mode = now.mode == ScreenMode::presenter ? ScreenMode::presenter : ScreenMode::lesson;
+  document.layout.stage = lesson.steps[static_cast<std::size_t>(step)].state.tab;
   return document;
 }
 

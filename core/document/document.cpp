@@ -20,8 +20,9 @@ bool same_file(const Scene& x, const Scene& y) {
 bool operator==(const Document& x, const Document& y) {
   return x.scene_name == y.scene_name && same_file(x.base, y.base) && x.edits == y.edits && x.view == y.view &&
          x.a == y.a && x.b == y.b && x.picture_b == y.picture_b && x.pixel == y.pixel && x.picked == y.picked &&
-         x.event == y.event && x.story == y.story && x.pin == y.pin && x.compare == y.compare && x.split == y.split &&
-         x.difference_gain == y.difference_gain && x.layout == y.layout && x.lesson == y.lesson && x.step == y.step;
+         x.events == y.events && x.story == y.story && x.pin == y.pin && x.compare == y.compare && x.split == y.split &&
+         x.difference_gain == y.difference_gain && x.mode == y.mode && x.layout == y.layout && x.lesson == y.lesson &&
+         x.step == y.step;
 }
 
 Document open_document(const std::string& scene_name, Scene scene) {
@@ -76,6 +77,9 @@ View view_of(const Document& document) {
   const PictureView& view = document.view;
   return view_of(document.scene, view.camera, view.width, view.height);
 }
+
+int event_of(const Document& document, Side side) { return document.events[side == Side::a ? 0 : 1]; }
+int& event_of(Document& document, Side side) { return document.events[side == Side::a ? 0 : 1]; }
 
 const SideState& side_of(const Document& document, Side side) { return side == Side::a ? document.a : document.b; }
 

@@ -18,6 +18,7 @@ namespace ps {
 
 /// The two pictures that are compared.
 enum class Side { a, b };
+inline Side other_side(Side side) { return side == Side::a ? Side::b : Side::a; }
 
 /// How the two pictures stand to each other on the screen.
 enum class CompareMode { side_by_side, split, difference, only_a, only_b };
@@ -39,17 +40,23 @@ struct PictureView {
   bool operator==(const PictureView&) const = default;
 };
 
-/// The tabs below the pictures, by the names that Layout::bottom_tab takes.
-inline constexpr std::array<std::string_view, 10> bottom_tabs{"space", "microscope", "pixels", "listing", "vertex",
-                                                              "chart", "stability",  "needs",  "why",     "timings"};
+/// The names that Layout::bottom_tab takes. Their order says nothing.
+inline constexpr std::array<std::string_view, 10> bottom_tabs{"chart", "listing",   "microscope", "needs",  "pixels",
+                                                              "space", "stability", "timings",    "vertex", "why"};
+
+/// What the window is for just now, which decides how it is divided. A lesson has its text beside large pictures; a
+/// study one long tool beside small ones; the presenter shows pictures alone with the text as a caption.
+enum class ScreenMode { lesson, explore, study, presenter };
 
 /// How the window is divided. Sizes are shares of the window, 0..1; 0 = what suits the window's size.
 struct Layout {
   double left = 0, right = 0, bottom = 0.36;  ///< bottom: 0 = folded
   bool panels = true;                         ///< false: only the pictures
   std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
-  std::string sweep;       ///< what the chart varies, as sweep_text() writes it; empty = the first named sweep
-  std::string experiment;  ///< key of the one that the stability tab shows; empty = the first
+  bool pixel_open = false;  ///< exploring: the panel with the pixel's story
+  std::string stage;        ///< below the pictures of a lesson, one of bottom_tabs; empty = the pixel's story
+  std::string sweep;        ///< what the chart varies, as sweep_text() writes it; empty = the first named sweep
+  std::string experiment;   ///< key of the one that the stability tab shows; empty = the first
   std::string filled;  ///< the region that has the window for itself: "left", "lesson", "right", "bottom"; "" = none
   bool operator==(const Layout&) const = default;
 };
@@ -64,15 +71,16 @@ struct Document {
   std::vector<SceneEdit> edits;  ///< in the order in which they are applied
   PictureView view;
   SideState a, b;
-  std::string picture_b;   ///< a picture file that stands in B's place, as the user gave it; empty = B is rendered
-  Vec2i pixel{-1, -1};     ///< the picked pixel, array position; (-1, -1) = none
-  Side picked = Side::a;   ///< whose story is shown
-  int event = -1;          ///< the selected event of that story; -1 = none
-  StoryView story;         ///< what its views show
-  std::optional<Pin> pin;  ///< the pixel whose numbers of then are shown beside those of now
+  std::string picture_b;  ///< a picture file that stands in B's place, as the user gave it; empty = B is rendered
+  Vec2i pixel{-1, -1};    ///< the picked pixel, array position; (-1, -1) = none
+  Side picked = Side::a;  ///< whose story is shown
+  std::array<int, 2> events{-1, -1};  ///< the selected events of the stories of A and B; -1 = none
+  StoryView story;                    ///< what its views show
+  std::optional<Pin> pin;             ///< the pixel whose numbers of then are shown beside those of now
   CompareMode compare = CompareMode::side_by_side;
   double split = 0.5;          ///< where the divider stands, share of the picture's width
   double difference_gain = 1;  ///< factor by which differences are shown
+  ScreenMode mode = ScreenMode::explore;
   Layout layout;
   std::string lesson;  ///< folder name; empty = none
   int step = 0;        ///< of the lesson, from 0
@@ -103,6 +111,10 @@ void fit_region(Document& document);
 
 /// Camera and picture size of the document.
 View view_of(const Document& document);
+
+/// The selected event of a side's story.
+int event_of(const Document& document, Side side);
+int& event_of(Document& document, Side side);
 
 const SideState& side_of(const Document& document, Side side);
 SideState& side_of(Document& document, Side side);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "base/check.h"
 #include "document/number_list.h"
@@ -51,8 +52,19 @@ using Text = std::optional<std::string>;
 constexpr std::array compare_modes{CompareMode::side_by_side, CompareMode::split, CompareMode::difference,
                                    CompareMode::only_a, CompareMode::only_b};
 
+constexpr std::array screen_modes{ScreenMode::lesson, ScreenMode::explore, ScreenMode::study, ScreenMode::presenter};
+
 Text show_text(ShownChannel show) {
   return show == ShownChannel{} ? Text{} : Text{std::string(shown_channel(show).key)};
+}
+
+Text event_text(int event) { return event < 0 ? Text{} : Text{fmt::format("{}", event)}; }
+int parse_event(std::string_view text) { return parse_whole(text, 0, 10'000'000, "event"); }
+
+/// "event" is that of the picked side, in whichever order the two parts come.
+void pick_side(Document& document, Side side) {
+  if (side != document.picked) std::swap(document.events[0], document.events[1]);
+  document.picked = side;
 }
 
 const std::vector<Field>& document_fields() {
@@ -91,10 +103,12 @@ const std::vector<Field>& document_fields() {
       {"picked", [](const Document& d) { return d.picked == Side::a ? Text{} : Text{"b"}; },
        [](Document& d, std::string_view t) {
          if (t != "a" && t != "b") throw InputError(fmt::format("picked: found '{}', expected a or b", t));
-         d.picked = t == "a" ? Side::a : Side::b;
+         pick_side(d, t == "a" ? Side::a : Side::b);
        }},
-      {"event", [](const Document& d) { return d.event < 0 ? Text{} : Text{fmt::format("{}", d.event)}; },
-       [](Document& d, std::string_view t) { d.event = parse_whole(t, 0, 10'000'000, "event"); }},
+      {"event", [](const Document& d) { return event_text(event_of(d, d.picked)); },
+       [](Document& d, std::string_view t) { event_of(d, d.picked) = parse_event(t); }},
+      {"other-event", [](const Document& d) { return event_text(event_of(d, other_side(d.picked))); },
+       [](Document& d, std::string_view t) { event_of(d, other_side(d.picked)) = parse_event(t); }},
       {"show-a", [](const Document& d) { return show_text(d.a.show); },
        [](Document& d, std::string_view t) { d.a.show = parse_shown_channel(t); }},
       {"show-b", [](const Document& d) { return show_text(d.b.show); },
@@ -125,6 +139,18 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.layout.right_tab = t; }},
       {"bottom-tab", [](const Document& d) { return text_unless(d.layout.bottom_tab, Layout{}.bottom_tab); },
        [](Document& d, std::string_view t) { d.layout.bottom_tab = t; }},
+      {"mode",
+       [](const Document& d) {
+         return text_unless(std::string(mode_key(d.mode)), std::string(mode_key(ScreenMode::explore)));
+       },
+       [](Document& d, std::string_view t) { d.mode = parse_screen_mode(t); }},
+      {"pixel-panel", [](const Document& d) { return d.layout.pixel_open ? Text{"open"} : Text{}; },
+       [](Document& d, std::string_view t) {
+         if (t != "open") throw InputError(fmt::format("pixel-panel: found '{}', expected open", t));
+         d.layout.pixel_open = true;
+       }},
+      {"stage", [](const Document& d) { return text_unless(d.layout.stage, ""); },
+       [](Document& d, std::string_view t) { d.layout.stage = t; }},
       {"sweep", [](const Document& d) { return text_unless(d.layout.sweep, ""); },
        [](Document& d, std::string_view t) { d.layout.sweep = t; }},
       {"experiment", [](const Document& d) { return text_unless(d.layout.experiment, ""); },
@@ -196,6 +222,29 @@ CompareMode parse_compare_mode(std::string_view text) {
     keys.push_back(compare_key(mode));
   }
   throw InputError(fmt::format("compare: found '{}', expected one of {}", text, fmt::join(keys, " ")));
+}
+
+std::string_view mode_key(ScreenMode mode) {
+  switch (mode) {
+  case ScreenMode::lesson:
+    return "lesson";
+  case ScreenMode::explore:
+    return "explore";
+  case ScreenMode::study:
+    return "study";
+  case ScreenMode::presenter:
+    return "presenter";
+  }
+  return "";
+}
+
+ScreenMode parse_screen_mode(std::string_view text) {
+  std::vector<std::string_view> keys;
+  for (const ScreenMode mode : screen_modes) {
+    if (mode_key(mode) == text) return mode;
+    keys.push_back(mode_key(mode));
+  }
+  throw InputError(fmt::format("mode: found '{}', expected one of {}", text, fmt::join(keys, " ")));
 }
 
 std::string permalink(const Document& document) {

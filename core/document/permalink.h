@@ -20,6 +20,10 @@ Document parse_permalink(std::string_view text);
 CompareMode parse_compare_mode(std::string_view text);
 std::string_view compare_key(CompareMode mode);
 
+/// "lesson", "explore", "study", "presenter"; throws InputError for anything else.
+ScreenMode parse_screen_mode(std::string_view text);
+std::string_view mode_key(ScreenMode mode);
+
 /// "#cgfs" as "%23cgfs" and back. Throws InputError for a broken escape.
 std::string percent_escape(std::string_view text);
 std::string percent_unescape(std::string_view text);

@@ -2,6 +2,15 @@
 
 namespace ps {
 
+StoryView for_another_pixel(StoryView before) {
+  const StoryView fresh;
+  before.until_event = fresh.until_event;
+  before.listing_instance = fresh.listing_instance;
+  before.sample = fresh.sample;
+  before.micro_triangle = fresh.micro_triangle;
+  return before;
+}
+
 StoryView carried_over(const StoryView& before, bool same_scene) {
   StoryView after;
   after.outside = before.outside;

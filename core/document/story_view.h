@@ -30,6 +30,10 @@ struct StoryView {
   bool operator==(const StoryView&) const = default;
 };
 
+/// What stays of it when another pixel is picked: all but the run of the loop, the sample, the triangle, and how far
+/// the story was gone through.
+StoryView for_another_pixel(StoryView before);
+
 /// What stays of it when another document takes the place of the one that it belongs to: in the same scene all of the
 /// view from outside and the kept vertex, else only what is drawn and what not.
 StoryView carried_over(const StoryView& before, bool same_scene);

@@ -102,9 +102,12 @@ Document any_document() {
   d.b.show = static_cast<ShownChannel>(*rc::gen::inRange(0, channels));
   if (*rc::gen::arbitrary<bool>()) d.pixel = {*rc::gen::inRange(0, 9999), *rc::gen::inRange(0, 9999)};
   d.picked = *rc::gen::element(Side::a, Side::b);
-  d.event = *rc::gen::inRange(-1, 5000);
+  d.events = {*rc::gen::inRange(-1, 5000), *rc::gen::inRange(-1, 5000)};
   d.story = any_story_view();
   if (*rc::gen::arbitrary<bool>()) d.pin = any_pin();
+  d.mode = *rc::gen::element(ScreenMode::lesson, ScreenMode::explore, ScreenMode::study, ScreenMode::presenter);
+  d.layout.pixel_open = *rc::gen::arbitrary<bool>();
+  d.layout.stage = *rc::gen::element(std::string(), std::string("space"), std::string("chart"));
   d.layout.filled = *rc::gen::element(std::string(), std::string("left"), std::string("right"), std::string("bottom"));
   d.compare = static_cast<CompareMode>(*rc::gen::inRange(0, 5));
   d.split = any_share();

@@ -130,7 +130,7 @@ TEST(PermalinkFile, KeepsTheLineAndTheTextOfPictures) {
   const test::ScratchFolder folder;
   Document document;
   document.scene_name = "cgfs/crates";
-  document.event = 7;
+  document.events = {7, -1};
   document.pixel = {340, 130};
   save_permalink(folder.file("screen.permalink"), document);
   EXPECT_EQ(permalink_in_file(folder.file("screen.permalink")), permalink(document));

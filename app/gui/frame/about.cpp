@@ -1,9 +1,8 @@
-// What this program is and what it runs on: the things that a report of a fault needs.
+#include "gui/frame/about.h"
+
 #include <epoxy/gl.h>
 
 #include "base/machine.h"
-#include "gui/frame/app.h"
-#include "gui/input/actions.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -26,8 +25,8 @@ void fact(const char* name, const std::string& value) {
 
 }  // namespace
 
-void App::about() {
-  if (!about_open_) return;
+void About::draw() {
+  if (!open) return;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(px(560), display.x - px(40)), 0});
@@ -53,10 +52,10 @@ void App::about() {
     fact("OpenGL", gl_text(GL_VERSION));
     fact("Renderer", gl_text(GL_RENDERER));
     ImGui::Dummy({0, px(8)});
-    if (button("close", "Close", Emphasis::primary)) about_open_ = false;
+    if (button("close", "Close", Emphasis::primary)) open = false;
   }
   const bool outside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowAppearing() && !ImGui::IsWindowHovered();
-  if (outside) about_open_ = false;
+  if (outside) open = false;
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

@@ -1,35 +1,36 @@
-// What becomes of files that are dropped on the window.
-#include <imgui.h>
+#include "gui/frame/drop.h"
 
 #include "base/check.h"
 #include "document/permalink_file.h"
-#include "gui/frame/app.h"
 
 namespace ps::gui {
+namespace {
 
-int App::object_at(ImVec2 place) {
+/// The object that is seen at a place of the window, else that of the picked pixel; -1 = none.
+int object_at(Session& session, const PicturesState& pictures, ImVec2 place) {
   const auto seen = [&](Side side, Vec2i pixel) {
-    const auto result = session_.renderer(side).result();
+    const auto result = session.renderer(side).result();
     const bool known = result && has(result->channels, Channel::ids) && result->frame.ids.contains(pixel.x, pixel.y);
     return known ? result->frame.ids.at(pixel.x, pixel.y).object : -1;
   };
   for (const Side side : both_sides)
-    if (const auto& area = pictures_.areas[index_of(side)]; area && area->contains(place))
-      if (const int object = seen(side, pictures_.transform.pixel_at(place, *area)); object >= 0) return object;
-  const auto picked = session_.pixel();
-  return picked ? seen(inspected_side(session_), *picked) : -1;
+    if (const auto& area = pictures.areas[index_of(side)]; area && area->contains(place))
+      if (const int object = seen(side, pictures.transform.pixel_at(place, *area)); object >= 0) return object;
+  const auto picked = session.pixel();
+  return picked ? seen(inspected_side(session), *picked) : -1;
 }
 
-void App::drop(const std::string& path, std::optional<WindowPoint> at) {
-  // A picture that carries a permalink opens what it shows.
-  if (!session_.has_scene() || !is_picture_file(path)) return session_.open(path);
+}  // namespace
+
+void take_dropped_file(Session& session, const PicturesState& pictures, DroppedPicture& dropped,
+                       const std::string& path, WindowPoint at) {
+  if (!session.has_scene() || !is_picture_file(path)) return session.open(path);
   try {
-    if (const auto link = permalink_in_file(path)) return session_.open_permalink(*link);
+    if (const auto link = permalink_in_file(path)) return session.open_permalink(*link);
   } catch (const InputError& error) {
-    return session_.say(Message::Kind::error, error.what());
+    return session.say(Message::Kind::error, error.what());
   }
-  const ImVec2 place = at ? ImVec2{at->x, at->y} : ImGui::GetIO().MousePos;
-  ask_about_picture(session_, dropped_, path, object_at(place));
+  ask_about_picture(session, dropped, path, object_at(session, pictures, {at.x, at.y}));
 }
 
 }  // namespace ps::gui

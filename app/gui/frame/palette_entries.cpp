@@ -1,8 +1,10 @@
+#include "gui/frame/palette_entries.h"
+
 #include <fmt/format.h>
 
 #include "base/check.h"
-#include "gui/frame/app.h"
-#include "gui/input/actions.h"
+#include "gui/frame/show_panel.h"
+#include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/options/value_entries.h"
 #include "options/option.h"
 #include "scene/load.h"
@@ -10,46 +12,38 @@
 
 namespace ps::gui {
 
-std::vector<PaletteEntry> App::palette_entries() {
+std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& options,
+                                          const std::function<void()>& show_options) {
   std::vector<PaletteEntry> entries;
   for (const auto& name : lesson_names()) {
     try {
       entries.push_back(
-          {"lesson/" + name, load_lesson(name).title, "lesson", [this, name] { go_to_step(session_, name, 0); }});
+          {"lesson/" + name, load_lesson(name).title, "lesson", [&session, name] { go_to_step(session, name, 0); }});
     } catch (const InputError&) {
       // The lesson menu says what is wrong with it.
     }
   }
   for (const Option& option : option_table())
     entries.push_back({fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label),
-                       "option", [this, &option] { go_to_option(option); },
+                       "option",
+                       [&option, &options, show_options] {
+                         point_at_option(options, option);
+                         show_options();
+                       },
                        fmt::format("{}, {}", option.key, option.keywords)});
-  for (PaletteEntry& entry : value_entries(session_)) entries.push_back(std::move(entry));
+  for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));
   static const std::vector<BuiltinScene> scenes = builtin_scenes();
   for (const BuiltinScene& scene : scenes)
-    entries.push_back({"scene/" + scene.name, scene.title, "scene", [this, &scene] { session_.open(scene.name); },
+    entries.push_back({"scene/" + scene.name, scene.title, "scene", [&session, &scene] { session.open(scene.name); },
                        scene.name + ", " + scene.keywords});
   for (const StabilityExperiment& experiment : stability_experiments())
     entries.push_back({fmt::format("experiment/{}", experiment.key), std::string(experiment.title), "experiment",
-                       [this, &experiment] {
-                         session_.navigate([&](Document& document) {
-                           document.layout.panels = true;
-                           document.layout.bottom_tab = "stability";
-                           document.layout.experiment = experiment.key;
-                           if (document.layout.bottom <= 0) document.layout.bottom = Layout{}.bottom;
-                         });
+                       [&session, &experiment] {
+                         show_panel(session, "stability");
+                         session.navigate([&](Document& document) { document.layout.experiment = experiment.key; });
                        },
                        fmt::format("{}, {}", experiment.key, experiment.keywords)});
   return entries;
-}
-
-void App::go_to_option(const Option& option) {
-  point_at_option(options_panel_, option);
-  history_.open = false;
-  session_.navigate([](Document& document) {
-    document.layout.panels = true;
-    document.layout.filled.clear();
-  });
 }
 
 }  // namespace ps::gui

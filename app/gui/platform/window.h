@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "gui/base/window_point.h"
 #include "gui/platform/frame_memory.h"
-#include "gui/shell/content.h"
 #include "image/image.h"
 
 union SDL_Event;

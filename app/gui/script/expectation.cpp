@@ -7,8 +7,8 @@
 
 #include "base/number_text.h"
 #include "base/spelling.h"
-#include "gui/shell/values.h"
-#include "gui/widgets/record.h"
+#include "gui/base/record.h"
+#include "gui/base/values.h"
 
 namespace ps::gui {
 bool fulfils(const std::string& found, const Expectation& expected) {
@@ -31,7 +31,7 @@ std::string similar_controls(const std::string& name, Named wanted) {
     if (controls().find(control)) known.push_back(control);
   std::string result;
   if (wanted == Named::any)
-    for (const auto& [value, text] : values().published()) known.push_back(value);
+    for (std::string& value : values().names()) known.push_back(std::move(value));
   else if (values().find(name))
     result = "; it is a value, which can be read and not clicked";
   // Those with the same last word, else those of the same panel, the nearest first.

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "gui/base/record.h"
+#include "gui/base/values.h"
 #include "gui/script/expectation.h"
-#include "gui/shell/values.h"
-#include "gui/widgets/record.h"
 #include "image/file.h"
 
 namespace ps::gui {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "gui/base/content.h"
 #include "gui/platform/events.h"
 #include "gui/platform/window.h"
 #include "gui/script/script.h"
-#include "gui/shell/content.h"
 
 namespace ps::gui {
 

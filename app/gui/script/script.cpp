@@ -168,14 +168,14 @@ void check(const Command& command, std::string_view usage) {
 
 }  // namespace
 
-double parse_script_number(const std::string& text, const SourcePlace& place, NumberRange range) {
+double parse_script_number(const std::string& text, const SourcePlace& place, AllowedRange range) {
   const auto value = parse_number(text);
   if (!value || *value < range.low || *value > range.high)
     throw InputError(place, "'" + text + "'", fmt::format("a number from {} to {}", range.low, range.high));
   return *value;
 }
 
-NumberPair parse_number_pair(const std::string& text, const SourcePlace& place, char separator, NumberRange range) {
+NumberPair parse_number_pair(const std::string& text, const SourcePlace& place, char separator, AllowedRange range) {
   const auto middle = text.find(separator);
   if (middle == std::string::npos)
     throw InputError(place, "'" + text + "'", std::string("two numbers with '") + separator + "' between them");

@@ -51,13 +51,13 @@ struct NumberPair {
 };
 bool is_number_pair(const std::string& text);
 /// The values that a number may have.
-struct NumberRange {
+struct AllowedRange {
   double low = -1e5, high = 1e5;  ///< places and distances in a window
 };
-inline constexpr NumberRange pixel_range{0, 65535}, size_range{1, 16384}, wheel_range{-1000, 1000},
+inline constexpr AllowedRange pixel_range{0, 65535}, size_range{1, 16384}, wheel_range{-1000, 1000},
     frames_range{0, 100000}, milliseconds_range{0, 3600000};
 NumberPair parse_number_pair(const std::string& text, const SourcePlace& place, char separator = ',',
-                             NumberRange range = {});
-double parse_script_number(const std::string& text, const SourcePlace& place, NumberRange range);
+                             AllowedRange range = {});
+double parse_script_number(const std::string& text, const SourcePlace& place, AllowedRange range);
 
 }  // namespace ps::gui

@@ -33,11 +33,12 @@ void keep_place(const Document& from, Document& to) {
   to.view.height = height;
   to.pixel = from.pixel;
   to.picked = from.picked;
-  to.event = from.event;
+  to.events = from.events;
   to.story = from.scene_name == to.scene_name ? from.story : carried_over(from.story, false);
   to.compare = from.compare;
   to.split = from.split;
   to.difference_gain = from.difference_gain;
+  to.mode = from.mode;
   to.layout = from.layout;
 }
 
@@ -84,8 +85,16 @@ bool Session::update() {
   const bool arrived = take_loaded();
   if (watch_.take_changed()) reload();
   for (const auto& inspector : inspectors_) inspector->take_news();
-  if (has_scene()) request_work();
+  if (has_scene()) {
+    request_work();
+    for (const Side side : both_sides) follow_story(side);
+  }
   return arrived;
+}
+
+void Session::changed() {
+  changed_ = true;
+  ++revision_;
 }
 
 void Session::request_changed() {
@@ -103,12 +112,16 @@ std::shared_ptr<const PixelStory> Session::story(Side side) const {
   return inspectors_[index_of(side)]->story_of(document_.scene.name);
 }
 
-bool Session::busy() const {
-  if (loading()) return true;
-  return std::any_of(both_sides.begin(), both_sides.end(), [&](Side side) {
-    const auto state = renderers_[index_of(side)]->status().state;
-    return state == RenderState::coarse || state == RenderState::full || inspectors_[index_of(side)]->busy();
+bool Session::rendering() const {
+  return std::any_of(renderers_.begin(), renderers_.end(), [](const auto& renderer) {
+    const RenderState state = renderer->status().state;
+    return state == RenderState::coarse || state == RenderState::full;
   });
+}
+
+bool Session::busy() const {
+  return loading() || rendering() ||
+         std::any_of(inspectors_.begin(), inspectors_.end(), [](const auto& inspector) { return inspector->busy(); });
 }
 
 bool Session::has_news() const {
@@ -131,8 +144,9 @@ void Session::edit(const std::string& what, const std::string& drag, const std::
     return;
   }
   if (changed == document_) return;
-  document_ = changed;
+  const Document before = std::exchange(document_, changed);
   history_->push(std::move(changed), what, drag);
+  settle(before);
   document_changed();
 }
 
@@ -146,8 +160,10 @@ void Session::set_settings(Side side, const Settings& settings, const std::strin
 
 void Session::navigate(const std::function<void(Document&)>& apply) {
   if (!has_scene()) return;
+  const Document before = document_;
   apply(document_);
-  changed_ = true;
+  settle(before);
+  changed();
 }
 
 void Session::set_region(std::optional<TileRect> region) {
@@ -170,7 +186,7 @@ void Session::open_picture_b(const std::filesystem::path& path) {
     document.view.height = size.y;
     if (document.pixel.x >= 0) document.pixel = {document.pixel.x * size.x / old.x, document.pixel.y * size.y / old.y};
   });
-  changed_ = true;
+  changed();
   say(Message::Kind::information, fmt::format("B is {} now, {} x {} pixels; A is rendered in that size.",
                                               path.filename().string(), size.x, size.y));
 }
@@ -221,6 +237,7 @@ void Session::go_to_entry(std::size_t place) {
   const Document before = std::exchange(document_, history_->current());
   keep_place(before, document_);
   fit_region(document_);
+  settle(before);
   document_changed();
 }
 
@@ -260,7 +277,13 @@ void Session::reload() {
       Reason::reload);
 }
 
-std::string Session::permalink() const { return has_scene() ? ps::permalink(document_) : ""; }
+const std::string& Session::permalink() const {
+  if (linked_revision_ != revision_) {
+    link_ = has_scene() ? ps::permalink(document_) : "";
+    linked_revision_ = revision_;
+  }
+  return link_;
+}
 
 void Session::cancel_loading() {
   loading_cancelled_ = true;
@@ -307,6 +330,7 @@ void Session::take_up(Document document, Reason reason) {
   case Reason::open:
   case Reason::permalink:  // stores how the window is divided, too
     if (has_scene() && reason == Reason::open) {
+      document.mode = document_.mode;
       document.layout = document_.layout;
       document.story = carried_over(document_.story, false);
     }
@@ -326,7 +350,11 @@ void Session::take_up(Document document, Reason reason) {
     });
     break;
   }
-  document_ = document;
+  const Document before = std::exchange(document_, document);
+  if (reason == Reason::reload)
+    settle(before);
+  else
+    awaited_ = {true, true};
   if (const auto& warnings = document_.base.warnings; !warnings.empty()) {
     const std::size_t others = warnings.size() - 1;
     say(Message::Kind::warning,
@@ -342,7 +370,7 @@ void Session::take_up(Document document, Reason reason) {
 }
 
 void Session::document_changed() {
-  changed_ = true;
+  changed();
   traits_ = scene_traits(document_.scene);
   follow_picture_b();
   if (watched_ == document_.scene_name) return;

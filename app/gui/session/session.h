@@ -10,7 +10,6 @@
 
 #include "document/document.h"
 #include "document/history.h"
-#include "gui/shell/content.h"
 #include "gui/work/file_watch.h"
 #include "gui/work/inspect_worker.h"
 #include "gui/work/newest_job.h"
@@ -19,7 +18,6 @@
 namespace ps::gui {
 
 inline constexpr std::array both_sides{Side::a, Side::b};
-inline Side other_side(Side side) { return side == Side::a ? Side::b : Side::a; }
 inline char letter_of(Side side) { return side == Side::a ? 'A' : 'B'; }
 inline std::size_t index_of(Side side) { return side == Side::a ? 0 : 1; }
 
@@ -71,6 +69,10 @@ class Session {
   Prepared& prepared() { return *prepared_; }
   /// The story of the picked pixel; nullptr while there is none.
   std::shared_ptr<const PixelStory> story(Side side) const;
+  /// The selected event of that story; -1 while none is, or while the story that it belongs to is still to come.
+  int selected_event(Side side) const;
+  /// A picture is being rendered.
+  bool rendering() const;
   /// Something is loading, rendering or being inspected.
   bool busy() const;
   /// Something has come that update() and RenderWorker::collect() have not taken up yet.
@@ -122,7 +124,11 @@ class Session {
   const std::vector<std::string>& recent() const { return recent_; }
   /// Puts a file in front of the recent ones, so that it is offered.
   void note_recent(const std::string& name);
-  std::string permalink() const;
+  /// Of the document as it is now; made anew only after it has changed.
+  const std::string& permalink() const;
+  /// Grows with every change of the document. What follows from the document alone is up to date as long as this is
+  /// the number that it was made for.
+  std::uint64_t revision() const { return revision_; }
 
   // --- messages ---
   const std::vector<Message>& messages() const { return messages_; }
@@ -148,6 +154,12 @@ class Session {
   /// read, or is not of the picture's size, becomes a message, and B is rendered.
   void follow_picture_b();
   void give_up_picture_b(const std::string& why);
+  /// After a change: what belonged to the pixel, or to the models, that were there before goes, unless the change
+  /// itself brought it.
+  void settle(const Document& before);
+  void changed();
+  /// When a story comes, the selected event becomes the same event in it, after a change of options for example.
+  void follow_story(Side side);
   void request_work();
   std::optional<ValueRange> common_range();
 
@@ -165,6 +177,11 @@ class Session {
   std::string loading_name_;
   bool loading_cancelled_ = false;
   bool changed_ = false;  // since work was last asked for
+  std::uint64_t revision_ = 0;
+  mutable std::optional<std::uint64_t> linked_revision_;  // that link_ was made for
+  mutable std::string link_;
+  std::array<std::shared_ptr<const PixelStory>, 2> followed_;  // the stories that the selected events belong to
+  std::array<bool, 2> awaited_{};  // the selected event belongs to a story that is still to come
 
   mutable std::mutex loaded_mutex_;
   std::optional<Loaded> loaded_;

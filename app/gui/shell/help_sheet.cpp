@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/shell/values.h"
+#include "gui/base/values.h"
 #include "gui/widgets/draw.h"
 
 namespace ps::gui {

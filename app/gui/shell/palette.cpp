@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "base/word_search.h"
-#include "gui/shell/values.h"
+#include "gui/base/values.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {

@@ -14,6 +14,7 @@
 
 #include "base/check.h"
 #include "base/timer.h"
+#include "gui/base/values.h"
 #include "gui/input/actions.h"
 #include "gui/input/bindings_file.h"
 #include "gui/input/tracker.h"
@@ -24,7 +25,6 @@
 #include "gui/script/player.h"
 #include "gui/shell/help_sheet.h"
 #include "gui/shell/palette.h"
-#include "gui/shell/values.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/redraw.h"
 

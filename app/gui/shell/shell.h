@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "gui/shell/content.h"
+#include "gui/base/content.h"
 
 namespace ps::gui {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "gui/shell/content.h"
+#include "document/document.h"
+#include "gui/base/record.h"
 #include "gui/theme/theme.h"
-#include "gui/widgets/record.h"
 #include "options/option.h"
 
 /// Controls of the window. Each has a name (a stable path, prefixed by the NameScopes around it) under which scripts

@@ -6,7 +6,7 @@
 namespace ps::gui {
 namespace {
 
-bool same_request(const SpaceRequest& a, const SpaceRequest& b) {
+bool same_space(const SpaceRequest& a, const SpaceRequest& b) {
   return a.scene.revision() == b.scene.revision() && a.view == b.view && a.near == b.near;
 }
 
@@ -17,6 +17,6 @@ SpaceWorker::SpaceWorker(std::function<void()> wake)
           [prepared = std::make_shared<Prepared>()](const SpaceRequest& request, Progress& progress) {
             return draw_space_picture(request.scene, request.view, request.near, *prepared, progress);
           },
-          same_request, std::move(wake)) {}
+          same_space, std::move(wake)) {}
 
 }  // namespace ps::gui

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "gui/panels/space/space_panel.h"
+#include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
 #include "inspect/microscope/event_of_triangle.h"
 #include "inspect/microscope/micro_svg.h"
@@ -60,21 +60,36 @@ void take_result(MicroscopePanelState& state) {
   }
 }
 
+/// Whose numbers are shown; -1 = those of the triangle that the story's selected event is about.
+void click_triangle(Session& session, int index) {
+  session.navigate([&](Document& document) { document.story.micro_triangle = index; });
+}
+
+/// Where the sample point is; empty = at the pixel's first sample.
+void move_point(Session& session, const std::optional<Vec2d>& point) {
+  session.navigate([&](Document& document) {
+    document.story.sample = point;
+    document.story.micro_triangle = -1;
+  });
+}
+
 /// The triangle that is shown follows the story's selected event, until another one is clicked.
-void follow_story(MicroscopePanelState& state, const PixelStory* story, const StoryCursor& cursor) {
-  state.chosen = state.selected;
+void follow_story(Session& session, MicroscopePanelState& state, const PixelStory* story) {
+  const int clicked = session.document().story.micro_triangle;
+  const int selected = session.selected_event(inspected_side(session));
+  state.chosen = clicked;
   if (!state.shown || !story || story->pixel != state.shown->request.pixel) return;
   const MicroReading& reading = state.shown->reading;
-  if (state.selected >= 0 && static_cast<std::size_t>(state.selected) < reading.triangles.size()) {
-    const int event = event_of_triangle(*story, reading.triangles[static_cast<std::size_t>(state.selected)]);
-    if (event < 0 || event == cursor.selected) return;
-    state.selected = -1;
+  if (clicked >= 0 && static_cast<std::size_t>(clicked) < reading.triangles.size()) {
+    const int event = event_of_triangle(*story, reading.triangles[static_cast<std::size_t>(clicked)]);
+    if (event < 0 || event == selected) return;
+    click_triangle(session, -1);
   }
-  state.chosen = triangle_of_event(*story, reading, cursor.selected);
+  state.chosen = triangle_of_event(*story, reading, selected);
 }
 
 /// The pixel itself; a drag moves the sample point.
-void pixel_view(MicroscopePanelState& state, float size) {
+void pixel_view(Session& session, MicroscopePanelState& state, float size) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Area area{{std::floor(at.x), std::floor(at.y)}, {std::floor(at.x) + size, std::floor(at.y) + size}};
   ImGui::InvisibleButton("pixel", {size, size});
@@ -82,9 +97,8 @@ void pixel_view(MicroscopePanelState& state, float size) {
   controls().record("pixel", fmt::format("{:.4g},{:.4g}", point.x, point.y));
   if (ImGui::IsItemActive()) {
     const Vec2d to = micro_point(state.drawing, area, ImGui::GetIO().MousePos);
-    state.point = {std::clamp(to.x, -micro_margin, 1 + micro_margin),
-                   std::clamp(to.y, -micro_margin, 1 + micro_margin)};
-    state.selected = -1;
+    move_point(session, Vec2d(std::clamp(to.x, -micro_margin, 1 + micro_margin),
+                              std::clamp(to.y, -micro_margin, 1 + micro_margin)));
   }
   draw_micro(*ImGui::GetWindowDrawList(), state.drawing, area, state.backdrop.id());
 }
@@ -108,10 +122,8 @@ bool toolbar(Session& session, MicroscopePanelState& state, bool filled) {
   same_line_if_room(button_width("To the sample"));
   if (button("reset", "To the sample", Emphasis::quiet,
              {.tooltip = "Moves the point back to the pixel's sample.",
-              .disabled = state.point ? "" : "The point is at the sample."})) {
-    state.point.reset();
-    state.selected = -1;
-  }
+              .disabled = session.document().story.sample ? "" : "The point is at the sample."}))
+    move_point(session, {});
   if (state.save) {
     same_line_if_room(button_width("Save SVG…"), px(2));
     if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) state.save();
@@ -135,8 +147,8 @@ void samples_text(const Microscope& microscope) {
   ImGui::PopTextWrapPos();
 }
 
-void triangle_list(MicroscopePanelState& state, const MicroReading& reading, const PixelStory* story,
-                   StoryCursor& cursor) {
+void triangle_list(Session& session, const MicroscopePanelState& state, const MicroReading& reading,
+                   const PixelStory* story) {
   const int chosen = shown_triangle(reading, state.chosen);
   for (std::size_t i = 0; i < reading.triangles.size(); ++i) {
     if (i == most_rows) {
@@ -150,9 +162,9 @@ void triangle_list(MicroscopePanelState& state, const MicroReading& reading, con
         fmt::format("{}  {}: {}{}", i + 1, triangle.name, fate,
                     triangle.covered && !triangle.on_canvas ? ", z " + ps::number_text(triangle.z) : "");
     if (!tree_row(fmt::format("triangle/{}", i), text, TreeKind::leaf, index == chosen).clicked) continue;
-    state.selected = index;
+    click_triangle(session, index);
     const int event = story ? event_of_triangle(*story, triangle) : -1;
-    if (event >= 0) cursor = {event, true, event / events_per_page};
+    if (event >= 0) select_event(session, inspected_side(session), event);
   }
 }
 
@@ -232,7 +244,7 @@ void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float
   }
 }
 
-void readings(MicroscopePanelState& state, const PixelStory* story, StoryCursor& cursor) {
+void readings(Session& session, MicroscopePanelState& state, const PixelStory* story) {
   const MicroReading& reading = state.shown->reading;
   {
     const FontScope font(Face::heading);
@@ -248,7 +260,7 @@ void readings(MicroscopePanelState& state, const PixelStory* story, StoryCursor&
   samples_text(*state.shown->microscope);
   if (reading.ray) ray_text(*reading.ray);
   ImGui::Spacing();
-  triangle_list(state, reading, story, cursor);
+  triangle_list(session, state, reading, story);
   if (const int chosen = shown_triangle(reading, state.chosen); chosen >= 0)
     for (const MicroTable& table : triangle_tables(reading.triangles[static_cast<std::size_t>(chosen)]))
       numbers_table(table);
@@ -280,7 +292,7 @@ std::string microscope_drawing(const MicroscopePanelState& state) {
   return state.shown ? micro_svg(*state.shown->microscope, state.shown->reading, state.chosen) : std::string();
 }
 
-bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor& cursor, bool filled) {
+bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled) {
   const NameScope scope("microscope");
   const auto pixel = session.pixel();
   if (!session.has_scene() || !pixel) {
@@ -288,19 +300,14 @@ bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor
     ImGui::TextWrapped("Click a pixel in either picture to see it here, enlarged.");
     return false;
   }
-  if (pixel != state.pixel) {
-    state.pixel = pixel;
-    state.point.reset();
-    state.selected = -1;
-  }
   const Side side = inspected_side(session);
   MicroRequest request{session.scene(), session.view(), session.settings(side), *pixel, {0.5, 0.5}};
-  if (state.point)
-    request.point = *state.point;
+  if (const auto& point = session.document().story.sample)
+    request.point = *point;
   else if (request.settings.sample_position == SamplePosition::corner)
     request.point = {0, 1};
   const auto story = session.story(side);
-  follow_story(state, story.get(), cursor);
+  follow_story(session, state, story.get());
   take_result(state);
   // Where only a coarse picture of the pixel has come, the fine one is asked for.
   if (state.shown && same_pixel(state.shown->request, request))
@@ -313,10 +320,10 @@ bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor
   const bool beside = room.x > room.y * 1.2f;
   const float size =
       std::floor(std::max(px(120), beside ? std::min(room.y, room.x * 0.55f) : std::min(room.x, room.y * 0.6f)));
-  pixel_view(state, size);
+  pixel_view(session, state, size);
   if (beside) ImGui::SameLine(0, px(16));
   ImGui::BeginChild("readings");
-  readings(state, story.get(), cursor);
+  readings(session, state, story.get());
   ImGui::EndChild();
   return fill;
 }

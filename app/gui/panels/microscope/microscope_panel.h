@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "gui/panels/microscope/micro_paint.h"
-#include "gui/panels/story/story_tree_view.h"
 #include "gui/platform/texture.h"
 #include "gui/session/session.h"
 #include "gui/work/latest_result.h"
@@ -33,10 +32,7 @@ struct MicroResult {
 struct MicroscopePanelState {
   explicit MicroscopePanelState(std::function<void()> wake);
 
-  std::optional<Vec2d> point;  ///< where the sample point was dragged to; empty = the pixel's first sample
-  int selected = -1;           ///< triangle that was clicked; -1 = that of the story's selected event
-  int chosen = -1;             ///< triangle whose numbers are shown; -1 = the one in front
-  std::optional<Vec2i> pixel;  ///< that the two above belong to
+  int chosen = -1;  ///< triangle whose numbers are shown; -1 = the one in front
   LatestResult<MicroRequest, MicroResult> worker;
 
   std::shared_ptr<const MicroResult> shown;  ///< that the drawings were made from
@@ -51,8 +47,8 @@ struct MicroscopePanelState {
 /// What the panel shows now as an SVG file; empty before the first pixel.
 std::string microscope_drawing(const MicroscopePanelState& state);
 
-/// The picked pixel at panel size. A triangle that is clicked is selected in the story, and the other way round;
-/// `cursor` is that of the story. `filled`: it has the whole window; answers whether that shall change.
-bool microscope_panel(Session& session, MicroscopePanelState& state, StoryCursor& cursor, bool filled);
+/// The picked pixel at panel size. A triangle that is clicked is selected in the story, and the other way round.
+/// `filled`: it has the whole window; answers whether that shall change.
+bool microscope_panel(Session& session, MicroscopePanelState& state, bool filled);
 
 }  // namespace ps::gui

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "gui/shell/values.h"
+#include "gui/base/values.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/widgets.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gui/base/record.h"
 #include "gui/theme/theme.h"
-#include "gui/widgets/record.h"
 
 namespace ps::gui {
 namespace {

@@ -8,9 +8,11 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "gui/panels/space/space_groups.h"
 #include "gui/panels/space/space_paint.h"
 #include "gui/panels/story/story_rows.h"
 #include "gui/platform/plain_texture.h"
+#include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
@@ -26,43 +28,60 @@ constexpr double near_share = 0.02;        // of the viewer's distance
 constexpr double negligible_share = 0.01;  // of the pixel's colour
 constexpr double focus_factor = 1.1;       // distance of the viewer, of the scene's radius
 
-SpaceOrbit orbit_now(const SpacePanelState& state, double aspect) {
-  return state.orbit ? *state.orbit : preset_orbit(state.preset, state.model.bounds, state.base, aspect);
+const OutsideView& outside(const Session& session) { return session.document().story.outside; }
+
+template <class Apply>
+void edit_outside(Session& session, Apply&& apply) {
+  session.navigate([&](Document& document) { apply(document.story.outside); });
 }
 
-View viewer(const SpacePanelState& state, int width, int height) {
-  if (state.through_camera) return through_camera(state.view, state.settings, camera_margin, width, height);
+SpaceOrbit orbit_now(const OutsideView& look, const SpacePanelState& state, double aspect) {
+  return look.orbit ? *look.orbit : preset_orbit(look.preset, state.model.bounds, state.base, aspect);
+}
+
+View viewer(const OutsideView& look, const SpacePanelState& state, int width, int height) {
+  if (look.through_camera) return through_camera(state.view, state.settings, camera_margin, width, height);
   const double aspect = static_cast<double>(width) / height;
-  return orbit_view(orbit_now(state, aspect), state.base, width, height);
+  return orbit_view(orbit_now(look, state, aspect), state.base, width, height);
 }
 
-double near_of(const SpacePanelState& state, double aspect) {
-  return near_share * (state.through_camera ? state.view.camera.projection_plane_d : orbit_now(state, aspect).distance);
+double near_of(const OutsideView& look, const SpacePanelState& state, double aspect) {
+  return near_share *
+         (look.through_camera ? state.view.camera.projection_plane_d : orbit_now(look, state, aspect).distance);
 }
 
-void set_preset(SpacePanelState& state, SpacePreset preset) {
-  state.preset = preset;
-  state.orbit.reset();
-  state.through_camera = false;
+void set_preset(Session& session, SpacePreset preset) {
+  edit_outside(session, [&](OutsideView& look) {
+    look.preset = preset;
+    look.orbit.reset();
+    look.through_camera = false;
+  });
+}
+
+void turn_to(Session& session, const SpaceOrbit& orbit) {
+  edit_outside(session, [&](OutsideView& look) {
+    look.orbit = orbit;
+    look.through_camera = false;
+  });
 }
 
 /// Puts what is selected, or else the first hit, into the middle.
-void focus(SpacePanelState& state, int event, double aspect) {
+void focus(Session& session, const SpacePanelState& state, int event, double aspect) {
   const SpaceItem* found = nullptr;
   for (const SpaceItem& item : state.model.items)
     if (item.kind == SpaceKind::hit_point && item.emphasised && (!found || item.event == event)) found = &item;
   if (!found) return;
-  SpaceOrbit orbit = orbit_now(state, aspect);
+  SpaceOrbit orbit = orbit_now(outside(session), state, aspect);
   orbit.distance = state.model.bounds.radius * focus_factor;
   orbit.pivot = found->points[0];
-  state.orbit = orbit;
-  state.through_camera = false;
+  turn_to(session, orbit);
 }
 
-void show_popup(SpacePanelState& state) {
+void show_popup(Session& session, SpacePanelState& state) {
   if (button("show", "Show…", Emphasis::quiet, {.tooltip = "What is drawn, and what the lines mean."}))
     ImGui::OpenPopup("space-show");
   if (!ImGui::BeginPopup("space-show")) return;
+  const auto groups = shown_groups(outside(session));
   for (const auto& row : space_groups) {
     const SpaceStroke stroke = stroke_of({row.like, SpaceShape::line, {}});
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -71,13 +90,18 @@ void show_popup(SpacePanelState& state) {
                                         std::max(px(2), px(stroke.width)));
     ImGui::Dummy({px(26), 1});
     ImGui::SameLine();
-    toggle(row.key, row.label, state.groups[static_cast<std::size_t>(row.group)], {.tooltip = row.help});
+    bool shown = groups[static_cast<std::size_t>(row.group)];
+    if (toggle(row.key, row.label, shown, {.tooltip = row.help}))
+      edit_outside(session, [&](OutsideView& look) { switch_group(look, row.group); });
   }
   ImGui::Spacing();
   ImGui::TextUnformatted("Boxes down to level");
-  number("level", state.deepest_level,
-         {.minimum = 0, .maximum = std::max(1.0, static_cast<double>(state.model.deepest_level)), .integer = true},
-         {.tooltip = "0 is the bounding box of the whole scene.", .width = px(180)});
+  double deepest = outside(session).deepest_level, least = outside(session).least_contribution;
+  if (number("level", deepest,
+             {.minimum = 0, .maximum = std::max(1.0, static_cast<double>(state.model.deepest_level)), .integer = true},
+             {.tooltip = "0 is the bounding box of the whole scene.", .width = px(180)})
+          .changed)
+    edit_outside(session, [&](OutsideView& look) { look.deepest_level = deepest; });
   toggle("tree", "Whole tree", state.whole_tree,
          {.tooltip =
               "Also shows boxes that no ray of this pixel was tested against: the whole accelerator, level by level."});
@@ -86,29 +110,31 @@ void show_popup(SpacePanelState& state) {
                                        state.tree->primitives, state.tree->entries)
                                .c_str());
   ImGui::TextUnformatted("Hide rays that contribute less than");
-  number(
-      "least", state.least_contribution, {.minimum = 0, .maximum = 1},
-      {.tooltip = "Hides rays that contribute a smaller fraction of the pixel's colour, with all that belongs to them.",
-       .width = px(180)});
+  if (number("least", least, {.minimum = 0, .maximum = 1},
+             {.tooltip =
+                  "Hides rays that contribute a smaller fraction of the pixel's colour, with all that belongs to them.",
+              .width = px(180)})
+          .changed)
+    edit_outside(session, [&](OutsideView& look) { look.least_contribution = least; });
   ImGui::EndPopup();
 }
 
 /// Whether the words of the toolbar must be short.
 bool is_narrow() { return ImGui::GetContentRegionMax().x < px(560); }
 
-void play_buttons(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected) {
+void play_buttons(Session& session, SpacePanelState& state, int selected) {
   const std::string_view none = state.model.steps.empty() ? "No event of this pixel has a place in the scene." : "";
   const bool narrow = is_narrow();
   if (button("back", narrow ? "‹" : "Back", Emphasis::quiet, {.tooltip = "Previous event (comma)", .disabled = none}))
-    step_story(session, state, pixel, -1);
+    step_story(session, state, -1);
   ImGui::SameLine(0, px(2));
   if (button("play", state.play.running ? "Pause" : "Play", Emphasis::plain,
              {.tooltip = "Shows the events one after the other (Space)", .disabled = none, .width = px(62)}))
-    play_story(session, state, pixel);
+    play_story(session, state);
   ImGui::SameLine(0, px(2));
   if (button("forward", narrow ? "›" : "Step", Emphasis::quiet,
              {.tooltip = "Next event (full stop)", .disabled = none}))
-    step_story(session, state, pixel, 1);
+    step_story(session, state, 1);
   ImGui::SameLine();
   const auto& steps = state.model.steps;
   const auto step = std::upper_bound(steps.begin(), steps.end(), selected) - steps.begin();
@@ -135,18 +161,18 @@ void speed_choice(SpacePanelState& state) {
 }
 
 /// Hides rays with an invisible contribution to the pixel; the threshold is set under "Show".
-void hide_negligible(SpacePanelState& state) {
+void hide_negligible(Session& session) {
   same_line_if_room(button_width("Main rays"), px(2));
-  const bool hidden = state.least_contribution > 0;
+  const bool hidden = outside(session).least_contribution > 0;
   if (button_on_off(
           "negligible", "Main rays", hidden,
           {.tooltip =
                "Hides rays that contribute less than 1 % of the pixel's colour, with all that belongs to them."}))
-    state.least_contribution = hidden ? 0 : negligible_share;
+    edit_outside(session, [&](OutsideView& look) { look.least_contribution = hidden ? 0 : negligible_share; });
 }
 
 /// Where to look from: words side by side, or a list where the window is narrow.
-void look_from(SpacePanelState& state) {
+void look_from(Session& session) {
   static constexpr std::array looks{
       Choice{"outside", "Outside", "The whole scene, from above on the camera's right."},
       Choice{"side", "Side", "From the camera's right: the camera is at the left."},
@@ -155,7 +181,8 @@ void look_from(SpacePanelState& state) {
       Choice{"camera", "Camera", "Through the picture's own camera: its eye ray is a point."},
       Choice{"turned", "Turned", "As you turned it."}};
   constexpr int camera = 4, turned = 5;
-  const int before = state.through_camera ? camera : state.orbit ? turned : static_cast<int>(state.preset);
+  const OutsideView& look = outside(session);
+  const int before = look.through_camera ? camera : look.orbit ? turned : static_cast<int>(look.preset);
   const bool wide = ImGui::GetWindowWidth() >= px(690);
   int index = wide && before == turned ? -1 : before;
   const std::span<const Choice> shown(looks.data(), wide || before != turned ? turned : turned + 1);
@@ -163,23 +190,22 @@ void look_from(SpacePanelState& state) {
   same_line_if_room(width, px(14));
   if (!choice("look", shown, index, {.width = width}) || index == turned) return;
   if (index == camera)
-    state.through_camera = true;
+    edit_outside(session, [](OutsideView& changed) { changed.through_camera = true; });
   else
-    set_preset(state, static_cast<SpacePreset>(index));
+    set_preset(session, static_cast<SpacePreset>(index));
 }
 
 /// Answers whether to fill the window, or no longer.
-bool toolbar(Session& session, SpacePanelState& state, PixelPanelState& pixel, int selected, double aspect,
-             bool filled) {
-  play_buttons(session, state, pixel, selected);
+bool toolbar(Session& session, SpacePanelState& state, int selected, double aspect, bool filled) {
+  play_buttons(session, state, selected);
   speed_choice(state);
-  look_from(state);
+  look_from(session);
   same_line_if_room(button_width("Focus"), px(2));
   if (button("focus", "Focus", Emphasis::quiet, {.tooltip = "Shows the hit point in the centre, from near by."}))
-    focus(state, selected, aspect);
+    focus(session, state, selected, aspect);
   same_line_if_room(button_width("Show…"), px(2));
-  show_popup(state);
-  hide_negligible(state);
+  show_popup(session, state);
+  hide_negligible(session);
   if (state.save) {
     same_line_if_room(button_width("Save SVG…"), px(2));
     if (button("svg", "Save SVG…", Emphasis::quiet, {.tooltip = "Saves this view as a drawing."})) state.save();
@@ -188,13 +214,14 @@ bool toolbar(Session& session, SpacePanelState& state, PixelPanelState& pixel, i
   return button_on_off("fill", "Fill", filled, {.tooltip = "Shows this view in the whole window (double click; Esc)."});
 }
 
-void move_by_mouse(SpacePanelState& state, double aspect) {
+void move_by_mouse(Session& session, SpacePanelState& state, double aspect) {
   const ImGuiIO& io = ImGui::GetIO();
+  const OutsideView& look = outside(session);
   if (ImGui::IsItemActivated()) state.dragged = false;
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, px(4)) &&
       (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
-    SpaceOrbit orbit = orbit_now(state, aspect);
-    if (state.through_camera) orbit.yaw = orbit.pitch = 0;
+    SpaceOrbit orbit = orbit_now(look, state, aspect);
+    if (look.through_camera) orbit.yaw = orbit.pitch = 0;
     const double step = radians_per_pixel / static_cast<double>(px(1));
     if (io.KeyShift) {  // moves what is in the middle
       const Camera camera = state.picture ? state.picture->view.camera : Camera{};
@@ -206,16 +233,14 @@ void move_by_mouse(SpacePanelState& state, double aspect) {
       orbit.yaw -= io.MouseDelta.x * step;
       orbit.pitch = std::clamp(orbit.pitch + io.MouseDelta.y * step, -std::numbers::pi / 2, std::numbers::pi / 2);
     }
-    state.orbit = orbit;
-    state.through_camera = false;
+    turn_to(session, orbit);
     state.dragged = true;
   }
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
-    SpaceOrbit orbit = orbit_now(state, aspect);
-    if (state.through_camera) orbit.yaw = orbit.pitch = 0;
+    SpaceOrbit orbit = orbit_now(look, state, aspect);
+    if (look.through_camera) orbit.yaw = orbit.pitch = 0;
     orbit.distance *= std::pow(wheel_factor, static_cast<double>(io.MouseWheel));
-    state.orbit = orbit;
-    state.through_camera = false;
+    turn_to(session, orbit);
   }
 }
 
@@ -241,38 +266,18 @@ void caption(const SpacePanelState& state, const Session& session, int event, co
   draw_lines(at, text, palette().text);
 }
 
-void select(PixelPanelState& pixel, SpacePanelState& state, Side side, int event) {
-  StoryCursor& cursor = pixel.cursors[index_of(side)];
-  cursor.selected = event;
-  cursor.reveal = event >= 0;
-  pixel.events_open = true;
-  state.play.up_to = -1;
-  state.play.running = false;
-}
-
-void advance_play(Session& session, SpacePanelState& state, PixelPanelState& pixel) {
-  if (!state.play.running) return;
-  const double now = ImGui::GetTime();
-  if (now >= state.play.next_at) {
-    step_story(session, state, pixel, 1);
-    state.play.next_at = now + 1 / state.play.per_second;
-    if (state.model.steps.empty() || state.play.up_to >= state.model.steps.back()) state.play.running = false;
-  }
-  if (state.play.running) redraw_after(std::max(0.0, state.play.next_at - now));
-}
-
 /// What of the model is drawn now.
-SpaceLook look_of(const SpacePanelState& state) {
+SpaceLook look_of(const Session& session, const SpacePanelState& state) {
   SpaceLook look;
-  look.groups = state.groups;
-  look.least_contribution = state.least_contribution;
-  look.deepest_level = static_cast<int>(state.deepest_level);
-  look.up_to_event = state.play.up_to;
+  look.groups = shown_groups(outside(session));
+  look.least_contribution = outside(session).least_contribution;
+  look.deepest_level = static_cast<int>(outside(session).deepest_level);
+  look.up_to_event = drawn_until(session, state);
   return look;
 }
 
-bool same_vertex(const std::optional<VertexChain>& a, const std::optional<VertexChain>& b) {
-  return a.has_value() == b.has_value() && (!a || (a->id == b->id && a->world == b->world && a->camera == b->camera));
+bool same_vertex(const VertexChain* a, const std::optional<VertexChain>& b) {
+  return (a != nullptr) == b.has_value() && (!a || (a->id == b->id && a->world == b->world && a->camera == b->camera));
 }
 
 /// Adds the rest of the accelerator to the model once it is known. A story must be there: the picture has then built
@@ -292,25 +297,26 @@ void update_tree(Session& session, SpacePanelState& state) {
 
 }  // namespace
 
-void update_space(Session& session, SpacePanelState& state) {
+void update_space(Session& session, SpacePanelState& state, const VertexChain* vertex) {
   if (!session.has_scene()) return;
+  advance_play(session, state);
   const Side side = inspected_side(session);
   const auto story = session.story(side);
   const Scene& scene = session.scene();
   if (story == state.shown_story && scene.revision() == state.revision && session.view() == state.view &&
-      session.settings(side) == state.settings && same_vertex(state.vertex, state.followed) &&
+      session.settings(side) == state.settings && same_vertex(vertex, state.followed) &&
       (!state.tree || (state.whole_tree && story)))
     return update_tree(session, state);
-  if (story != state.shown_story) state.play.up_to = -1;
   state.shown_story = story;
   state.revision = scene.revision();
   state.view = session.view();
   state.base = scene.camera;
   state.settings = session.settings(side);
-  state.followed = state.vertex;
+  state.followed.reset();
+  if (vertex) state.followed = *vertex;
   state.model = build_space(scene, state.view, state.settings, story.get());
   state.tree.reset();
-  if (state.vertex) add_vertex(*state.vertex, state.view.camera, state.model);
+  if (state.followed) add_vertex(*state.followed, state.view.camera, state.model);
   update_tree(session, state);
 }
 
@@ -318,7 +324,7 @@ std::string space_drawing(const Session& session, const SpacePanelState& state) 
   if (!state.picture || !session.has_scene()) return {};
   // What the panel leaves out, and what has not happened yet, is not in the drawing either.
   SpaceModel shown = state.model;
-  const SpaceLook look = look_of(state);
+  const SpaceLook look = look_of(session, state);
   std::erase_if(shown.items, [&](const SpaceItem& item) { return !is_shown(item, look); });
   SpaceSvgOptions options;
   options.deepest_level = look.deepest_level;
@@ -326,21 +332,14 @@ std::string space_drawing(const Session& session, const SpacePanelState& state) 
   return space_svg(shown, *state.picture, options);
 }
 
-bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixel, const PicturesState& pictures,
-                 bool filled) {
+bool space_panel(Session& session, SpacePanelState& state, const PicturesState& pictures, bool filled) {
   const NameScope scope("space");
   if (!session.has_scene()) return false;
-  advance_play(session, state, pixel);
   const Side side = inspected_side(session);
-  StoryCursor& cursor = pixel.cursors[index_of(side)];
-  const int selected = state.shown_story ? shown_event(state.model, *state.shown_story, cursor.selected) : -1;
-  // An event selected elsewhere that has not happened yet ends the playing.
-  if (state.play.up_to >= 0 && selected != state.play.up_to) {
-    state.play.up_to = -1;
-    state.play.running = false;
-  }
+  const int event = session.selected_event(side);
+  const int selected = state.shown_story ? shown_event(state.model, *state.shown_story, event) : -1;
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  bool fill_or_not = toolbar(session, state, pixel, selected, room.x / std::max(room.y, 1.f), filled);
+  bool fill_or_not = toolbar(session, state, selected, room.x / std::max(room.y, 1.f), filled);
   const int width = static_cast<int>(room.x), height = static_cast<int>(ImGui::GetContentRegionAvail().y);
   const double aspect = static_cast<double>(std::max(width, 1)) / std::max(height, 1);
   if (width < 16 || height < 16) return fill_or_not;
@@ -351,11 +350,12 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
   ImGui::InvisibleButton("view", {area.width(), area.height()});
   controls().record("view", fmt::format("{}x{}", width, height));
   const bool hovered = ImGui::IsItemHovered();
-  move_by_mouse(state, aspect);
+  move_by_mouse(session, state, aspect);
   const bool clicked = ImGui::IsItemDeactivated() && !state.dragged && hovered;
   if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) fill_or_not = true;
 
-  state.worker.request({session.scene(), viewer(state, width, height), near_of(state, aspect)});
+  const OutsideView& from = outside(session);
+  state.worker.request({session.scene(), viewer(from, state, width, height), near_of(from, state, aspect)});
   state.worker.take_news();
   if (const auto picture = state.worker.result();
       picture && (picture != state.picture || state.paper != theme().brightness())) {
@@ -373,9 +373,9 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
                         {area.min.x + static_cast<float>(view.width), area.min.y + static_cast<float>(view.height)}};
   list.PushClipRect(area.min, area.max, true);
   add_plain_texture(list, state.texture, drawn_area.min, drawn_area.max);
-  SpaceLook look = look_of(state);
+  SpaceLook look = look_of(session, state);
   look.highlighted = selected;
-  if (!state.through_camera) look.picture = &pictures.pictures[index_of(side)].texture;
+  if (!from.through_camera) look.picture = &pictures.pictures[index_of(side)].texture;
   const ImVec2 far_away{-1e6f, -1e6f};
   Settings outside;
   const SpaceDrawn drawn = draw_space(list, area, state.model, SpaceProjection(view, outside, state.picture->near),
@@ -388,8 +388,11 @@ bool space_panel(Session& session, SpacePanelState& state, PixelPanelState& pixe
   if (drawn.highlight_place)
     controls().record("highlight", {drawn.highlight_place->x - 2, drawn.highlight_place->y - 2},
                       {drawn.highlight_place->x + 2, drawn.highlight_place->y + 2}, "");
-  if (clicked) select(pixel, state, side, drawn.hovered);
-  caption(state, session, drawn.hovered >= 0 ? drawn.hovered : cursor.selected, area);
+  if (clicked) {
+    state.play.running = false;
+    select_event(session, side, drawn.hovered);
+  }
+  caption(state, session, drawn.hovered >= 0 ? drawn.hovered : event, area);
   return fill_or_not;
 }
 

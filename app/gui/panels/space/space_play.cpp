@@ -4,37 +4,67 @@
 #include <algorithm>
 
 #include "gui/panels/space/space_panel.h"
+#include "gui/session/select_event.h"
+#include "gui/widgets/redraw.h"
 
 namespace ps::gui {
 namespace {
 
-void show_step(SpacePanelState& state, StoryCursor& cursor, std::size_t step) {
-  state.play.up_to = state.model.steps[step];
-  cursor.selected = state.play.up_to;
-  cursor.reveal = true;
+/// The selected event, or the one that represents it in the model.
+int selected_step(const Session& session, const SpacePanelState& state) {
+  if (!state.shown_story) return -1;
+  return shown_event(state.model, *state.shown_story, session.selected_event(inspected_side(session)));
+}
+
+void show_step(Session& session, SpacePanelState& state, std::size_t step) {
+  state.play.played = state.model.steps[step];
+  go_through_to(session, inspected_side(session), state.play.played);
 }
 
 }  // namespace
 
-void step_story(Session& session, SpacePanelState& state, PixelPanelState& pixel, int by) {
+int drawn_until(const Session& session, const SpacePanelState& state) {
+  return session.document().story.until_event ? selected_step(session, state) : -1;
+}
+
+void step_story(Session& session, SpacePanelState& state, int by) {
   const auto& steps = state.model.steps;
   if (steps.empty()) return;
-  StoryCursor& cursor = pixel.cursors[index_of(inspected_side(session))];
   // From the selected event, wherever it was selected; without one from before the first.
-  const int from = state.shown_story ? shown_event(state.model, *state.shown_story, cursor.selected) : -1;
+  const int from = selected_step(session, state);
   const auto after = std::upper_bound(steps.begin(), steps.end(), from) - steps.begin();
   const auto last = static_cast<std::ptrdiff_t>(steps.size()) - 1;
   const std::ptrdiff_t next = by > 0 ? after : std::lower_bound(steps.begin(), steps.end(), from) - steps.begin() - 1;
-  show_step(state, cursor, static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, last)));
+  show_step(session, state, static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, last)));
 }
 
-void play_story(Session& session, SpacePanelState& state, PixelPanelState& pixel) {
+void play_story(Session& session, SpacePanelState& state) {
   state.play.running = !state.play.running;
   if (!state.play.running || state.model.steps.empty()) return;
-  StoryCursor& cursor = pixel.cursors[index_of(inspected_side(session))];
-  const bool at_end = cursor.selected < 0 || cursor.selected >= state.model.steps.back() || state.play.up_to < 0;
-  if (at_end) show_step(state, cursor, 0);
+  const int selected = session.selected_event(inspected_side(session));
+  const bool at_end = selected < 0 || selected >= state.model.steps.back() || !session.document().story.until_event;
+  if (at_end)
+    show_step(session, state, 0);
+  else
+    state.play.played = selected;
   state.play.next_at = ImGui::GetTime() + 1 / state.play.per_second;
+}
+
+void advance_play(Session& session, SpacePanelState& state) {
+  StoryPlay& play = state.play;
+  if (!play.running) return;
+  const bool elsewhere = session.selected_event(inspected_side(session)) != play.played;
+  if (state.model.steps.empty() || elsewhere || !session.document().story.until_event) {
+    play.running = false;
+    return;
+  }
+  const double now = ImGui::GetTime();
+  if (now >= play.next_at) {
+    step_story(session, state, 1);
+    play.next_at = now + 1 / play.per_second;
+    if (play.played >= state.model.steps.back()) play.running = false;
+  }
+  if (play.running) redraw_after(std::max(0.0, play.next_at - now));
 }
 
 }  // namespace ps::gui

@@ -26,8 +26,10 @@ Settings listing_settings(const Session& session, Side side) {
   return settings;
 }
 
-void take_up(ListingPanelState& state, const std::shared_ptr<const PixelStory>& story) {
-  if (story == state.shown_story) return;
+/// `instance`: the run of a loop that was stepped to; -1 = none.
+void take_up(ListingPanelState& state, const std::shared_ptr<const PixelStory>& story, int instance) {
+  if (story == state.shown_story && instance == state.instance) return;
+  state.instance = instance;
   state.view.reset();
   state.rows.clear();
   state.shown_story = story;
@@ -45,9 +47,8 @@ void take_up(ListingPanelState& state, const std::shared_ptr<const PixelStory>& 
     }
   }
   state.view.emplace(*story->listing, *state.text);
-  if (state.stepped_pixel == story->pixel && state.stepped_to >= 0 &&
-      static_cast<std::size_t>(state.stepped_to) < story->listing->instances.size())
-    state.view->focus(state.stepped_to);
+  if (instance >= 0 && static_cast<std::size_t>(instance) < story->listing->instances.size())
+    state.view->focus(instance);
   state.rows = state.view->rows();
 }
 
@@ -60,7 +61,7 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
                 {.tooltip = "The lesson whose routine is shown.", .disabled = {}})) {
     Settings settings = session.settings(side);
     settings.listing = index;
-    state.stepped_to = -1;
+    session.navigate([](Document& document) { document.story.listing_instance = -1; });
     session.set_settings(side, settings, fmt::format("{}: another listing", letter_of(side)));
   }
   const bool shown = runs_listing(session.settings(side).renderer);
@@ -229,6 +230,8 @@ void quiet(const std::string& text) {
 
 }  // namespace
 
+void update_listing(ListingPanelState& state) { state.worker.take_news(); }
+
 bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   const NameScope scope("listing");
   if (!session.has_scene()) return false;
@@ -236,7 +239,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   const auto pixel = session.pixel();
   if (!pixel) {
     state.worker.clear();
-    take_up(state, nullptr);
+    take_up(state, nullptr, -1);
     quiet("Click a pixel to see a lesson's routine with the values that its lines have there.");
     return false;
   }
@@ -246,7 +249,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   request.picture.settings = listing_settings(session, side);
   request.pixel = *pixel;
   state.worker.request(request);
-  take_up(state, state.worker.story());
+  take_up(state, state.worker.story(), session.document().story.listing_instance);
   const bool fill = toolbar(session, state, side, filled);
   if (!state.error.empty()) quiet(state.error);
   if (!state.view) {
@@ -259,9 +262,9 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   const auto stepped = code(state.rows, ink_of(side), std::exchange(state.reveal, false));
   if (stepped) {
     state.view->step(stepped->row, stepped->by);
-    state.stepped_pixel = *pixel;
-    state.stepped_to = state.view->focus();
+    state.instance = state.view->focus();
     state.rows = state.view->rows();
+    session.navigate([&](Document& document) { document.story.listing_instance = state.instance; });
   }
   return fill;
 }

@@ -21,10 +21,11 @@ struct ListingPanelState {
   std::optional<ListingView> view;
   bool reveal = false;           ///< the listing is new: scroll to its first values
   std::vector<ListingRow> rows;  ///< of the view
-  /// The run of a loop that was stepped to, of the pixel that was picked then; -1 = none.
-  Vec2i stepped_pixel{-1, -1};
-  int stepped_to = -1;
+  int instance = -1;             ///< the document's, that the view was made for
 };
+
+/// Takes up the values that have come; once a frame.
+void update_listing(ListingPanelState& state);
 
 /// A lesson's routine with the values that its lines had for the picked pixel. `filled`: it has the whole window;
 /// answers whether that shall change.

@@ -114,12 +114,9 @@ bool worth_a_row(const PartingViewState& state, const AlignedRow& row) {
   return event_weight(event) != EventWeight::quiet && !std::holds_alternative<RejectEvent>(event.data);
 }
 
-StoryCursor cursor_at(int event) {
-  return event < 0 ? StoryCursor{} : StoryCursor{event, true, event / events_per_page};
-}
-
-void steps(Session& session, PartingViewState& state, std::array<StoryCursor, 2>& cursors) {
-  const int parts_at = row_of(state);
+void steps(Session& session, PartingViewState& state) {
+  const int parts_at = row_of(state), selected_a = session.selected_event(Side::a),
+            selected_b = session.selected_event(Side::b);
   int shown = 0, equal = 0, quiet = 0;
   for (std::size_t i = 0; i < state.rows.size() && shown < most_rows; ++i) {
     const AlignedRow& row = state.rows[i];
@@ -129,15 +126,14 @@ void steps(Session& session, PartingViewState& state, std::array<StoryCursor, 2>
       continue;
     }
     ++shown;
-    const bool selected = (row.a >= 0 && cursors[0].selected == row.a) || (row.b >= 0 && cursors[1].selected == row.b);
-    if (step(static_cast<int>(i), row, parts_here, selected, state, session.scene())) {
-      cursors[0] = cursor_at(row.a);
-      cursors[1] = cursor_at(row.b);
-      // Space and microscope show the side that took the step.
-      const Side picked = session.document().picked;
-      if ((picked == Side::a ? row.a : row.b) < 0)
-        session.navigate([&](Document& document) { document.picked = picked == Side::a ? Side::b : Side::a; });
-    }
+    const bool selected = (row.a >= 0 && selected_a == row.a) || (row.b >= 0 && selected_b == row.b);
+    if (step(static_cast<int>(i), row, parts_here, selected, state, session.scene()))
+      session.navigate([&](Document& document) {
+        document.events = {row.a, row.b};
+        document.story.until_event = false;
+        // Space and microscope show the side that took the step.
+        if (event_of(document, document.picked) < 0) document.picked = other_side(document.picked);
+      });
   }
   state.reveal = false;
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
@@ -150,8 +146,7 @@ void steps(Session& session, PartingViewState& state, std::array<StoryCursor, 2>
 }  // namespace
 
 void parting_view(Session& session, PartingViewState& state,
-                  const std::array<std::shared_ptr<const PixelStory>, 2>& stories,
-                  std::array<StoryCursor, 2>& cursors) {
+                  const std::array<std::shared_ptr<const PixelStory>, 2>& stories) {
   const NameScope scope("parting");
   if (!stories[0] || !stories[1]) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
@@ -165,7 +160,7 @@ void parting_view(Session& session, PartingViewState& state,
   if (state.parting.cause != PartingCause::none || state.all_steps) toggle("equal-steps", "All steps", state.all_steps);
   ImGui::Spacing();
   ImGui::BeginChild("steps");  // what it comes down to stays in sight
-  steps(session, state, cursors);
+  steps(session, state);
   ImGui::EndChild();
 }
 

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "gui/panels/story/story_tree_view.h"
 #include "gui/session/session.h"
 #include "inspect/parting/align_stories.h"
 #include "inspect/parting/parting.h"
@@ -20,8 +19,8 @@ struct PartingViewState {
 };
 
 /// The stories of A and B step by step beside each other, with the first difference marked and its cause in a sentence.
-/// A click on a step selects it in both cursors.
+/// A click on a step selects it in both stories.
 void parting_view(Session& session, PartingViewState& state,
-                  const std::array<std::shared_ptr<const PixelStory>, 2>& stories, std::array<StoryCursor, 2>& cursors);
+                  const std::array<std::shared_ptr<const PixelStory>, 2>& stories);
 
 }  // namespace ps::gui

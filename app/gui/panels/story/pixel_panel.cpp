@@ -8,8 +8,8 @@
 #include "document/document_provenance.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/story/ledger_view.h"
+#include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
-#include "inspect/parting/align_stories.h"
 #include "inspect/story_json.h"
 #include "math/conventions.h"
 
@@ -81,21 +81,19 @@ std::string event_count(const PixelStory& story) {
 
 void full_story(Session& session, PixelPanelState& state, Side side, const PixelStory& story,
                 const std::function<void(const std::string&)>& copy) {
-  auto& cursor = state.cursors[index_of(side)];
+  StoryTreeState& tree = state.trees[index_of(side)];
   const std::string name = prefix(side);
   verdict(story, side);
   ImGui::Spacing();
   const PinnedStory* pinned = pinned_story(session, state.pin, side, session.story(side));
   pin_view(session, state.pin, side, session.story(side));
+  if (tree.reveal) state.events_open = true;
   if (section("events", "What happened", state.events_open, event_count(story)))
-    story_tree_view(name, story, session.scene(), cursor, pinned);
-  if (section("sum", "The colour as a sum", state.sum_open)) {
-    if (const int clicked = ledger_view(name, story, cursor.selected, pinned); clicked >= 0) {
-      cursor.selected = clicked;
-      cursor.reveal = true;
-      state.events_open = true;
-    }
-  }
+    if (const auto clicked = story_tree_view(name, story, session.scene(), tree, pinned))
+      select_event(session, side, *clicked);
+  if (section("sum", "The colour as a sum", state.sum_open))
+    if (const int clicked = ledger_view(name, story, tree.selected, pinned); clicked >= 0)
+      select_event(session, side, clicked);
   if (has_canvas_rows(session) && section("rows", "Rows of the canvas triangles", state.rows_open))
     canvas_rows_view(session, side, state.rows, name);
   if (section("work", "Work for this pixel", state.work_open)) work(story, name + "/work");
@@ -139,18 +137,18 @@ void short_story(Session& session, PixelPanelState& state, Side side, const Pixe
   ImGui::PushID(name.c_str());
   verdict(story, side);
   ImGui::Spacing();
+  StoryTreeState& tree = state.trees[index];
+  const auto select = [&](int event) {
+    select_event(session, side, event);
+    pick_side(session, side);
+  };
   if (section(name + "/sum", "The colour as a sum", state.both_sum_open[index]))
-    if (const int clicked = ledger_view(name, story, state.cursors[index].selected); clicked >= 0) {
-      state.cursors[index].selected = clicked;
-      pick_side(session, side);
-      state.cursors[index].reveal = true;
+    if (const int clicked = ledger_view(name, story, tree.selected); clicked >= 0) {
+      select(clicked);
       state.both_events_open[index] = true;
     }
-  if (section(name + "/events", "What happened", state.both_events_open[index], event_count(story))) {
-    const int before = state.cursors[index].selected;
-    story_tree_view(name, story, session.scene(), state.cursors[index]);
-    if (state.cursors[index].selected != before) pick_side(session, side);
-  }
+  if (section(name + "/events", "What happened", state.both_events_open[index], event_count(story)))
+    if (const auto clicked = story_tree_view(name, story, session.scene(), tree)) select(*clicked);
   ImGui::PopID();
 }
 
@@ -197,32 +195,34 @@ void nothing_picked(Session& session) {
   ImGui::PopStyleColor();
 }
 
-/// Where event `selected` of one story stands in another of the same pixel, as after a change of options; -1 if it
-/// happens no more.
-int same_event(const PixelStory& before, const PixelStory& after, int selected, const Scene& scene) {
-  if (selected < 0) return -1;
-  for (const AlignedRow& row : align_stories(before, after, scene))
-    if (row.a == selected) return row.b;
-  return -1;
+/// What of the stories is shown: the keys of Layout::right_tab.
+enum class Shown { one, both, parting };  // one: that of the document's picked side
+constexpr std::array<std::string_view, 3> shown_keys{"story", "both", "parting"};
+
+/// A key that this version does not know shows one story.
+Shown shown_now(const Document& document) {
+  const auto found = std::find(shown_keys.begin(), shown_keys.end(), document.layout.right_tab);
+  return found == shown_keys.end() ? Shown::one : static_cast<Shown>(found - shown_keys.begin());
 }
 
-/// A new story gets a fresh cursor; if it is of the same pixel, the selected event stays selected.
-void follow(const Session& session, PixelPanelState& state, Side side, const std::shared_ptr<const PixelStory>& story) {
-  auto& followed = state.followed[index_of(side)];
-  if (followed == story) return;
-  auto& cursor = state.cursors[index_of(side)];
-  const bool same_pixel = followed && story && followed->pixel == story->pixel;
-  const int selected = same_pixel ? same_event(*followed, *story, cursor.selected, session.scene()) : -1;
-  const int page = selected >= 0 ? selected / events_per_page : same_pixel ? cursor.page : 0;
-  cursor = {selected, false, page};
-  followed = story;
+/// A, B, both or where they part. Answers what is shown.
+Shown choose_shown(Session& session) {
+  static constexpr std::array tabs{
+      Choice{"a", "A", "The pixel in picture A."}, Choice{"b", "B", "The pixel in picture B."},
+      Choice{"both", "Both", "The stories of A and B together."},
+      Choice{"parting", "Parting", "The first step at which the two stories differ, and why."}};
+  const Shown before = shown_now(session.document());
+  int tab = before == Shown::parting ? 3 : before == Shown::both ? 2 : session.document().picked == Side::a ? 0 : 1;
+  if (!tab_row("side", tabs, tab)) return before;
+  const Shown shown = tab == 3 ? Shown::parting : tab == 2 ? Shown::both : Shown::one;
+  session.navigate([&](Document& document) {
+    document.layout.right_tab = shown_keys[static_cast<std::size_t>(shown)];
+    if (shown == Shown::one) document.picked = tab == 0 ? Side::a : Side::b;
+  });
+  return shown;
 }
 
 }  // namespace
-
-void follow_stories(const Session& session, PixelPanelState& state) {
-  for (const Side side : both_sides) follow(session, state, side, session.story(side));
-}
 
 void pixel_panel(Session& session, PixelPanelState& state, const std::function<void(const std::string&)>& copy) {
   const NameScope scope("pixel");
@@ -234,30 +234,18 @@ void pixel_panel(Session& session, PixelPanelState& state, const std::function<v
   place(session, *picked);
   same_line_if_room(button_width("Pinned"));
   pin_button(session);
-  static constexpr std::array tabs{
-      Choice{"a", "A", "The pixel in picture A."}, Choice{"b", "B", "The pixel in picture B."},
-      Choice{"both", "Both", "The stories of A and B together."},
-      Choice{"parting", "Parting", "The first step at which the two stories differ, and why."}};
-  using Shown = PixelPanelState::Shown;
-  int tab = state.shown == Shown::parting          ? 3
-            : state.shown == Shown::both           ? 2
-            : session.document().picked == Side::a ? 0
-                                                   : 1;
-  if (tab_row("side", tabs, tab)) {
-    state.shown = tab == 3 ? Shown::parting : tab == 2 ? Shown::both : Shown::one;
-    if (state.shown == Shown::one)
-      session.navigate([&](Document& document) { document.picked = tab == 0 ? Side::a : Side::b; });
-  }
+  const Shown shown = choose_shown(session);
   const std::array stories{session.story(Side::a), session.story(Side::b)};
-  for (const Side side : both_sides) follow(session, state, side, stories[index_of(side)]);
+  for (const Side side : both_sides)
+    state.trees[index_of(side)].follow(stories[index_of(side)], session.selected_event(side));
 
   ImGui::BeginChild("story");
-  switch (state.shown) {
+  switch (shown) {
   case Shown::both:
     both(session, state, stories);
     break;
   case Shown::parting:
-    parting_view(session, state.parting, stories, state.cursors);
+    parting_view(session, state.parting, stories);
     break;
   case Shown::one: {
     const Side side = session.document().picked;

@@ -17,10 +17,7 @@ struct PixelPanelState {
   /// `wake` as for PinState.
   explicit PixelPanelState(const std::function<void()>& wake) : pin(wake) {}
 
-  /// One story is that of the document's picked side.
-  enum class Shown { one, both, parting } shown = Shown::one;
-  std::array<StoryCursor, 2> cursors;
-  std::array<std::shared_ptr<const PixelStory>, 2> followed;  ///< the stories that the cursors point into
+  std::array<StoryTreeState, 2> trees;
   PartingViewState parting;
   PinState pin;
   bool events_open = true, sum_open = true, work_open = false, rows_open = false;
@@ -31,9 +28,5 @@ struct PixelPanelState {
 /// The story of the picked pixel: verdict, events as a tree, the colour as a sum, and the work it took.
 /// `copy` puts text on the clipboard.
 void pixel_panel(Session& session, PixelPanelState& state, const std::function<void(const std::string&)>& copy);
-
-/// Keeps what is selected selected when stories of the same pixel come; also while the panel is not shown, since other
-/// views show the selected event, too.
-void follow_stories(const Session& session, PixelPanelState& state);
 
 }  // namespace ps::gui

@@ -184,7 +184,7 @@ std::string run_text(const std::vector<Event>& events, const StoryRow& run) {
 std::string row_text(const std::vector<Event>& events, const std::vector<int>& ends, const Scene& scene, int index) {
   if (std::holds_alternative<RayEvent>(at(events, index).data)) return ray_text(events, ends, scene, index);
   if (const auto* hit = std::get_if<HitEvent>(&at(events, index).data))
-    return fmt::format("hit {} at t = {}", primitive_name(scene, hit->id), number_text(hit->t));
+    return fmt::format("hit {} at t = {}", primitive_name(scene, hit->id), ps::number_text(hit->t));
   if (const auto* light = std::get_if<LightEvent>(&at(events, index).data))
     return fmt::format("light {}: {}", light->light, light_effect_text(scene, *light, LightWords::brief));
   return short_description(at(events, index), scene);

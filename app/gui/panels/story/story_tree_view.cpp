@@ -22,10 +22,11 @@ struct TreeDrawing {
   const std::string& name;
   const PixelStory& story;
   const Scene& scene;
-  StoryCursor& cursor;
+  StoryTreeState& state;
   const PinnedStory* pinned;
   std::vector<int> ends;
   int first = 0, last = 0;  // the page, half-open
+  std::optional<int> clicked = {};
 
   const Event& event(int index) const { return story.events[static_cast<std::size_t>(index)]; }
   int end(int index) const { return ends[static_cast<std::size_t>(index)]; }
@@ -75,7 +76,7 @@ struct TreeDrawing {
     const float label = ImGui::GetCursorScreenPos().x + ImGui::GetFontSize() + px(6);  // where tree_row leaves it room
     ImGui::PushStyleColor(ImGuiCol_Text, weight == EventWeight::quiet ? palette().text_quiet : palette().text);
     const auto result =
-        tree_row(fmt::format("{}/event/{}", name, index), text, kind, cursor.selected == index, open, icon + px(6));
+        tree_row(fmt::format("{}/event/{}", name, index), text, kind, state.selected == index, open, icon + px(6));
     ImGui::PopStyleColor();
     if (is_new(index)) mark_left(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     const float middle = ImGui::GetItemRectMin().y + px(1) + ImGui::GetTextLineHeight() / 2;
@@ -97,7 +98,7 @@ struct TreeDrawing {
     siblings(root, count);
   }
 
-  bool reveals(int from, int to) const { return cursor.reveal && cursor.selected >= from && cursor.selected < to; }
+  bool reveals(int from, int to) const { return state.reveal && state.selected >= from && state.selected < to; }
 
   /// Siblings; those that say little by themselves share a row.
   void siblings(int from, int to) {
@@ -132,13 +133,13 @@ struct TreeDrawing {
     const std::string text = row_text(story.events, ends, scene, index) + (says_new(index) ? " (new)" : "");
     const auto result = row(index, text, leaf ? TreeKind::leaf : TreeKind::branch, !shut, event_weight(event(index)));
     tooltip(describe(event(index), scene));
-    if (result.clicked) cursor.selected = cursor.selected == index ? -1 : index;
-    if (cursor.reveal && cursor.selected == index) {
+    if (result.clicked) clicked = state.selected == index ? -1 : index;
+    if (state.reveal && state.selected == index) {
       ImGui::SetScrollHereY(0.3f);
-      cursor.reveal = false;
+      state.reveal = false;
     }
     was(index);
-    if (cursor.selected == index) {
+    if (state.selected == index) {
       ImGui::Indent(ImGui::GetTreeNodeToLabelSpacing());
       details(index);
       numbers(index);
@@ -152,35 +153,45 @@ struct TreeDrawing {
   }
 };
 
-void page_row(const std::string& name, StoryCursor& cursor, int pages, int count) {
+void page_row(const std::string& name, StoryTreeState& state, int pages, int count) {
   if (button(name + "/page-before", "Before", Emphasis::quiet,
-             {.tooltip = {}, .disabled = cursor.page == 0 ? "first page" : ""}))
-    --cursor.page;
+             {.tooltip = {}, .disabled = state.page == 0 ? "first page" : ""}))
+    --state.page;
   ImGui::SameLine();
-  const int from = cursor.page * events_per_page + 1;
+  const int from = state.page * events_per_page + 1;
   ImGui::Text("events %d to %d of %d", from, std::min(from + events_per_page - 1, count), count);
   ImGui::SameLine();
   if (button(name + "/page-after", "After", Emphasis::quiet,
-             {.tooltip = {}, .disabled = cursor.page + 1 == pages ? "last page" : ""}))
-    ++cursor.page;
+             {.tooltip = {}, .disabled = state.page + 1 == pages ? "last page" : ""}))
+    ++state.page;
 }
 
 }  // namespace
 
-void story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene, StoryCursor& cursor,
-                     const PinnedStory* pinned) {
+void StoryTreeState::follow(const std::shared_ptr<const PixelStory>& now, int selected_now) {
+  const bool newer = now != story;
+  const bool same_pixel = story && now && story->pixel == now->pixel;
+  if (newer) page = selected_now >= 0 ? selected_now / events_per_page : same_pixel ? page : 0;
+  if (selected_now != selected) reveal = selected_now >= 0 && !(newer && same_pixel);
+  selected = selected_now;
+  story = now;
+}
+
+std::optional<int> story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene,
+                                   StoryTreeState& state, const PinnedStory* pinned) {
   const int count = static_cast<int>(story.events.size());
   const int pages = std::max(1, (count + events_per_page - 1) / events_per_page);
-  if (cursor.selected >= count) cursor.selected = -1;
-  if (cursor.reveal && cursor.selected >= 0) cursor.page = cursor.selected / events_per_page;
-  cursor.page = std::clamp(cursor.page, 0, pages - 1);
-  if (pages > 1) page_row(name, cursor, pages, count);
-  TreeDrawing drawing{name, story, scene, cursor, pinned, subtree_ends(story.events)};
-  drawing.first = cursor.page * events_per_page;
+  if (state.reveal && state.selected >= 0) state.page = state.selected / events_per_page;
+  state.page = std::clamp(state.page, 0, pages - 1);
+  if (pages > 1) page_row(name, state, pages, count);
+  TreeDrawing drawing{name, story, scene, state, pinned, subtree_ends(story.events)};
+  drawing.first = state.page * events_per_page;
   drawing.last = drawing.first + events_per_page;
   ImGui::PushID(name.c_str());
   drawing.roots(count);
   ImGui::PopID();
+  if (drawing.clicked) state.selected = *drawing.clicked;  // it is in view
+  return drawing.clicked;
 }
 
 std::string story_text(const PixelStory& story, const Scene& scene) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,21 +9,27 @@
 
 namespace ps::gui {
 
-/// Which event of a story is picked, and which page of a long one is shown.
-struct StoryCursor {
-  int selected = -1;    ///< index of an event; its numbers are shown below it
-  bool reveal = false;  ///< the selected event shall be brought into view
-  int page = 0;
-};
-
 inline constexpr int events_per_page = 200;
+
+/// What a tree of events remembers of itself.
+struct StoryTreeState {
+  int page = 0;         ///< of a long story
+  bool reveal = false;  ///< the selected event shall be brought into view
+  int selected = -1;    ///< that was drawn last
+  std::shared_ptr<const PixelStory> story;
+
+  /// Before it is drawn: an event that was selected elsewhere comes into view; one that is the same event in a newer
+  /// story of the pixel stays where it is.
+  void follow(const std::shared_ptr<const PixelStory>& now, int selected_now);
+};
 
 struct PinnedStory;
 
-/// The events as a tree with their numbers; `name` goes before the names of its rows. With `pinned`, what an event was
-/// then stands below its row, and its old numbers above the new ones.
-void story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene, StoryCursor& cursor,
-                     const PinnedStory* pinned = nullptr);
+/// The events as a tree with their numbers; `name` goes before the names of its rows. After StoryTreeState::follow().
+/// With `pinned`, what an event was then stands below its row, and its old numbers above the new ones. Answers the
+/// event that a click selects, -1 where it takes the selection back.
+std::optional<int> story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene,
+                                   StoryTreeState& state, const PinnedStory* pinned = nullptr);
 
 /// The whole story as text, one event a line, for the clipboard.
 std::string story_text(const PixelStory& story, const Scene& scene);

@@ -97,14 +97,25 @@ void model_card(const VertexChain& now, const VertexChain& plain) {
   card(1, "model", "Position in the model (CGFS ch. 10).", [&] { result("model", now.model, plain.model); });
 }
 
-void world_card(VertexPanelState& state, const VertexChain& now, const VertexChain& plain) {
+template <class Apply>
+void try_out(Session& session, Apply&& apply) {
+  session.navigate([&](Document& document) { apply(document.story.vertex_edits); });
+}
+
+void keep(Session& session, const std::optional<VertexId>& vertex) {
+  session.navigate([&](Document& document) { document.story.vertex = vertex; });
+}
+
+void world_card(Session& session, const VertexChain& now, const VertexChain& plain) {
   card(2, "world", "Translation, rotation and scale, as one matrix.", [&] {
     static constexpr std::array orders{
         Choice{"turn-then-move", "turn, move", "Rotation first, as in the renderers."},
         Choice{"move-then-turn", "move, turn", "Translation first: the rotation turns it as well."}};
-    int order = state.edits.order == ModelOrder::turn_then_move ? 0 : 1;
+    int order = session.document().story.vertex_edits.order == ModelOrder::turn_then_move ? 0 : 1;
     if (choice("order", orders, order, {.width = px(card_width)}))
-      state.edits.order = order == 0 ? ModelOrder::turn_then_move : ModelOrder::move_then_turn;
+      try_out(session, [&](VertexEdits& edits) {
+        edits.order = order == 0 ? ModelOrder::turn_then_move : ModelOrder::move_then_turn;
+      });
     matrix(now.to_world);
     result("world", now.world, plain.world);
   });
@@ -117,16 +128,16 @@ void camera_card(const VertexChain& now, const VertexChain& plain) {
   });
 }
 
-void clip_card(Session& session, VertexPanelState& state, const VertexChain& now, const VertexChain& plain) {
+void clip_card(Session& session, const VertexChain& now, const VertexChain& plain) {
   card(4, "clip", "Distances to the planes; negative = clipped (CGFS ch. 11).", [&] {
-    double near = state.edits.near.value_or(session.settings(inspected_side(session)).near);
+    double near = session.document().story.vertex_edits.near.value_or(session.settings(inspected_side(session)).near);
     ImGui::TextUnformatted("near");
     ImGui::SameLine(0, px(8));
     const Option* option = find_option("near");
     if (number("near", near, {.minimum = option->minimum, .maximum = option->maximum, .scale = option->scale},
                {.tooltip = "Tries another near plane for this vertex.", .width = px(110)})
             .changed)
-      state.edits.near = near;
+      try_out(session, [&](VertexEdits& edits) { edits.near = near; });
     for (const PlaneDistance& plane : now.planes) {
       const bool cut = plane.distance < 0;
       const FontScope font(Face::mono);
@@ -157,38 +168,35 @@ void canvas_card(const VertexChain& now, const VertexChain& plain) {
 }
 
 bool toolbar(Session& session, VertexPanelState& state, bool filled) {
+  const VertexId vertex = state.chain->id;
   const auto& mesh_of =
-      std::get<Instance>(session.scene().geometry->objects[static_cast<std::size_t>(state.vertex->object)].shape);
+      std::get<Instance>(session.scene().geometry->objects[static_cast<std::size_t>(vertex.object)].shape);
   const int count = static_cast<int>(session.scene().geometry->meshes[mesh_of.mesh]->positions.size());
   {
     const FontScope font(Face::heading);
-    value_text("name", fmt::format("vertex {} of {}", state.vertex->vertex, state.chain->object_name));
+    value_text("name", fmt::format("vertex {} of {}", vertex.vertex, state.chain->object_name));
   }
   same_line_if_room(button_width("Previous") + button_width("Next"), px(16));
-  if (button("previous", "Previous")) {
-    state.vertex->vertex = (state.vertex->vertex + count - 1) % count;
-    state.keep = true;
-  }
+  if (button("previous", "Previous")) keep(session, VertexId{vertex.object, (vertex.vertex + count - 1) % count});
   ImGui::SameLine();
-  if (button("next", "Next")) {
-    state.vertex->vertex = (state.vertex->vertex + 1) % count;
-    state.keep = true;
-  }
+  if (button("next", "Next")) keep(session, VertexId{vertex.object, (vertex.vertex + 1) % count});
   same_line_if_room(px(150));
-  toggle("keep", "Keep this vertex", state.keep,
-         {.tooltip = "Off: follows the vertex nearest to the picked pixel, of the triangle that it shows.",
-          .width = px(150)});
+  bool kept = session.document().story.vertex.has_value();
+  if (toggle("keep", "Keep this vertex", kept,
+             {.tooltip = "Off: follows the vertex nearest to the picked pixel, of the triangle that it shows.",
+              .width = px(150)}))
+    keep(session, kept ? std::optional(vertex) : std::nullopt);
   same_line_if_room(button_width("Show in space"));
   if (button("space", "Show in space", Emphasis::plain,
              {.tooltip = "Keeps the vertex, and shows it in the view from outside.", .disabled = {}})) {
-    state.keep = true;
+    keep(session, vertex);
     session.navigate([](Document& document) { document.layout.bottom_tab = "space"; });
   }
-  if (state.edits != VertexEdits{}) {
+  if (session.document().story.vertex_edits != VertexEdits{}) {
     same_line_if_room(button_width("Undo the edits"));
     if (button("reset", "Undo the edits", Emphasis::plain,
                {.tooltip = "Restores the transforms of the renderers.", .disabled = {}}))
-      state.edits = {};
+      try_out(session, [](VertexEdits& edits) { edits = {}; });
   }
   same_line_if_room(button_width("Fill"));
   return button_on_off("fill", "Fill", filled,
@@ -197,44 +205,46 @@ bool toolbar(Session& session, VertexPanelState& state, bool filled) {
 
 }  // namespace
 
-void update_vertex(Session& session, VertexPanelState& state, bool shown) {
-  if (!(shown || state.keep) || !session.has_scene()) {
-    state.chain.reset();
-    return;
-  }
-  const Side side = inspected_side(session);
+std::optional<VertexId> followed_vertex(Session& session, VertexPanelState& state) {
+  if (!session.has_scene()) return {};
+  if (const auto& kept = session.document().story.vertex) return kept;
   const auto pixel = session.pixel();
+  const Side side = inspected_side(session);
   const auto story = session.story(side);
   const Scene& scene = session.scene();
-  Settings settings = session.settings(side);
-  const View view = session.view();
-  if (state.revision != scene.geometry.revision()) {  // other objects may stand at these numbers now
-    state.revision = scene.geometry.revision();
-    state.vertex.reset();
-    state.keep = false;
+  if (state.geometry != scene.geometry.revision()) {  // other objects may have these numbers now
+    state.geometry = scene.geometry.revision();
+    state.nearest.reset();
+    state.story.reset();
   }
-  const bool moved = pixel && (state.pixel != *pixel || state.picked != story);
-  if (pixel && story && story->pixel == *pixel && (!state.vertex || (moved && !state.keep))) {
-    state.pixel = *pixel;
-    state.picked = story;
-    state.vertex = nearest_vertex(scene, view, settings, {pixel->x + 0.5, pixel->y + 0.5}, shown_triangle(*story));
+  if (pixel && story && story->pixel == *pixel && story != state.story) {
+    state.story = story;
+    state.nearest = nearest_vertex(scene, session.view(), session.settings(side), {pixel->x + 0.5, pixel->y + 0.5},
+                                   shown_triangle(*story));
   }
+  return state.nearest;
+}
+
+const VertexChain* followed_chain(Session& session, VertexPanelState& state) {
+  const auto vertex = followed_vertex(session, state);
   state.chain.reset();
   state.error.clear();
-  if (!state.vertex) return;
+  if (!vertex) return nullptr;
+  const Settings& settings = session.settings(inspected_side(session));
   try {
-    state.chain = vertex_chain(scene, view, settings, *state.vertex, state.edits);
-    state.plain = vertex_chain(scene, view, settings, *state.vertex);
+    state.chain =
+        vertex_chain(session.scene(), session.view(), settings, *vertex, session.document().story.vertex_edits);
+    state.plain = vertex_chain(session.scene(), session.view(), settings, *vertex);
   } catch (const InputError& error) {
     state.error = error.what();
   }
+  return state.chain ? &*state.chain : nullptr;
 }
 
 bool vertex_panel(Session& session, VertexPanelState& state, bool filled) {
   const NameScope scope("vertex");
-  if (!state.chain) {
+  if (!followed_chain(session, state)) {
     quiet(!state.error.empty()                     ? state.error
-          : session.pixel() && state.vertex        ? ""
           : session.pixel() && session.has_scene() ? "This scene has no models, so there are no vertices to follow."
                                                    : "Click a pixel to follow the nearest vertex of its triangle.");
     return false;
@@ -244,9 +254,9 @@ bool vertex_panel(Session& session, VertexPanelState& state, bool filled) {
   ImGui::Spacing();
   ImGui::BeginChild("chain");
   model_card(now, plain);
-  world_card(state, now, plain);
+  world_card(session, now, plain);
   camera_card(now, plain);
-  clip_card(session, state, now, plain);
+  clip_card(session, now, plain);
   viewport_card(now, plain);
   canvas_card(now, plain);
   ImGui::EndChild();

@@ -9,19 +9,18 @@ namespace ps::gui {
 
 /// What the panel of the vertex remembers of itself.
 struct VertexPanelState {
-  std::optional<VertexId> vertex;
-  bool keep = false;  ///< stays with the vertex when another pixel is picked
-  VertexEdits edits;
-  std::optional<VertexChain> chain;          ///< with the edits; empty while the tab is not shown
-  std::optional<VertexChain> plain;          ///< without them
-  std::shared_ptr<const PixelStory> picked;  ///< the story that the vertex was picked from
-  Vec2i pixel{-1, -1};
-  std::uint64_t revision = 0;  ///< of the geometry
+  std::optional<VertexId> nearest;          ///< the one next to the picked pixel
+  std::shared_ptr<const PixelStory> story;  ///< that `nearest` was found from
+  std::optional<std::uint64_t> geometry;    ///< its revision then
+  std::optional<VertexChain> chain;         ///< of the vertex that is followed, with the document's edits
+  std::optional<VertexChain> plain;         ///< without them
   std::string error;
 };
 
-/// Picks the vertex for the picked pixel and follows it. Without effect on a state that is not shown.
-void update_vertex(Session& session, VertexPanelState& state, bool shown);
+/// The vertex that is followed: the one that the document keeps, else the one next to the picked pixel.
+std::optional<VertexId> followed_vertex(Session& session, VertexPanelState& state);
+/// Its way from the model to the canvas, with what is tried out; nullptr where there is none.
+const VertexChain* followed_chain(Session& session, VertexPanelState& state);
 
 /// The way of the vertex from its model to the canvas, step by step, with matrices and numbers. `filled`: it has the
 /// whole window; answers whether that shall change.

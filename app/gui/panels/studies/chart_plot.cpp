@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
+#include "gui/base/record.h"
 #include "gui/panels/studies/plot_frame.h"
 #include "gui/theme/theme.h"
-#include "gui/widgets/record.h"
 #include "options/renderer_kind.h"
 #include "study/chart_front.h"
 #include "study/chart_style.h"

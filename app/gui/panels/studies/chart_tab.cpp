@@ -10,7 +10,6 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "gui/panels/studies/chart_hover.h"
-#include "gui/shell/values.h"
 #include "gui/widgets/widgets.h"
 #include "study/chart_conclusion.h"
 #include "study/chart_files.h"
@@ -389,31 +388,44 @@ void export_chart(const ChartTabState& state, const std::filesystem::path& path)
         fmt::format("{}: found the extension '{}', expected .csv, .json or .svg", path.string(), extension));
 }
 
-void publish_chart(const ChartTabState& state) {
-  Values& out = values();
-  int measured = 0;
-  for (const ChartPoint& point : state.chart.points) {
-    if (!point.measured()) continue;
-    ++measured;
-    const std::string name = fmt::format("chart/of/{}/", point.number);
-    out.publish(name + "settings", point.what.settings);
-    out.publish(name + "error", point.error);
-    out.publish(name + "time-ms", point.time_ms.median);
-    out.publish(name + "memory-mb", point.memory_mb);
-    out.publish(name + "work", work_text(point.work));
-    out.publish(name + "on-front", point.on_front);
-    out.publish(name + "tie", point.tie);
-    out.publish(name + "runs", static_cast<int>(point.samples_ms.size()));
+namespace {
+
+/// "3/error": what was measured of the point with this number.
+std::optional<std::string> point_value(const Chart& chart, std::string_view name) {
+  for (const ChartPoint& point : chart.points) {
+    const std::string number = fmt::format("{}/", point.number);
+    if (!point.measured() || !name.starts_with(number)) continue;
+    const std::string_view what = name.substr(number.size());
+    if (what == "settings") return point.what.settings;
+    if (what == "error") return script_text(point.error);
+    if (what == "time-ms") return script_text(point.time_ms.median);
+    if (what == "memory-mb") return script_text(point.memory_mb);
+    if (what == "work") return work_text(point.work);
+    if (what == "on-front") return script_text(point.on_front);
+    if (what == "tie") return script_text(point.tie);
+    if (what == "runs") return script_text(static_cast<int>(point.samples_ms.size()));
   }
-  out.publish("chart/planned", static_cast<int>(state.plan.points.size()));
-  out.publish("chart/measured", measured);
-  out.publish("chart/running", state.study.running());
-  out.publish("chart/paused", state.study.state() == StudyState::paused);
-  out.publish("chart/runs-done", state.study.status().done);
-  out.publish("chart/truth", state.chart.identity.reference);
-  out.publish("chart/machinery", state.chart.identity.machinery);
-  out.publish("chart/hovered", state.hovered ? state.chart.points[*state.hovered].what.label : std::string());
-  out.publish("chart/conclusion", state.conclusion);
+  return {};
+}
+
+}  // namespace
+
+void offer_chart_values(Values& out, const ChartTabState& state) {
+  out.offer_below("chart/of/", [&state](std::string_view name) { return point_value(state.chart, name); });
+  out.offer("chart/planned", [&state] { return static_cast<int>(state.plan.points.size()); });
+  out.offer("chart/measured", [&state] {
+    const auto& points = state.chart.points;
+    return static_cast<int>(
+        std::count_if(points.begin(), points.end(), [](const ChartPoint& point) { return point.measured(); }));
+  });
+  out.offer("chart/running", [&state] { return state.study.running(); });
+  out.offer("chart/paused", [&state] { return state.study.state() == StudyState::paused; });
+  out.offer("chart/runs-done", [&state] { return state.study.status().done; });
+  out.offer("chart/truth", [&state] { return state.chart.identity.reference; });
+  out.offer("chart/machinery", [&state] { return state.chart.identity.machinery; });
+  out.offer("chart/conclusion", [&state] { return state.conclusion; });
+  out.offer("chart/hovered",
+            [&state] { return state.hovered ? state.chart.points[*state.hovered].what.label : std::string(); });
 }
 
 }  // namespace ps::gui

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/base/values.h"
 #include "gui/panels/studies/chart_plot.h"
 #include "gui/panels/studies/chart_setup.h"
 #include "gui/panels/studies/chart_study.h"
@@ -65,7 +66,7 @@ void sweep_option(ChartTabState& state, const Option& option, Side side);
 void measure_chart(Session& session, ChartTabState& state, const StudyFolder& folder);
 /// Writes the chart as the extension asks: .csv, .json or .svg. Throws InputError.
 void export_chart(const ChartTabState& state, const std::filesystem::path& path);
-/// What scripts may ask for.
-void publish_chart(const ChartTabState& state);
+/// What scripts may ask for. The state must outlive the offers.
+void offer_chart_values(Values& out, const ChartTabState& state);
 
 }  // namespace ps::gui

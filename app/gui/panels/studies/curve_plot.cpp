@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "gui/base/record.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/record.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {

@@ -9,7 +9,6 @@
 #include "document/number_list.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/studies/needs_view.h"
-#include "gui/shell/values.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -218,22 +217,39 @@ bool needs_tab(Session& session, NeedsTabState& state, bool filled) {
   return fill;
 }
 
-void publish_needs(const NeedsTabState& state) {
-  Values& out = values();
-  out.publish("needs/running", state.study.running());
-  if (!state.needs) return;
-  const Needs& needs = *state.needs;
-  out.publish("needs/error", needs.error);
-  out.publish("needs/sentence", needs_sentence(state.scene_name, needs));
-  out.publish("needs/work", needs.work);
-  out.publish("needs/default-work", needs.default_work);
-  out.publish("needs/advice", fmt::format("{}", fmt::join(settings_difference(state.base, needs.advice), ";")));
-  for (const FeatureShare& share : needs.shares) {
-    const std::string name = fmt::format("needs/of/{}/", share.feature.name);
-    out.publish(name + "used", share.used);
-    out.publish(name + "error-without", share.error_without);
-    out.publish(name + "work-share", share.work_share);
+namespace {
+
+/// "shadows/used": what was found out about the feature of this name.
+std::optional<std::string> feature_value(const NeedsTabState& state, std::string_view name) {
+  if (!state.needs) return {};
+  for (const FeatureShare& share : state.needs->shares) {
+    const std::string feature = fmt::format("{}/", share.feature.name);
+    if (!name.starts_with(feature)) continue;
+    const std::string_view what = name.substr(feature.size());
+    if (what == "used") return script_text(share.used);
+    if (what == "error-without") return script_text(share.error_without);
+    if (what == "work-share") return script_text(share.work_share);
   }
+  return {};
+}
+
+std::optional<std::string> needs_value(const NeedsTabState& state, std::string_view name) {
+  if (!state.needs) return {};
+  const Needs& needs = *state.needs;
+  if (name == "sentence") return needs_sentence(state.scene_name, needs);
+  if (name == "error") return script_text(needs.error);
+  if (name == "work") return script_text(needs.work);
+  if (name == "default-work") return script_text(needs.default_work);
+  if (name == "advice") return fmt::format("{}", fmt::join(settings_difference(state.base, needs.advice), ";"));
+  return {};
+}
+
+}  // namespace
+
+void offer_needs_values(Values& out, const NeedsTabState& state) {
+  out.offer("needs/running", [&state] { return state.study.running(); });
+  out.offer_below("needs/", [&state](std::string_view name) { return needs_value(state, name); });
+  out.offer_below("needs/of/", [&state](std::string_view name) { return feature_value(state, name); });
 }
 
 }  // namespace ps::gui

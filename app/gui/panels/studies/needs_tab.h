@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 
+#include "gui/base/values.h"
 #include "gui/panels/studies/background_study.h"
 #include "gui/panels/studies/needs_view.h"
 #include "gui/session/session.h"
@@ -36,7 +37,7 @@ struct NeedsTabState {
 bool needs_tab(Session& session, NeedsTabState& state, bool filled);
 /// Takes up what has been found; once per frame.
 void update_needs(NeedsTabState& state);
-/// What scripts may ask for.
-void publish_needs(const NeedsTabState& state);
+/// What scripts may ask for. The state must outlive the offers.
+void offer_needs_values(Values& out, const NeedsTabState& state);
 
 }  // namespace ps::gui

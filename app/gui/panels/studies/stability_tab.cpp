@@ -8,7 +8,6 @@
 
 #include "base/check.h"
 #include "gui/panels/studies/bar_plot.h"
-#include "gui/shell/values.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
@@ -415,25 +414,41 @@ bool stability_tab(Session& session, StabilityTabState& state, bool filled) {
   return fill;
 }
 
-void publish_stability(const StabilityTabState& state) {
-  Values& out = values();
-  out.publish("stability/running", state.study.running());
-  out.publish("stability/shown", selected(state).key);
-  out.publish("stability/paused", state.study.state() == StudyState::paused);
-  const auto there = std::count_if(state.measured.begin(), state.measured.end(),
-                                   [](const auto& entry) { return entry.second.complete; });
-  out.publish("stability/measured", static_cast<int>(there));
+namespace {
+
+/// The measurement of the experiment that is shown; nullptr while there is none.
+const std::vector<StabilityRow>* measured_rows(const StabilityTabState& state) {
   const auto found = state.measured.find(selected(state).key);
-  if (found == state.measured.end()) return;
-  const std::vector<StabilityRow>& rows = found->second.rows;
-  out.publish("stability/rows", static_cast<int>(rows.size()));
-  const auto figures = experiment_figures(selected(state), rows);
-  out.publish("stability/figure", figures.empty() ? std::string() : figures[shown_figure(state, figures)].name);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string name = fmt::format("stability/row/{}/", i);
-    out.publish(name + "naive", rows[i].naive);
-    out.publish(name + "robust", rows[i].robust);
+  return found == state.measured.end() ? nullptr : &found->second.rows;
+}
+
+/// "rows", and "row/0/naive".
+std::optional<std::string> measured_value(const StabilityTabState& state, std::string_view name) {
+  const auto* rows = measured_rows(state);
+  if (!rows) return {};
+  if (name == "figure") {
+    const auto figures = experiment_figures(selected(state), *rows);
+    return figures.empty() ? std::string() : figures[shown_figure(state, figures)].name;
   }
+  if (name == "rows") return script_text(static_cast<int>(rows->size()));
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    if (name == fmt::format("row/{}/naive", i)) return script_text((*rows)[i].naive);
+    if (name == fmt::format("row/{}/robust", i)) return script_text((*rows)[i].robust);
+  }
+  return {};
+}
+
+}  // namespace
+
+void offer_stability_values(Values& out, const StabilityTabState& state) {
+  out.offer("stability/running", [&state] { return state.study.running(); });
+  out.offer("stability/shown", [&state] { return selected(state).key; });
+  out.offer("stability/paused", [&state] { return state.study.state() == StudyState::paused; });
+  out.offer("stability/measured", [&state] {
+    return static_cast<int>(std::count_if(state.measured.begin(), state.measured.end(),
+                                          [](const auto& entry) { return entry.second.complete; }));
+  });
+  out.offer_below("stability/", [&state](std::string_view name) { return measured_value(state, name); });
 }
 
 }  // namespace ps::gui

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/base/values.h"
 #include "gui/panels/studies/background_study.h"
 #include "gui/panels/studies/curve_plot.h"
 #include "gui/panels/studies/film_strip_view.h"
@@ -54,7 +55,7 @@ void update_stability(Session& session, StabilityTabState& state, const std::fil
 void show_experiment(StabilityTabState& state, const std::string& key);
 /// Something is being measured, rendered or opened.
 bool stability_busy(const StabilityTabState& state);
-/// What scripts may ask for.
-void publish_stability(const StabilityTabState& state);
+/// What scripts may ask for. The state must outlive the offers.
+void offer_stability_values(Values& out, const StabilityTabState& state);
 
 }  // namespace ps::gui

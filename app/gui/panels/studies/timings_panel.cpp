@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "gui/base/record.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/record.h"
 #include "raster/coverage/efficiency.h"
 
 namespace ps::gui {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "gui/shell/values.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
@@ -157,12 +156,12 @@ std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, co
   return wanted;
 }
 
-void publish_unsafe(const UnsafeState& state) {
+void offer_unsafe_values(Values& out, const UnsafeState& state) {
   for (const Side side : both_sides) {
-    const UnsafeSetting* unsafe = worst(state.sides[index_of(side)]);
     const std::string name = side == Side::a ? "unsafe/a/" : "unsafe/b/";
-    values().publish(name + "option", unsafe ? unsafe->option : std::string_view());
-    values().publish(name + "percent", unsafe ? unsafe->bad_percent : 0.0);
+    const auto worst_now = [&state, side] { return worst(state.sides[index_of(side)]); };
+    out.offer(name + "option", [=] { return worst_now() ? std::string_view(worst_now()->option) : ""; });
+    out.offer(name + "percent", [=] { return worst_now() ? worst_now()->bad_percent : 0.0; });
   }
 }
 

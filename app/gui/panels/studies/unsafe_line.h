@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/base/values.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/panels/studies/background_study.h"
 #include "study/unsafe_settings.h"
@@ -37,7 +38,7 @@ void update_unsafe(Session& session, UnsafeState& state);
 /// One calm line below a picture whose settings fail somewhere in it. Returns the experiment that explains why, when
 /// the user asks for it.
 std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, const PicturesState& pictures);
-/// What scripts may ask for.
-void publish_unsafe(const UnsafeState& state);
+/// What scripts may ask for. The state must outlive the offers.
+void offer_unsafe_values(Values& out, const UnsafeState& state);
 
 }  // namespace ps::gui

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "gui/shell/values.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -122,16 +121,31 @@ void update_why(WhyTabState& state) {
   for (Texture& texture : state.textures) texture.set_shrunk(true);
 }
 
-void publish_why(const WhyTabState& state) {
-  Values& out = values();
-  out.publish("why/running", state.causes.running() || state.precision.running());
-  if (state.difference) {
-    out.publish("why/total", state.difference->total);
-    for (const CauseShare& cause : state.difference->causes) out.publish("why/share/" + cause.option, cause.share);
-  }
-  if (!state.map) return;
+namespace {
+
+std::optional<std::string> share_value(const WhyTabState& state, std::string_view option) {
+  if (!state.difference) return {};
+  for (const CauseShare& cause : state.difference->causes)
+    if (cause.option == option) return script_text(cause.share);
+  return {};
+}
+
+std::optional<std::string> fault_value(const WhyTabState& state, std::string_view key) {
+  if (!state.map) return {};
   for (std::size_t i = 1; i < precision_fault_count; ++i)
-    out.publish("why/faults/" + fault_key(static_cast<PrecisionFault>(i)), state.map->map.counts[i]);
+    if (fault_key(static_cast<PrecisionFault>(i)) == key) return script_text(state.map->map.counts[i]);
+  return {};
+}
+
+}  // namespace
+
+void offer_why_values(Values& out, const WhyTabState& state) {
+  out.offer("why/running", [&state] { return state.causes.running() || state.precision.running(); });
+  out.offer_below("why/total", [&state](std::string_view rest) {
+    return state.difference && rest.empty() ? std::optional(script_text(state.difference->total)) : std::nullopt;
+  });
+  out.offer_below("why/share/", [&state](std::string_view option) { return share_value(state, option); });
+  out.offer_below("why/faults/", [&state](std::string_view key) { return fault_value(state, key); });
 }
 
 }  // namespace ps::gui

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "gui/base/values.h"
 #include "gui/panels/studies/background_study.h"
 #include "gui/platform/texture.h"
 #include "gui/session/session.h"
@@ -41,8 +42,8 @@ struct WhyTabState {
 /// whole window; answers whether that shall change.
 bool why_tab(Session& session, WhyTabState& state, bool filled);
 void update_why(WhyTabState& state);
-/// What scripts may ask for.
-void publish_why(const WhyTabState& state);
+/// What scripts may ask for. The state must outlive the offers.
+void offer_why_values(Values& out, const WhyTabState& state);
 
 /// "wrong-winner": how scripts name a fault.
 std::string fault_key(PrecisionFault fault);

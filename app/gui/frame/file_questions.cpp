@@ -1,0 +1,78 @@
+#include "gui/frame/file_questions.h"
+
+#include <utility>
+
+#include "document/permalink_file.h"
+#include "gui/frame/exports.h"
+
+namespace ps::gui {
+namespace {
+
+FileQuestion saves_with(Session& session, void (*save)(Session&, std::filesystem::path), FileQuestion question) {
+  question.answer = [&session, save](const FileAnswer& file) { save(session, file.path); };
+  return question;
+}
+
+}  // namespace
+
+FileQuestion scene_question(Session& session) {
+  return {.title = "Open a scene",
+          .use = FileUse::open,
+          .extensions = {".scene", ".obj", std::string(permalink_extension)},
+          .hint = "path or name",
+          .answer = [&session](const FileAnswer& file) {
+            // A built-in name may be typed as well; the dialog puts its folder before what is not absolute.
+            std::error_code error;
+            const bool is_file = std::filesystem::exists(file.path, error);
+            session.open(is_file ? file.path.string() : file.typed);
+          }};
+}
+
+FileQuestion compare_question(Session& session) {
+  return {.title = "Compare with a picture",
+          .use = FileUse::open,
+          .extensions = {".png", ".ppm", ".pfm"},
+          .hint = "picture.png",
+          .answer = [&session](const FileAnswer& file) { session.open_picture_b(file.path); }};
+}
+
+FileQuestion picture_question(Session& session, const PicturesState& pictures) {
+  return {.title = "Save the pictures",
+          .extensions = {".png", ".ppm"},
+          .hint = "picture.png",
+          .answer = [&session, &pictures](const FileAnswer& file) { save_pictures(session, pictures, file.path); }};
+}
+
+FileQuestion save_scene_question(Session& session) {
+  return saves_with(session, save_scene_as,
+                    {.title = "Save the scene", .extensions = {".scene"}, .hint = "my.scene", .answer = {}});
+}
+
+FileQuestion save_screen_question(Session& session) {
+  return saves_with(session, save_permalink_as,
+                    {.title = "Save the screen",
+                     .extensions = {std::string(permalink_extension)},
+                     .hint = "screen.permalink",
+                     .answer = {}});
+}
+
+FileQuestion save_story_question(Session& session) {
+  return saves_with(session, save_story_as,
+                    {.title = "Save the pixel's story",
+                     .extensions = {".md", ".csv", ".json"},
+                     .hint = "story.md, .csv or .json",
+                     .suggestion = "story.md",
+                     .answer = {}});
+}
+
+FileQuestion save_drawing_question(Session& session, const std::string& title, const std::string& suggestion,
+                                   std::function<std::string()> svg) {
+  return {
+      .title = title,
+      .extensions = {".svg"},
+      .hint = "drawing.svg",
+      .suggestion = suggestion,
+      .answer = [&session, svg = std::move(svg)](const FileAnswer& file) { save_drawing(session, file.path, svg()); }};
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,108 @@
+#include "gui/frame/menu_bar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "gui/panels/lesson/first_look.h"
+#include "gui/panels/lesson/lesson_panel.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+
+void MenuBar::view_menu() {
+  if (!begin_menu("menu/view", "View")) return;
+  const auto items = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) menu_action(actions_, name);
+    ImGui::Separator();
+  };
+  items({"undo", "redo", "history"});
+  items({"side-by-side", "split", "difference", "only-a", "only-b"});
+  items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid", "handles"});
+  items({"channel-next", "channel-before"});
+  items({"panels", "fullscreen"});
+  items({"predict"});
+  menu_action(actions_, "reset-view");
+  menu_action(actions_, "fly");
+  tooltip(fmt::format("{}, {} and so on turn the camera; {}, {} and so on move it around the scene.",
+                      actions_.key_text("turn-left"), actions_.key_text("turn-up"), actions_.key_text("orbit-left"),
+                      actions_.key_text("orbit-up")));
+  ImGui::Separator();
+  for (const char* name : {"dark-theme", "larger-type", "smaller-type", "standard-type"}) menu_action(actions_, name);
+  end_menu();
+}
+
+void MenuBar::study_menu() {
+  if (!begin_menu("menu/study", "Study")) return;
+  for (const Panel& panel : panels_) {
+    if (panel.place != PanelPlace::below) continue;
+    if (panel.name == "chart") ImGui::Separator();  // what follows is about the whole picture
+    menu_action(actions_, "study-" + std::string(panel.name));
+  }
+  end_menu();
+}
+
+void MenuBar::draw() {
+  if (!ImGui::BeginMenuBar()) return;
+  scene_menu();
+  lesson_menu();
+  view_menu();
+  study_menu();
+  if (begin_menu("menu/help", "Help")) {
+    if (menu_item("first-look", "A first look", {}, session_.document().lesson == first_look_lesson))
+      go_to_step(session_, first_look_lesson, 0);
+    for (const char* name : {"help", "palette"}) menu_action(actions_, name);
+    ImGui::Separator();
+    if (menu_item("about", "About Pixelscope")) about_.open = true;
+    end_menu();
+  }
+  // Of a file the name is enough to be read from the last row.
+  const std::filesystem::path path(session_.document().scene_name);
+  const std::string name = path.is_absolute() ? path.filename().string() : path.string();
+  const std::string& title = session_.scene().title;
+  const std::string text = title.empty() || title == name ? name : fmt::format("{}   {}", name, title);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  const float left = std::max(ImGui::GetCursorPosX() + px(24), (ImGui::GetWindowWidth() - width) / 2);
+  const float modes = compare_buttons_width();
+  if (left + width + px(20) < ImGui::GetWindowWidth() - modes) {
+    ImGui::SetCursorPosX(left);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+  }
+  compare_buttons(ImGui::GetWindowWidth() - modes);
+  ImGui::EndMenuBar();
+}
+
+namespace {
+struct Mode {
+  CompareMode mode;
+  const char *name, *label, *help;
+};
+constexpr std::array modes{
+    Mode{CompareMode::side_by_side, "side-by-side", "A | B", "Both pictures side by side."},
+    Mode{CompareMode::split, "split", "Split",
+         "One picture: A on the left of a divider that you drag, B on the right (X)."},
+    Mode{CompareMode::difference, "difference", "Difference", "The difference B - A, multiplied by a gain (D)."}};
+}  // namespace
+
+float MenuBar::compare_buttons_width() const {
+  float width = px(12);
+  for (const auto& mode : modes)
+    width += ImGui::CalcTextSize(mode.label).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
+  return width + px(12);
+}
+
+/// How the pictures stand to each other, always in sight: it is what the window is about.
+void MenuBar::compare_buttons(float left) {
+  ImGui::SetCursorPosX(left);
+  const NameScope scope("compare");
+  for (const auto& mode : modes)
+    if (button_on_off(mode.name, mode.label, session_.document().compare == mode.mode,
+                      {.tooltip = mode.help, .disabled = {}}))
+      session_.navigate([&](Document& document) { document.compare = mode.mode; });
+}
+
+}  // namespace ps::gui

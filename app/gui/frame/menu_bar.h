@@ -1,0 +1,32 @@
+#pragma once
+#include <vector>
+
+#include "gui/frame/about.h"
+#include "gui/panels/panel.h"
+#include "gui/session/session.h"
+
+namespace ps::gui {
+
+/// The row at the upper edge: menus, the scene's name, and how the pictures are compared. All that it works on must
+/// outlive it.
+class MenuBar {
+ public:
+  MenuBar(Session& session, const Actions& actions, const std::vector<Panel>& panels, About& about)
+      : session_(session), actions_(actions), panels_(panels), about_(about) {}
+  void draw();
+
+ private:
+  void scene_menu();
+  void lesson_menu();
+  void view_menu();
+  void study_menu();
+  float compare_buttons_width() const;
+  void compare_buttons(float left);
+
+  Session& session_;
+  const Actions& actions_;
+  const std::vector<Panel>& panels_;
+  About& about_;
+};
+
+}  // namespace ps::gui

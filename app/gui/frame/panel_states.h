@@ -1,0 +1,48 @@
+#pragma once
+#include <functional>
+
+#include "gui/panels/lesson/lesson_panel.h"
+#include "gui/panels/microscope/microscope_panel.h"
+#include "gui/panels/options/history_panel.h"
+#include "gui/panels/options/options_panel.h"
+#include "gui/panels/pictures/pictures_panel.h"
+#include "gui/panels/pictures/pixels_panel.h"
+#include "gui/panels/space/space_panel.h"
+#include "gui/panels/story/listing_panel.h"
+#include "gui/panels/story/pixel_panel.h"
+#include "gui/panels/story/predict_panel.h"
+#include "gui/panels/story/vertex_panel.h"
+#include "gui/panels/studies/chart_tab.h"
+#include "gui/panels/studies/needs_tab.h"
+#include "gui/panels/studies/stability_tab.h"
+#include "gui/panels/studies/study_folder.h"
+#include "gui/panels/studies/unsafe_line.h"
+#include "gui/panels/studies/why_tab.h"
+
+namespace ps::gui {
+
+/// What the panels remember of themselves beside the document.
+struct PanelStates {
+  /// `wake` may be called from any thread; `remember`: results of studies are kept from one start to the next.
+  PanelStates(const std::function<void()>& wake, bool remember);
+
+  PicturesState pictures;
+  LessonShelf lessons;
+  OptionsPanelState options;
+  HistoryPanelState history;
+  PredictState predict;
+  PixelPanelState pixel;
+  SpacePanelState space;
+  MicroscopePanelState microscope;
+  PixelsPanelState pixels;
+  ListingPanelState listing;
+  VertexPanelState vertex;
+  StudyFolder folder;
+  ChartTabState chart;
+  StabilityTabState stability;
+  NeedsTabState needs;
+  WhyTabState why;
+  UnsafeState unsafe;
+};
+
+}  // namespace ps::gui

@@ -1,0 +1,447 @@
+#include "gui/frame/panel_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "base/kept_inputs.h"
+#include "gui/frame/file_questions.h"
+#include "gui/frame/show_panel.h"
+#include "gui/panels/lesson/lesson_actions.h"
+#include "gui/panels/options/light_actions.h"
+#include "gui/panels/pictures/picture_actions.h"
+#include "gui/panels/pictures/picture_values.h"
+#include "gui/panels/space/story_actions.h"
+#include "gui/panels/studies/timings_panel.h"
+#include "gui/widgets/widgets.h"
+#include "scene/load.h"
+
+namespace ps::gui {
+namespace {
+
+template <class Worker>
+bool works(const Worker& worker) {
+  return worker.busy() || worker.has_news();
+}
+
+/// While a question about the pixel is open, `draw` is not shown.
+bool unless_asked(Session& session, PredictState& predict, const std::function<bool()>& draw) {
+  if (!prediction_pending(session, predict)) return draw();
+  ImGui::TextWrapped("The story is shown after your answer.");
+  return false;
+}
+
+// --- left ---
+
+Panel lesson(Session& session, PanelStates& my) {
+  return {.name = "lesson",
+          .place = PanelPlace::left,
+          .heading = "LESSON",
+          .brief = "Lesson",
+          .command = "Lesson",
+          .help = "The text of a lesson's step.",
+          .draw =
+              [&](const Context&) {
+                lesson_panel(session, my.lessons);
+                return false;
+              },
+          .actions = [&](Actions& actions) { add_lesson_actions(actions, session, my.lessons); }};
+}
+
+/// What the row of an option asks the chart for.
+void take_sweep(Session& session, PanelStates& my) {
+  const Option* swept = std::exchange(my.options.sweep, nullptr);
+  if (!swept) return;
+  sweep_option(my.chart, *swept, my.options.side);
+  show_panel(session, "chart");
+}
+
+Panel options(Session& session, PanelStates& my) {
+  return {.name = "left",
+          .place = PanelPlace::left,
+          .heading = "OPTIONS",
+          .brief = "Options",
+          .command = "Options",
+          .help = "All options of A and of B.",
+          .draw =
+              [&](const Context&) {
+                if (session.has_scene()) options_panel(session, my.options);
+                take_sweep(session, my);
+                return false;
+              },
+          .actions = [&](Actions& actions) { add_light_actions(actions, session, my.options); }};
+}
+
+Panel history(Session& session, PanelStates& my) {
+  return {.name = "history",
+          .place = PanelPlace::left,
+          .heading = "HISTORY",
+          .brief = "History",
+          .command = "History: every step with its pictures",
+          .help = "Every step with its pictures; a click goes there.",
+          .draw =
+              [&](const Context&) {
+                history_panel(session, my.history);
+                return false;
+              },
+          .actions =
+              [&](Actions& actions) {
+                actions.add({.name = "history",
+                             .label = "History: every step with its pictures",
+                             .group = "Edit",
+                             .keys = "Y",
+                             .run =
+                                 [&] {
+                                   my.history.open = !my.history.open;
+                                   if (my.history.open)
+                                     session.navigate([](Document& document) { document.layout.panels = true; });
+                                 },
+                             .checked = [&] { return my.history.open; }});
+              },
+          .publish = [&](Values& out) { out.offer("history/open", [&] { return my.history.open; }); },
+          .busy = [&] { return my.history.thumbnails.busy(); }};
+}
+
+// --- right ---
+
+/// The question hides the story, and what is seen around the pixel.
+void update_question(Session& session, PanelStates& my) {
+  my.pictures.asked.reset();
+  if (session.pixel() && prediction_pending(session, my.predict))
+    my.pictures.asked = Hover{inspected_side(session), *session.pixel()};
+}
+
+bool draw_pixel(Session& session, PanelStates& my, const PanelHost& host) {
+  if (prediction_pending(session, my.predict)) {
+    predict_panel(session, my.predict);
+    return false;
+  }
+  prediction_verdict(session, my.predict);
+  pixel_panel(session, my.pixel, [&](const std::string& text) { host.copy(text, "Copied to the clipboard."); });
+  return false;
+}
+
+Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
+  return {.name = "right",
+          .place = PanelPlace::right,
+          .heading = "PIXEL",
+          .brief = "Pixel",
+          .command = "Pixel: how it got its colour",
+          .help = "The story of the picked pixel.",
+          .draw = [&](const Context&) { return draw_pixel(session, my, host); },
+          .actions =
+              [&](Actions& actions) {
+                actions.add({.name = "predict",
+                             .label = "Predict: ask before the story is shown",
+                             .group = "Pixel",
+                             .keys = "Q",
+                             .run = [&] { my.predict.on = !my.predict.on; },
+                             .checked = [&] { return my.predict.on; }});
+              },
+          .publish =
+              [&](Values& out) {
+                out.offer("predict/points", [&] { return my.predict.points; });
+                out.offer("predict/asked", [&] { return my.predict.asked; });
+              },
+          .update =
+              [&] {
+                update_pin(session, my.pixel.pin);
+                update_question(session, my);
+              },
+          .busy = [&] { return pin_busy(my.pixel.pin); }};
+}
+
+// --- below the pictures ---
+
+void offer_space_values(Values& out, Session& session, SpacePanelState& space) {
+  out.offer("space/items", [&] { return space.items; });
+  out.offer("space/rays", [&] { return space.rays; });
+  out.offer("space/shadow-rays", [&] { return space.shadow_rays; });
+  out.offer("space/boxes", [&] { return space.boxes; });
+  out.offer("space/tree-nodes", [&] { return space.tree ? static_cast<int>(space.tree->nodes) : 0; });
+  out.offer("space/steps", [&] { return static_cast<int>(space.model.steps.size()); });
+  out.offer("space/playing", [&] { return space.play.running; });
+  out.offer("space/up-to", [&] { return drawn_until(session, space); });
+  out.offer("space/orbit", [&] {
+    const auto& orbit = session.document().story.outside.orbit;
+    return orbit ? fmt::format("{:.6g} {:.6g} {:.6g}", orbit->yaw, orbit->pitch, orbit->distance) : "none";
+  });
+}
+
+Panel space(Session& session, PanelStates& my, const PanelHost& host) {
+  my.space.save = [&] {
+    host.ask_file(save_drawing_question(session, "Save the view from outside", "space.svg",
+                                        [&] { return space_drawing(session, my.space); }));
+  };
+  return {.name = "space",
+          .heading = "SPACE",
+          .brief = "Space",
+          .command = "Space: the scene from outside",
+          .help = "The scene from outside, with the rays or triangles of the picked pixel.",
+          .draw =
+              [&](const Context& context) {
+                return unless_asked(session, my.predict,
+                                    [&] { return space_panel(session, my.space, my.pictures, context.filled); });
+              },
+          .actions = [&](Actions& actions) { add_story_actions(actions, session, my.space); },
+          .publish = [&](Values& out) { offer_space_values(out, session, my.space); },
+          .update =
+              [&] {
+                const bool kept = session.has_scene() && session.document().story.vertex;
+                update_space(session, my.space, kept ? followed_chain(session, my.vertex) : nullptr);
+              },
+          .busy = [&] { return works(my.space.worker) || works(my.space.tree_worker); }};
+}
+
+Panel microscope(Session& session, PanelStates& my, const PanelHost& host) {
+  my.microscope.save = [&] {
+    host.ask_file(save_drawing_question(session, "Save the microscope's view", "pixel.svg",
+                                        [&] { return microscope_drawing(my.microscope); }));
+  };
+  return {.name = "microscope",
+          .heading = "MICROSCOPE",
+          .brief = "Micro",
+          .command = "Microscope: the pixel at panel size",
+          .help = "The picked pixel at panel size: edges with their fill rule, samples, texels.",
+          .draw =
+              [&](const Context& context) {
+                return unless_asked(session, my.predict,
+                                    [&] { return microscope_panel(session, my.microscope, context.filled); });
+              },
+          .busy = [&] { return works(my.microscope.worker); }};
+}
+
+Panel pixels(Session& session, PanelStates& my) {
+  return {.name = "pixels",
+          .heading = "PIXELS",
+          .brief = "Pixels",
+          .command = "Pixels: the worst ones",
+          .help = "The worst pixels, watched pixels, and the levels of a rectangle.",
+          .draw = [&](const Context& context) { return pixels_panel(session, my.pixels, my.pictures, context.filled); },
+          .update = [&] { update_pixels(session, my.pixels, my.pictures); },
+          .busy = [&] { return works(my.pixels.cost); }};
+}
+
+void offer_listing_values(Values& out, const ListingPanelState& listing) {
+  const auto values_of = [&listing] {
+    return listing.shown_story && listing.shown_story->listing ? &*listing.shown_story->listing : nullptr;
+  };
+  out.offer("listing/focus", [&listing] { return listing.view ? listing.view->focus() : -1; });
+  out.offer("listing/folder", [=] { return values_of() ? values_of()->listing.folder : ""; });
+  out.offer("listing/values", [=] { return values_of() ? static_cast<int>(values_of()->watches.size()) : 0; });
+}
+
+Panel listing(Session& session, PanelStates& my) {
+  return {.name = "listing",
+          .heading = "LISTING",
+          .brief = "Listing",
+          .command = "Listing: a routine with its values",
+          .help = "A lesson's routine with the values of its lines at the picked pixel.",
+          .draw =
+              [&](const Context& context) {
+                return unless_asked(session, my.predict,
+                                    [&] { return listing_panel(session, my.listing, context.filled); });
+              },
+          .publish = [&](Values& out) { offer_listing_values(out, my.listing); },
+          .update = [&] { update_listing(my.listing); },
+          .busy = [&] { return works(my.listing.worker); }};
+}
+
+Panel vertex(Session& session, PanelStates& my) {
+  return {.name = "vertex",
+          .heading = "VERTEX",
+          .brief = "Vertex",
+          .command = "Vertex: from the model to the canvas",
+          .help = "The transforms of a vertex from its model to the canvas, with matrices and numbers.",
+          .draw = [&](const Context& context) { return vertex_panel(session, my.vertex, context.filled); },
+          .publish =
+              [&](Values& out) {
+                out.offer("vertex", [&] {
+                  const auto vertex = followed_vertex(session, my.vertex);
+                  return vertex ? fmt::format("{},{}", vertex->object, vertex->vertex) : "none";
+                });
+              }};
+}
+
+/// Where the chart is written, in the form that the extension names.
+void save_chart(Session& session, const ChartTabState& chart, const std::filesystem::path& path) {
+  try {
+    require_no_input(path, files_of(session.document().base));
+    export_chart(chart, path);
+    session.say(Message::Kind::information, fmt::format("Saved {}.", path.string()));
+  } catch (const InputError& error) {
+    session.say(Message::Kind::error, error.what());
+  }
+}
+
+ChartHost chart_host(Session& session, PanelStates& my, const PanelHost& host) {
+  return {.browse_reference =
+              [&] {
+                host.ask_file(
+                    {.title = "Compare with a picture",
+                     .use = FileUse::open,
+                     .extensions = {".png", ".ppm", ".pfm"},
+                     .hint = "picture.png",
+                     .answer = [&](const FileAnswer& file) { my.chart.setup.reference_file = file.path.string(); }});
+              },
+          .ask_export =
+              [&](const std::string& name) {
+                host.ask_file({.title = "Save the chart",
+                               .extensions = {".csv", ".json", ".svg"},
+                               .hint = "chart.svg",
+                               .suggestion = name,
+                               .answer = [&](const FileAnswer& file) { save_chart(session, my.chart, file.path); }});
+              },
+          .copy = [&](const std::string& text) { host.copy(text, "The command is on the clipboard."); }};
+}
+
+/// The pictures' own renders come first.
+template <class Study>
+void hold_while_rendering(Session& session, Study& study) {
+  study.set_held(session.rendering());
+}
+
+std::string chart_status(const ChartTabState& chart) {
+  if (chart.study.state() != StudyState::running) return {};
+  const StudyStatus status = chart.study.status();
+  return status.total > 0 ? "Chart: " + status_text(status, "runs") : "Chart: rendering the reference";
+}
+
+Panel chart(Session& session, PanelStates& my, const PanelHost& host) {
+  return {.name = "chart",
+          .heading = "CHART",
+          .brief = "Chart",
+          .command = "Chart: time against error",
+          .help = "Time against error over a sweep of options.",
+          .draw = [&, asks = chart_host(session, my, host)](
+                      const Context& context) { return chart_tab(session, my.chart, my.folder, asks, context.filled); },
+          .publish = [&](Values& out) { offer_chart_values(out, my.chart); },
+          .update =
+              [&] {
+                hold_while_rendering(session, my.chart.study);
+                hold_while_rendering(session, my.chart.estimate);
+                update_chart(session, my.chart);
+              },
+          .busy = [&] { return my.chart.study.state() == StudyState::running || my.chart.estimate.running(); },
+          .status = [&] { return chart_status(my.chart); }};
+}
+
+std::string stability_status(const StabilityTabState& stability) {
+  if (stability.study.state() == StudyState::running)
+    return "Stability: " + status_text(stability.study.status(), "experiments");
+  return stability.opening.running() ? "Stability: opening a point" : "";
+}
+
+Panel stability(Session& session, PanelStates& my) {
+  return {.name = "stability",
+          .heading = "STABILITY",
+          .brief = "Stable",
+          .command = "Stability: where methods fail",
+          .help = "Where methods fail: naive beside robust.",
+          .draw = [&](const Context& context) { return stability_tab(session, my.stability, context.filled); },
+          .publish = [&](Values& out) { offer_stability_values(out, my.stability); },
+          .update =
+              [&] {
+                hold_while_rendering(session, my.stability.study);
+                update_stability(session, my.stability, my.folder.scenes());
+              },
+          .busy = [&] { return stability_busy(my.stability); },
+          .status = [&] { return stability_status(my.stability); }};
+}
+
+Panel needs(Session& session, PanelStates& my) {
+  return {.name = "needs",
+          .heading = "NEEDS",
+          .brief = "Needs",
+          .command = "Needs: what the scene can do without",
+          .help = "The features that this scene needs, and the cheapest settings within a tolerance.",
+          .draw = [&](const Context& context) { return needs_tab(session, my.needs, context.filled); },
+          .publish = [&](Values& out) { offer_needs_values(out, my.needs); },
+          .update =
+              [&] {
+                hold_while_rendering(session, my.needs.study);
+                hold_while_rendering(session, my.needs.estimate);
+                update_needs(my.needs);
+              },
+          .busy = [&] { return my.needs.study.state() == StudyState::running || my.needs.estimate.running(); },
+          .status =
+              [&] {
+                return my.needs.study.state() == StudyState::running
+                           ? fmt::format("Needs: {} pictures tried", my.needs.study.status().done)
+                           : "";
+              }};
+}
+
+std::string why_status(const WhyTabState& why) {
+  if (why.causes.running()) return "Causes: rendering pictures between A and B";
+  return why.precision.running() ? "Precision: rendering in double" : "";
+}
+
+Panel why(Session& session, PanelStates& my) {
+  return {.name = "why",
+          .heading = "WHY",
+          .brief = "Why",
+          .command = "Why: what makes A and B differ",
+          .help = "Which option makes A and B differ, and which pixels float gets wrong.",
+          .draw = [&](const Context& context) { return why_tab(session, my.why, context.filled); },
+          .publish = [&](Values& out) { offer_why_values(out, my.why); },
+          .update =
+              [&] {
+                hold_while_rendering(session, my.why.causes);
+                update_why(my.why);
+              },
+          .busy = [&] { return my.why.causes.running() || my.why.precision.running(); },
+          .status = [&] { return why_status(my.why); }};
+}
+
+Panel timings(Session& session) {
+  return {.name = "timings",
+          .heading = "TIMINGS",
+          .brief = "Times",
+          .command = "Timings: times and counts",
+          .help = "Times of the stages and counts of the work, A beside B.",
+          .draw = [&](const Context&) {
+            timings_panel(session);
+            return false;
+          }};
+}
+
+/// Each name that a document may have has its row, and each row below the pictures such a name.
+bool rows_match_names(const std::vector<Panel>& panels) {
+  const auto below =
+      std::count_if(panels.begin(), panels.end(), [](const Panel& panel) { return panel.place == PanelPlace::below; });
+  return below == std::ssize(bottom_tabs) &&
+         std::all_of(bottom_tabs.begin(), bottom_tabs.end(), [&](std::string_view name) {
+           return std::any_of(panels.begin(), panels.end(), [&](const Panel& panel) { return panel.name == name; });
+         });
+}
+
+}  // namespace
+
+PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
+    : history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake), folder(remember),
+      chart(wake), stability(wake), needs(wake), why(wake), unsafe(wake) {
+  pictures.meter = std::make_unique<DifferenceMeter>(wake);
+  stability.folder = folder.of("stability");
+}
+
+std::vector<Panel> panel_table(Session& session, PanelStates& my, const PanelHost& host) {
+  std::vector<Panel> panels{lesson(session, my),      options(session, my),     history(session, my),
+                            pixel(session, my, host), space(session, my, host), microscope(session, my, host),
+                            pixels(session, my),      listing(session, my),     vertex(session, my),
+                            chart(session, my, host), stability(session, my),   needs(session, my),
+                            why(session, my),         timings(session)};
+  PS_ASSERT(rows_match_names(panels), "a row for each name that a document may have");
+  return panels;
+}
+
+const Panel& find_panel(const std::vector<Panel>& panels, std::string_view name) {
+  const auto named = std::find_if(panels.begin(), panels.end(), [&](const Panel& panel) { return panel.name == name; });
+  if (named != panels.end()) return *named;
+  return *std::find_if(panels.begin(), panels.end(),
+                       [](const Panel& panel) { return panel.place == PanelPlace::below; });
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "gui/panels/pictures/picture_transform.h"
+#include "gui/session/session.h"
+
+namespace ps::gui {
+
+/// Begins a region of the window; ImGui::EndChild() after what is in it. With a heading, a double click on that lets
+/// the region fill the window, another one or Esc takes it back. `name` is that of the document's layout.
+void begin_region(Session& session, const std::string& name, const Area& area, const std::string& heading = {});
+
+}  // namespace ps::gui

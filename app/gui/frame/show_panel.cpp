@@ -1,0 +1,34 @@
+#include "gui/frame/show_panel.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double opened_share = 0.3;  // of the window's height
+constexpr std::string_view below = "bottom";
+
+}  // namespace
+
+bool bottom_is_open(const Document& document) { return document.layout.filled == below || document.layout.bottom > 0; }
+
+void open_bottom(Session& session, bool open) {
+  if (open == bottom_is_open(session.document())) return;
+  session.navigate([&](Document& document) {
+    if (document.layout.filled == below) document.layout.filled.clear();
+    document.layout.bottom = open ? opened_share : 0;
+  });
+}
+
+void show_panel(Session& session, std::string_view name) {
+  if (session.document().layout.filled != below) fill_window(session, {});
+  open_bottom(session, true);
+  session.navigate([&](Document& document) {
+    document.layout.panels = true;
+    document.layout.bottom_tab = name;
+  });
+}
+
+void fill_window(Session& session, const std::string& region) {
+  session.navigate([&](Document& document) { document.layout.filled = region; });
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,11 @@
+#pragma once
+#include "gui/panels/panel.h"
+#include "gui/panels/pictures/pictures_panel.h"
+
+namespace ps::gui {
+
+/// What keys and menus do with files, the clipboard and the history, and what the mouse does, for the help sheet.
+/// `host` and the others must outlive the actions.
+void add_window_actions(Actions& actions, Session& session, const PicturesState& pictures, const PanelHost& host);
+
+}  // namespace ps::gui

@@ -1,0 +1,60 @@
+#include "gui/panels/options/light_actions.h"
+
+#include <fmt/format.h>
+
+#include "gui/panels/options/lights_panel.h"
+#include "gui/session/camera_moves.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double light_share = 0.05;  // of the scene's reach, for one press
+
+/// A vector as a scene file has it, to the last bit.
+std::string scene_text(const Vec3d& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
+
+/// Moves the selected light by shares of the scene's reach along the camera's axes. Repeated presses are one step.
+void move_light(Session& session, int wanted, double right, double up, double forward) {
+  const auto& lights = *session.scene().lights;
+  const auto index = static_cast<std::size_t>(selected_light(session.scene(), wanted));
+  if (index >= lights.size()) return;
+  const Camera camera = session.view().camera;
+  const double reach = scene_reach(session.scene(), camera);
+  const Light light = moved_light(lights[index], camera, right * reach, up * reach, forward * reach, reach);
+  const bool is_point = light.kind == LightKind::point;
+  const SceneEdit change{fmt::format("light.{}.{}", index, is_point ? "position" : "direction"),
+                         scene_text(is_point ? light.position : light.direction)};
+  session.edit(fmt::format("move light {}", index), change.path,
+               [&](Document& document) { edit_scene(document, change); });
+}
+
+}  // namespace
+
+void add_light_actions(Actions& actions, Session& session, OptionsPanelState& state) {
+  struct Push {
+    const char *name, *label, *keys;
+    double right, up, forward;
+  };
+  for (const Push& by :
+       {Push{"light-away", "Light away from the camera", "I", 0, 0, 1},
+        Push{"light-near", "Light nearer", "K", 0, 0, -1}, Push{"light-left", "Light left", "J", -1, 0, 0},
+        Push{"light-right", "Light right", "L", 1, 0, 0}, Push{"light-down", "Light down", "U", 0, -1, 0},
+        Push{"light-up", "Light up", "O", 0, 1, 0}})
+    actions.add({.name = by.name,
+                 .label = by.label,
+                 .group = "Light",
+                 .keys = by.keys,
+                 .kind = ActionKind::repeat,
+                 .run =
+                     [&session, &state, by] {
+                       move_light(session, state.selected_light, by.right * light_share, by.up * light_share,
+                                  by.forward * light_share);
+                     },
+                 .enabled =
+                     [&session, &state] {
+                       return selected_light(session.scene(), state.selected_light) <
+                              static_cast<int>(session.scene().lights->size());
+                     }});
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,63 @@
+#include "gui/panels/pictures/picture_values.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace ps::gui {
+namespace {
+
+/// FNV-1a over the displayed levels: equal pictures have equal hashes, on every machine.
+std::uint64_t picture_hash(const Image<Rgb8>& levels) {
+  std::uint64_t hash = 14695981039346656037ull;
+  const auto add = [&](std::uint8_t byte) { hash = (hash ^ byte) * 1099511628211ull; };
+  for (const Rgb8& level : levels.pixels()) {
+    add(level.r);
+    add(level.g);
+    add(level.b);
+  }
+  return hash;
+}
+
+/// Of what was shown last when no tiles were arriving: large pictures take long to add up.
+std::uint64_t hash_of(Session& session, PicturesState& pictures, Side side) {
+  const std::size_t index = index_of(side);
+  const RenderState state = session.renderer(side).status().state;
+  const bool rendering = state == RenderState::coarse || state == RenderState::full;
+  if (pictures.fresh[index] && !rendering) {
+    pictures.hashes[index] = picture_hash(pictures.pictures[index].levels);
+    pictures.fresh[index] = false;
+  }
+  return pictures.hashes[index];
+}
+
+}  // namespace
+
+void offer_picture_values(Values& out, Session& session, PicturesState& pictures) {
+  for (const Side side : both_sides) {
+    const std::string name = side == Side::a ? "a/" : "b/";
+    out.offer(name + "picture",
+              [&session, &pictures, side] { return fmt::format("{:016x}", hash_of(session, pictures, side)); });
+    out.offer(name + "size", [&pictures, side] {
+      const auto& levels = pictures.pictures[index_of(side)].levels;
+      return fmt::format("{}x{}", levels.width(), levels.height());
+    });
+  }
+  out.offer("identical", [&session, &pictures] {
+    return hash_of(session, pictures, Side::a) == hash_of(session, pictures, Side::b);
+  });
+  out.offer("difference/levels", [&pictures] {
+    if (std::exchange(pictures.difference_fresh, false))
+      pictures.difference_hash = picture_hash(pictures.difference.levels);
+    return fmt::format("{:016x}", pictures.difference_hash);
+  });
+  out.offer("difference/measured", [&pictures] {
+    const auto measured = pictures.meter->result();
+    return measured ? fmt::format("{}", error_of(measured->comparison, pictures.difference_metric)) : "none";
+  });
+  out.offer("zoom", [&pictures] { return pictures.transform.zoom; });
+  out.offer("flying", [&pictures] { return flying(pictures); });
+  out.offer("flicker", [&pictures] { return pictures.flip; });
+}
+
+}  // namespace ps::gui
