@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "gui/base/record.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/draw.h"
-#include "gui/widgets/record.h"
 #include "gui/widgets/widgets.h"
 #include "study/axis.h"
 
