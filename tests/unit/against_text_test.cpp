@@ -4,6 +4,7 @@
 
 #include "record/value_text.h"
 
+namespace against_text_test {
 namespace {
 
 TEST(AgainstText, ShowsAsManyDigitsAsDistinguishTheNumbers) {
@@ -15,3 +16,4 @@ TEST(AgainstText, ShowsAsManyDigitsAsDistinguishTheNumbers) {
 }
 
 }  // namespace
+}  // namespace against_text_test

@@ -7,6 +7,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace behind_camera_test {
 namespace {
 
 constexpr int size = 300;
@@ -76,4 +77,5 @@ TEST(BehindTheCamera, TheStorySaysSo) {
 }
 
 }  // namespace
+}  // namespace behind_camera_test
 }  // namespace ps

@@ -2,6 +2,7 @@
 
 #include "bench/measure.h"
 
+namespace bench_measure_test {
 namespace {
 
 using namespace ps;
@@ -65,3 +66,4 @@ TEST(BenchMeasure, ShortCallsFillASampleAndTheBudgetLimitsRepeats) {
 }
 
 }  // namespace
+}  // namespace bench_measure_test

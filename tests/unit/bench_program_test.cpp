@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace bench_program_test {
 namespace {
 
 const std::string program = std::string(PIXELSCOPE_BIN_DIR) + "/pixelscope-bench";
@@ -42,3 +43,4 @@ TEST(BenchProgram, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
+}  // namespace bench_program_test

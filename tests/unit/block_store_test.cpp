@@ -10,6 +10,7 @@
 #include "math/vec.h"
 
 namespace ps {
+namespace block_store_test {
 namespace {
 
 TEST(BlockStore, HandsOutTheSameBlockAgainForTheSameSize) {
@@ -67,4 +68,5 @@ TEST(Image, CopiesAreValues) {
 }
 
 }  // namespace
+}  // namespace block_store_test
 }  // namespace ps

@@ -13,6 +13,7 @@
 #include "scene/scene_writer.h"
 
 namespace ps {
+namespace body_in_group_test {
 namespace {
 
 constexpr int side = 96;
@@ -197,4 +198,5 @@ TEST(BodyInGroup, RefusesWhatItCannotPlace) {
 }
 
 }  // namespace
+}  // namespace body_in_group_test
 }  // namespace ps

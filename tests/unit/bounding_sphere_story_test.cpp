@@ -11,6 +11,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
+namespace bounding_sphere_story_test {
 namespace {
 
 using namespace ps;
@@ -83,3 +84,4 @@ TEST(BoundingSphereStory, OtherNodesStayBoxes) {
 }
 
 }  // namespace
+}  // namespace bounding_sphere_story_test

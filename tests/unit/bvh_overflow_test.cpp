@@ -6,6 +6,7 @@
 
 #include "accel/bvh.h"
 
+namespace bvh_overflow_test {
 namespace {
 
 using namespace ps;
@@ -28,3 +29,4 @@ TEST(BvhOverflow, AHugeBoxLeavesNoHugeLeaf) {
 }
 
 }  // namespace
+}  // namespace bvh_overflow_test

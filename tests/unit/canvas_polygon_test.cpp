@@ -10,6 +10,7 @@
 #include "scene/scene_file.h"
 
 namespace ps {
+namespace canvas_polygon_test {
 namespace {
 
 constexpr int polygon_side = 40;
@@ -118,4 +119,5 @@ TEST(CanvasPolygon, RefusesWhatIsNotConvex) {
 }
 
 }  // namespace
+}  // namespace canvas_polygon_test
 }  // namespace ps

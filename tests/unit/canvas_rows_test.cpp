@@ -14,6 +14,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace canvas_rows_test {
 namespace {
 
 using test::run_cli;
@@ -118,4 +119,5 @@ TEST(CanvasRows, CommandLine) {
 }
 
 }  // namespace
+}  // namespace canvas_rows_test
 }  // namespace ps

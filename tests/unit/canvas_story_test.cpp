@@ -11,6 +11,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace canvas_story_test {
 namespace {
 
 /// The two triangles of a square, whose common side runs through the sample of pixel (20, 19).
@@ -103,4 +104,5 @@ TEST(CanvasStory, TheMicroscopeShowsTheTriangles) {
 }
 
 }  // namespace
+}  // namespace canvas_story_test
 }  // namespace ps

@@ -11,6 +11,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
+namespace cgpp_scenes_test {
 namespace {
 
 using namespace ps;
@@ -143,3 +144,4 @@ TEST(Cgpp, FourTriangleTestsSeeTheSameTeapot) {
 }
 
 }  // namespace
+}  // namespace cgpp_scenes_test

@@ -8,6 +8,7 @@
 #include "frame/display_frame.h"
 #include "image/heat_colour.h"
 
+namespace channel_picture_test {
 namespace {
 
 using ps::Image;
@@ -225,3 +226,4 @@ TEST(IdColour, NeighboursDifferClearly) {
 }
 
 }  // namespace
+}  // namespace channel_picture_test

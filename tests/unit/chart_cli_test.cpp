@@ -5,6 +5,7 @@
 #include "base/atomic_file.h"
 #include "support/run_cli.h"
 
+namespace chart_cli_test {
 namespace {
 
 using ps::test::run_cli;
@@ -63,3 +64,4 @@ TEST(ChartCommand, BadUsageEndsWithTwoAndOneLine) {
 }
 
 }  // namespace
+}  // namespace chart_cli_test

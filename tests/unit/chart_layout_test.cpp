@@ -6,6 +6,7 @@
 #include "study/axis.h"
 #include "study/label_layout.h"
 
+namespace chart_layout_test {
 namespace {
 
 using namespace ps;
@@ -161,3 +162,4 @@ TEST(LabelLayout, ALoneLabelIsShown) {
 }
 
 }  // namespace
+}  // namespace chart_layout_test

@@ -15,6 +15,7 @@
 #include "study/missing_points.h"
 #include "support/run_cli.h"
 
+namespace chart_log_test {
 namespace {
 
 using namespace ps;
@@ -269,3 +270,4 @@ TEST(ChartCommand, AMergeThatLacksSomethingEndsWithOne) {
 }
 
 }  // namespace
+}  // namespace chart_log_test

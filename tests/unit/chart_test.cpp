@@ -21,6 +21,7 @@
 #include "study/chart_style.h"
 #include "support/run_cli.h"
 
+namespace chart_test {
 namespace {
 
 using namespace ps;
@@ -363,3 +364,4 @@ TEST(Chart, LabelsLieOverTheirRimsInAnyViewer) {
 }
 
 }  // namespace
+}  // namespace chart_test

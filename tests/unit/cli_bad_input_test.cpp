@@ -5,6 +5,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace cli_bad_input_test {
 namespace {
 
 using test::run_cli;
@@ -150,4 +151,5 @@ TEST(CliBadInput, Commands) {
 }
 
 }  // namespace
+}  // namespace cli_bad_input_test
 }  // namespace ps

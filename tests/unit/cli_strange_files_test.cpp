@@ -12,6 +12,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace cli_strange_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +116,5 @@ TEST_F(StrangeFiles, WarningsAreShownAndThePictureIsMade) {
 }
 
 }  // namespace
+}  // namespace cli_strange_files_test
 }  // namespace ps

@@ -15,6 +15,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace cli_test {
 namespace {
 
 using nlohmann::json;
@@ -227,4 +228,5 @@ TEST(Cli, ScenesAreListed) {
 }
 
 }  // namespace
+}  // namespace cli_test
 }  // namespace ps

@@ -15,6 +15,7 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 
+namespace coincident_octree_test {
 namespace {
 
 using namespace ps;
@@ -174,3 +175,4 @@ TEST(StopScope, ReachesTheThreadsOfParallelFor) {
 }
 
 }  // namespace
+}  // namespace coincident_octree_test

@@ -11,6 +11,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
+namespace csg_test {
 namespace {
 
 using namespace ps;
@@ -163,3 +164,4 @@ TEST(Csg, BadTreesAreTurnedDown) {
 }
 
 }  // namespace
+}  // namespace csg_test

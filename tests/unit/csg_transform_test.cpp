@@ -14,6 +14,7 @@
 #include "scene/scene_writer.h"
 
 namespace ps {
+namespace csg_transform_test {
 namespace {
 
 constexpr int placed_side = 48;
@@ -201,4 +202,5 @@ TEST(CsgTransform, ErrorsNameTheBlockAtFault) {
 }
 
 }  // namespace
+}  // namespace csg_transform_test
 }  // namespace ps

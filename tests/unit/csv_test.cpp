@@ -10,6 +10,7 @@
 #include "support/read_csv.h"
 
 namespace ps {
+namespace csv_test {
 namespace {
 
 TEST(Csv, FieldsComeBackAsTheyWentIn) {
@@ -45,4 +46,5 @@ TEST(Csv, SeriesOfAnExperimentMayHaveQuotes) {
 }
 
 }  // namespace
+}  // namespace csv_test
 }  // namespace ps

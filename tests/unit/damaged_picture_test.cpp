@@ -12,6 +12,7 @@
 #include "image/pnm.h"
 #include "support/golden.h"
 
+namespace damaged_picture_test {
 namespace {
 
 using ps::Image;
@@ -113,3 +114,4 @@ TEST(DamagedPictures, TablesThatAreNotDefinedAreAlwaysTheSame) {
 }
 
 }  // namespace
+}  // namespace damaged_picture_test

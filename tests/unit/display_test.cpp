@@ -11,6 +11,7 @@
 #include "frame/display_frame.h"
 #include "image/mixing.h"
 
+namespace display_test {
 namespace {
 
 using ps::ColourDepth;
@@ -183,3 +184,4 @@ TEST(Mixing, PrimariesMakeTheBooksColours) {
 }
 
 }  // namespace
+}  // namespace display_test

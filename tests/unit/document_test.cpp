@@ -10,6 +10,7 @@
 #include "support/stories.h"
 
 namespace ps {
+namespace document_test {
 namespace {
 
 TEST(Document, OpensAsTheSceneAsks) {
@@ -175,4 +176,5 @@ TEST(NumberList, ReadsSizesPixelsAndCameras) {
 }
 
 }  // namespace
+}  // namespace document_test
 }  // namespace ps

@@ -20,6 +20,7 @@
 #include "support/stories.h"
 
 namespace ps {
+namespace event_fields_test {
 namespace {
 
 /// One or more events of each type which together have all of its fields.
@@ -200,4 +201,5 @@ TEST(EventFields, PartnersAreAboutTheSame) {
 }
 
 }  // namespace
+}  // namespace event_fields_test
 }  // namespace ps

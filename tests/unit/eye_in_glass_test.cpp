@@ -9,6 +9,7 @@
 #include "render/story/story_tree.h"
 #include "scene/scene_file.h"
 
+namespace eye_in_glass_test {
 namespace {
 
 using namespace ps;
@@ -133,3 +134,4 @@ TEST(EyeInGlass, PicturesAgreeWithStories) {
 }
 
 }  // namespace
+}  // namespace eye_in_glass_test

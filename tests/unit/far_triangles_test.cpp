@@ -8,6 +8,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace far_triangles_test {
 namespace {
 
 constexpr std::array counted{Counter::objects_culled,         Counter::triangles_in,    Counter::triangles_degenerate,
@@ -50,4 +51,5 @@ TEST(FarTriangles, AreCountedAsInThePicture) {
 }
 
 }  // namespace
+}  // namespace far_triangles_test
 }  // namespace ps

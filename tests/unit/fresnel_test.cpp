@@ -8,6 +8,7 @@
 
 #include "shade/fresnel.h"
 
+namespace fresnel_test {
 namespace {
 
 using namespace ps;
@@ -69,3 +70,4 @@ TEST(Fresnel, APlateDoesNotTurnTheRay) {
 }
 
 }  // namespace
+}  // namespace fresnel_test

@@ -15,6 +15,7 @@
 #include "fuzz/targets.h"
 #include "support/environment.h"
 
+namespace fuzz_corpus_test {
 namespace {
 
 using ps::fuzz::Outcome;
@@ -70,3 +71,4 @@ INSTANTIATE_TEST_SUITE_P(Targets, Fuzz, testing::ValuesIn(ps::fuzz::targets().be
                          });
 
 }  // namespace
+}  // namespace fuzz_corpus_test

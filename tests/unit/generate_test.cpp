@@ -9,6 +9,7 @@
 #include "scene/generate/torus_knot.h"
 #include "scene/generate/uv_sphere.h"
 
+namespace generate_test {
 namespace {
 
 using namespace ps;
@@ -226,3 +227,4 @@ TEST(Teapot, NormalsAreUnitAndPointOutwards) {
 }
 
 }  // namespace
+}  // namespace generate_test

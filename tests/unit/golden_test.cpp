@@ -5,6 +5,7 @@
 
 #include "image/file.h"
 
+namespace golden_test {
 namespace {
 
 using ps::Image;
@@ -46,3 +47,4 @@ TEST(ExpectMatches, ReadsReferences) {
 }
 
 }  // namespace
+}  // namespace golden_test

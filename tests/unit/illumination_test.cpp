@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+namespace illumination_test {
 namespace {
 
 using namespace ps;
@@ -88,3 +89,4 @@ TEST(Illumination, ColoursOfTheirOwnGoIntoExtra) {
 }
 
 }  // namespace
+}  // namespace illumination_test

@@ -11,6 +11,7 @@
 #include "image/display.h"
 #include "support/golden.h"
 
+namespace image_file_test {
 namespace {
 
 using ps::Image;
@@ -190,3 +191,4 @@ TEST(AtomicFile, KeepsTheOldFileWhenItCannotWrite) {
 }
 
 }  // namespace
+}  // namespace image_file_test

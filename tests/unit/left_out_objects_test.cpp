@@ -13,6 +13,7 @@
 #include "support/trials.h"
 
 namespace ps {
+namespace left_out_objects_test {
 namespace {
 
 PixelStory story_of(const Scene& scene, const Settings& settings, Vec2i pixel, int size) {
@@ -155,4 +156,5 @@ TEST(LeftOutObjects, TheCommandLineNamesThemWithTheRemedy) {
 }
 
 }  // namespace
+}  // namespace left_out_objects_test
 }  // namespace ps

@@ -5,6 +5,7 @@
 #include "engine/claim.h"
 
 namespace ps {
+namespace lesson_test {
 namespace {
 
 constexpr const char* good = R"(# Light and shade
@@ -187,4 +188,5 @@ TEST(Lessons, UnknownNamesNameTheNearest) {
 }
 
 }  // namespace
+}  // namespace lesson_test
 }  // namespace ps

@@ -12,6 +12,7 @@
 #include "support/stories.h"
 
 namespace ps {
+namespace light_words_test {
 namespace {
 
 LightEvent lamp(double diffuse, double specular) {
@@ -91,4 +92,5 @@ TEST(LightWords, StoryAndSumAgreeOnWhatAddsNothing) {
 }
 
 }  // namespace
+}  // namespace light_words_test
 }  // namespace ps

@@ -16,6 +16,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace linked_command_test {
 namespace {
 
 using test::run_cli;
@@ -156,4 +157,5 @@ TEST(LinkedCommand, BadLinksAreRefused) {
 }
 
 }  // namespace
+}  // namespace linked_command_test
 }  // namespace ps

@@ -16,6 +16,7 @@
 #include "textbook/listing_view.h"
 
 namespace ps {
+namespace listing_test {
 namespace {
 
 Settings textbook(const Scene& scene) {
@@ -379,4 +380,5 @@ TEST(Listing, CommandLinePrintsLinesWithValues) {
 }
 
 }  // namespace
+}  // namespace listing_test
 }  // namespace ps

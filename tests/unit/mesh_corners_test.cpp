@@ -5,6 +5,7 @@
 #include "scene/generate/torus_knot.h"
 
 namespace ps::raster {
+namespace mesh_corners_test {
 namespace {
 
 TEST(MeshCorners, AreThoseOfTheTriangles) {
@@ -29,4 +30,5 @@ TEST(MeshCorners, ArePairedOnlyIfEveryCornerIs) {
 }
 
 }  // namespace
+}  // namespace mesh_corners_test
 }  // namespace ps::raster

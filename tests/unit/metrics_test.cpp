@@ -11,6 +11,7 @@
 #include "image/flip.h"
 #include "image/ssim.h"
 
+namespace metrics_test {
 namespace {
 
 using ps::Image;
@@ -222,3 +223,4 @@ TEST(Difference, ShowsHowFarPixelsAreApart) {
 }
 
 }  // namespace
+}  // namespace metrics_test

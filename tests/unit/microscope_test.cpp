@@ -17,6 +17,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace microscope_test {
 namespace {
 
 struct Bench {
@@ -344,4 +345,5 @@ TEST(WindowClip, KeepsWhatIsInside) {
 }
 
 }  // namespace
+}  // namespace microscope_test
 }  // namespace ps

@@ -4,6 +4,7 @@
 
 #include <random>
 
+namespace mip_chain_test {
 namespace {
 
 using ps::Image;
@@ -80,3 +81,4 @@ TEST(MipChain, EveryLevelHasTheMeanOfTheTexture) {
 }
 
 }  // namespace
+}  // namespace mip_chain_test

@@ -4,6 +4,7 @@
 
 #include <array>
 
+namespace narrowing_test {
 namespace {
 
 using Pair = std::array<double, 2>;
@@ -25,3 +26,4 @@ TEST(Narrowing, RoundsPairsToo) {
 }
 
 }  // namespace
+}  // namespace narrowing_test

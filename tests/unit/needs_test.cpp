@@ -11,6 +11,7 @@
 #include "study/reference.h"
 #include "support/trials.h"
 
+namespace needs_test {
 namespace {
 
 using namespace ps;
@@ -131,3 +132,4 @@ TEST(Needs, AZeroToleranceChangesNoPixelAndALargeOneDropsMore) {
 }
 
 }  // namespace
+}  // namespace needs_test

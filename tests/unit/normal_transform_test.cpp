@@ -9,6 +9,7 @@
 #include "scene/world.h"
 
 namespace ps {
+namespace normal_transform_test {
 namespace {
 
 /// The largest angle (degrees) between a transformed normal and that of x^2 / s^2 + y^2 + z^2 = 1.
@@ -68,4 +69,5 @@ TEST(NormalTransform, ShowsOnlyOnBallsThatAreNotScaledAlike) {
 }
 
 }  // namespace
+}  // namespace normal_transform_test
 }  // namespace ps

@@ -11,6 +11,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace number_option_test {
 namespace {
 
 using test::run_cli;
@@ -92,4 +93,5 @@ TEST(FailureText, SaysWhatRanOut) {
 }
 
 }  // namespace
+}  // namespace number_option_test
 }  // namespace ps

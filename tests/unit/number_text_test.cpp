@@ -13,6 +13,7 @@
 
 #include "support/environment.h"
 
+namespace number_text_test {
 namespace {
 
 using ps::parse_number;
@@ -88,3 +89,4 @@ TEST(NumberText, HasAPointInEveryLocale) {
 }
 
 }  // namespace
+}  // namespace number_text_test

@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "obj_corpus.h"
 
+namespace obj_errors_test {
 namespace {
 
 const std::string three_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -100,3 +101,4 @@ TEST(ObjErrors, BadMaterialFile) {
 }
 
 }  // namespace
+}  // namespace obj_errors_test

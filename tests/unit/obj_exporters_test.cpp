@@ -5,6 +5,7 @@
 #include "obj_corpus.h"
 
 namespace ps {
+namespace obj_exporters_test {
 namespace {
 
 constexpr const char* red_picture = "P3\n1 1\n255\n255 0 0\n";
@@ -163,4 +164,5 @@ TEST_F(ObjExporters, StatementsWithoutTheirNames) {
 }
 
 }  // namespace
+}  // namespace obj_exporters_test
 }  // namespace ps

@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "scene/obj.h"
 
+namespace obj_files_test {
 namespace {
 
 using nlohmann::json;
@@ -177,3 +178,4 @@ TEST(ObjFilesFolder, HoldsTheFilesOfTheTableAndNoOthers) {
 }
 
 }  // namespace
+}  // namespace obj_files_test

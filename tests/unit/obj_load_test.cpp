@@ -6,6 +6,7 @@
 #include "image/file.h"
 #include "obj_corpus.h"
 
+namespace obj_load_test {
 namespace {
 
 using ps::test::mesh_of;
@@ -223,3 +224,4 @@ TEST(ObjLoad, TheDieFacesOutwards) {
 }
 
 }  // namespace
+}  // namespace obj_load_test

@@ -9,6 +9,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace obj_relief_test {
 namespace {
 
 constexpr const char* quad = R"(mtllib quad.mtl
@@ -87,4 +88,5 @@ TEST(SceneHeights, ReadAndWritten) {
 }
 
 }  // namespace
+}  // namespace obj_relief_test
 }  // namespace ps

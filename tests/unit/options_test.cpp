@@ -12,6 +12,7 @@
 #include "raytrace/embree_triangles.h"
 
 namespace ps {
+namespace options_test {
 namespace {
 
 template <class Enum>
@@ -248,4 +249,5 @@ TEST(OptionTable, EachDeclaresItsTruth) {
 }
 
 }  // namespace
+}  // namespace options_test
 }  // namespace ps

@@ -17,6 +17,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace output_target_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -265,4 +266,5 @@ TEST(OutputTarget, AnOutputNeverReplacesWhatTheSceneWasReadFrom) {
 }
 
 }  // namespace
+}  // namespace output_target_test
 }  // namespace ps

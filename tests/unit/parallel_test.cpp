@@ -18,6 +18,7 @@
 #include "support/emulated.h"
 #include "support/trials.h"
 
+namespace parallel_test {
 namespace {
 
 using namespace ps;
@@ -171,3 +172,4 @@ TEST(Tiles, CoverEachPixelOnce) {
 }
 
 }  // namespace
+}  // namespace parallel_test

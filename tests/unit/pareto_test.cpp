@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+namespace pareto_test {
 namespace {
 
 using namespace ps;
@@ -42,3 +43,4 @@ TEST(Pareto, OnePointAndEqualPointsAreTheFront) {
 }
 
 }  // namespace
+}  // namespace pareto_test

@@ -8,6 +8,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace parting_csg_test {
 namespace {
 
 TEST(PartingCsg, TheRasterizerDoesNotDrawIt) {
@@ -27,4 +28,5 @@ TEST(PartingCsg, TheRasterizerDoesNotDrawIt) {
 }
 
 }  // namespace
+}  // namespace parting_csg_test
 }  // namespace ps

@@ -11,6 +11,7 @@
 #include "scene/load.h"
 
 namespace ps::raster {
+namespace patch_tessellation_test {
 namespace {
 
 Viewport<double> book_viewport() {
@@ -142,4 +143,5 @@ TEST(PatchTessellation, DrawsTheSameTeapotWithFewerTriangles) {
 }
 
 }  // namespace
+}  // namespace patch_tessellation_test
 }  // namespace ps::raster

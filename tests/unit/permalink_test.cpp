@@ -10,6 +10,7 @@
 #include "support/stories.h"
 
 namespace ps {
+namespace permalink_test {
 namespace {
 
 TEST(Permalink, DefaultsLeaveNothing) { EXPECT_EQ(permalink(Document{}), ""); }
@@ -173,4 +174,5 @@ TEST(CommandLine, CountsFromTheScenesOwnSettings) {
 }
 
 }  // namespace
+}  // namespace permalink_test
 }  // namespace ps

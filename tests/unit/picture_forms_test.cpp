@@ -15,6 +15,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace picture_forms_test {
 namespace {
 
 using test::run_cli;
@@ -136,4 +137,5 @@ TEST(TestPattern, IsThatOfTheBook) {
 }
 
 }  // namespace
+}  // namespace picture_forms_test
 }  // namespace ps

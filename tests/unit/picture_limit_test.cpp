@@ -8,6 +8,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace picture_limit_test {
 namespace {
 
 std::string big_endian_word(std::uint32_t value) {
@@ -49,7 +50,7 @@ TEST(PictureLimit, HoldsForEveryFormatBeforeItIsDecoded) {
                                     {"a.pgm", "P2 16384 16384 255\n"},
                                     {"a.pfm", "PF\n16384 16384\n-1\n"},
                                     {"a.tga", tga + std::string((std::size_t{1} << 21) * 4, '\0')}}) {
-    const std::string error = error_of([&] { load_image(folder.write(name, bytes)); });
+    const std::string error = error_of([&, &name = name, &bytes = bytes] { load_image(folder.write(name, bytes)); });
     EXPECT_NE(error.find(refusal), std::string::npos) << error;
   }
 }
@@ -101,4 +102,5 @@ TEST(ScenePictures, FaultsNameFileLineAndColumn) {
 }
 
 }  // namespace
+}  // namespace picture_limit_test
 }  // namespace ps

@@ -10,6 +10,7 @@
 #include "image/region_statistics.h"
 
 namespace ps {
+namespace pixel_ranking_test {
 namespace {
 
 TEST(PixelRanking, LargestFirstAndApart) {
@@ -100,4 +101,5 @@ TEST(RegionStatistics, AgreesWithTheDefinition) {
 }
 
 }  // namespace
+}  // namespace pixel_ranking_test
 }  // namespace ps

@@ -7,6 +7,7 @@
 #include "image/display.h"
 #include "support/golden.h"
 
+namespace png_test {
 namespace {
 
 using ps::Image;
@@ -184,3 +185,4 @@ TEST(Png, KeepsTexts) {
 }
 
 }  // namespace
+}  // namespace png_test

@@ -4,6 +4,7 @@
 
 #include "image/display.h"
 
+namespace pnm_test {
 namespace {
 
 using ps::Rgb8;
@@ -90,3 +91,4 @@ TEST(Pnm, PfmErrors) {
 }
 
 }  // namespace
+}  // namespace pnm_test

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace ps::raster {
+namespace polygon_rows_test {
 namespace {
 
 TEST(PolygonRows, AreThosePrintedInTheLab) {
@@ -21,4 +22,5 @@ TEST(PolygonRows, CountAsManyRowsAsTheLabSays) {
 }
 
 }  // namespace
+}  // namespace polygon_rows_test
 }  // namespace ps::raster

@@ -11,6 +11,7 @@
 #include <limits>
 #include <random>
 
+namespace portable_test {
 namespace {
 
 using namespace ps;
@@ -139,3 +140,4 @@ TEST(Portable, SameBitsOnEveryProcessor) {
 }
 
 }  // namespace
+}  // namespace portable_test

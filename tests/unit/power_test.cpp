@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+namespace power_test {
 namespace {
 
 /// Distance in units of the last place of `truth` rounded to Real.
@@ -78,3 +79,4 @@ TEST(Power, SpecialValues) {
 }
 
 }  // namespace
+}  // namespace power_test

@@ -11,6 +11,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace predict_test {
 namespace {
 
 PixelStory story_of(const Scene& scene, Renderer renderer, Vec2i pixel) {
@@ -89,4 +90,5 @@ TEST(Predict, LessonsAskQuestions) {
 }
 
 }  // namespace
+}  // namespace predict_test
 }  // namespace ps

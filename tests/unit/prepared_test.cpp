@@ -9,6 +9,7 @@
 #include "scene/load.h"
 #include "scene/part.h"
 
+namespace prepared_test {
 namespace {
 
 using namespace ps;
@@ -85,3 +86,4 @@ TEST(Part, SharesUntilEdited) {
 }
 
 }  // namespace
+}  // namespace prepared_test

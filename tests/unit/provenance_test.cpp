@@ -14,6 +14,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace provenance_test {
 namespace {
 
 using nlohmann::json;
@@ -171,4 +172,5 @@ TEST(Provenance, TableWithQuotationMarks) {
 }
 
 }  // namespace
+}  // namespace provenance_test
 }  // namespace ps

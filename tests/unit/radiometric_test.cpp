@@ -6,6 +6,7 @@
 
 #include "shade/illumination.h"
 
+namespace radiometric_test {
 namespace {
 
 using namespace ps;
@@ -122,3 +123,4 @@ TEST(Attenuation, DividesByItsPolynomial) {
 }
 
 }  // namespace
+}  // namespace radiometric_test

@@ -9,6 +9,7 @@
 #include "render/render.h"
 
 namespace ps::raster {
+namespace raster_clip_test {
 namespace {
 
 ClipPolygon<double> triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -202,4 +203,5 @@ TEST(Clip, AttributesSurviveTheCut) {
 }
 
 }  // namespace
+}  // namespace raster_clip_test
 }  // namespace ps::raster

@@ -7,6 +7,7 @@
 #include "raster/lines/walk_line.h"
 
 namespace ps::raster {
+namespace raster_lines_test {
 namespace {
 
 std::vector<Vec2i> walk(LineAlgorithm algorithm, Vec2d from, Vec2d to,
@@ -120,4 +121,5 @@ TEST(Interpolate, RepeatedAdditionDriftsAsMeasured) {
 }
 
 }  // namespace
+}  // namespace raster_lines_test
 }  // namespace ps::raster

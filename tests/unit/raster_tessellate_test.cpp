@@ -7,6 +7,7 @@
 #include "raster/tessellate_solid.h"
 
 namespace ps::raster {
+namespace raster_tessellate_test {
 namespace {
 
 double length(const Vec3d& v) { return std::sqrt(dot(v, v)); }
@@ -107,4 +108,5 @@ TEST(Tessellation, SurvivesOddViews) {
 }
 
 }  // namespace
+}  // namespace raster_tessellate_test
 }  // namespace ps::raster

@@ -8,6 +8,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
+namespace reference_test {
 namespace {
 
 using namespace ps;
@@ -145,3 +146,4 @@ TEST(ReferencePlan, StaysWithinTheMemoryOfAMachine) {
 }
 
 }  // namespace
+}  // namespace reference_test

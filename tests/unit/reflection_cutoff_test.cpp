@@ -4,6 +4,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
+namespace reflection_cutoff_test {
 namespace {
 
 using namespace ps;
@@ -84,3 +85,4 @@ TEST(ReflectionCutoff, LeavesGlassItsStrongerBranch) {
 }
 
 }  // namespace
+}  // namespace reflection_cutoff_test

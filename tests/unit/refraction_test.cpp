@@ -13,6 +13,7 @@
 #include "scene/scene_file.h"
 #include "shade/fresnel.h"
 
+namespace refraction_test {
 namespace {
 
 using namespace ps;
@@ -171,3 +172,4 @@ TEST(Refraction, OffMeansStraightThrough) {
 }
 
 }  // namespace
+}  // namespace refraction_test

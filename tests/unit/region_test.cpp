@@ -8,6 +8,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
+namespace region_test {
 namespace {
 
 using namespace ps;
@@ -92,3 +93,4 @@ TEST(Direction, IsWhatTheViewportSays) {
 }
 
 }  // namespace
+}  // namespace region_test

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+namespace resources_test {
 namespace {
 
 TEST(Resources, LieInTheSourceFolder) {
@@ -26,3 +27,4 @@ TEST(Resources, FollowTheEnvironment) {
 }
 
 }  // namespace
+}  // namespace resources_test

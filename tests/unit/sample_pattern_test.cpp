@@ -7,6 +7,7 @@
 
 #include "raytrace/sampling/pattern.h"
 
+namespace sample_pattern_test {
 namespace {
 
 using namespace ps;
@@ -102,3 +103,4 @@ TEST(SamplePattern, EvennessComesInTheKnownOrder) {
 }
 
 }  // namespace
+}  // namespace sample_pattern_test

@@ -6,6 +6,7 @@
 #include "render/story/story_tree.h"
 #include "scene/load.h"
 
+namespace sampling_story_test {
 namespace {
 
 using namespace ps;
@@ -177,3 +178,4 @@ TEST(SamplingStory, ShadowCacheIsReplayedForChosenPixels) {
 }
 
 }  // namespace
+}  // namespace sampling_story_test

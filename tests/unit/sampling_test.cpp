@@ -10,6 +10,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
+namespace sampling_test {
 namespace {
 
 using namespace ps;
@@ -231,3 +232,4 @@ TEST(Sampling, ThreadsChangeNothing) {
 }
 
 }  // namespace
+}  // namespace sampling_test

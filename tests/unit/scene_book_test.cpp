@@ -10,6 +10,7 @@
 #include "scene/rotation.h"
 #include "scene/scene_file.h"
 
+namespace scene_book_test {
 namespace {
 
 using nlohmann::json;
@@ -242,3 +243,4 @@ TEST(SceneBook, LookAtKeepsTheHand) {
 }
 
 }  // namespace
+}  // namespace scene_book_test

@@ -12,6 +12,7 @@
 #include "scene_random.h"
 #include "support/run_cli.h"
 
+namespace scene_edit_test {
 namespace {
 
 TEST(SceneEdit, MovesALightAndTouchesNothingElse) {
@@ -119,3 +120,4 @@ TEST(SceneEdit, AWrongNameSuggestsTheNearest) {
 }
 
 }  // namespace
+}  // namespace scene_edit_test

@@ -6,6 +6,7 @@
 #include "options/scene_settings.h"
 #include "scene/scene_file.h"
 
+namespace scene_errors_test {
 namespace {
 
 struct BadScene {
@@ -165,3 +166,4 @@ TEST(SceneErrors, UnclosedBraceInsideAnotherNamesTheInner) {
 }
 
 }  // namespace
+}  // namespace scene_errors_test

@@ -10,6 +10,7 @@
 #include "scene/world.h"
 
 namespace ps {
+namespace scene_group_test {
 namespace {
 
 constexpr const char* model = "model { name = m vertices { (0, 0, 0) (1, 0, 0) (0, 1, 0) } triangles { (0, 1, 2) } }\n";
@@ -100,4 +101,5 @@ TEST(SceneGroup, RefusesWhatItCannotHold) {
 }
 
 }  // namespace
+}  // namespace scene_group_test
 }  // namespace ps

@@ -10,6 +10,7 @@
 #include "scene/scene_writer.h"
 
 namespace ps {
+namespace scene_keys_test {
 namespace {
 
 TEST(SceneKeys, FormsHaveTheWordsOfTheBook) {
@@ -64,4 +65,5 @@ TEST(CompareKeys, AreReadAsTheyAreWritten) {
 }
 
 }  // namespace
+}  // namespace scene_keys_test
 }  // namespace ps

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 
+namespace scene_load_test {
 namespace {
 
 // The numbers of the book's own program for this picture.
@@ -77,3 +78,4 @@ TEST(SceneLoad, AnUnknownNameSuggestsTheNearest) {
 TEST(SceneLoad, AFolderIsNoScene) { EXPECT_THROW(ps::load_scene("assets"), ps::InputError); }
 
 }  // namespace
+}  // namespace scene_load_test

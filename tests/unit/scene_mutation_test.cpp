@@ -8,6 +8,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
+namespace scene_mutation_test {
 namespace {
 
 /// Cuts, doubles, exchanges and replaces pieces of a text at random places.
@@ -125,3 +126,4 @@ TEST(SceneMutation, IncludedFilesAreListed) {
 }
 
 }  // namespace
+}  // namespace scene_mutation_test

@@ -9,6 +9,7 @@
 #include "scene/scene_file.h"
 #include "scene_random.h"
 
+namespace scene_writer_test {
 namespace {
 
 TEST(SceneWriter, BuiltInScenesReadBackTheSame) {
@@ -57,3 +58,4 @@ TEST(SceneWriter, SpheresKeepTheBooksForm) {
 }
 
 }  // namespace
+}  // namespace scene_writer_test

@@ -10,6 +10,7 @@
 #include "scene/load.h"
 #include "study/stability/experiment.h"
 
+namespace search_words_test {
 namespace {
 
 using namespace ps;
@@ -105,3 +106,4 @@ TEST(SearchWords, AreThereForEveryRow) {
 }
 
 }  // namespace
+}  // namespace search_words_test

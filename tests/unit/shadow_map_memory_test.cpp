@@ -9,6 +9,7 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 
+namespace shadow_map_memory_test {
 namespace {
 
 using namespace ps;
@@ -76,3 +77,4 @@ TEST(ShadowMapMemory, AThousandLightsAreRefusedBeforeTheFirstMap) {
 }
 
 }  // namespace
+}  // namespace shadow_map_memory_test

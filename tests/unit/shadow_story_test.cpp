@@ -8,6 +8,7 @@
 #include "support/trials.h"
 
 namespace ps {
+namespace shadow_story_test {
 namespace {
 
 constexpr int width = 120, height = 80;
@@ -182,4 +183,5 @@ TEST(ShadowStory, PicturesAreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
+}  // namespace shadow_story_test
 }  // namespace ps

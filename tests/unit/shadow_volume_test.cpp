@@ -8,6 +8,7 @@
 #include "scene/sphere_mesh.h"
 
 namespace ps {
+namespace shadow_volume_test {
 namespace {
 
 using raster::DrawObject;
@@ -135,4 +136,5 @@ TEST(ShadowVolume, WithoutCapsHasItsSidesAlone) {
 }
 
 }  // namespace
+}  // namespace shadow_volume_test
 }  // namespace ps

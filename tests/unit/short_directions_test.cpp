@@ -14,6 +14,7 @@
 #include "scene/obj.h"
 #include "scene/scene_file.h"
 
+namespace short_directions_test {
 namespace {
 
 using namespace ps;
@@ -132,3 +133,4 @@ TEST(ShortDirections, AttenuationThatFloatsRoundToNothingStaysFinite) {
 }
 
 }  // namespace
+}  // namespace short_directions_test

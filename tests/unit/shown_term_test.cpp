@@ -11,6 +11,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace shown_term_test {
 namespace {
 
 struct InspectedSum {
@@ -89,4 +90,5 @@ TEST(ShownTerm, AFragmentShowsWhatItWroteAndOneThatLostNothing) {
 }
 
 }  // namespace
+}  // namespace shown_term_test
 }  // namespace ps

@@ -11,6 +11,7 @@
 
 #include <random>
 
+namespace solid_line_test {
 namespace {
 
 using namespace ps;
@@ -163,3 +164,4 @@ TEST(UvMaps, WorldMapHasItsMiddleInFront) {
 }
 
 }  // namespace
+}  // namespace solid_line_test

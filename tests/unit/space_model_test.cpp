@@ -13,6 +13,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace space_model_test {
 namespace {
 
 struct InspectedPixel {
@@ -249,4 +250,5 @@ TEST(SpaceModel, AStoryOfASceneWithMoreLightsIsSurvived) {
 }
 
 }  // namespace
+}  // namespace space_model_test
 }  // namespace ps

@@ -13,6 +13,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace space_projection_test {
 namespace {
 
 constexpr std::array presets{SpacePreset::outside, SpacePreset::front, SpacePreset::side, SpacePreset::top};
@@ -157,4 +158,5 @@ TEST(SpaceProjection, LinesAreCutAtTheNearPlane) {
 }
 
 }  // namespace
+}  // namespace space_projection_test
 }  // namespace ps

@@ -9,6 +9,7 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 
+namespace space_tree_test {
 namespace {
 
 using namespace ps;
@@ -106,3 +107,4 @@ TEST(SpaceTree, IsEmptyWithoutRays) {
 }
 
 }  // namespace
+}  // namespace space_tree_test

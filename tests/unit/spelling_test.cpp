@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+namespace spelling_test {
 namespace {
 
 using namespace ps;
@@ -30,3 +31,4 @@ TEST(Spelling, WhatIsFarFromAllPointsToTheList) {
 }
 
 }  // namespace
+}  // namespace spelling_test

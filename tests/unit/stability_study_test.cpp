@@ -13,6 +13,7 @@
 #include "base/check.h"
 #include "support/golden.h"
 
+namespace stability_study_test {
 namespace {
 
 using namespace ps;
@@ -163,3 +164,4 @@ TEST(StabilityStudy, ReportsTheTimeThatIsLeft) {
 }
 
 }  // namespace
+}  // namespace stability_study_test

@@ -15,6 +15,7 @@
 #include "support/stability_table.h"
 #include "support/stability_verdict.h"
 
+namespace stability_table_test {
 namespace {
 
 using namespace ps;
@@ -255,3 +256,4 @@ TEST(StabilityPage, HasEveryRowOfTheTableAndNoOther) {
 }
 
 }  // namespace
+}  // namespace stability_table_test

@@ -15,6 +15,7 @@
 #include "support/run_cli.h"
 
 namespace ps {
+namespace standard_output_test {
 namespace {
 
 using test::run_cli;
@@ -106,4 +107,5 @@ TEST(StandardOutput, AReaderThatHasGone) {
 }
 
 }  // namespace
+}  // namespace standard_output_test
 }  // namespace ps

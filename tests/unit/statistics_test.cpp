@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+namespace statistics_test {
 namespace {
 
 using namespace ps;
@@ -26,3 +27,4 @@ TEST(Statistics, GeometricMeanOfARatioAndItsInverseIsOne) {
 }
 
 }  // namespace
+}  // namespace statistics_test

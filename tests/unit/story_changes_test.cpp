@@ -9,6 +9,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace story_changes_test {
 namespace {
 
 struct Pinned {
@@ -95,4 +96,5 @@ TEST(StoryChanges, BothSumsAreListedInFull) {
 }
 
 }  // namespace
+}  // namespace story_changes_test
 }  // namespace ps

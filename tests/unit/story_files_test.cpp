@@ -13,6 +13,7 @@
 #include "support/stories.h"
 
 namespace ps {
+namespace story_files_test {
 namespace {
 
 TEST(StoryFiles, CsvKeepsEveryDigit) {
@@ -83,4 +84,5 @@ TEST(StoryFiles, MarkdownShowsEverything) {
 }
 
 }  // namespace
+}  // namespace story_files_test
 }  // namespace ps

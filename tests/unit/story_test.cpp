@@ -10,6 +10,7 @@
 #include "support/stories.h"
 
 namespace ps {
+namespace story_test {
 namespace {
 
 Vec3d sum_of_level(const std::vector<LedgerLine>& ledger, std::size_t first, std::size_t last, int level) {
@@ -268,4 +269,5 @@ TEST(StoryJson, InfinityIsNull) {
 }
 
 }  // namespace
+}  // namespace story_test
 }  // namespace ps

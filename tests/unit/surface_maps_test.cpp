@@ -15,6 +15,7 @@
 #include "shade/reflection_map.h"
 
 namespace ps {
+namespace surface_maps_test {
 namespace {
 
 constexpr int width = 40, height = 20;
@@ -408,4 +409,5 @@ TEST(SurfaceMaps, OpacityComesFromAlphaOrGrey) {
 }
 
 }  // namespace
+}  // namespace surface_maps_test
 }  // namespace ps

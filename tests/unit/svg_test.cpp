@@ -12,6 +12,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace svg_test {
 namespace {
 
 // The test vectors of RFC 4648, section 10.
@@ -126,4 +127,5 @@ TEST(Svg, MicroscopeDrawsThePixel) {
 }
 
 }  // namespace
+}  // namespace svg_test
 }  // namespace ps

@@ -8,6 +8,7 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 
+namespace sweep_test {
 namespace {
 
 using namespace ps;
@@ -140,3 +141,4 @@ TEST(Sweep, ReportsOptionsThatActNowhere) {
 }
 
 }  // namespace
+}  // namespace sweep_test

@@ -7,6 +7,7 @@
 
 #include "image/mip_level.h"
 
+namespace texture_sampling_test {
 namespace {
 
 using ps::Image;
@@ -224,3 +225,4 @@ TYPED_TEST(TextureSampling, LevelLogarithmMatchesTheCLibrary) {
 }
 
 }  // namespace
+}  // namespace texture_sampling_test

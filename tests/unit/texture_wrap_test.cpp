@@ -7,6 +7,7 @@
 
 #include "image/texture_sampling.h"
 
+namespace texture_wrap_test {
 namespace {
 
 using namespace ps;
@@ -87,3 +88,4 @@ TEST(TextureWrap, ClampGoesOnWithTheBorder) {
 }
 
 }  // namespace
+}  // namespace texture_wrap_test

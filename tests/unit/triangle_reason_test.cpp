@@ -6,6 +6,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace triangle_reason_test {
 namespace {
 
 // Shadow rays start on the far side of their own cube: it has triangles behind them, too.
@@ -27,4 +28,5 @@ TEST(TriangleReason, WhatLiesBehindARayIsNotARoundingError) {
 }
 
 }  // namespace
+}  // namespace triangle_reason_test
 }  // namespace ps

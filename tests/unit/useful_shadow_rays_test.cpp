@@ -8,6 +8,7 @@
 #include "scene/scene_file.h"
 #include "support/trials.h"
 
+namespace useful_shadow_rays_test {
 namespace {
 
 using namespace ps;
@@ -88,3 +89,4 @@ TEST(UsefulShadowRays, ChangeNoColour) {
 }
 
 }  // namespace
+}  // namespace useful_shadow_rays_test

@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+namespace version_test {
 namespace {
 
 TEST(Version, IsTheOneInCMakeLists) {
@@ -19,3 +20,4 @@ TEST(Version, IsTheOneInCMakeLists) {
 }
 
 }  // namespace
+}  // namespace version_test

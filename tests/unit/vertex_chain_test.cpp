@@ -11,6 +11,7 @@
 #include "scene/load.h"
 
 namespace ps {
+namespace vertex_chain_test {
 namespace {
 
 View view_of(const Scene& scene) { return {scene.camera, scene.canvas_width, scene.canvas_height}; }
@@ -121,4 +122,5 @@ TEST(VertexChain, RefusesWhatIsNoVertex) {
 }
 
 }  // namespace
+}  // namespace vertex_chain_test
 }  // namespace ps

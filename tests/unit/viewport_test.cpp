@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+namespace viewport_test {
 namespace {
 
 using namespace ps;
@@ -52,3 +53,4 @@ TEST(Viewport, SpanOfCentresPutsTheOutermostSamplesOnTheBorder) {
 }
 
 }  // namespace
+}  // namespace viewport_test

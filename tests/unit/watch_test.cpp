@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace ps {
+namespace watch_test {
 namespace {
 
 TEST(Watch, RecordsLineNameAndValue) {
@@ -79,4 +80,5 @@ TEST(Watch, InnermostCollectorReceivesAndTheLimitHolds) {
 }
 
 }  // namespace
+}  // namespace watch_test
 }  // namespace ps

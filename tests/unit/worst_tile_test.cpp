@@ -4,6 +4,7 @@
 
 #include "image/flip.h"
 
+namespace worst_tile_test {
 namespace {
 
 using namespace ps;
@@ -18,3 +19,4 @@ TEST(WorstTile, SeesAnObjectThatTheMeanHides) {
 }
 
 }  // namespace
+}  // namespace worst_tile_test
