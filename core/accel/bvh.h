@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "accel/slab.h"
+#include "accel/candidate_ray.h"
 #include "base/memory_size.h"
 #include "record/recorder.h"
 
@@ -89,6 +89,12 @@ void for_each_candidate(const Bvh<Real>& bvh, const SlabRay<Real>& ray, const Re
       current = stack[static_cast<std::size_t>(--waiting)];
     } while (current.near > limit);
   }
+}
+template <class Real, class Visit, class Recorder>
+void for_each_candidate(const Bvh<Real>& bvh, const CandidateRay<Real>& ray, const Real& limit, Visit&& visit,
+                        Recorder& recorder) {
+  const bool tests_boxes = bvh.nodes.size() > 1;
+  for_each_candidate(bvh, tests_boxes ? ray.slabs() : SlabRay<Real>(), limit, visit, recorder);
 }
 
 }  // namespace ps

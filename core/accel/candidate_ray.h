@@ -9,7 +9,12 @@ template <class Real>
 struct CandidateRay {
   Vec3<Real> origin{0}, direction{0};
   Real pad = 0;
-  SlabRay<Real> slabs;  ///< with `pad`
+  SlabForm form = SlabForm::robust;
+
+  /// Made ready for boxes, which are grown by `pad`; the naive test grows none.
+  SlabRay<Real> slabs() const {
+    return SlabRay<Real>(origin, direction, form == SlabForm::naive ? Real(0) : pad, form);
+  }
 };
 
 }  // namespace ps

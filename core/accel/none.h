@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "accel/slab.h"
+#include "accel/candidate_ray.h"
 
 namespace ps {
 
@@ -16,7 +16,8 @@ struct NoAccelerator {
 };
 
 template <class Real, class Visit, class Recorder>
-inline void for_each_candidate(const NoAccelerator& all, const SlabRay<Real>&, const Real&, Visit&& visit, Recorder&) {
+inline void for_each_candidate(const NoAccelerator& all, const CandidateRay<Real>&, const Real&, Visit&& visit,
+                               Recorder&) {
   for (std::uint32_t primitive = 0; primitive < all.count; ++primitive)
     if (visit(primitive)) return;
 }

@@ -125,11 +125,12 @@ void for_each_candidate(const Octree<Real>& octree, const CandidateRay<Real>& ra
       return NodeEvent{static_cast<int>(index), level, Vec3d(box.low), Vec3d(box.high), entered};
     });
   };
-  const bool whole = slab_test(ray.slabs, octree.nodes[0].box, limit).hit();
+  const SlabRay<Real> slab_ray = ray.slabs();
+  const bool whole = slab_test(slab_ray, octree.nodes[0].box, limit).hit();
   report(0, 0, whole);
   if (!whole) return;
-  const bool naive = ray.slabs.form == SlabForm::naive;
-  const std::array<bool, 3>& down = ray.slabs.negative;
+  const bool naive = ray.form == SlabForm::naive;
+  const std::array<bool, 3>& down = slab_ray.negative;
   const std::uint32_t nearest_child = (down[0] ? 1u : 0u) | (down[1] ? 2u : 0u) | (down[2] ? 4u : 0u);
   std::uint32_t current = 0;
   int level = 0;
@@ -140,11 +141,11 @@ void for_each_candidate(const Octree<Real>& octree, const CandidateRay<Real>& ra
       for (std::uint32_t i = 0; i < node.count; ++i)
         if (visit(octree.entries[node.first + i])) return;
     } else {
-      const ChildSlabs<Real> slabs(ray.slabs, node.box, limit);
+      const ChildSlabs<Real> slabs(slab_ray, node.box, limit);
       const auto is_filled = [&](std::uint32_t i) { return (node.filled >> (i ^ nearest_child) & 1u) != 0; };
       const auto index_of = [&](std::uint32_t i) { return node.first + (i ^ nearest_child); };
       const auto range_of = [&](std::uint32_t i) {
-        return naive ? slab_test(ray.slabs, octree.nodes[index_of(i)].box, limit) : slabs(i);
+        return naive ? slab_test(slab_ray, octree.nodes[index_of(i)].box, limit) : slabs(i);
       };
       if (recorder.collects())
         for (std::uint32_t i = 0; i < 8; ++i)

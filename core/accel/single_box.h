@@ -21,7 +21,7 @@ template <class Real, class Visit, class Recorder>
 void for_each_candidate(const SingleBox<Real>& all, const CandidateRay<Real>& ray, const Real& limit, Visit&& visit,
                         Recorder& recorder) {
   if (all.primitives.empty()) return;
-  const bool entered = slab_test(ray.slabs, all.box, limit).hit();
+  const bool entered = slab_test(ray.slabs(), all.box, limit).hit();
   recorder.count(Counter::node_visits);
   recorder.event([&] { return NodeEvent{0, 0, Vec3d(all.box.low), Vec3d(all.box.high), entered}; });
   if (!entered) return;

@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "base/overloaded.h"
 #include "inspect/space_parts.h"
 #include "options/renderer_kind.h"
 #include "raytrace/accelerators.h"
@@ -78,11 +79,17 @@ class TreeNodes {
                 geometry.instances[i].box.high, 0});
   }
   template <class Real>
-  void box(std::uint32_t number, int level, const Box<Real>& around) {
-    add_node({static_cast<int>(number), level, Vec3d(around.low), Vec3d(around.high), 0});
+  void add(const SingleBox<Real>& all) {
+    if (all.primitives.empty()) return;
+    box(0, 0, all.box);
+    counts.entries += all.primitives.size();
   }
 
  private:
+  template <class Real>
+  void box(std::uint32_t number, int level, const Box<Real>& around) {
+    add_node({static_cast<int>(number), level, Vec3d(around.low), Vec3d(around.high), 0});
+  }
   void add_node(const DrawnNode& node) {
     ++counts.nodes;
     if (list.size() < most_) list.push_back(node);
@@ -94,16 +101,11 @@ template <class Real>
 TreeNodes nodes_of_tree(const Scene& scene, const Settings& settings, Prepared& prepared, std::size_t most) {
   TreeNodes nodes(most);
   const auto geometry = traced_geometry<Real>(scene, settings, prepared);
-  const auto simple = simple_accelerators<Real>(scene, *geometry, settings, prepared);
   nodes.counts.primitives = bounded_count(*geometry);
-  if (uses_bvh<Real>(settings)) nodes.add(*traced_bvh<Real>(scene, *geometry, prepared));
-  if (simple.octree) nodes.add(*simple.octree);
-  if (simple.spheres) nodes.add(*simple.spheres);
-  if (simple.two_level) nodes.add(*simple.two_level, *geometry);
-  if (simple.box && !simple.box->primitives.empty()) {
-    nodes.box(0, 0, simple.box->box);
-    nodes.counts.entries = simple.box->primitives.size();
-  }
+  std::visit(Overloaded{[](const NoAccelerator&) {}, [](const std::shared_ptr<const EmbreeGeometry<Real>>&) {},
+                        [&](const std::shared_ptr<const TwoLevel<Real>>& trees) { nodes.add(*trees, *geometry); },
+                        [&](const auto& tree) { nodes.add(*tree); }},
+             traced_accelerator<Real>(scene, *geometry, settings, prepared));
   return nodes;
 }
 

@@ -67,49 +67,45 @@ Octree<Real> make_octree(const TracedGeometry<Real>& geometry, const Settings& s
 }  // namespace
 
 template <class Real>
-SimpleAccelerators<Real> simple_accelerators(const Scene& scene, const TracedGeometry<Real>& geometry,
-                                             const Settings& settings, Prepared& prepared) {
-  SimpleAccelerators<Real> result;
+TracedAccelerator<Real> traced_accelerator(const Scene& scene, const TracedGeometry<Real>& geometry,
+                                           const Settings& settings, Prepared& prepared) {
   const auto key = [&](const char* product) {
     Key made(product);
     made.add(scene.geometry.revision()).add(std::uint64_t{sizeof(Real)});
     return made;
   };
   switch (settings.accelerator) {
-  case Accelerator::bvh:
   case Accelerator::none:
+    return NoAccelerator{primitive_count(geometry)};
+  case Accelerator::bvh:
     break;
   case Accelerator::embree:
     if constexpr (std::is_same_v<Real, float>)
-      if (!uses_bvh<Real>(settings)) result.embree = embree_geometry(scene, geometry, prepared);
+      if (!uses_bvh<Real>(settings)) return embree_geometry(scene, geometry, prepared);
     break;
   case Accelerator::bounding_spheres:
-    result.spheres = prepared.get<BoundingSpheres>(key("bounding spheres"), [&] { return make_spheres(geometry); });
-    break;
+    return prepared.get<BoundingSpheres>(key("bounding spheres"), [&] { return make_spheres(geometry); });
   case Accelerator::box:
-    result.box = prepared.get<SingleBox<Real>>(key("box of all"), [&] {
+    return prepared.get<SingleBox<Real>>(key("box of all"), [&] {
       SingleBox<Real> box{box_of_all(geometry), {}};
       for (std::uint32_t i = 0; i < bounded_count(geometry); ++i)
         box.primitives.push_back(bounded_primitive(geometry, i));
       return box;
     });
-    break;
   case Accelerator::two_level:
-    result.two_level = two_level(scene, geometry, prepared);
-    break;
+    return two_level(scene, geometry, prepared);
   case Accelerator::octree:
-    result.octree = prepared.get<Octree<Real>>(key("octree")
-                                                   .add(static_cast<std::uint64_t>(settings.octree_leaf))
-                                                   .add(static_cast<std::uint64_t>(settings.octree_depth)),
-                                               [&] { return make_octree(geometry, settings); });
-    break;
+    return prepared.get<Octree<Real>>(key("octree")
+                                          .add(static_cast<std::uint64_t>(settings.octree_leaf))
+                                          .add(static_cast<std::uint64_t>(settings.octree_depth)),
+                                      [&] { return make_octree(geometry, settings); });
   }
-  return result;
+  return traced_bvh<Real>(scene, geometry, prepared);
 }
 
-template SimpleAccelerators<float> simple_accelerators(const Scene&, const TracedGeometry<float>&, const Settings&,
-                                                       Prepared&);
-template SimpleAccelerators<double> simple_accelerators(const Scene&, const TracedGeometry<double>&, const Settings&,
-                                                        Prepared&);
+template TracedAccelerator<float> traced_accelerator(const Scene&, const TracedGeometry<float>&, const Settings&,
+                                                     Prepared&);
+template TracedAccelerator<double> traced_accelerator(const Scene&, const TracedGeometry<double>&, const Settings&,
+                                                      Prepared&);
 
 }  // namespace ps

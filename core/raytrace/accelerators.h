@@ -1,5 +1,10 @@
 #pragma once
+#include <memory>
+#include <type_traits>
+#include <variant>
+
 #include "accel/bounding_spheres.h"
+#include "accel/none.h"
 #include "accel/octree.h"
 #include "accel/single_box.h"
 #include "base/machine.h"
@@ -15,24 +20,23 @@ bool uses_bvh(const Settings& settings) {
   return settings.accelerator == Accelerator::bvh || (settings.accelerator == Accelerator::embree && !embree);
 }
 
-/// The accelerator that `settings` name, unless it is the tree of boxes (traced_bvh) or none; at most one is there.
+/// What narrows down the primitives that a ray may meet. Each holds those that have an end, NoAccelerator all.
 template <class Real>
-struct SimpleAccelerators {
-  std::shared_ptr<const BoundingSpheres> spheres;
-  std::shared_ptr<const SingleBox<Real>> box;
-  std::shared_ptr<const Octree<Real>> octree;
-  std::shared_ptr<const TwoLevel<Real>> two_level;
-  std::shared_ptr<const EmbreeGeometry> embree;  ///< in float only
-  bool any() const { return spheres || box || octree || two_level || embree; }
-};
+using TracedAccelerator =
+    std::variant<NoAccelerator, std::shared_ptr<const SingleBox<Real>>, std::shared_ptr<const BoundingSpheres>,
+                 std::shared_ptr<const Bvh<Real>>, std::shared_ptr<const Octree<Real>>,
+                 std::shared_ptr<const TwoLevel<Real>>, std::shared_ptr<const EmbreeGeometry<Real>>>;
 
+/// The one that `settings` name; where Embree cannot be used (uses_bvh()), the tree of boxes.
 template <class Real>
-SimpleAccelerators<Real> simple_accelerators(const Scene& scene, const TracedGeometry<Real>& geometry,
-                                             const Settings& settings, Prepared& prepared);
+TracedAccelerator<Real> traced_accelerator(const Scene& scene, const TracedGeometry<Real>& geometry,
+                                           const Settings& settings, Prepared& prepared);
 
-/// The triangles of `octree`, which simple_accelerators() made with these settings, as the SIMD queries search them.
-std::shared_ptr<const WideGeometry> wide_octree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
-                                                         const Octree<float>& octree, const Settings& settings,
-                                                         Prepared& prepared);
+/// The accelerator if it is of this type, such as Octree<float>; null otherwise.
+template <class Type, class Accelerator>
+const Type* accelerator_as(const Accelerator& accelerator) {
+  const auto* found = std::get_if<std::shared_ptr<const Type>>(&accelerator);
+  return found ? found->get() : nullptr;
+}
 
 }  // namespace ps

@@ -135,12 +135,12 @@ void EmbreeTriangles::search(const Ray<float>&, float, bool, const Visitor&) con
 
 #endif
 
-std::shared_ptr<const EmbreeGeometry> embree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
-                                                      Prepared& prepared) {
+std::shared_ptr<const EmbreeGeometry<float>> embree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                             Prepared& prepared) {
   Key key("embree geometry");
   key.add(scene.geometry.revision());
-  return prepared.get<EmbreeGeometry>(key, [&] {
-    EmbreeGeometry result;
+  return prepared.get<EmbreeGeometry<float>>(key, [&] {
+    EmbreeGeometry<float> result;
     std::vector<std::uint32_t> others;
     for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
       const std::uint32_t i = bounded_primitive(geometry, k);

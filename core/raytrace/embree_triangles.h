@@ -19,8 +19,6 @@ struct EmbreeCandidate {
 /// report the nodes that it visits.
 class EmbreeTriangles {
  public:
-  /// Is Embree compiled in?
-
   /// Throws InputError if Embree cannot be used.
   explicit EmbreeTriangles(const TracedGeometry<float>& geometry);
   ~EmbreeTriangles();
@@ -49,14 +47,16 @@ class EmbreeTriangles {
   std::unique_ptr<Content> content_;
 };
 
-/// What rays search with accelerator = embree: the triangles there, everything else in a tree of boxes.
+/// What rays search with accelerator = embree: the triangles there, everything else in a tree of boxes. Embree
+/// computes in float, so that of double is never made.
+template <class Real>
 struct EmbreeGeometry {
   std::shared_ptr<const EmbreeTriangles> triangles;  ///< absent if the scene has none
-  Bvh<float> others;                                 ///< its order holds numbers of primitives
+  Bvh<Real> others;                                  ///< its order holds numbers of primitives
 
   std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
 };
-std::shared_ptr<const EmbreeGeometry> embree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
-                                                      Prepared& prepared);
+std::shared_ptr<const EmbreeGeometry<float>> embree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                             Prepared& prepared);
 
 }  // namespace ps

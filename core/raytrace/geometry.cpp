@@ -4,6 +4,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "accel/wide_bvh.h"
 #include "base/stop.h"
 
 namespace ps {

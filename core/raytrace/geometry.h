@@ -7,7 +7,6 @@
 
 #include "accel/box.h"
 #include "accel/bvh.h"
-#include "accel/wide_bvh.h"
 #include "frame/frame.h"
 #include "frame/prepared.h"
 #include "options/settings.h"
@@ -203,25 +202,5 @@ std::shared_ptr<const Bvh<Real>> traced_bvh(const Scene& scene, const TracedGeom
 
 /// A tree over some of the primitives; its order holds their numbers.
 Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives);
-
-/// What the SIMD queries search: the triangles in a tree eight wide; everything else in a tree of its own.
-struct WideGeometry {
-  WideBvh triangles;
-  Bvh<float> others;  ///< its order holds numbers of primitives
-
-  std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
-};
-/// The same without trees.
-struct ListGeometry {
-  TriangleList triangles;
-  std::vector<std::uint32_t> others;
-
-  std::size_t heap_bytes() const { return owned_bytes(triangles, others); }
-};
-std::shared_ptr<const ListGeometry> list_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
-                                                  Prepared& prepared);
-
-std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
-                                                  Prepared& prepared);
 
 }  // namespace ps

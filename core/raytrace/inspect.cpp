@@ -2,9 +2,9 @@
 
 #include "frame/display_frame.h"
 #include "image/display.h"
+#include "raytrace/clear/tile_rays.h"
 #include "raytrace/renderer.h"
 #include "raytrace/sampling/compare.h"
-#include "raytrace/sampling/tile_rays.h"
 
 namespace ps {
 namespace {
@@ -32,7 +32,8 @@ class PixelInspection {
   Vec3<Real> trace_with(const SamplingPlan& plan) {
     const Counters counters = recorder_.counters;
     recorder_.mute(true);
-    const TileRays<Real, PixelRecorder> rays(inputs_, plan, tile_, recorder_);
+    const Tracer<Real, PixelRecorder> tracer(inputs_, recorder_);
+    const TileRays<Real, PixelRecorder> rays(tracer, plan, tile_);
     if (inputs_.settings.shadow_cache) trace_pixels_before(rays, plan);
     recorder_.mute(false);
     recorder_.counters = counters;

@@ -30,7 +30,7 @@ struct Hit {
   std::uint32_t primitive = no_primitive;
   Real t = 0;
   std::array<Real, 3> weights{};  ///< barycentric; zeros on a sphere
-  std::uint32_t detail = 0;       ///< solids: which face of which part (raytrace/csg.h); spheres: leaves_sphere or 0
+  std::uint32_t detail = 0;  ///< solids: which face of which part (raytrace/clear/csg.h); spheres: leaves_sphere or 0
   bool found() const { return primitive != no_primitive; }
 };
 

@@ -3,7 +3,8 @@
 #include <limits>
 
 #include "frame/empty_frame.h"
-#include "raytrace/tracer.h"
+#include "math/has_nan.h"
+#include "raytrace/clear/tracer.h"
 
 namespace ps {
 
@@ -45,7 +46,7 @@ bool store_pixel(const TracedPixel<Real>& pixel, const TraceInputs<Real>& inputs
   frame.colour.at(x, y) = Vec3f(colour);
   if constexpr (std::is_same_v<Real, double>) frame.colour_double.at(x, y) = colour;
   store_channels(pixel, inputs, x, y, frame);
-  return std::isnan(colour.x) || std::isnan(colour.y) || std::isnan(colour.z);
+  return has_nan(colour);
 }
 
 /// The same for a pixel of which colour, depth and id are asked for at most.
@@ -55,7 +56,12 @@ inline bool store_hit(const Vec3f& colour, const Hit<float>& hit, const TraceInp
   if (!frame.depth.empty())
     frame.depth.at(x, y) = hit.found() ? hit.t * inputs.viewport.distance : std::numeric_limits<float>::infinity();
   if (!frame.ids.empty()) frame.ids.at(x, y) = hit.found() ? id_of(*inputs.geometry, hit) : PixelId{};
-  return std::isnan(colour.x) || std::isnan(colour.y) || std::isnan(colour.z);
+  return has_nan(colour);
+}
+
+/// How many pixels a rectangle holds, as counters take it.
+inline std::uint64_t pixel_count(const TileRect& rect) {
+  return static_cast<std::uint64_t>(rect.width()) * static_cast<std::uint64_t>(rect.height());
 }
 
 /// Tests of a ray against a primitive so far.

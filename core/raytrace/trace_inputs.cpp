@@ -47,24 +47,10 @@ TraceInputs<Real> make_trace_inputs(const Scene& scene, const View& view, const 
                                     Channel channels) {
   TraceInputs<Real> inputs;
   inputs.geometry = traced_geometry<Real>(scene, settings, prepared);
-  inputs.only_triangles = inputs.geometry->triangles.size() == inputs.geometry->primitives.size();
-  if (uses_bvh<Real>(settings)) inputs.bvh = traced_bvh<Real>(scene, *inputs.geometry, prepared);
-  inputs.simple = simple_accelerators<Real>(scene, *inputs.geometry, settings, prepared);
+  inputs.accelerator = traced_accelerator<Real>(scene, *inputs.geometry, settings, prepared);
   for (const Material& material : *scene.materials)
     inputs.any_transparent = inputs.any_transparent || material.transparency > 0 || material.opacity_map >= 0;
   inputs.path = traced_fast_path(settings, prepared_traits(scene, prepared), channels);
-  if constexpr (std::is_same_v<Real, float>) {
-    const bool everything = settings.accelerator == Accelerator::none;
-    // Triangles without area are left out: there may be none to search.
-    const bool triangles = inputs.path.machinery == Machinery::wide_triangles && !inputs.geometry->triangles.empty();
-    if (triangles) inputs.wide_searches = wide_searches(settings.simd, settings.triangle_test);
-    if (inputs.wide_searches.nearest && everything) inputs.list = list_geometry(scene, *inputs.geometry, prepared);
-    if (triangles) inputs.packet_searches = packet_searches(settings.simd, settings.triangle_test);
-    if (inputs.wide_searches.nearest && inputs.simple.octree)
-      inputs.wide = wide_octree_geometry(scene, *inputs.geometry, *inputs.simple.octree, settings, prepared);
-    else if (inputs.wide_searches.nearest && !everything)
-      inputs.wide = wide_geometry(scene, *inputs.geometry, prepared);
-  }
   inputs.materials = shading_materials<Real>(*scene.materials);
   inputs.lights = shading_lights<Real>(*scene.lights, settings.light_shown);
   for (const Texture& texture : *scene.textures) {

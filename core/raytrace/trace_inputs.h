@@ -8,8 +8,6 @@
 #include "frame/viewport.h"
 #include "raytrace/accelerators.h"
 #include "raytrace/geometry.h"
-#include "raytrace/wide_packet.h"
-#include "raytrace/wide_search.h"
 #include "shade/shading_inputs.h"
 
 namespace ps {
@@ -24,16 +22,7 @@ struct EyeBody {
 template <class Real>
 struct TraceInputs {
   std::shared_ptr<const TracedGeometry<Real>> geometry;
-  std::shared_ptr<const Bvh<Real>> bvh;  ///< absent with accelerator = none
-  SimpleAccelerators<Real> simple;
-  /// The SIMD form of `bvh` or the octree for queries without a recorder; absent where it does not apply. It finds
-  /// the same hits, but visits nodes of its own.
-  std::shared_ptr<const WideGeometry> wide;
-  /// The SIMD form of testing everything; likewise.
-  std::shared_ptr<const ListGeometry> list;
-  bool only_triangles = false;  ///< the scene holds nothing else
-  WideSearches wide_searches;
-  PacketSearches packet_searches;  ///< for rays of neighbouring pixels in `wide`
+  TracedAccelerator<Real> accelerator;
   std::vector<ShadingMaterial<Real>> materials;
   std::vector<ShadingLight<Real>> lights;
   std::vector<std::shared_ptr<const Image<Vec3f>>> textures;

@@ -47,11 +47,12 @@ struct ModelRecorder {
 template <class Real, class Visit, class Recorder>
 void for_each_candidate(const TwoLevel<Real>& trees, const TracedGeometry<Real>& geometry,
                         const CandidateRay<Real>& ray, const Real& limit, Visit&& visit, Recorder& recorder) {
+  const SlabRay<Real> world = ray.slabs();
   /// Returns whether a visit ended the search.
   const auto visit_instance = [&](std::uint32_t index) {
     const PlacedInstance& placed = geometry.instances[index];
     const Box<Real> box{Vec3<Real>(placed.box.low), Vec3<Real>(placed.box.high)};
-    const bool entered = slab_test(ray.slabs, box, limit).hit();
+    const bool entered = slab_test(world, box, limit).hit();
     recorder.count(Counter::node_visits);
     recorder.event([&] {
       const int node = static_cast<int>(trees.top.nodes.size()) + static_cast<int>(index);
@@ -63,7 +64,7 @@ void for_each_candidate(const TwoLevel<Real>& trees, const TracedGeometry<Real>&
       ended = visit(placed.first + triangle, placed_primitive(geometry, index, triangle));
       return ended;
     };
-    const auto slabs = slabs_in_model(trees.into[index], ray.origin, ray.direction, ray.pad, ray.slabs.form);
+    const auto slabs = slabs_in_model(trees.into[index], ray.origin, ray.direction, ray.pad, ray.form);
     if (slabs) {
       ModelRecorder<Recorder> model{recorder, placed.object, trees.top_levels + 1};
       for_each_candidate(trees.models[placed.mesh], *slabs, limit, visit_triangle, model);
@@ -83,7 +84,7 @@ void for_each_candidate(const TwoLevel<Real>& trees, const TracedGeometry<Real>&
     }
     return false;
   };
-  for_each_candidate(trees.top, ray.slabs, limit, visit_range, recorder);
+  for_each_candidate(trees.top, world, limit, visit_range, recorder);
 }
 
 }  // namespace ps

@@ -7,7 +7,9 @@
 #include "options/renderer_kind.h"
 #include "options/robust_rays.h"
 #include "raster/depth_format.h"
-#include "raytrace/tracer.h"
+#include "raytrace/clear/intersector.h"
+#include "raytrace/clear/surface.h"
+#include "raytrace/eye_ray.h"
 #include "render/precision_channels.h"
 
 namespace ps {
@@ -40,9 +42,8 @@ class GapFinder {
 
   float gap_at(int column, int row) const {
     Silent nobody;
-    const Tracer<double, Silent> tracer(inputs_, nobody);
     const Intersector<double, Silent> intersector(inputs_, nobody);
-    Ray<double> ray = tracer.eye_ray(column, row, inputs_.viewport.sample);
+    Ray<double> ray = eye_ray(inputs_, column, row, inputs_.viewport.sample);
     const std::optional<Hit<double>> first = next(intersector, ray);
     if (!first) return no_second_surface;
     const PrimitiveKind kind = primitive_of(*inputs_.geometry, first->primitive).kind;

@@ -4,8 +4,8 @@
 #include "bench/bench.h"
 #include "bench/meshes.h"
 #include "bench/rays/ray_set.h"
+#include "raytrace/clear/triangle_moeller_trumbore.h"
 #include "raytrace/trace_inputs.h"
-#include "raytrace/triangle_moeller_trumbore.h"
 
 namespace ps::bench {
 namespace {
@@ -88,12 +88,12 @@ Job silent_job() {
   job.ours = [subject] {
     subject->find(subject->with, [&](const SlabRay<float>& slabs, const float& limit, auto& visit) {
       Silent silent;
-      for_each_candidate(*subject->inputs.bvh, slabs, limit, visit, silent);
+      for_each_candidate(*accelerator_as<Bvh<float>>(subject->inputs.accelerator), slabs, limit, visit, silent);
     });
   };
   job.yardstick = [subject] {
     subject->find(subject->without, [&](const SlabRay<float>& slabs, const float& limit, auto& visit) {
-      walk_without_recorder(*subject->inputs.bvh, slabs, limit, visit);
+      walk_without_recorder(*accelerator_as<Bvh<float>>(subject->inputs.accelerator), slabs, limit, visit);
     });
   };
   job.check = [job, subject]() -> std::string {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <random>
 
-#include "raytrace/packet.h"
+#include "raytrace/fast/packet.h"
 #include "raytrace/renderer.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -27,7 +27,7 @@ Frame traced(const Scene& scene, const View& view, Settings settings, Simd simd)
 
 bool takes_the_fast_path(const Scene& scene, const View& view, const Settings& settings) {
   Prepared prepared;
-  return packet_scene(make_trace_inputs<float>(scene, view, settings, prepared)).has_value();
+  return make_trace_inputs<float>(scene, view, settings, prepared).path.machinery == Machinery::sphere_packets;
 }
 
 /// What does not depend on the tree: with triangles, SIMD searches a tree of its own, and from eight lanes on with

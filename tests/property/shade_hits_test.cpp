@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "options/option.h"
+#include "raytrace/fast/shade_hits.h"
 #include "raytrace/renderer.h"
-#include "raytrace/shade_hits.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/same_bits.h"

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <random>
 
-#include "raytrace/sphere_robust.h"
+#include "raytrace/clear/sphere_robust.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "options/scene_settings.h"
-#include "raytrace/intersector.h"
-#include "raytrace/surface.h"
+#include "raytrace/clear/intersector.h"
+#include "raytrace/clear/surface.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/closed_sphere.h"
@@ -201,9 +201,9 @@ int lost_with(Change&& change) {
   int lost = 0;
   for (const Placement& place : placements) {
     auto ways = both_ways<float>(placed_scene(place, 91), {});
-    auto naive = std::make_shared<TwoLevel<float>>(*ways.shared.simple.two_level);
+    auto naive = std::make_shared<TwoLevel<float>>(*accelerator_as<TwoLevel<float>>(ways.shared.accelerator));
     for (IntoModel& into : naive->into) change(into);
-    ways.shared.simple.two_level = naive;
+    ways.shared.accelerator = std::shared_ptr<const TwoLevel<float>>(naive);
     lost += differing(ways, rays_at_corners(*ways.unfolded.geometry, place, 91, 1500));
   }
   return lost;

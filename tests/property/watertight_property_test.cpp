@@ -5,8 +5,8 @@
 #include <random>
 
 #include "accel/bvh.h"
-#include "raytrace/triangle_moeller_trumbore.h"
-#include "raytrace/triangle_watertight.h"
+#include "raytrace/clear/triangle_moeller_trumbore.h"
+#include "raytrace/clear/triangle_watertight.h"
 #include "support/closed_sphere.h"
 
 namespace {

@@ -37,7 +37,8 @@ TEST(BoundingSphereStory, NodesAreTheSpheresOfTheTree) {
   const Settings settings = with_accelerator(Accelerator::bounding_spheres);
   Prepared prepared;
   const auto geometry = traced_geometry<float>(scene, settings, prepared);
-  const auto tree = simple_accelerators<float>(scene, *geometry, settings, prepared).spheres;
+  const auto accelerator = traced_accelerator<float>(scene, *geometry, settings, prepared);
+  const auto* tree = accelerator_as<BoundingSpheres>(accelerator);
   int nodes = 0;
   for (const Event& event : story_with(scene, settings).events)
     if (const auto* node = std::get_if<NodeEvent>(&event.data)) {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "options/scene_settings.h"
+#include "raytrace/clear/tracer.h"
 #include "raytrace/renderer.h"
-#include "raytrace/tracer.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -36,7 +36,8 @@ template <class Real>
 std::size_t entries_of_octree(const Scene& scene) {
   Prepared prepared;
   const auto geometry = traced_geometry<Real>(scene, with_octree(), prepared);
-  return simple_accelerators<Real>(scene, *geometry, with_octree(), prepared).octree->entries.size();
+  const auto accelerator = traced_accelerator<Real>(scene, *geometry, with_octree(), prepared);
+  return accelerator_as<Octree<Real>>(accelerator)->entries.size();
 }
 
 TEST(CoincidentOctree, ListsEachCopyAsOftenAsOneAlone) {

@@ -1,12 +1,12 @@
 // CSG against the definition: a point is in a union, an intersection, a difference or it is not.
-#include "raytrace/csg.h"
+#include "raytrace/clear/csg.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "raytrace/tracer.h"
+#include "raytrace/clear/tracer.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"

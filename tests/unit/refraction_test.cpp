@@ -6,7 +6,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "raytrace/tracer.h"
+#include "raytrace/clear/tracer.h"
 #include "render/render.h"
 #include "render/story/story_tree.h"
 #include "scene/load.h"

@@ -1,5 +1,5 @@
 // Lines through single forms against closed forms, and against asking points whether they are inside.
-#include "raytrace/solid_line.h"
+#include "raytrace/clear/solid_line.h"
 
 #include "scene/uv_maps.h"
 

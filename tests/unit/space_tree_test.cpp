@@ -69,7 +69,8 @@ TEST(SpaceTree, CountsWhatAnOctreeListsTwice) {
   const Scene scene = teapot_scene();
   Prepared own;
   const auto geometry = traced_geometry<float>(scene, settings, own);
-  const auto octree = simple_accelerators<float>(scene, *geometry, settings, own).octree;
+  const auto accelerator = traced_accelerator<float>(scene, *geometry, settings, own);
+  const auto* octree = accelerator_as<Octree<float>>(accelerator);
   std::size_t listed = 0, cells = 1;
   for (const OctreeNode<float>& node : octree->nodes) {
     if (node.leaf) listed += node.count;

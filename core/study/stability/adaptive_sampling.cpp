@@ -6,7 +6,7 @@
 
 #include "base/counters.h"
 #include "image/metrics.h"
-#include "raytrace/tracer.h"
+#include "raytrace/clear/tracer.h"
 #include "record/recorder.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
@@ -159,7 +159,7 @@ class Balls {
     double rays = 0;
     const auto look = [&](int column, int row, const Vec2d& offset) {
       ++rays;
-      return tracer.trace_eye_ray(tracer.eye_ray(column, row, offset)).colour;
+      return tracer.trace_eye_ray(eye_ray(inputs, column, row, offset)).colour;
     };
     Image<Vec3f> shared(side + 1, side + 1), picture(side, side);
     for (int y = 0; y <= side; ++y)

@@ -1,6 +1,6 @@
 #include "study/stability/aimed_rays.h"
 
-#include "raytrace/triangle_moeller_trumbore.h"
+#include "raytrace/clear/triangle_moeller_trumbore.h"
 
 namespace ps::stability {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <span>
 
-#include "raytrace/triangle_watertight.h"
+#include "raytrace/clear/triangle_watertight.h"
 #include "study/stability/closed_sphere.h"
 #include "study/stability/support.h"
 

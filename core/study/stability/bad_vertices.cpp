@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "accel/bvh.h"
-#include "raytrace/triangle_watertight.h"
+#include "raytrace/clear/triangle_watertight.h"
 #include "record/recorder.h"
 #include "study/stability/half_tree.h"
 #include "study/stability/support.h"

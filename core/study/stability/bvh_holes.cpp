@@ -1,5 +1,5 @@
 #include "accel/bvh.h"
-#include "raytrace/triangle_watertight.h"
+#include "raytrace/clear/triangle_watertight.h"
 #include "study/stability/aimed_rays.h"
 
 namespace ps::stability::bvh_holes {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "raytrace/self_hit.h"
-#include "raytrace/triangle_moeller_trumbore.h"
+#include "raytrace/clear/self_hit.h"
+#include "raytrace/clear/triangle_moeller_trumbore.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::constant_normal_bump {

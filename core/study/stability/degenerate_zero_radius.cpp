@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "base/check.h"
-#include "raytrace/sphere_quadratic.h"
-#include "raytrace/triangle_watertight.h"
+#include "raytrace/clear/sphere_quadratic.h"
+#include "raytrace/clear/triangle_watertight.h"
 #include "scene/scene_file.h"
 #include "study/stability/support.h"
 

@@ -105,8 +105,10 @@ class Search {
  public:
   Search(const Scene& scene, int depth)
       : inputs_(inputs_with(scene, Accelerator::octree, depth, prepared_)), octree_(inputs_, silent_),
-        by_centre_(octree_with(Stands::with_its_centre, *inputs_.geometry, *inputs_.simple.octree, depth)),
-        on_one_side_(octree_with(Stands::on_one_side, *inputs_.geometry, *inputs_.simple.octree, depth)) {}
+        by_centre_(octree_with(Stands::with_its_centre, *inputs_.geometry,
+                               *accelerator_as<Octree<double>>(inputs_.accelerator), depth)),
+        on_one_side_(octree_with(Stands::on_one_side, *inputs_.geometry,
+                                 *accelerator_as<Octree<double>>(inputs_.accelerator), depth)) {}
 
   Wrong of_program(const std::vector<KnownRay>& rays) const {
     Wrong wrong;
@@ -117,7 +119,7 @@ class Search {
   Wrong of_centres(const std::vector<KnownRay>& rays) {
     Wrong wrong;
     for (const auto& [ray, t] : rays) {
-      const CandidateRay<double> candidate{ray.origin, ray.direction, 0, {ray.origin, ray.direction, 0}};
+      const CandidateRay<double> candidate{ray.origin, ray.direction, 0, SlabForm::robust};
       Hit<double> best;
       best.t = everywhere;
       const Ray<double>& tested = ray;
@@ -133,8 +135,8 @@ class Search {
   }
   enum class Cells { program, on_one_side };
   Wrong of_shortcut(const std::vector<KnownRay>& rays, Shortcut shortcut, Cells cells = Cells::program) const {
-    ShortSearch search(cells == Cells::program ? *inputs_.simple.octree : on_one_side_, octree_,
-                       inputs_.geometry->primitives.size());
+    ShortSearch search(cells == Cells::program ? *accelerator_as<Octree<double>>(inputs_.accelerator) : on_one_side_,
+                       octree_, inputs_.geometry->primitives.size());
     Wrong wrong;
     for (const KnownRay& known : rays) wrong.add(known, search.nearest(known.ray, shortcut));
     return wrong;

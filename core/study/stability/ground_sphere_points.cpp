@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raytrace/sphere_robust.h"
+#include "raytrace/clear/sphere_robust.h"
 
 namespace ps::stability {
 namespace {

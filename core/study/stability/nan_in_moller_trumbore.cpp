@@ -1,4 +1,4 @@
-#include "raytrace/triangle_moeller_trumbore.h"
+#include "raytrace/clear/triangle_moeller_trumbore.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::nan_in_moller_trumbore {

@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytrace/intersector.h"
+#include "raytrace/clear/intersector.h"
 #include "study/stability/support.h"
 
 namespace ps::stability {

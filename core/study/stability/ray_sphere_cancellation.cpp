@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "raytrace/sphere_quadratic.h"
-#include "raytrace/sphere_robust.h"
+#include "raytrace/clear/sphere_quadratic.h"
+#include "raytrace/clear/sphere_robust.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::ray_sphere_cancellation {

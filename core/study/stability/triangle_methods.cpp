@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raytrace/triangle_plane.h"
-#include "raytrace/triangle_watertight.h"
+#include "raytrace/clear/triangle_plane.h"
+#include "raytrace/clear/triangle_watertight.h"
 
 namespace ps::stability {
 

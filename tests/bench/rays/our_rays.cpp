@@ -1,7 +1,7 @@
 #include "bench/rays/our_rays.h"
 
 #include "bench/meshes.h"
-#include "raytrace/intersector.h"
+#include "raytrace/fast/fast_intersector.h"
 
 namespace ps::bench {
 
@@ -9,6 +9,17 @@ struct OurRays::Content {
   Scene scene;
   std::shared_ptr<Prepared> prepared;
   TraceInputs<float> inputs;
+  std::optional<WideInputs> wide;
+
+  /// Calls use(search) with the search that draws pictures of this scene.
+  template <class Use>
+  void search(Use&& use) const {
+    CountingRecorder recorder;
+    if (wide)
+      use(FastIntersector(inputs, *wide, recorder));
+    else
+      use(Intersector<float, CountingRecorder>(inputs, recorder));
+  }
 };
 
 OurRays::OurRays(const Scene& scene, const Settings& settings, std::shared_ptr<Prepared> prepared)
@@ -16,62 +27,64 @@ OurRays::OurRays(const Scene& scene, const Settings& settings, std::shared_ptr<P
   content_->scene = scene;
   content_->prepared = std::move(prepared);
   content_->inputs = make_trace_inputs<float>(scene, View{}, settings, *content_->prepared);
+  content_->wide = wide_inputs(scene, content_->inputs, *content_->prepared);
 }
 OurRays::~OurRays() = default;
 OurRays::OurRays(OurRays&&) noexcept = default;
 
 void OurRays::nearest(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
-  Silent silent;
-  const Intersector<float, Silent> intersector(content_->inputs, silent);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const Hit<float> hit = intersector.nearest({rays[i].origin, rays[i].direction, 0, rays[i].t_max, no_primitive});
-    hits[i] = {hit.found() ? hit.primitive : no_hit, hit.t};
-  }
+  content_->search([&](const RaySearch<float>& search) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Hit<float> hit = search.nearest({rays[i].origin, rays[i].direction, 0, rays[i].t_max, no_primitive});
+      hits[i] = {hit.found() ? hit.primitive : no_hit, hit.t};
+    }
+  });
 }
 
 void OurRays::nearest_together(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
-  Silent silent;
-  const Intersector<float, Silent> intersector(content_->inputs, silent);
-  std::array<Ray<float>, packet_width> some;
-  std::array<Hit<float>, packet_width> found;
-  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
-    const std::size_t count = std::min(packet_width, rays.size() - first);
-    for (std::size_t i = 0; i < count; ++i)
-      some[i] = {rays[first + i].origin, rays[first + i].direction, 0, rays[first + i].t_max, no_primitive};
-    intersector.nearest(std::span<const Ray<float>>(some.data(), count), std::span(found.data(), count));
-    for (std::size_t i = 0; i < count; ++i)
-      hits[first + i] = {found[i].found() ? found[i].primitive : no_hit, found[i].t};
-  }
+  content_->search([&](const RaySearch<float>& search) {
+    std::array<Ray<float>, packet_width> some;
+    std::array<Hit<float>, packet_width> found;
+    for (std::size_t first = 0; first < rays.size(); first += packet_width) {
+      const std::size_t count = std::min(packet_width, rays.size() - first);
+      for (std::size_t i = 0; i < count; ++i)
+        some[i] = {rays[first + i].origin, rays[first + i].direction, 0, rays[first + i].t_max, no_primitive};
+      search.nearest_of_each(std::span<const Ray<float>>(some.data(), count), std::span(found.data(), count));
+      for (std::size_t i = 0; i < count; ++i)
+        hits[first + i] = {found[i].found() ? found[i].primitive : no_hit, found[i].t};
+    }
+  });
 }
 
 void OurRays::any(std::span<const BenchRay> rays, std::span<BenchHit> hits) const {
-  Silent silent;
-  const Intersector<float, Silent> intersector(content_->inputs, silent);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const Hit<float> hit = intersector.any({rays[i].origin, rays[i].direction, 0, rays[i].t_max, no_primitive});
-    hits[i] = {hit.found() ? hit.primitive : no_hit, hit.t};
-  }
+  content_->search([&](const RaySearch<float>& search) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Hit<float> hit = search.any({rays[i].origin, rays[i].direction, 0, rays[i].t_max, no_primitive});
+      hits[i] = {hit.found() ? hit.primitive : no_hit, hit.t};
+    }
+  });
 }
 
 void OurRays::rebuild() {
   Prepared empty;
   TraceInputs<float>& inputs = content_->inputs;
-  inputs.bvh.reset();
-  inputs.wide.reset();
-  inputs.bvh = traced_bvh<float>(content_->scene, *inputs.geometry, empty);
-  inputs.wide = wide_geometry(content_->scene, *inputs.geometry, empty);
+  inputs.accelerator = NoAccelerator{};
+  content_->wide.reset();
+  inputs.accelerator = traced_bvh<float>(content_->scene, *inputs.geometry, empty);
+  content_->wide = wide_inputs(content_->scene, inputs, empty);
 }
 
 double OurRays::bytes_per_triangle() const {
   const TraceInputs<float>& inputs = content_->inputs;
   const TracedGeometry<float>& geometry = *inputs.geometry;
-  const Bvh<float>& bvh = *inputs.bvh;
-  const std::size_t bytes = bvh.nodes.size() * sizeof(BvhNode<float>) + bvh.order.size() * sizeof(std::uint32_t) +
-                            inputs.wide->triangles.nodes.size() * sizeof(WideNode) +
-                            inputs.wide->triangles.blocks.size() * sizeof(TriangleBlock<wide_block_width>) +
-                            geometry.primitives.size() * sizeof(Primitive) +
-                            geometry.triangles.size() * sizeof(TracedTriangle<float>) +
-                            geometry.attributes.size() * sizeof(TriangleAttributes<float>);
+  const auto* bvh = accelerator_as<Bvh<float>>(inputs.accelerator);
+  std::size_t bytes = bvh->nodes.size() * sizeof(BvhNode<float>) + bvh->order.size() * sizeof(std::uint32_t) +
+                      geometry.primitives.size() * sizeof(Primitive) +
+                      geometry.triangles.size() * sizeof(TracedTriangle<float>) +
+                      geometry.attributes.size() * sizeof(TriangleAttributes<float>);
+  if (content_->wide)
+    bytes += content_->wide->wide->triangles.nodes.size() * sizeof(WideNode) +
+             content_->wide->wide->triangles.blocks.size() * sizeof(TriangleBlock<wide_block_width>);
   return static_cast<double>(bytes) / static_cast<double>(geometry.triangles.size());
 }
 

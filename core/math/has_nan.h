@@ -1,0 +1,13 @@
+#pragma once
+#include <cmath>
+
+#include "math/vec.h"
+
+namespace ps {
+
+template <class Real>
+inline bool has_nan(const Vec3<Real>& v) {
+  return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z);
+}
+
+}  // namespace ps

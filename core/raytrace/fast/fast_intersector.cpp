@@ -1,0 +1,146 @@
+#include "raytrace/fast/fast_intersector.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace ps {
+
+Hit<float> FastIntersector::nearest(const Ray<float>& ray) const { return find(ray, Find::nearest); }
+
+Hit<float> FastIntersector::any(const Ray<float>& ray) const { return find(ray, Find::any); }
+
+void FastIntersector::nearest_of_each(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
+  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
+    const std::size_t count = std::min(packet_width, rays.size() - first);
+    const auto some = rays.subspan(first, count);
+    const auto found = hits.subspan(first, count);
+    if (wide_.list)
+      search_list_together(some, found);
+    else if (suits_together(some))
+      search_tree_together(some, found);
+    else
+      for (std::size_t i = 0; i < count; ++i) found[i] = nearest(some[i]);
+  }
+}
+
+Hit<float> FastIntersector::find(const Ray<float>& ray, Find find) const {
+  if (wide_.wide && !suits_tree(ray)) return find == Find::any ? clear_.any(ray) : clear_.nearest(ray);
+  Hit<float> best;
+  if (wide_.only_triangles)
+    best.t = ray.t_max;
+  else
+    best = find_other(ray, find);
+  if (find == Find::any && best.found()) return best;
+  if (wide_.list)
+    search_list(ray, find, best);
+  else
+    search_tree(ray, find, best);
+  return best;
+}
+
+Hit<float> FastIntersector::find_other(const Ray<float>& ray, Find find) const {
+  Hit<float> best;
+  best.t = ray.t_max;
+  const Query query{ray, dot(ray.direction, ray.direction)};
+  const auto visit = [&](std::uint32_t primitive) { return clear_.test(query, primitive, best) && find == Find::any; };
+  if (wide_.list) {
+    for (const std::uint32_t primitive : wide_.list->others)
+      if (visit(primitive)) return best;
+    return best;
+  }
+  for (const std::uint32_t primitive : geometry_.unbounded)
+    if (visit(primitive)) return best;
+  const Bvh<float>& others = wide_.wide->others;
+  if (!others.nodes.empty()) for_each_candidate(others, clear_.candidate(ray), best.t, visit, recorder_);
+  return best;
+}
+
+void FastIntersector::search_tree(const Ray<float>& ray, Find find, Hit<float>& best) const {
+  const WideSearch search = find == Find::any ? wide_.searches.any : wide_.searches.nearest;
+  WideCount work;
+  search(wide_.wide->triangles, {ray, padding(ray), inputs_.triangle_epsilon}, best, work);
+  count(work);
+}
+
+void FastIntersector::search_list(const Ray<float>& ray, Find find, Hit<float>& best) const {
+  const ListSearch search = find == Find::any ? wide_.searches.list_any : wide_.searches.list_nearest;
+  WideCount work;
+  search(wide_.list->triangles, {ray, 0, inputs_.triangle_epsilon}, best, work);
+  count(work);
+}
+
+void FastIntersector::search_list_together(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
+  static_assert(packet_width <= most_list_queries);
+  std::vector<WideQuery> queries;
+  queries.reserve(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    queries.push_back({rays[i], 0, inputs_.triangle_epsilon});
+    hits[i] = find_other(rays[i], Find::nearest);
+  }
+  WideCount work;
+  wide_.searches.list_nearest_of_many(wide_.list->triangles, queries, hits, work);
+  count(work);
+}
+
+// The last ray fills lanes that are left over.
+void FastIntersector::search_tree_together(std::span<const Ray<float>> rays, std::span<Hit<float>> hits) const {
+  WidePacket packet;
+  WidePacketHits best;
+  float pad = 0;
+  packet.triangle_epsilon = inputs_.triangle_epsilon;
+  for (std::size_t lane = 0; lane < packet_width; ++lane) {
+    const Ray<float>& ray = rays[std::min(lane, rays.size() - 1)];
+    for (int axis = 0; axis < 3; ++axis) {
+      packet.origin[static_cast<std::size_t>(axis)][lane] = ray.origin[axis];
+      packet.direction[static_cast<std::size_t>(axis)][lane] = ray.direction[axis];
+    }
+    packet.t_min[lane] = ray.t_min;
+    packet.t_max[lane] = ray.t_max;
+    pad = std::max(pad, padding(ray));
+  }
+  packet.pad = pad;
+  nearest_others(rays, packet, hits);
+  for (std::size_t lane = 0; lane < packet_width; ++lane) {
+    const std::size_t i = std::min(lane, rays.size() - 1);
+    best.t[lane] = hits[i].t;
+    best.primitive[lane] = static_cast<std::int32_t>(hits[i].primitive);
+    for (std::size_t k = 0; k < 3; ++k) best.weights[k][lane] = hits[i].weights[k];
+  }
+  WideCount work;
+  wide_.packets.nearest(wide_.wide->triangles, packet, best, work);
+  count(work);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const auto primitive = static_cast<std::uint32_t>(best.primitive[i]);
+    if (primitive != hits[i].primitive)
+      hits[i] = {primitive, best.t[i], {best.weights[0][i], best.weights[1][i], best.weights[2][i]}, 0};
+  }
+}
+
+void FastIntersector::nearest_others(std::span<const Ray<float>> rays, const WidePacket& packet,
+                                     std::span<Hit<float>> hits) const {
+  const Bvh<float>& others = wide_.wide->others;
+  unsigned perhaps = others.nodes.empty() ? 0u : wide_.packets.meets(others.nodes[0].box, packet);
+  if (!geometry_.unbounded.empty()) perhaps = ~0u;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = {};
+    hits[i].t = rays[i].t_max;
+    if ((perhaps >> i & 1u) != 0) hits[i] = find_other(rays[i], Find::nearest);
+  }
+}
+
+bool FastIntersector::suits_together(std::span<const Ray<float>> rays) const {
+  if (!wide_.packets.nearest || !suits_packet(rays.data(), rays.size())) return false;
+  return std::all_of(rays.begin(), rays.end(), [&](const Ray<float>& ray) { return suits_tree(ray); });
+}
+
+bool FastIntersector::suits_tree(const Ray<float>& ray) const {
+  const Vec3f& d = ray.direction;
+  return clear_.reach(ray) < 1e15f * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+}
+
+void FastIntersector::count(const WideCount& work) const {
+  recorder_.count(Counter::node_visits, work.nodes);
+  recorder_.count(Counter::triangle_tests, work.triangles);
+}
+
+}  // namespace ps

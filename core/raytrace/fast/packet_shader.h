@@ -1,0 +1,41 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "raytrace/clear/tracer.h"
+#include "raytrace/fast/shade_hits.h"
+#include "record/recorder.h"
+
+namespace ps {
+
+/// Colours of eye rays whose hits are known: by eight where HitTables covers the surface, through the tracer elsewhere.
+class PacketShader {
+ public:
+  using ClearTracer = Tracer<float, CountingRecorder>;
+
+  PacketShader(const TraceInputs<float>& inputs, const HitTables& tables, const ClearTracer& tracer,
+               CountingRecorder& recorder)
+      : inputs_(inputs), tables_(tables), tracer_(tracer), recorder_(recorder), blocked_(inputs.lights.size()) {
+    packet_.attributes.fill(-1);
+  }
+
+  /// Of up to packet_width rays.
+  void shade(std::span<const Ray<float>> rays, std::span<const Hit<float>> hits, std::span<Vec3f> colours);
+
+ private:
+  /// Puts the hit into a lane if it can be shaded there.
+  bool put_lane(std::size_t lane, const Ray<float>& ray, const Hit<float>& hit);
+  /// Which lights do not reach these lanes? Fills their points and normals on the way.
+  void find_shadows(unsigned lanes, std::span<const Ray<float>> rays, std::span<const Hit<float>> hits);
+  /// As find_shadows(), for one lane.
+  void find_shadows_of(std::size_t lane, const Ray<float>& ray, const Surface<float>& surface);
+
+  const TraceInputs<float>& inputs_;
+  const HitTables& tables_;
+  const ClearTracer& tracer_;
+  CountingRecorder& recorder_;
+  HitPacket packet_;
+  std::vector<unsigned> blocked_;  ///< by light, a bit for each lane
+};
+
+}  // namespace ps

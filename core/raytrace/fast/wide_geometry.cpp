@@ -1,0 +1,85 @@
+#include "raytrace/fast/wide_geometry.h"
+
+#include "accel/wide_octree.h"
+#include "base/stop.h"
+
+namespace ps {
+namespace {
+
+WideTriangle wide_triangle(const TracedGeometry<float>& geometry, std::uint32_t primitive) {
+  const TracedTriangle<float>& triangle = geometry.triangles[geometry.primitives[primitive].shape];
+  return {triangle.a, triangle.b, triangle.c, primitive};
+}
+
+}  // namespace
+
+Bvh<float> tree_over(const TracedGeometry<float>& geometry, const std::vector<std::uint32_t>& primitives) {
+  std::vector<Box<float>> boxes;
+  boxes.reserve(primitives.size());
+  for (const std::uint32_t primitive : primitives)
+    boxes.push_back(primitive_box(geometry, geometry.primitives[primitive]));
+  Bvh<float> bvh = build_bvh<float>(boxes);
+  for (std::uint32_t& entry : bvh.order) entry = primitives[entry];
+  return bvh;
+}
+
+std::shared_ptr<const WideGeometry> wide_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                  Prepared& prepared) {
+  Key key("wide geometry");
+  key.add(scene.geometry.revision());
+  return prepared.get<WideGeometry>(key, [&] {
+    const auto triangle = [&](std::uint32_t primitive) { return wide_triangle(geometry, primitive); };
+    if (geometry.triangles.size() == geometry.primitives.size())  // the tree that is there anyway
+      return WideGeometry{widen(*traced_bvh<float>(scene, geometry, prepared), triangle), {}};
+    std::vector<std::uint32_t> triangles, others;
+    for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
+      const std::uint32_t i = bounded_primitive(geometry, k);
+      (geometry.primitives[i].kind == PrimitiveKind::triangle ? triangles : others).push_back(i);
+    }
+    return WideGeometry{widen(tree_over(geometry, triangles), triangle), tree_over(geometry, others)};
+  });
+}
+
+std::shared_ptr<const WideGeometry> wide_octree_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                         const Octree<float>& octree, const Settings& settings,
+                                                         Prepared& prepared) {
+  Key key("wide octree");
+  key.add(scene.geometry.revision())
+      .add(static_cast<std::uint64_t>(settings.octree_leaf))
+      .add(static_cast<std::uint64_t>(settings.octree_depth));
+  return prepared.get<WideGeometry>(key, [&] {
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t k = 0; k < bounded_count(geometry); ++k) {
+      const std::uint32_t i = bounded_primitive(geometry, k);
+      if (geometry.primitives[i].kind != PrimitiveKind::triangle) others.push_back(i);
+    }
+    const auto triangle = [&](std::uint32_t primitive) -> std::optional<WideTriangle> {
+      if (geometry.primitives[primitive].kind != PrimitiveKind::triangle) return {};
+      return wide_triangle(geometry, primitive);
+    };
+    return WideGeometry{widen_octree(octree, triangle), tree_over(geometry, others)};
+  });
+}
+
+std::shared_ptr<const ListGeometry> list_geometry(const Scene& scene, const TracedGeometry<float>& geometry,
+                                                  Prepared& prepared) {
+  Key key("list geometry");
+  key.add(scene.geometry.revision());
+  return prepared.get<ListGeometry>(key, [&] {
+    ListGeometry list;
+    std::size_t triangles = 0;
+    for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
+      if (i % 4096 == 0) check_stop();
+      if (geometry.primitives[i].kind != PrimitiveKind::triangle) {
+        list.others.push_back(i);
+        continue;
+      }
+      const std::size_t lane = triangles++ % list_block_width;
+      if (lane == 0) list.triangles.blocks.emplace_back().clear();
+      list.triangles.blocks.back().put(lane, wide_triangle(geometry, i));
+    }
+    return list;
+  });
+}
+
+}  // namespace ps

@@ -1,0 +1,24 @@
+#include "raytrace/fast/wide_inputs.h"
+
+namespace ps {
+
+std::optional<WideInputs> wide_inputs(const Scene& scene, const TraceInputs<float>& inputs, Prepared& prepared) {
+  const TracedGeometry<float>& geometry = *inputs.geometry;
+  const Settings& settings = inputs.settings;
+  // Triangles without area are left out: there may be none to search.
+  if (inputs.path.machinery != Machinery::wide_triangles || geometry.triangles.empty()) return {};
+  WideInputs wide;
+  wide.only_triangles = geometry.triangles.size() == geometry.primitives.size();
+  wide.searches = wide_searches(settings.simd, settings.triangle_test);
+  wide.packets = packet_searches(settings.simd, settings.triangle_test);
+  if (!wide.searches.nearest) return {};
+  if (std::holds_alternative<NoAccelerator>(inputs.accelerator))
+    wide.list = list_geometry(scene, geometry, prepared);
+  else if (const auto* octree = accelerator_as<Octree<float>>(inputs.accelerator))
+    wide.wide = wide_octree_geometry(scene, geometry, *octree, settings, prepared);
+  else
+    wide.wide = wide_geometry(scene, geometry, prepared);
+  return wide;
+}
+
+}  // namespace ps

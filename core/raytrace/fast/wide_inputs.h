@@ -1,0 +1,26 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "raytrace/fast/wide_geometry.h"
+#include "raytrace/fast/wide_packet.h"
+#include "raytrace/fast/wide_search.h"
+#include "raytrace/trace_inputs.h"
+
+namespace ps {
+
+/// What the SIMD searches read besides TraceInputs, made once for each picture: one of the two geometries, with the
+/// functions for the triangle test on this processor.
+struct WideInputs {
+  /// The accelerator's triangles. A search finds the hits of the clear path, but visits nodes of its own.
+  std::shared_ptr<const WideGeometry> wide;
+  std::shared_ptr<const ListGeometry> list;  ///< with accelerator = none
+  bool only_triangles = false;               ///< the scene holds nothing else
+  WideSearches searches;
+  PacketSearches packets;  ///< for rays of neighbouring pixels in `wide`; may be missing
+};
+
+/// Nothing where traced_fast_path() allows no such search, or where no triangle has an area.
+std::optional<WideInputs> wide_inputs(const Scene& scene, const TraceInputs<float>& inputs, Prepared& prepared);
+
+}  // namespace ps

@@ -1,0 +1,136 @@
+#include "raytrace/fast/wide_search.h"
+
+#include <utility>
+
+#include "options/simd_choice.h"
+
+// This file is compiled once for each SIMD target. Only these three are kept; elsewhere the clear path does the work.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raytrace/fast/wide_search.cpp"
+#include "hwy/foreach_target.h"  // IWYU pragma: keep
+#include "hwy/highway.h"
+
+#if HWY_ARCH_X86 && (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
+#include "raytrace/fast/wide_nodes-inl.h"
+#include "raytrace/fast/wide_triangles-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace ps::HWY_NAMESPACE {
+namespace {
+
+enum class Find { nearest, any };
+
+template <TriangleTest test, Find find>
+void search(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count) {
+  const BoxRay boxes(query);
+  const BlockRay<test, wide_block_width> triangles(query);
+  const WideNode* const nodes = bvh.nodes.data();
+  const TriangleBlock<wide_block_width>* const all_blocks = bvh.blocks.data();
+  Waiting waiting;
+  std::size_t top = 0;
+  WideChild current = 0;
+  std::uint64_t node_visits = 0, block_tests = 0;
+  auto limit = hn::Set(Boxes(), best.t);
+  while (true) {
+    while (!is_leaf(current)) {
+      ++node_visits;
+      if (enter_node(nodes[current], boxes, limit, waiting, top, current)) continue;
+      do {
+        if (top == 0) goto done;
+        --top;
+      } while (find == Find::nearest && waiting.near[top] > best.t);
+      current = waiting.child[top];
+    }
+    const TriangleBlock<wide_block_width>* const blocks = all_blocks + leaf_first(current);
+    const std::uint32_t number = leaf_count(current);
+    block_tests += number;
+    bool found = false;
+    for (std::uint32_t i = 0; i < number; ++i) found |= triangles.test(blocks[i], 0, query, best);
+    if (found) {
+      if (find == Find::any) goto done;
+      limit = hn::Set(Boxes(), best.t);
+    }
+    do {
+      if (top == 0) goto done;
+      --top;
+    } while (find == Find::nearest && waiting.near[top] > best.t);
+    current = waiting.child[top];
+  }
+done:
+  count.nodes += node_visits;
+  count.triangles += wide_block_width * block_tests;
+}
+
+template <TriangleTest test, Find find>
+void search_list(const TriangleList& list, const WideQuery& query, Hit<float>& best, WideCount& count) {
+  const BlockRay<test, list_block_width> triangles(query);
+  for (const TriangleBlock<list_block_width>& block : list.blocks) {
+    count.triangles += list_block_width;
+    for (int lane = 0; lane < list_block_width; lane += Block<list_block_width>::lanes)
+      if (triangles.test(block, lane, query, best) && find == Find::any) return;
+  }
+}
+
+template <class BlockRays, std::size_t... index>
+BlockRays block_rays(std::span<const WideQuery> queries, std::index_sequence<index...>) {
+  return {typename BlockRays::value_type(queries[std::min(index, queries.size() - 1)])...};
+}
+
+template <TriangleTest test>
+void search_list_for_many(const TriangleList& list, std::span<const WideQuery> queries, std::span<Hit<float>> best,
+                          WideCount& count) {
+  using Ray = BlockRay<test, list_block_width>;
+  const auto rays =
+      block_rays<std::array<Ray, most_list_queries>>(queries, std::make_index_sequence<most_list_queries>());
+  for (const TriangleBlock<list_block_width>& block : list.blocks)
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      for (int lane = 0; lane < list_block_width; lane += Block<list_block_width>::lanes)
+        rays[i].test(block, lane, queries[i], best[i]);
+  count.triangles += queries.size() * list_block_width * list.blocks.size();
+}
+
+template <TriangleTest test>
+constexpr WideSearches searches_with() {
+  return {search<test, Find::nearest>, search<test, Find::any>, search_list<test, Find::nearest>,
+          search_list<test, Find::any>, search_list_for_many<test>};
+}
+
+}  // namespace
+
+WideSearches wide_searches(TriangleTest test) {
+  switch (test) {
+  case TriangleTest::watertight:
+    return searches_with<TriangleTest::watertight>();
+  case TriangleTest::moeller_trumbore:
+    return searches_with<TriangleTest::moeller_trumbore>();
+  case TriangleTest::barycentric:
+  case TriangleTest::cross_products:
+    return {};
+  }
+  return {};
+}
+
+}  // namespace ps::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+namespace ps {
+
+WideSearches wide_searches(Simd simd, TriangleTest test) {
+#if HWY_ARCH_X86
+  const std::int64_t have = processor_targets();
+  if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::wide_searches(test);
+  if (may_use(simd, Simd::avx2, have, HWY_AVX2)) return N_AVX2::wide_searches(test);
+  if (may_use(simd, Simd::sse4, have, HWY_SSE4)) return N_SSE4::wide_searches(test);
+#else
+  static_cast<void>(simd);
+  static_cast<void>(test);
+#endif
+  return {};
+}
+
+}  // namespace ps
+#endif
