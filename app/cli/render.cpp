@@ -20,7 +20,7 @@
 #include "image/file.h"
 #include "number_option.h"
 #include "options/option.h"
-#include "raster/coverage/efficiency.h"
+#include "raster/clear/coverage/efficiency.h"
 #include "render/channel_picture.h"
 #include "render/left_out.h"
 #include "render/render.h"

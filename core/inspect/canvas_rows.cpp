@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
-#include "raster/canvas_line.h"
-#include "raster/lines/walk_line.h"
-#include "raster/polygon_rows.h"
+#include "raster/clear/canvas_line.h"
+#include "raster/clear/lines/walk_line.h"
+#include "raster/clear/polygon_rows.h"
 #include "render/render.h"
 
 namespace ps {

@@ -33,8 +33,8 @@ struct CanvasTriangleRows {
 };
 
 /// The rows of every filled triangle on the canvas that has the pixel (array position) by either rule, in the order in
-/// which they are drawn. The outlined rows come from the same interpolation as the lab's, raster/polygon_rows.h; the
-/// filled ones from a picture of that triangle alone.
+/// which they are drawn. The outlined rows come from the same interpolation as the lab's, raster/clear/polygon_rows.h;
+/// the filled ones from a picture of that triangle alone.
 std::vector<CanvasTriangleRows> canvas_rows(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
                                             Progress& progress);
 

@@ -4,7 +4,7 @@
 
 #include "frame/view.h"
 #include "image/image.h"
-#include "raster/projection.h"
+#include "raster/setup/projection.h"
 
 namespace ps {
 

@@ -7,7 +7,7 @@
 
 #include "base/check.h"
 #include "raster/clip.h"
-#include "raster/projection.h"
+#include "raster/setup/projection.h"
 
 namespace ps {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "math/vec.h"
 #include "options/settings.h"
-#include "raster/projection.h"
+#include "raster/setup/projection.h"
 #include "record/events.h"
 
 namespace ps::raster {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "raster/light_at.h"
+#include "raster/clear/light_at.h"
 #include "shade/normal_mapping.h"
 
 namespace ps::raster {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/parallel.h"
 #include "math/vec.h"
 #include "options/settings.h"
 
@@ -103,12 +104,8 @@ inline std::optional<TriangleEdges> make_edges(const std::array<FixedPoint, 3>& 
   return edges;
 }
 
-/// Pixels whose samples may lie inside: a half-open rectangle, not yet cut to the picture.
-struct PixelBox {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
-inline PixelBox sample_box(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
+/// Pixels whose samples may lie inside, not yet cut to the picture.
+inline TileRect sample_box(const std::array<FixedPoint, 3>& corner, const CoverageGrid& grid) {
   const std::int64_t unit = fixed_unit(grid.subpixel_bits);
   const int shift = grid.subpixel_bits + 1;
   const auto sample_x = static_cast<std::int64_t>(grid.sample.x * static_cast<double>(unit));

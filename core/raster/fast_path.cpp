@@ -1,5 +1,7 @@
+#include "raster/fast_path.h"
+
 #include "frame/fast_kernels.h"
-#include "raster/coverage/choice.h"
+#include "raster/clear/coverage/choice.h"
 #include "raster/draw_stage.h"
 #include "raster/fast/assembly.h"
 #include "raster/renderer.h"
@@ -61,6 +63,23 @@ std::string_view no_whole_frame(const Settings& s, const SceneTraits& t) {
 }
 
 }  // namespace
+
+// The same surfaces as in no_plain_surfaces(), one by one.
+bool raster::shades_in_lanes(const Surface<float>& surface) {
+  if (surface.layout.relief || surface.layout.tangents != AttributeLayout::absent) return false;
+  const ShadingMaterial<float>& material = surface.material;
+  return !material.ambient_colour && !material.specular_colour && (!material.specular || *material.specular > 0);
+}
+
+FastPath raster::within_limits(const FastPath& allowed, const PictureLimits& limits) {
+  const auto batches = [](std::string_view reason) {
+    return FastPath{Machinery::fragment_batches, SurfaceShading::lanes, reason};
+  };
+  if (allowed.machinery != Machinery::whole_frame) return allowed;
+  if (limits.part_only) return batches("the tiled SIMD path needs the whole picture");
+  if (limits.large_textures) return batches("a texture is too large for the SIMD kernels");
+  return allowed;
+}
 
 FastPath rasterized_fast_path(const Settings& settings, const SceneTraits& traits, Channel channels) {
   std::string_view reason = no_simd_reason(settings);

@@ -2,13 +2,14 @@
 #include <set>
 
 #include "frame/display_frame.h"
+#include "frame/region.h"
 #include "image/display.h"
-#include "raster/canvas_items.h"
-#include "raster/coverage/of_triangle.h"
-#include "raster/coverage/walk.h"
-#include "raster/draw_primitives.h"
-#include "raster/fragment_event.h"
-#include "raster/near_pixel.h"
+#include "raster/clear/canvas_items.h"
+#include "raster/clear/coverage/of_triangle.h"
+#include "raster/clear/coverage/walk.h"
+#include "raster/clear/draw_primitives.h"
+#include "raster/clear/fragment_event.h"
+#include "raster/clear/near_pixel.h"
 #include "raster/renderer.h"
 #include "raster/shadow/fragment_shadows.h"
 
@@ -17,9 +18,11 @@ namespace {
 
 using namespace raster;
 
-PixelBox grown(Vec2i pixel) { return {pixel.x - 1, pixel.y - 1, pixel.x + 2, pixel.y + 2}; }
+/// The pixel and those around it.
+TileRect around(Vec2i pixel) { return grown(TileRect{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}); }
 
-bool touch(const PixelBox& a, const PixelBox& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
+/// Do they share pixels? A triangle's box without width or height touches what lies on both sides of it.
+bool touch(const TileRect& a, const TileRect& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
 
 /// Goes through all primitives in drawing order and draws those that come near the pixel, reporting rejected triangles
 /// in their turn.
@@ -71,9 +74,9 @@ class PixelWalk {
   /// A filled triangle is near when its box is. One of which only edges or corners are drawn is near when its area is,
   /// or the box of the edge itself: without clipping, edges behind the camera are drawn upside down, away from it.
   bool is_near(const PrimitiveRef& ref) const {
-    if (filled()) return touch(triangle(ref).box, grown(pixel_));
+    if (filled()) return touch(triangle(ref).box, around(pixel_));
     const ScreenLine<Real>& edge = line(ref);
-    if (touch(edge.box, grown(pixel_))) return true;
+    if (touch(edge.box, around(pixel_))) return true;
     const std::size_t object = pass_.surfaces[edge.surface].drawn;
     const MeshTriangle& mesh = pass_.objects[object].mesh->triangles[static_cast<std::size_t>(edge.triangle)];
     std::array<Vec3<Real>, 3> corners;

@@ -7,32 +7,18 @@
 #include "frame/frame.h"
 #include "frame/prepared.h"
 #include "image/mip_chain.h"
-#include "raster/attributes.h"
+#include "raster/clear/coverage/choice.h"
 #include "raster/clip.h"
-#include "raster/coverage/choice.h"
 #include "raster/depth_format.h"
-#include "raster/draw_list.h"
 #include "raster/edge_function.h"
 #include "raster/environment/environment_map.h"
-#include "raster/projection.h"
-#include "raster/scan_triangle.h"
-#include "raster/shade_batch.h"
+#include "raster/setup/projection.h"
+#include "raster/setup/surface.h"
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/stencil.h"
 #include "scene/scene.h"
-#include "shade/shading_inputs.h"
 
 namespace ps::raster {
-
-/// All triangles of one object that share a material.
-template <class Real>
-struct Surface {
-  int object = 0;         ///< index into Geometry::objects
-  std::size_t drawn = 0;  ///< index into Pass::objects, which leaves out what has no triangles
-  bool sphere = false;
-  AttributeLayout layout;
-  ShadingMaterial<Real> material;
-};
 
 /// A vertex's place on the canvas (FixedPoint), and in `outside` one bit for each plane of Pass::planes that it lies
 /// behind; no_place where it has no place in fixed point at all.
@@ -84,11 +70,7 @@ struct Pass {
   std::vector<Surface<Real>> surfaces;
   std::shared_ptr<const std::vector<MipChain>> textures;  ///< null where none is read
 
-  std::shared_ptr<const std::vector<PackedTexture>> packed_textures;  ///< the same, only for the fast path
-
-  FastPath path;                         ///< what may draw the picture
-  ShadeFragments shade_batch = nullptr;  ///< the fast path, where `path` allows it; nullptr = clear path
-  ScanTriangle scan_triangle = nullptr;  ///< together with it
+  FastPath path;  ///< what may draw the picture
 
   std::shared_ptr<const ShadowMaps> shadow_maps;  ///< set by add_maps(), at most one of the two
   std::shared_ptr<const Stencil> stencil;
@@ -108,6 +90,11 @@ struct Pass {
 template <class Real>
 inline double facing_sense(const Pass<Real>& pass, const DrawObject& object) {
   return object.mirrored ? -pass.camera_space.handedness : pass.camera_space.handedness;
+}
+
+/// Does the filter read more levels of a texture than the finest?
+inline bool reads_mip_levels(TextureFilter filter) {
+  return filter == TextureFilter::trilinear || filter == TextureFilter::mipmap;
 }
 
 /// What lies beyond the borders of a texture.

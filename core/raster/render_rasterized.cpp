@@ -5,9 +5,11 @@
 #include "base/timer.h"
 #include "frame/display_frame.h"
 #include "frame/region.h"
-#include "raster/canvas_items.h"
-#include "raster/draw_primitives.h"
+#include "raster/clear/canvas_items.h"
+#include "raster/clear/draw_primitives.h"
+#include "raster/fast/batch_drawer.h"
 #include "raster/fast/fast_frame.h"
+#include "raster/fast_path.h"
 #include "raster/renderer.h"
 #include "raster/shadow/fragment_shadows.h"
 #include "raster/shadow/map_picture.h"
@@ -40,14 +42,6 @@ class Stages {
   Timer timer_;
 };
 
-/// What draws the picture where whole tiles cannot be drawn at once.
-FastPath drawn_by(const FastPath& allowed, const RenderRequest& request) {
-  if (allowed.machinery != Machinery::whole_frame) return allowed;
-  return {Machinery::fragment_batches, SurfaceShading::lanes,
-          request.region ? "the tiled SIMD path needs the whole picture"
-                         : "a texture is too large for the SIMD kernels"};
-}
-
 /// The channels that show maps and stencil buffers, and what those took.
 template <class Real>
 void store_map_pictures(const Pass<Real>& pass, Frame& frame) {
@@ -68,54 +62,98 @@ void store_map_pictures(const Pass<Real>& pass, Frame& frame) {
   }
 }
 
+/// Draws one picture: what comes before the triangles, and triangles tile by tile.
 template <class Real>
-Frame draw(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
-           Prepared& prepared, Progress& progress) {
-  Frame frame = make_frame(scene, view, settings, request.channels, Background::left_to_tiles);
-  Stages stages(frame);
-  const ParallelOptions parallel{settings.threads, request.priority};
-  Pass<Real> pass = make_pass<Real>(scene, view, settings, request.channels, prepared);
-  stages.done("prepare");
-  add_maps(pass, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel, progress);
-  if (pass.has_shadows() || pass.environment) stages.done("shadow and environment maps");
-  if constexpr (std::is_same_v<Real, float>)
-    if (!request.region && can_draw_fast(pass)) {
-      draw_fast(pass, request, frame, progress);
-      return frame;
-    }
-  frame.path = drawn_by(pass.path, request);
-  const ScreenGeometry<Real> geometry = make_geometry(pass, {}, parallel, progress);
-  stages.done("vertices and clipping");
-  const auto bins = bin_primitives(pass, geometry, tile_size, parallel, progress);
-  stages.done("sorting into tiles");
+class Picture {
+ public:
+  Picture(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+          Prepared& prepared, Progress& progress)
+      : scene_(scene), view_(view), request_(request),
+        progress_(progress), parallel_{settings.threads, request.priority},
+        frame_(make_frame(scene, view, settings, request.channels, Background::left_to_tiles)), stages_(frame_),
+        pass_(make_pass<Real>(scene, view, settings, request.channels, prepared)) {
+    stages_.done("prepare");
+    add_maps(pass_, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel_, progress);
+    if (pass_.has_shadows() || pass_.environment) stages_.done("shadow and environment maps");
+    frame_.path = pass_.path;
+  }
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
 
-  const std::vector<TileRect> tiles = make_tiles(view.width, view.height, tile_size);
-  const TileRect region = asked_region(request, view.width, view.height);
-  std::vector<Counters> counters(tiles.size());
-  const std::vector<DrawStep> steps = draw_steps(settings, pass.lights.size());
-  parallel_for(static_cast<int>(tiles.size()), parallel, progress, [&](int index, int) {
-    const auto i = static_cast<std::size_t>(index);
-    if (is_empty(common_part(tiles[i], region))) return;
-    CountingRecorder recorder;
-    fill_background(scene, tiles[i], frame);
-    Target<Real> target(frame, tiles[i], settings, request.channels);
-    for (const DrawStep& step : steps)
-      for (std::size_t part = 0; part < bins.parts; ++part)
-        draw_primitives(pass, geometry, std::span<const PrimitiveRef>(bins.list(part, i)), step, target, recorder);
-    if (defers_shading(settings)) shade_winners(pass, geometry, target, recorder);
-    target.resolve();
-    draw_canvas_items(pass, target, recorder);
-    recorder.count(Counter::nan_pixels, target.count_nan_pixels());
-    counters[i] = recorder.counters;
-    finish_tile(request, settings, frame, tiles[i]);
+  const Pass<Real>& pass() const { return pass_; }
+  Frame& frame() { return frame_; }
+  Frame take() { return std::move(frame_); }
+
+  /// draw_list(geometry, primitives, step, target, recorder) draws some of a tile's triangles or lines.
+  template <class DrawList>
+  void draw_tiles(DrawList&& draw_list) {
+    const ScreenGeometry<Real> geometry = make_geometry(pass_, {}, parallel_, progress_);
+    stages_.done("vertices and clipping");
+    const Bins bins = bin_primitives(pass_, geometry, tile_size, parallel_, progress_);
+    stages_.done("sorting into tiles");
+
+    const Settings& settings = pass_.settings;
+    const std::vector<TileRect> tiles = make_tiles(view_.width, view_.height, tile_size);
+    const TileRect region = asked_region(request_, view_.width, view_.height);
+    std::vector<Counters> counters(tiles.size());
+    const std::vector<DrawStep> steps = draw_steps(settings, pass_.lights.size());
+    parallel_for(static_cast<int>(tiles.size()), parallel_, progress_, [&](int index, int) {
+      const auto i = static_cast<std::size_t>(index);
+      if (is_empty(common_part(tiles[i], region))) return;
+      CountingRecorder recorder;
+      fill_background(scene_, tiles[i], frame_);
+      Target<Real> target(frame_, tiles[i], settings, request_.channels);
+      for (const DrawStep& step : steps)
+        for (std::size_t part = 0; part < bins.parts; ++part)
+          draw_list(geometry, std::span<const PrimitiveRef>(bins.list(part, i)), step, target, recorder);
+      if (defers_shading(settings)) shade_winners(pass_, geometry, target, recorder);
+      target.resolve();
+      draw_canvas_items(pass_, target, recorder);
+      recorder.count(Counter::nan_pixels, target.count_nan_pixels());
+      counters[i] = recorder.counters;
+      finish_tile(request_, settings, frame_, tiles[i]);
+    });
+    frame_.counters += geometry.counters;
+    store_map_pictures(pass_, frame_);
+    for (const Counters& tile : counters) frame_.counters += tile;
+    frame_.counters[Counter::lines_drawn] += count_canvas_lines(scene_);
+    if (request_.region) clear_outside(region, frame_);
+    stages_.done("fragments");
+  }
+
+  /// By the clear path.
+  void draw_clearly() {
+    draw_tiles([&](const auto& geometry, std::span<const PrimitiveRef> primitives, const DrawStep& step, auto& target,
+                   auto& recorder) { draw_primitives(pass_, geometry, primitives, step, target, recorder); });
+  }
+
+ private:
+  const Scene& scene_;
+  const View& view_;
+  const RenderRequest& request_;
+  Progress& progress_;
+  ParallelOptions parallel_;
+  Frame frame_;
+  Stages stages_;
+  Pass<Real> pass_;
+};
+
+// What draws the picture is chosen here, once.
+void draw_picture(Picture<float>& picture, const RenderRequest& request, Prepared& prepared, Progress& progress) {
+  const Pass<float>& pass = picture.pass();
+  if (pass.path.machinery == Machinery::clear) return picture.draw_clearly();
+  const PackedTextures textures(pass, prepared);
+  const bool all_fit = std::all_of(pass.surfaces.begin(), pass.surfaces.end(),
+                                   [&](const auto& surface) { return textures.has_room_for(surface); });
+  const FastPath path = within_limits(pass.path, {request.region.has_value(), !all_fit});
+  picture.frame().path = path;
+  if (path.machinery == Machinery::whole_frame)
+    return draw_fast_frame(pass, textures, request, picture.frame(), progress);
+  const BatchKernels kernels = batch_kernels(pass.settings.simd);
+  picture.draw_tiles([&](const ScreenGeometry<float>& geometry, std::span<const PrimitiveRef> primitives,
+                         const DrawStep&, Target<float>& target, CountingRecorder& recorder) {
+    BatchDrawer(pass, textures, kernels, geometry, target, recorder).draw(primitives);
   });
-  frame.counters += geometry.counters;
-  store_map_pictures(pass, frame);
-  for (const Counters& tile : counters) frame.counters += tile;
-  frame.counters[Counter::lines_drawn] += count_canvas_lines(scene);
-  if (request.region) clear_outside(region, frame);
-  stages.done("fragments");
-  return frame;
 }
 
 }  // namespace
@@ -125,10 +163,16 @@ Frame render_rasterized(const Scene& scene, const View& view, const Settings& se
   require_side(view.width);
   require_side(view.height);
   switch (settings.precision) {
-  case Precision::float32:
-    return draw<float>(scene, view, settings, request, prepared, progress);
-  case Precision::float64:
-    return draw<double>(scene, view, settings, request, prepared, progress);
+  case Precision::float32: {
+    Picture<float> picture(scene, view, settings, request, prepared, progress);
+    draw_picture(picture, request, prepared, progress);
+    return picture.take();
+  }
+  case Precision::float64: {
+    Picture<double> picture(scene, view, settings, request, prepared, progress);
+    picture.draw_clearly();
+    return picture.take();
+  }
   }
   return {};
 }

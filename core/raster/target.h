@@ -3,11 +3,12 @@
 
 #include "base/parallel.h"
 #include "frame/frame.h"
-#include "raster/bins.h"
-#include "raster/depth_test.h"
+#include "math/has_nan.h"
+#include "raster/clear/bins.h"
+#include "raster/clear/depth_test.h"
+#include "raster/clear/multisample.h"
+#include "raster/clear/shade_fragment.h"
 #include "raster/draw_stage.h"
-#include "raster/multisample.h"
-#include "raster/shade_fragment.h"
 
 namespace ps::raster {
 
@@ -73,17 +74,8 @@ class Target {
       }
   }
 
-  /// Writes many pixels, named by their index in the picture. Only where the frame holds all of it, in float.
-  void set_colours(const ShadeBatch& batch) {
-    Vec3f* pixels = frame_.colour.pixels().data();
-    bool nan = false;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
-      const Vec3f colour(batch.red[i], batch.green[i], batch.blue[i]);
-      nan = nan || has_nan(Vec3<Real>(colour));
-      pixels[batch.pixels[i]] = colour;
-    }
-    nan_written_ = nan_written_ || nan;
-  }
+  /// Reports colours that were written into the frame itself: did one of them have a NaN?
+  void note_nan(bool nan) { nan_written_ = nan_written_ || nan; }
   bool wants(Channel channel) const { return has(channels_, channel); }
   Frame& frame() { return frame_; }
 
@@ -125,7 +117,6 @@ class Target {
       for (int column = rect_.x0; column < rect_.x1; ++column)
         for (int s = 0; s < samples_; ++s) sample_colour(column, row, s) = colour(column, row);
   }
-  static bool has_nan(const Vec3<Real>& c) { return c.x != c.x || c.y != c.y || c.z != c.z; }
 
   Frame& frame_;
   TileRect rect_;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "raster/near_pixel.h"
+#include "raster/clear/near_pixel.h"
 #include "raster/vertex_jobs.h"
 
 namespace ps::raster {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "options/scene_settings.h"
-#include "raster/coverage/efficiency.h"
+#include "raster/clear/coverage/efficiency.h"
 #include "render/render.h"
 #include "scene/load.h"
 

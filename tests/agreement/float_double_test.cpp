@@ -50,9 +50,9 @@ SelfHits self_hits(const TraceInputs<Real>& inputs, int x, int y) {
     if (const auto* ray = std::get_if<RayEvent>(&events[i].data)) {
       rays[static_cast<int>(i)] = {ray->kind, ray->depth, parent, {}};
     } else if (const auto* hit = std::get_if<HitEvent>(&events[i].data)) {
-      Met& ray = rays.at(parent);
-      ray.surface = hit->id;
-      if (ray.kind == RayKind::reflection) hits[{ray.depth, -1}] = rays.at(ray.parent).surface == ray.surface;
+      Met& met = rays.at(parent);
+      met.surface = hit->id;
+      if (met.kind == RayKind::reflection) hits[{met.depth, -1}] = rays.at(met.parent).surface == met.surface;
     } else if (const auto* light = std::get_if<LightEvent>(&events[i].data)) {
       hits[{rays.at(parent).depth, light->light}] = light->blocker == rays.at(parent).surface;
     }

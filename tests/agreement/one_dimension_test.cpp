@@ -4,7 +4,7 @@
 #include <set>
 
 #include "options/scene_settings.h"
-#include "raster/coverage/walk.h"
+#include "raster/clear/coverage/walk.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "raster/tessellate.h"
+#include "raster/setup/tessellate.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 

@@ -8,7 +8,7 @@
 #include "bench/meshes.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "raster/coverage/efficiency.h"
+#include "raster/clear/coverage/efficiency.h"
 #include "render/render.h"
 #include "scene/load.h"
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "raster/coverage/walk.h"
+#include "raster/clear/coverage/walk.h"
 #include "support/trials.h"
 
 namespace ps::raster {
@@ -20,8 +20,8 @@ struct SampleSink {
   std::multiset<Sample> covered;
   int tests = 0, regions = 0;
   void test(int, int) { ++tests; }
-  void test_all(const PixelBox& box) { tests += (box.x1 - box.x0) * (box.y1 - box.y0); }
-  void region(const PixelBox&) { ++regions; }
+  void test_all(const TileRect& box) { tests += (box.x1 - box.x0) * (box.y1 - box.y0); }
+  void region(const TileRect&) { ++regions; }
   template <class... Values>
   void cover(int column, int row, const Values&...) {
     covered.insert({column, row});
@@ -48,7 +48,7 @@ const std::vector<Way>& exact_ways() {
   return ways;
 }
 
-SampleSink walk(const Way& way, const CoverageInput& input, const PixelBox& box) {
+SampleSink walk(const Way& way, const CoverageInput& input, const TileRect& box) {
   SampleSink sink;
   if (is_empty(box)) return sink;
   if (way.in_double)
@@ -61,7 +61,7 @@ SampleSink walk(const Way& way, const CoverageInput& input, const PixelBox& box)
 std::optional<CoverageInput> make_input(const std::array<FixedPoint, 3>& corners, const CoverageGrid& grid, int size) {
   const auto edges = make_edges(corners, grid);
   if (!edges) return {};
-  return CoverageInput{corners, *edges, grid, intersection(sample_box(corners, grid), {0, 0, size, size}),
+  return CoverageInput{corners, *edges, grid, common_part(sample_box(corners, grid), {0, 0, size, size}),
                        Projection::perspective};
 }
 
@@ -112,8 +112,8 @@ TEST(CoverageStrategies, FindWhatRationalArithmeticFinds) {
           << way.name << ", trial " << trial << ", seed " << seed;
       // The same in parts: what a strategy finds does not depend on where tiles begin.
       std::multiset<Sample> parts;
-      for (const PixelBox& tile : {PixelBox{0, 0, 64, 64}, {64, 0, 150, 64}, {0, 64, 64, 150}, {64, 64, 150, 150}})
-        parts.merge(walk(way, *input, intersection(input->whole, tile)).covered);
+      for (const TileRect& tile : {TileRect{0, 0, 64, 64}, {64, 0, 150, 64}, {0, 64, 64, 150}, {64, 64, 150, 150}})
+        parts.merge(walk(way, *input, common_part(input->whole, tile)).covered);
       EXPECT_EQ(parts, expected) << way.name << " in tiles, trial " << trial << ", seed " << seed;
     }
   }
@@ -273,7 +273,7 @@ TEST(CoverageStrategies, NeedAsManyTestsAsTheirIdeaSays) {
   const int far = 2 * (256 << 8);
   const auto input = make_input({FixedPoint{0, 0}, {far, 0}, {0, far}}, grid, 512);
   const auto tests = [&](Coverage strategy) {
-    const PixelBox box = strategy == Coverage::ray_test ? PixelBox{0, 0, 512, 512} : input->whole;
+    const TileRect box = strategy == Coverage::ray_test ? TileRect{0, 0, 512, 512} : input->whole;
     const SampleSink sink = walk({"", {strategy, fixed}}, *input, box);
     return std::pair(sink.tests, sink.regions);
   };

@@ -118,7 +118,7 @@ TEST(SharedEdges, HalfPixelMeshIsCoveredExactlyOnce) {
       const std::array<FixedPoint, 3> corner{to_fixed(points[a], 8), to_fixed(points[b], 8), to_fixed(points[c], 8)};
       const auto edges = make_edges(corner, grid);
       if (!edges) return;
-      const PixelBox box = sample_box(corner, grid);
+      const TileRect box = sample_box(corner, grid);
       for (int y = box.y0; y < box.y1; ++y)
         for (int x = box.x0; x < box.x1; ++x)
           if (edges->inside(edges->at(x, y)))

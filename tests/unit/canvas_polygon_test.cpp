@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 #include "options/scene_settings.h"
-#include "raster/polygon_rows.h"
+#include "raster/clear/polygon_rows.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "raytrace/clear/self_hit.h"
 #include "raytrace/clear/tracer.h"
 #include "render/render.h"
 #include "scene/load.h"

@@ -1,4 +1,4 @@
-#include "raster/mesh_corners.h"
+#include "raster/setup/mesh_corners.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Triangles for curved models by projected error: the deviation measured on the canvas stays below the tolerance.
-#include "raster/tessellate_patches.h"
+#include "raster/setup/tessellate_patches.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "raster/tessellate_solid.h"
+#include "raster/setup/tessellate_solid.h"
 #include "render/render.h"
 #include "scene/generate/teapot.h"
 #include "scene/load.h"

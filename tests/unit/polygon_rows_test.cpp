@@ -1,4 +1,4 @@
-#include "raster/polygon_rows.h"
+#include "raster/clear/polygon_rows.h"
 
 #include <array>
 

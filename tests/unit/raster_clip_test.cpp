@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "raster/draw_list.h"
+#include "raster/setup/draw_list.h"
 #include "render/render.h"
 
 namespace ps::raster {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "raster/lines/walk_line.h"
+#include "raster/clear/lines/walk_line.h"
 
 namespace ps::raster {
 namespace raster_lines_test {

@@ -1,10 +1,10 @@
-#include "raster/tessellate.h"
+#include "raster/setup/tessellate.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "raster/tessellate_solid.h"
+#include "raster/setup/tessellate_solid.h"
 
 namespace ps::raster {
 namespace raster_tessellate_test {

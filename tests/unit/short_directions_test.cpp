@@ -7,7 +7,7 @@
 #include "base/check.h"
 #include "frame/prepared.h"
 #include "math/unit.h"
-#include "raster/tessellate_solid.h"
+#include "raster/setup/tessellate_solid.h"
 #include "render/render.h"
 #include "scene/edit.h"
 #include "scene/form_frame.h"

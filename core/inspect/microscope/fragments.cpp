@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "inspect/microscope/texels.h"
-#include "raster/bins.h"
-#include "raster/coverage/of_triangle.h"
-#include "raster/coverage/walk.h"
-#include "raster/fragment_event.h"
-#include "raster/geometry.h"
+#include "raster/clear/bins.h"
+#include "raster/clear/coverage/of_triangle.h"
+#include "raster/clear/coverage/walk.h"
+#include "raster/clear/fragment_event.h"
+#include "raster/clear/geometry.h"
+#include "raster/clear/multisample.h"
+#include "raster/clear/near_pixel.h"
+#include "raster/clear/shade_fragment.h"
 #include "raster/guard_band.h"
-#include "raster/multisample.h"
-#include "raster/near_pixel.h"
-#include "raster/shade_fragment.h"
 #include "render/story/names.h"
 
 namespace ps {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster/clear/fragment.h"
 #include "raster/environment/environment_map.h"
-#include "raster/fragment.h"
 #include "raster/shadow/cube_face.h"
 #include "shade/illumination.h"
 

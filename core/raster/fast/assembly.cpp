@@ -127,7 +127,7 @@ class PartAssembler {
 
   template <class Visit>
   void for_tiles(const FastTriangle& triangle, Visit&& visit) const {
-    const PixelBox box = triangle.is_general() ? part_.cut.triangles[triangle.triangle].box : triangle.box();
+    const TileRect box = triangle.is_general() ? part_.cut.triangles[triangle.triangle].box : triangle.box();
     for (int row = box.y0 >> fast_tile_bits; row <= (box.y1 - 1) >> fast_tile_bits; ++row)
       for (int column = box.x0 >> fast_tile_bits; column <= (box.x1 - 1) >> fast_tile_bits; ++column)
         visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(tile_columns_) +

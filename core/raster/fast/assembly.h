@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "raster/assemble.h"
+#include "raster/clear/assemble.h"
 
 namespace ps::raster {
 
@@ -26,7 +26,7 @@ struct FastTriangle {
   std::uint32_t triangle = 0;  ///< of the object's mesh
 
   bool is_general() const { return (shape & general) != 0; }
-  PixelBox box() const {
+  TileRect box() const {
     const auto x = static_cast<int>(corner & 0xffff), y = static_cast<int>(corner >> 16);
     return {x, y, x + static_cast<int>(shape & 0xff), y + static_cast<int>(shape >> 8 & 0xff)};
   }
@@ -84,7 +84,7 @@ struct AssembledBlock {
   FastTriangle* triangles = nullptr;  ///< room for every triangle
 };
 
-/// Repeats raster/assemble.cpp for many triangles at once.
+/// Repeats raster/clear/assemble.cpp for many triangles at once.
 using AssembleBlock = void (*)(const AssemblyRules& rules, const TriangleBlock& block, AssembledBlock& result);
 AssembleBlock assemble_kernel(Simd simd);
 

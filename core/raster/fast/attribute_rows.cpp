@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "hwy/cache_control.h"
+#include "raster/clear/fragment.h"
 #include "raster/corner_attributes.h"
-#include "raster/fragment.h"
 
 namespace ps::raster {
 namespace {
@@ -13,12 +13,7 @@ namespace {
 /// Scalars are kept in fours, as vectors read them.
 constexpr int four = 4;
 
-const PackedTexture* packed_texture(const Pass<float>& pass, const Surface<float>& surface) {
-  if (!pass.packed_textures || surface.material.texture < 0) return nullptr;
-  return &(*pass.packed_textures)[static_cast<std::size_t>(surface.material.texture)];
-}
-
-FastSurface fast_surface(const Pass<float>& pass, const Surface<float>& surface) {
+FastSurface fast_surface(const Pass<float>& pass, const PackedTextures& textures, const Surface<float>& surface) {
   const ShadingMaterial<float>& material = surface.material;
   const AttributeLayout& layout = surface.layout;
   FastSurface how;
@@ -47,7 +42,7 @@ FastSurface fast_surface(const Pass<float>& pass, const Surface<float>& surface)
   shading.lights = pass.lights;
   if (uv >= 0) {
     how.textured = true;
-    shading.texture.texture = packed_texture(pass, surface);
+    shading.texture.texture = textures.of(surface);
     shading.texture.filter = pass.settings.texture_filter;
     shading.texture.wrap = wrap_of((*pass.textures)[static_cast<std::size_t>(surface.material.texture)], pass.settings);
     shading.texture.mip_bias = static_cast<float>(pass.settings.mip_bias);
@@ -61,9 +56,9 @@ FastSurface fast_surface(const Pass<float>& pass, const Surface<float>& surface)
 
 }  // namespace
 
-std::vector<FastSurface> fast_surfaces(const Pass<float>& pass) {
+std::vector<FastSurface> fast_surfaces(const Pass<float>& pass, const PackedTextures& textures) {
   std::vector<FastSurface> surfaces;
-  for (const Surface<float>& surface : pass.surfaces) surfaces.push_back(fast_surface(pass, surface));
+  for (const Surface<float>& surface : pass.surfaces) surfaces.push_back(fast_surface(pass, textures, surface));
   return surfaces;
 }
 

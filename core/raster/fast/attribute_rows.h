@@ -1,8 +1,9 @@
 #pragma once
 #include <vector>
 
+#include "raster/fast/packed_textures.h"
+#include "raster/fast/shade_batch.h"
 #include "raster/fast/tile.h"
-#include "raster/shade_batch.h"
 
 namespace ps::raster {
 
@@ -16,7 +17,7 @@ struct FastSurface {
 };
 
 /// For every surface of the pass.
-std::vector<FastSurface> fast_surfaces(const Pass<float>& pass);
+std::vector<FastSurface> fast_surfaces(const Pass<float>& pass, const PackedTextures& textures);
 
 /// What the triangles seen in a tile carry, made when it is first asked for. Keeps its memory from tile to tile.
 class AttributeRows {

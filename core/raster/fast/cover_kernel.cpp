@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "frame/region.h"
 #include "options/simd_choice.h"
 #include "raster/fast/tile.h"
 
@@ -51,12 +52,8 @@ std::uint64_t cover_exactly(const BoxEdges<std::int64_t>& edges, std::uint32_t i
   return passes;
 }
 
-HWY_INLINE PixelBox common(const PixelBox& box, const TileRect& rect) {
-  return {std::max(box.x0, rect.x0), std::max(box.y0, rect.y0), std::min(box.x1, rect.x1), std::min(box.y1, rect.y1)};
-}
-
 template <class Scalar>
-void place(const PixelBox& box, const TileRect& rect, BoxEdges<Scalar>& edges) {
+void place(const TileRect& box, const TileRect& rect, BoxEdges<Scalar>& edges) {
   edges.x = box.x0 - rect.x0;
   edges.y = box.y0 - rect.y0;
   edges.width = box.x1 - box.x0;
@@ -66,8 +63,8 @@ void place(const PixelBox& box, const TileRect& rect, BoxEdges<Scalar>& edges) {
 template <Replaced replaced>
 HWY_INLINE std::uint64_t cover_small(const FastTriangle& triangle, const TileRect& rect, std::uint32_t id,
                                      TileFragments& tile) {
-  const PixelBox whole = triangle.box();
-  const PixelBox box = common(whole, rect);
+  const TileRect whole = triangle.box();
+  const TileRect box = common_part(whole, rect);
   const std::int32_t dx = box.x0 - whole.x0, dy = box.y0 - whole.y0;
   BoxEdges<std::int32_t> edges;
   place(box, rect, edges);
@@ -89,9 +86,9 @@ HWY_INLINE std::uint64_t cover_small(const FastTriangle& triangle, const TileRec
 }
 
 template <Replaced replaced>
-std::uint64_t cover_large(const LargeTriangle& triangle, const PixelBox& whole, const std::array<float, 3>& inverse_z,
+std::uint64_t cover_large(const LargeTriangle& triangle, const TileRect& whole, const std::array<float, 3>& inverse_z,
                           const TileRect& rect, std::uint32_t id, TileFragments& tile) {
-  const PixelBox box = common(whole, rect);
+  const TileRect box = common_part(whole, rect);
   BoxEdges<std::int64_t> edges;
   place(box, rect, edges);
   edges.inverse_area = triangle.inverse_area;

@@ -12,14 +12,6 @@
 namespace ps::raster {
 namespace {
 
-/// Was there room for the texture in the form that the kernels read?
-bool has_packed_texture(const Pass<float>& pass, const Surface<float>& surface) {
-  if (surface.layout.uv == AttributeLayout::absent) return true;
-  const int texture = surface.material.texture;
-  if (!pass.packed_textures || texture < 0) return false;
-  return (*pass.packed_textures)[static_cast<std::size_t>(texture)].levels > 0;
-}
-
 /// What one worker keeps from tile to tile.
 struct Worker {
   Worker(const Pass<float>& pass, const std::vector<VertexBuffer<float>>& vertices,
@@ -31,15 +23,9 @@ struct Worker {
 
 }  // namespace
 
-bool can_draw_fast(const Pass<float>& pass) {
-  return pass.path.machinery == Machinery::whole_frame &&
-         std::all_of(pass.surfaces.begin(), pass.surfaces.end(),
-                     [&](const auto& surface) { return has_packed_texture(pass, surface); });
-}
-
-void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& frame, Progress& progress) {
+void draw_fast_frame(const Pass<float>& pass, const PackedTextures& textures, const RenderRequest& request,
+                     Frame& frame, Progress& progress) {
   const ParallelOptions parallel{pass.settings.threads, request.priority};
-  frame.path = pass.path;
   Timer timer;
   const auto done = [&](const char* stage) {
     frame.times.push_back({stage, timer.milliseconds()});
@@ -53,7 +39,7 @@ void draw_fast(const Pass<float>& pass, const RenderRequest& request, Frame& fra
   for (const FastPart& part : parts) frame.counters += part.counters;
   done("triangles, sorted into tiles");
 
-  const std::vector<FastSurface> surfaces = fast_surfaces(pass);
+  const std::vector<FastSurface> surfaces = fast_surfaces(pass, textures);
   const std::vector<TileRect> tiles = make_tiles(frame.width(), frame.height(), fast_tile);
   std::vector<Counters> counters(tiles.size());
   std::vector<std::unique_ptr<Worker>> workers(static_cast<std::size_t>(resolve_threads(parallel)));

@@ -1,16 +1,16 @@
 #include "raster/fast/resolve.h"
-#include "frame/display_frame.h"
 
 #include <algorithm>
 #include <limits>
+
+#include "frame/display_frame.h"
+#include "math/has_nan.h"
 
 namespace ps::raster {
 namespace {
 
 /// Colours that fill more than the share of the last cache that a program can count on.
 constexpr std::size_t past_cache_bytes = std::size_t{4} << 20;
-
-bool has_nan(const Vec3f& c) { return c.x != c.x || c.y != c.y || c.z != c.z; }
 
 /// Texels of every fragment; 0 where the level of detail decides.
 std::uint64_t texels_of_fragment(TextureFilter filter) {

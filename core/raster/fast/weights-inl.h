@@ -12,7 +12,7 @@
 
 #include "math/mask_bits-inl.h"
 #include "raster/fast/resolve.h"
-#include "raster/shade_batch-inl.h"
+#include "raster/fast/shade_batch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ps::raster::HWY_NAMESPACE {

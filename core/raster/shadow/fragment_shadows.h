@@ -49,8 +49,7 @@ class FragmentShadows {
   std::uint32_t mask_ = 0;
 };
 
-/// Makes the shadow maps, stencil buffers (for the pixels of `rect`) and environment maps that the settings ask for,
-/// and takes the pass off the fast path, which knows none of them.
+/// Makes the shadow maps, stencil buffers (for the pixels of `rect`) and environment maps that the settings ask for.
 template <class Real>
 void add_maps(Pass<Real>& pass, const Scene& scene, const View& view, const TileRect& rect, StencilNotes notes,
               Prepared& prepared, const ParallelOptions& parallel, Progress& progress);

@@ -6,8 +6,8 @@
 
 #include "base/available_memory.h"
 #include "math/unit.h"
-#include "raster/draw_list.h"
 #include "raster/renderer.h"
+#include "raster/setup/draw_list.h"
 
 namespace ps::raster {
 namespace {

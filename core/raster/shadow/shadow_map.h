@@ -6,7 +6,7 @@
 #include "frame/prepared.h"
 #include "image/image.h"
 #include "options/settings.h"
-#include "raster/draw_list.h"
+#include "raster/setup/draw_list.h"
 #include "raster/shadow/cube_face.h"
 #include "scene/scene.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "raster/draw_list.h"
+#include "raster/setup/draw_list.h"
 #include "scene/light.h"
 
 namespace ps::raster {

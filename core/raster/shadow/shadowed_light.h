@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "raster/clear/fragment.h"
+#include "raster/clear/geometry.h"
+#include "raster/clear/light_at.h"
 #include "raster/corner_attributes.h"
-#include "raster/fragment.h"
-#include "raster/geometry.h"
-#include "raster/light_at.h"
 #include "raster/shadow/fragment_shadows.h"
 
 namespace ps::raster {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/available_memory.h"
-#include "raster/bins.h"
-#include "raster/fragment.h"
+#include "raster/clear/bins.h"
+#include "raster/clear/fragment.h"
 #include "raster/shadow/shadow_volume.h"
 
 namespace ps::raster {
@@ -35,7 +35,7 @@ Settings depth_settings(const Settings& settings) {
 /// Calls covered(triangle, fragment) for each covered sample in `rect`.
 template <class Covered>
 void scan(const Pass<double>& pass, const ScreenTriangle<double>& triangle, const TileRect& rect, Covered&& covered) {
-  const PixelBox box{std::max(triangle.box.x0, rect.x0), std::max(triangle.box.y0, rect.y0),
+  const TileRect box{std::max(triangle.box.x0, rect.x0), std::max(triangle.box.y0, rect.y0),
                      std::min(triangle.box.x1, rect.x1), std::min(triangle.box.y1, rect.y1)};
   if (box.x0 >= box.x1 || box.y0 >= box.y1) return;
   const auto edges = make_edges(triangle.corners, pass.grid);

@@ -1,20 +1,19 @@
 #include <array>
 
-#include "raster/coverage/walk.h"
+#include "raster/clear/coverage/walk.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::coverage_growth {
 namespace {
 
 using raster::FixedPoint;
-using raster::PixelBox;
 
 /// Counts what a strategy tests: samples, and rows, cells or pieces.
 struct CountingSink {
   double tests = 0, covered = 0;
   void test(int, int) { ++tests; }
-  void test_all(const PixelBox& box) { tests += static_cast<double>(box.x1 - box.x0) * (box.y1 - box.y0); }
-  void region(const PixelBox&) { ++tests; }
+  void test_all(const TileRect& box) { tests += static_cast<double>(box.x1 - box.x0) * (box.y1 - box.y0); }
+  void region(const TileRect&) { ++tests; }
   template <class... Values>
   void cover(int, int, const Values&...) {
     ++covered;

@@ -1,6 +1,6 @@
-#include "raster/coverage/inexact_edges.h"
+#include "raster/clear/coverage/inexact_edges.h"
+#include "raster/clear/interpolate.h"
 #include "raster/edge_function.h"
-#include "raster/interpolate.h"
 #include "study/stability/jittered_mesh.h"
 
 namespace ps::stability::fill_rules {
@@ -21,7 +21,7 @@ Image<int> painted_times(const FlatMesh& mesh, int side, FillRule rule, Width wi
                                            raster::to_fixed(p[2], 8)};
     const auto edges = raster::make_edges(corner, grid);
     if (!edges) continue;
-    const raster::PixelBox box = raster::sample_box(corner, grid);
+    const TileRect box = raster::sample_box(corner, grid);
     for (int y = std::max(0, box.y0); y < std::min(side, box.y1); ++y)
       for (int x = std::max(0, box.x0); x < std::min(side, box.x1); ++x) {
         const auto value = edges->at(x, y);

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "raster/interpolate.h"
+#include "raster/clear/interpolate.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::interpolate_drift {
@@ -31,8 +31,8 @@ std::vector<Edge> any_edges(int count, const StabilityRun& run) {
   return edges;
 }
 
-/// What the program's Interpolate (raster/interpolate.h), which adds the slope again and again, has at the end of an
-/// edge of n steps.
+/// What the program's Interpolate (raster/clear/interpolate.h), which adds the slope again and again, has at the end of
+/// an edge of n steps.
 template <class Real>
 Real added_up(Real first, Real last, int n) {
   return raster::InterpolatedValues<Real>(0, first, static_cast<Real>(n), last).at(n);

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
-#include "raster/depth_test.h"
-#include "raster/geometry.h"
+#include "raster/clear/depth_test.h"
+#include "raster/clear/geometry.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::inverse_depth {

@@ -1,6 +1,6 @@
 #include <numeric>
 
-#include "raster/coverage/walk.h"
+#include "raster/clear/coverage/walk.h"
 #include "study/stability/edge_methods.h"
 #include "study/stability/jittered_mesh.h"
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
-#include "raster/tessellate.h"
+#include "raster/setup/tessellate.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::silhouette_tessellation {

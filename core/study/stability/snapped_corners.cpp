@@ -26,7 +26,7 @@ Image<int> owners(const FlatMesh& mesh, int side, int bits) {
                                            raster::to_fixed(p[2], bits)};
     const auto edges = raster::make_edges(corner, grid);
     if (!edges) continue;
-    const raster::PixelBox box = raster::sample_box(corner, grid);
+    const TileRect box = raster::sample_box(corner, grid);
     for (int y = std::max(0, box.y0); y < std::min(side, box.y1); ++y)
       for (int x = std::max(0, box.x0); x < std::min(side, box.x1); ++x)
         if (edges->inside(edges->at(x, y))) owner.at(x, y) = static_cast<int>(i);

@@ -1,4 +1,4 @@
-#include "raster/coverage/walk.h"
+#include "raster/clear/coverage/walk.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::stepped_edge_drift {
@@ -8,8 +8,8 @@ namespace {
 struct RowSink {
   std::vector<char> covered;
   void test(int, int) {}
-  void test_all(const raster::PixelBox&) {}
-  void region(const raster::PixelBox&) {}
+  void test_all(const TileRect&) {}
+  void region(const TileRect&) {}
   template <class... Values>
   void cover(int column, int, const Values&...) {
     covered[static_cast<std::size_t>(column)] = 1;
@@ -33,7 +33,7 @@ std::vector<StabilityRow> measure(const StabilityRun& run) {
       for (raster::FixedPoint& corner : corners) corner = raster::to_fixed(Vec2d(any(), any()), grid.subpixel_bits);
       const auto edges = raster::make_edges(corners, grid);
       if (!edges) continue;
-      const raster::PixelBox whole = raster::intersection(raster::sample_box(corners, grid), {0, 0, canvas, canvas});
+      const TileRect whole = common_part(raster::sample_box(corners, grid), {0, 0, canvas, canvas});
       const raster::CoverageInput input{corners, *edges, grid, whole};
       for (int row = whole.y0; row < whole.y1; ++row) {
         if (row % (canvas / rows_looked_at) != 0) continue;

@@ -9,7 +9,7 @@
 #include "gui/base/record.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
-#include "raster/coverage/efficiency.h"
+#include "raster/clear/coverage/efficiency.h"
 
 namespace ps::gui {
 namespace {

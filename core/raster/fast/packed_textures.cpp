@@ -1,0 +1,26 @@
+#include "raster/fast/packed_textures.h"
+
+namespace ps::raster {
+
+PackedTextures::PackedTextures(const Pass<float>& pass, Prepared& prepared) {
+  if (!pass.textures) return;
+  const Settings& settings = pass.settings;
+  const Key key = Key("raster-packed-textures")
+                      .add(pass.scene->textures.revision())
+                      .add(std::uint64_t{reads_mip_levels(settings.texture_filter)})
+                      .add(settings.texture_wrap);
+  textures_ = prepared.get<std::vector<PackedTexture>>(key, [&] {
+    std::vector<PackedTexture> packed;
+    for (const MipChain& chain : *pass.textures) packed.push_back(pack_texture(chain, wrap_of(chain, settings)));
+    return packed;
+  });
+}
+
+const PackedTexture* PackedTextures::of(const Surface<float>& surface) const {
+  const int index = surface.material.texture;
+  if (!textures_ || index < 0) return nullptr;
+  const PackedTexture& texture = (*textures_)[static_cast<std::size_t>(index)];
+  return texture.levels > 0 ? &texture : nullptr;
+}
+
+}  // namespace ps::raster
