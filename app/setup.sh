@@ -11,7 +11,7 @@ build_packages=(
 )
 window_packages=(libegl1 libgl1 libgl1-mesa-dri)  # OpenGL for the window, in software if need be
 display_packages=(xvfb)                           # a display where there is none
-test_packages=(clang-format libgtest-dev librapidcheck-dev xdotool)
+test_packages=(clang-format libgtest-dev librapidcheck-dev openbox xdotool)
 emulated_packages=(qemu-user)                     # other processors
 tidy_packages=(clang clang-tidy libc++-dev libc++abi-dev)
 

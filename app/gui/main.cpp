@@ -63,8 +63,7 @@ int run(int argc, char** argv) {
   if (*scale_option) shell_options.scale = scale;
   if (!window_size.empty()) {
     const auto [width, height] = ps::gui::parse_number_pair(window_size, {}, 'x');
-    shell_options.width = static_cast<int>(width);
-    shell_options.height = static_cast<int>(height);
+    shell_options.size = ps::gui::WindowSize{static_cast<int>(width), static_cast<int>(height)};
   }
 
   if (!size.empty()) {

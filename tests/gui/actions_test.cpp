@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <set>
+#include <utility>
+
 #include "base/check.h"
 #include "gui/input/actions.h"
+#include "gui/platform/events.h"
 
 namespace {
 
@@ -14,6 +18,27 @@ TEST(Chord, TextReadsBack) {
   EXPECT_EQ(parse_chord("?"), parse_chord("Shift+/"));
   for (const char* text : {"", "Ctrl+", "Hyper+A", "F13", "AB", "Ctrl"})
     EXPECT_THROW(parse_chord(text), ps::InputError);
+}
+
+// Each key that can be bound reaches the program: as the system numbers it, and back.
+TEST(Chord, EveryKeyIsTheSystemsKeyAndBack) {
+  std::set<int> numbers;
+  for (Key key = key_after(Key::none, 1); key != Key::other; key = key_after(key, 1)) {
+    const int number = scancode_of(key);
+    EXPECT_NE(number, 0) << static_cast<int>(key);
+    EXPECT_EQ(key_of(number), key) << number;
+    EXPECT_TRUE(numbers.insert(number).second) << "two keys are " << number;
+    if (key >= Key::ctrl) continue;  // no chord without another key
+    const std::string name = chord_text({.key = key});
+    EXPECT_EQ(parse_chord(name), Chord{.key = key}) << name;
+  }
+  EXPECT_EQ(key_of(0), Key::other);
+  EXPECT_EQ(key_of(511), Key::other);
+  // The places of keys in the Universal Serial Bus's tables, which the window library uses.
+  constexpr std::pair<Key, int> usb[] = {{Key::a, 4},        {Key::z, 29},     {Key::digit_1, 30},
+                                         {Key::digit_0, 39}, {Key::enter, 40}, {Key::f1, 58},
+                                         {Key::f12, 69},     {Key::left, 80},  {Key::slash, 56}};
+  for (const auto& [key, number] : usb) EXPECT_EQ(scancode_of(key), number);
 }
 
 struct Table {
@@ -70,7 +95,7 @@ TEST(Actions, HoldEndsWithItsKeyWhateverTheModifiers) {
   Table t;
   EXPECT_TRUE(t.press("F"));
   EXPECT_TRUE(t.held);
-  t.actions.key_up(parse_chord("Shift+F").scancode);
+  t.actions.key_up(parse_chord("Shift+F").key);
   EXPECT_FALSE(t.held);
   t.press("F");
   t.actions.release_all();

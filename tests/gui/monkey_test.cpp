@@ -1,5 +1,5 @@
-// A monkey at the window: random events through SDL's event queue for a bounded number of commands. Whatever they hit,
-// the window answers, says nothing on standard error and ends in order. PIXELSCOPE_TEST_SEED repeats a run,
+// A monkey at the window: random events through the queue of events for a bounded number of commands. Whatever they
+// hit, the window answers, says nothing on standard error and ends in order. PIXELSCOPE_TEST_SEED repeats a run,
 // PIXELSCOPE_MONKEY_COMMANDS lengthens it.
 #include <gtest/gtest.h>
 

@@ -2,12 +2,8 @@
 // two differently.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <string>
-#include <sys/wait.h>
-#include <thread>
 
 #include "gui/program.h"
 #include "support/golden.h"
@@ -16,29 +12,17 @@ namespace {
 
 bool have_xdotool() { return std::system("command -v xdotool >/dev/null 2>&1") == 0; }
 
-/// Plays `script` in the real window. Its first line of output tells a place in the window; there `hand`, a piece of
-/// shell script, uses the real pointer.
+/// The pointer goes to the place that the script's first line of output gives; there `hand` goes on.
 void use_pointer(const std::filesystem::path& folder, const std::string& arguments, const std::string& script,
-                 const std::string& hand_script) {
-  std::ofstream(folder / "pointer.script") << script;
-  std::ofstream(folder / "click.sh") << "set -e\n"
-                                        "for i in $(seq 200); do read -r place < "
-                                     << (folder / "place").string()
-                                     << " 2>/dev/null && break; sleep 0.05; done\n"
-                                        "window=$(xdotool search --name '^Pixelscope' | head -1)\n"
-                                        "xdotool windowfocus $window || true\n"
-                                        "xdotool mousemove --window $window ${place%,*} ${place#*,}\n"
-                                        "sleep 0.2\n"
-                                     << hand_script;
-  const std::string clicker =
-      "bash " + (folder / "click.sh").string() + " >" + (folder / "clicker.log").string() + " 2>&1";
-  std::thread hand([&] { EXPECT_EQ(std::system(clicker.c_str()), 0); });
-  const std::string command = "timeout 60 " PIXELSCOPE_BIN_DIR "/pixelscope " + arguments + " --script " +
-                              (folder / "pointer.script").string() + " >" + (folder / "place").string() + " 2>" +
-                              (folder / "errors").string();
-  const int ended = std::system(command.c_str());
-  hand.join();
-  EXPECT_EQ(ended, 0) << ps::test::read_file(folder / "errors") << ps::test::read_file(folder / "clicker.log");
+                 const std::string& hand) {
+  const auto result = ps::test::play_by_hand(script,
+                                             "xdotool windowfocus $window || true\n"
+                                             "xdotool mousemove --window $window ${line%,*} ${line#*,}\n"
+                                             "sleep 0.2\n" +
+                                                 hand,
+                                             folder, arguments);
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.errors, "");
 }
 
 TEST(Pointer, RealPointerAndKeysWork) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 namespace ps::test {
 
@@ -30,11 +31,49 @@ WindowRun run_window(const std::string& arguments, const std::string& before) {
   return result;
 }
 
+namespace {
+
+/// A display of its own for a window that is larger than the one of the tests.
+std::string display_for(const std::string& size) {
+  int width = 0, height = 0;
+  char cross = 0;
+  std::istringstream(size) >> width >> cross >> height;
+  return width > 1920 || height > 1200 ? "app/virtual-display" : "";
+}
+
+}  // namespace
+
 WindowRun play(const std::string& commands, const std::filesystem::path& folder, const std::string& size,
                const std::string& arguments) {
   const auto script = folder / "script.script";
   std::ofstream(script) << commands;
-  return run_window("--window-size " + size + " --script " + script.string() + " " + arguments);
+  return run_window("--window-size " + size + " --script " + script.string() + " " + arguments, display_for(size));
+}
+
+WindowRun play_by_hand(const std::string& commands, const std::string& hand, const std::filesystem::path& folder,
+                       const std::string& arguments, const std::string& before) {
+  const std::string script = folder / "script.script", out = folder / "output", err = folder / "errors",
+                    hand_script = folder / "hand.sh";
+  std::ofstream(script) << commands;
+  std::filesystem::remove(out);
+  std::ofstream(hand_script) << "set -e\n"
+                                "for i in $(seq 400); do read -r line 2>/dev/null <"
+                             << out
+                             << " && break; sleep 0.05; done\n"
+                                "window=$(xdotool search --name '^Pixelscope' | head -1)\n"
+                             << hand;
+  std::string complaint;
+  std::thread hands([&] {
+    if (hand.empty()) return;
+    const std::string log = folder / "hand.log";
+    if (std::system(("bash " + hand_script + " >" + log + " 2>&1").c_str()) != 0)
+      complaint = "the hand failed: " + read_file(log);
+  });
+  const int ended = std::system(("timeout 120 " + before + " " PIXELSCOPE_BIN_DIR "/pixelscope " + arguments +
+                                 " --script " + script + " >" + out + " 2>" + err + " </dev/null")
+                                    .c_str());
+  hands.join();
+  return {WIFEXITED(ended) ? WEXITSTATUS(ended) : -1, read_file(out), read_file(err) + complaint};
 }
 
 }  // namespace ps::test

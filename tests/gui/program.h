@@ -18,6 +18,12 @@ WindowRun run_window(const std::string& arguments, const std::string& before = {
 WindowRun play(const std::string& commands, const std::filesystem::path& folder, const std::string& size,
                const std::string& arguments = {});
 
+/// The same while `hand`, a piece of shell script, does with xdotool what people do. It begins once the script has
+/// printed its first line, which is $line there; $window is the window for xdotool. An empty one does nothing. `before`
+/// is put in front of the program, as for run_window().
+WindowRun play_by_hand(const std::string& commands, const std::string& hand, const std::filesystem::path& folder,
+                       const std::string& arguments = {}, const std::string& before = {});
+
 std::string read_file(const std::filesystem::path& path);
 
 }  // namespace ps::test

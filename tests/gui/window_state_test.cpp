@@ -50,7 +50,9 @@ TEST(WindowState, WhatCannotBeReadIsIgnoredWithAWord) {
         Bad{R"({"window/scale":2})", "window/scale: found number, expected text"},
         Bad{R"(["window/scale"])", "found array, expected an object"}, Bad{R"({"window/sc)", "found no JSON"},
         Bad{"", "found no JSON"},
-        Bad{R"({"format":7,"window/scale":"2"})", "found another version's format, expected 1"},
+        Bad{R"({"format":0,"window/scale":"2"})", "found format 0 of an older version, expected 1"},
+        Bad{R"({"format":7,"window/scale":"2"})", "found format 7 of another version, expected 1"},
+        Bad{R"({"format":"x","window/scale":"2"})", "found format \"x\" of another version, expected 1"},
         Bad{std::string(2 << 20, ' '), "bytes, expected at most"}}) {
     write(file, bad.content);
     StateFile state(file);
@@ -64,9 +66,10 @@ TEST(WindowState, WhatCannotBeReadIsIgnoredWithAWord) {
     EXPECT_EQ(StateFile(file).get("window/theme"), "dark");
     if (state.complaints()[0].find("kept as") == std::string::npos) continue;
     ++kept;
-    EXPECT_EQ(test::read_file(file.string() + ".damaged"), bad.content);
+    const bool other_version = bad.content.starts_with(R"({"format")");
+    EXPECT_EQ(test::read_file(file.string() + (other_version ? ".old" : ".damaged")), bad.content);
   }
-  EXPECT_EQ(kept, 5) << "all but those with one bad value";
+  EXPECT_EQ(kept, 7) << "all but those with one bad value";
   EXPECT_EQ(StateFile(folder / "none.json").complaints().size(), 0u);
 }
 
@@ -109,6 +112,10 @@ TEST(WindowState, TheWindowStartsAndSaysWhatItIgnores) {
   write(file, R"({"window/scale":"nan","window/size":"big"})");
   auto result = start(folder, "expect messages 1\nexpect message contains window/scale\nexpect window/scale 1\n");
   EXPECT_EQ(result.status, 0) << result.errors;
+  write(file, R"({"format":0,"window/scale":"2"})");
+  result = start(folder, "expect messages 1\nexpect message contains \"an older version\"\nexpect window/scale 1\n");
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_TRUE(std::filesystem::exists(file.string() + ".old"));
   std::filesystem::remove(file);
   std::filesystem::create_directories(file);
   result = start(folder, "expect messages 1\nexpect message contains \"not a regular file\"\n");

@@ -24,10 +24,12 @@ all=.
 library='^(core|chapters)/'
 
 forbid 'Dear ImGui outside app/gui' "$(includes '(.*/)?(imgui|imconfig|imstb)')" "$all" '^(app|tests)/gui/'
-forbid 'SDL outside app/gui/platform and app/gui/input' "$(includes '(.*/)?SDL')" "$all" '^app/gui/(platform|input)/'
-forbid 'OpenGL outside core/hardware, app/gui and its yardstick' \
+forbid 'SDL outside app/gui/platform' "$(includes '(.*/)?SDL')|\\b(?!SDL_VIDEODRIVER)(SDL|SDLK?_\\w+|KMOD_\\w+)\\b" "$all" '^app/gui/platform/'
+forbid 'OpenGL outside core/hardware, app/gui/platform and its yardstick' \
   "$(includes '(GL|GLES[0-9]?|EGL|KHR|epoxy|glad)/|(.*/)?(gl|glew|glcorearb|SDL_opengl[a-z0-9_]*)\.h[>"]')" \
-  "$all" '^(core/hardware|app/gui|tests/bench/llvmpipe)/'
+  "$all" '^(core/hardware|app/gui/platform|tests/bench/llvmpipe)/'
+forbid 'OpenGL by name outside app/gui/platform' '\b(gl[A-Z]\w*\(|GL_[A-Z]|GL(u?int|enum|float|sizei)\b|epoxy_)' '^app/gui/' \
+  '^app/gui/platform/'
 forbid 'X11 or Wayland' "$(includes '(X11|xcb|wayland)[/-]')" "$all"
 forbid 'stb outside core/image' "$(includes '(.*/)?stb_')" "$all" '^core/image/'
 forbid 'A thread started outside core/base' 'std::(jthread|async|thread(?!::))\b|pthread_create' "$library" '^core/base/'

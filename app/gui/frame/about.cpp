@@ -1,17 +1,11 @@
 #include "gui/frame/about.h"
 
-#include <epoxy/gl.h>
-
 #include "base/machine.h"
+#include "gui/platform/window.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
-
-std::string gl_text(GLenum name) {
-  const auto* text = reinterpret_cast<const char*>(glGetString(name));
-  return text ? text : "unknown";
-}
 
 void fact(const char* name, const std::string& value) {
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
@@ -49,8 +43,9 @@ void About::draw() {
     fact("Processor", machine.processor);
     fact("Vectors", machine.simd);
     fact("Threads", std::to_string(machine.threads));
-    fact("OpenGL", gl_text(GL_VERSION));
-    fact("Renderer", gl_text(GL_RENDERER));
+    const GraphicsDriver driver = graphics_driver();
+    fact("OpenGL", driver.version);
+    fact("Renderer", driver.renderer);
     ImGui::Dummy({0, px(8)});
     if (button("close", "Close", Emphasis::primary)) open = false;
   }

@@ -18,6 +18,7 @@
 #include "gui/frame/show_panel.h"
 #include "gui/frame/status_bar.h"
 #include "gui/frame/window_actions.h"
+#include "gui/input/imgui_keys.h"
 #include "gui/panels/pictures/dropped_picture.h"
 #include "gui/panels/pictures/picture_actions.h"
 #include "gui/panels/pictures/picture_values.h"
@@ -166,7 +167,7 @@ void App::Parts::show_options() {
 
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
 void App::Parts::close_on_escape() {
-  if (!ImGui::IsKeyPressed(parse_chord("Esc").scancode, false)) return;
+  if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false)) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     ImGui::ClosePopupToLevel(0, true);
     return;

@@ -1,6 +1,5 @@
 #include "gui/input/actions.h"
 
-#include <SDL_scancode.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,23 +14,11 @@ namespace {
 /// A text field needs the key for itself: all without Ctrl or Alt but the function keys and Esc, and the field's own
 /// editing commands.
 bool left_to_text_field(const Chord& chord) {
-  if (chord.scancode >= SDL_SCANCODE_F1 && chord.scancode <= SDL_SCANCODE_F12) return false;
+  if (chord.key >= Key::f1 && chord.key <= Key::f12) return false;
   if (!chord.ctrl && !chord.alt) return true;
-  switch (chord.scancode) {
-  case SDL_SCANCODE_A:
-  case SDL_SCANCODE_C:
-  case SDL_SCANCODE_V:
-  case SDL_SCANCODE_X:
-  case SDL_SCANCODE_Y:
-  case SDL_SCANCODE_Z:
-  case SDL_SCANCODE_LEFT:
-  case SDL_SCANCODE_RIGHT:
-  case SDL_SCANCODE_BACKSPACE:
-  case SDL_SCANCODE_DELETE:
-    return true;
-  default:
-    return false;
-  }
+  constexpr Key editing[] = {Key::a, Key::c,    Key::v,     Key::x,         Key::y,
+                             Key::z, Key::left, Key::right, Key::backspace, Key::del};
+  return std::find(std::begin(editing), std::end(editing), chord.key) != std::end(editing);
 }
 
 std::vector<Chord> parse_chords(std::string_view text) {
@@ -128,7 +115,7 @@ bool Actions::key_down(const Chord& chord, bool repeat, bool typing) {
     break;
   case ActionKind::hold:
     if (!repeat) {
-      held_.emplace_back(chord.scancode, static_cast<std::size_t>(action - actions_.data()));
+      held_.emplace_back(chord.key, static_cast<std::size_t>(action - actions_.data()));
       action->run_hold(true);
     }
     break;
@@ -136,9 +123,9 @@ bool Actions::key_down(const Chord& chord, bool repeat, bool typing) {
   return true;
 }
 
-void Actions::key_up(int scancode) {
+void Actions::key_up(Key key) {
   for (std::size_t i = 0; i < held_.size();) {
-    if (held_[i].first != scancode) {
+    if (held_[i].first != key) {
       ++i;
       continue;
     }
@@ -150,7 +137,7 @@ void Actions::key_up(int scancode) {
 
 void Actions::release_all() {
   const auto held = std::exchange(held_, {});
-  for (const auto& [scancode, action] : held) actions_[action].run_hold(false);
+  for (const auto& [key, action] : held) actions_[action].run_hold(false);
 }
 
 }  // namespace ps::gui

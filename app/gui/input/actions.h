@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "gui/input/key.h"
+
 namespace ps::gui {
 
-/// A key with modifiers. The key is a position on the keyboard (an SDL scancode), named as on a US layout.
+/// A key with modifiers.
 struct Chord {
-  int scancode = 0;  ///< 0 = none
+  Key key = Key::none;
   bool ctrl = false, shift = false, alt = false;
   bool operator==(const Chord&) const = default;
 };
@@ -81,7 +83,7 @@ class Actions {
   /// For the shell: key went down or up this frame. Answers whether an action took it. Letters without Ctrl are left
   /// to text fields when `typing`.
   bool key_down(const Chord& chord, bool repeat, bool typing);
-  void key_up(int scancode);
+  void key_up(Key key);
   /// The window lost the keyboard: ends all hold actions.
   void release_all();
 
@@ -94,7 +96,7 @@ class Actions {
   std::vector<Gesture> gestures_;
   std::function<std::vector<PaletteEntry>()> more_;
   std::vector<Binding> bindings_;
-  std::vector<std::pair<int, std::size_t>> held_;  // scancode, action
+  std::vector<std::pair<Key, std::size_t>> held_;  // key, action
 };
 
 }  // namespace ps::gui

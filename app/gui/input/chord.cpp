@@ -1,7 +1,7 @@
-#include <SDL_scancode.h>
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 
 #include "base/check.h"
 #include "gui/input/actions.h"
@@ -11,55 +11,61 @@ namespace {
 
 struct KeyName {
   std::string_view name;
-  int scancode;
+  Key key;
 };
 
 constexpr std::array key_names{
-    KeyName{"Enter", SDL_SCANCODE_RETURN},
-    KeyName{"Esc", SDL_SCANCODE_ESCAPE},
-    KeyName{"Backspace", SDL_SCANCODE_BACKSPACE},
-    KeyName{"Delete", SDL_SCANCODE_DELETE},
-    KeyName{"Insert", SDL_SCANCODE_INSERT},
-    KeyName{"Tab", SDL_SCANCODE_TAB},
-    KeyName{"Space", SDL_SCANCODE_SPACE},
-    KeyName{"Left", SDL_SCANCODE_LEFT},
-    KeyName{"Right", SDL_SCANCODE_RIGHT},
-    KeyName{"Up", SDL_SCANCODE_UP},
-    KeyName{"Down", SDL_SCANCODE_DOWN},
-    KeyName{"PageUp", SDL_SCANCODE_PAGEUP},
-    KeyName{"PageDown", SDL_SCANCODE_PAGEDOWN},
-    KeyName{"Home", SDL_SCANCODE_HOME},
-    KeyName{"End", SDL_SCANCODE_END},
-    KeyName{"-", SDL_SCANCODE_MINUS},
-    KeyName{"=", SDL_SCANCODE_EQUALS},
-    KeyName{"[", SDL_SCANCODE_LEFTBRACKET},
-    KeyName{"]", SDL_SCANCODE_RIGHTBRACKET},
-    KeyName{";", SDL_SCANCODE_SEMICOLON},
-    KeyName{"'", SDL_SCANCODE_APOSTROPHE},
-    KeyName{"`", SDL_SCANCODE_GRAVE},
-    KeyName{",", SDL_SCANCODE_COMMA},
-    KeyName{".", SDL_SCANCODE_PERIOD},
-    KeyName{"/", SDL_SCANCODE_SLASH},
-    KeyName{"\\", SDL_SCANCODE_BACKSLASH},
-    KeyName{"KeypadPlus", SDL_SCANCODE_KP_PLUS},
-    KeyName{"KeypadMinus", SDL_SCANCODE_KP_MINUS},
-    KeyName{"KeypadEnter", SDL_SCANCODE_KP_ENTER},
+    KeyName{"Enter", Key::enter},
+    KeyName{"Esc", Key::escape},
+    KeyName{"Backspace", Key::backspace},
+    KeyName{"Delete", Key::del},
+    KeyName{"Insert", Key::insert},
+    KeyName{"Tab", Key::tab},
+    KeyName{"Space", Key::space},
+    KeyName{"Left", Key::left},
+    KeyName{"Right", Key::right},
+    KeyName{"Up", Key::up},
+    KeyName{"Down", Key::down},
+    KeyName{"PageUp", Key::page_up},
+    KeyName{"PageDown", Key::page_down},
+    KeyName{"Home", Key::home},
+    KeyName{"End", Key::end},
+    KeyName{"-", Key::minus},
+    KeyName{"=", Key::equals},
+    KeyName{"[", Key::left_bracket},
+    KeyName{"]", Key::right_bracket},
+    KeyName{";", Key::semicolon},
+    KeyName{"'", Key::apostrophe},
+    KeyName{"`", Key::grave},
+    KeyName{",", Key::comma},
+    KeyName{".", Key::period},
+    KeyName{"/", Key::slash},
+    KeyName{"\\", Key::backslash},
+    KeyName{"KeypadPlus", Key::keypad_plus},
+    KeyName{"KeypadMinus", Key::keypad_minus},
+    KeyName{"KeypadEnter", Key::keypad_enter},
 };
 
-/// 0 if there is no such key.
-int find_scancode(std::string_view name) {
+/// Key::none if there is no such key.
+Key find_key(std::string_view name) {
   if (name.size() == 1) {
     const char c = name[0];
-    if (c >= 'A' && c <= 'Z') return SDL_SCANCODE_A + (c - 'A');
-    if (c >= 'a' && c <= 'z') return SDL_SCANCODE_A + (c - 'a');
-    if (c >= '1' && c <= '9') return SDL_SCANCODE_1 + (c - '1');
-    if (c == '0') return SDL_SCANCODE_0;
+    if (c >= 'A' && c <= 'Z') return key_after(Key::a, c - 'A');
+    if (c >= 'a' && c <= 'z') return key_after(Key::a, c - 'a');
+    if (c >= '1' && c <= '9') return key_after(Key::digit_1, c - '1');
+    if (c == '0') return Key::digit_0;
   }
   for (int i = 1; i <= 12; ++i)
-    if (name == fmt::format("F{}", i)) return SDL_SCANCODE_F1 + i - 1;
+    if (name == fmt::format("F{}", i)) return key_after(Key::f1, i - 1);
   for (const KeyName& key : key_names)
-    if (key.name == name) return key.scancode;
-  return 0;
+    if (key.name == name) return key.key;
+  return Key::none;
+}
+
+/// How far a key of a row is from the row's first one; nothing for another key.
+std::optional<int> place_in_row(Key key, Key first, Key last) {
+  if (key < first || key > last) return {};
+  return static_cast<int>(key) - static_cast<int>(first);
 }
 
 }  // namespace
@@ -82,8 +88,8 @@ Chord parse_chord(std::string_view text) {
     chord.shift = true;
     rest = rest == "?" ? "/" : "=";
   }
-  chord.scancode = find_scancode(rest);
-  if (chord.scancode == 0)
+  chord.key = find_key(rest);
+  if (chord.key == Key::none)
     throw InputError(fmt::format("found '{}', expected a key such as Ctrl+Shift+Z, F11, PageDown or [", text));
   return chord;
 }
@@ -91,21 +97,19 @@ Chord parse_chord(std::string_view text) {
 std::string chord_text(const Chord& chord) {
   std::string key;
   bool shift = chord.shift;
-  if (chord.scancode == 0) return {};
-  if (chord.scancode >= SDL_SCANCODE_A && chord.scancode <= SDL_SCANCODE_Z)
-    key = static_cast<char>('A' + chord.scancode - SDL_SCANCODE_A);
-  else if (chord.scancode >= SDL_SCANCODE_1 && chord.scancode <= SDL_SCANCODE_9)
-    key = static_cast<char>('1' + chord.scancode - SDL_SCANCODE_1);
-  else if (chord.scancode == SDL_SCANCODE_0)
-    key = "0";
-  else if (chord.scancode >= SDL_SCANCODE_F1 && chord.scancode <= SDL_SCANCODE_F12)
-    key = fmt::format("F{}", chord.scancode - SDL_SCANCODE_F1 + 1);
-  else if (shift && (chord.scancode == SDL_SCANCODE_SLASH || chord.scancode == SDL_SCANCODE_EQUALS)) {
-    key = chord.scancode == SDL_SCANCODE_SLASH ? "?" : "+";
+  if (chord.key == Key::none) return {};
+  if (const auto letter = place_in_row(chord.key, Key::a, Key::z))
+    key = static_cast<char>('A' + *letter);
+  else if (const auto digit = place_in_row(chord.key, Key::digit_1, Key::digit_0))
+    key = static_cast<char>('0' + (*digit + 1) % 10);
+  else if (const auto number = place_in_row(chord.key, Key::f1, Key::f12))
+    key = fmt::format("F{}", *number + 1);
+  else if (shift && (chord.key == Key::slash || chord.key == Key::equals)) {
+    key = chord.key == Key::slash ? "?" : "+";
     shift = false;
   } else {
     for (const KeyName& name : key_names)
-      if (name.scancode == chord.scancode) key = name.name;
+      if (name.key == chord.key) key = name.name;
   }
   return fmt::format("{}{}{}{}", chord.ctrl ? "Ctrl+" : "", shift ? "Shift+" : "", chord.alt ? "Alt+" : "", key);
 }

@@ -1,121 +1,85 @@
 #include "gui/input/tracker.h"
 
-#include <SDL.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cfloat>
 
+#include "gui/input/imgui_keys.h"
+
 namespace ps::gui {
 
-void InputTracker::take(const SDL_Event& event) {
-  Event out;
-  switch (event.type) {
-  case SDL_MOUSEMOTION:
-    if (event.motion.which == SDL_TOUCH_MOUSEID) return;
-    out.kind = Kind::move;
-    out.x = static_cast<float>(event.motion.x);
-    out.y = static_cast<float>(event.motion.y);
-    break;
-  case SDL_MOUSEBUTTONDOWN:
-  case SDL_MOUSEBUTTONUP: {
-    static constexpr int imgui_button[] = {-1, 0, 2, 1, 3, 4};  // SDL counts left, middle, right
-    if (event.button.button < 1 || event.button.button > 5) return;
-    // The press has its own position, which may be beyond the last movement.
-    Event move;
-    move.x = static_cast<float>(event.button.x);
-    move.y = static_cast<float>(event.button.y);
-    events_.push_back(move);
-    out.kind = Kind::button;
-    out.code = imgui_button[event.button.button];
-    out.down = event.type == SDL_MOUSEBUTTONDOWN;
-    break;
-  }
-  case SDL_MOUSEWHEEL:
-    out.kind = Kind::wheel;
-    out.x = event.wheel.preciseX;
-    out.y = event.wheel.preciseY;
-    break;
-  case SDL_KEYDOWN:
-  case SDL_KEYUP:
-    out.kind = Kind::key;
-    out.code = event.key.keysym.scancode;
-    out.down = event.type == SDL_KEYDOWN;
-    out.repeat = event.key.repeat != 0;
-    out.ctrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
-    out.shift = (event.key.keysym.mod & KMOD_SHIFT) != 0;
-    out.alt = (event.key.keysym.mod & KMOD_ALT) != 0;
-    break;
-  case SDL_TEXTINPUT:
-    out.kind = Kind::text;
-    out.text = event.text.text;
-    break;
-  case SDL_WINDOWEVENT:
-    if (event.window.event == SDL_WINDOWEVENT_LEAVE)
-      out.kind = Kind::leave;
-    else if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST)
-      out.kind = Kind::focus_lost;
-    else
-      return;
-    break;
-  default:
-    return;
-  }
+namespace {
+
+using Kind = InputEvent::Kind;
+
+int number_of(MouseButton button) { return static_cast<int>(button); }  // as Dear ImGui counts them
+
+}  // namespace
+
+void InputTracker::take(const InputEvent& event) {
+  if (event.kind == Kind::drop || event.kind == Kind::close || event.kind == Kind::other) return;
+  // The press has its own position, which may be beyond the last movement.
+  if (event.kind == Kind::button) events_.push_back({.kind = Kind::move, .at = event.at});
   // Of several movements in a row only the last matters, so that a slow frame does not make the pointer lag.
-  if (out.kind == Kind::move && !events_.empty() && events_.back().kind == Kind::move)
-    events_.back() = out;
+  if (event.kind == Kind::move && !events_.empty() && events_.back().kind == Kind::move)
+    events_.back() = event;
   else
-    events_.push_back(out);
+    events_.push_back(event);
 }
 
-bool InputTracker::fits_frame(const Event& event) const {
+bool InputTracker::fits_frame(const InputEvent& event) const {
   switch (event.kind) {
   case Kind::move:
-    if (inside_ && event.x == x_ && event.y == y_) return true;
+    if (inside_ && event.at.x == x_ && event.at.y == y_) return true;
     return buttons_changed_ == 0 && !wheeled_ && keys_.empty() && !typed_;
   case Kind::leave:
     return buttons_changed_ == 0 && !wheeled_;
   case Kind::button:
-    return (buttons_changed_ & (1u << event.code)) == 0 && !moved_ && !wheeled_ && keys_.empty();
+    return (buttons_changed_ & (1u << number_of(event.button))) == 0 && !moved_ && !wheeled_ && keys_.empty();
   case Kind::wheel:
     return !moved_ && buttons_changed_ == 0 && !wheeled_ && keys_.empty();
   case Kind::key:
     if (buttons_changed_ != 0 || moved_ || typed_) return false;
-    return std::none_of(keys_.begin(), keys_.end(), [&](const KeyChange& k) { return k.chord.scancode == event.code; });
+    return std::none_of(keys_.begin(), keys_.end(), [&](const KeyChange& k) { return k.chord.key == event.key; });
   case Kind::text:
     return buttons_changed_ == 0 && !moved_;
   case Kind::focus_lost:
     return keys_.empty() && buttons_changed_ == 0;
+  case Kind::drop:
+  case Kind::close:
+  case Kind::other:
+    break;
   }
   return true;
 }
 
-void InputTracker::apply_event(const Event& event, ImGuiIO& io) {
+void InputTracker::apply_event(const InputEvent& event, ImGuiIO& io) {
   switch (event.kind) {
   case Kind::move:
-    moved_ = moved_ || event.x != x_ || event.y != y_ || !inside_;
-    x_ = event.x;
-    y_ = event.y;
+    moved_ = moved_ || event.at.x != x_ || event.at.y != y_ || !inside_;
+    x_ = event.at.x;
+    y_ = event.at.y;
     inside_ = true;
     break;
   case Kind::leave:
     inside_ = false;
     break;
   case Kind::button:
-    buttons_[event.code] = event.down;
-    buttons_changed_ |= 1u << event.code;
+    buttons_[number_of(event.button)] = event.down;
+    buttons_changed_ |= 1u << number_of(event.button);
     break;
   case Kind::wheel:
-    io.MouseWheelH += event.x;
-    io.MouseWheel += event.y;
+    io.MouseWheelH += event.at.x;
+    io.MouseWheel += event.at.y;
     wheeled_ = true;
     break;
   case Kind::key:
     ctrl_ = event.ctrl;
     shift_ = event.shift;
     alt_ = event.alt;
-    if (event.code >= 0 && event.code < IM_ARRAYSIZE(io.KeysDown)) io.KeysDown[event.code] = event.down;
-    keys_.push_back({{event.code, event.ctrl, event.shift, event.alt}, event.down, event.repeat});
+    io.KeysDown[imgui_key(event.key)] = event.down;
+    keys_.push_back({{event.key, event.ctrl, event.shift, event.alt}, event.down, event.repeat});
     break;
   case Kind::text:
     io.AddInputCharactersUTF8(event.text.c_str());
@@ -126,6 +90,10 @@ void InputTracker::apply_event(const Event& event, ImGuiIO& io) {
     std::fill(std::begin(buttons_), std::end(buttons_), false);
     ctrl_ = shift_ = alt_ = false;
     lost_focus_ = true;
+    break;
+  case Kind::drop:
+  case Kind::close:
+  case Kind::other:
     break;
   }
 }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "gui/input/actions.h"
+#include "gui/input/event.h"
 
-union SDL_Event;
 struct ImGuiIO;
 
 namespace ps::gui {
@@ -16,14 +16,14 @@ struct KeyChange {
   bool down = false, repeat = false;
 };
 
-/// Mouse, modifiers and keys as SDL's event queue reports them. Dear ImGui 1.86's own SDL back end reads the pointer's
+/// Mouse, modifiers and keys as the queue of events reports them. Dear ImGui 1.86's own back end reads the pointer's
 /// global position and the modifiers from the system and so ignores events that a script pushed into the queue;
 /// apply() runs after it and overrules it. Events that would hide one another in one frame (a button pressed and
 /// released) are spread over several frames.
 class InputTracker {
  public:
   /// Takes mouse, key, text and focus events; ignores others.
-  void take(const SDL_Event& event);
+  void take(const InputEvent& event);
   /// Moves the events of one frame into ImGui's input. Call after the back end's NewFrame and before ImGui::NewFrame.
   void apply(ImGuiIO& io);
   /// Events are left for the next frame.
@@ -33,19 +33,10 @@ class InputTracker {
   bool lost_focus() const { return lost_focus_; }
 
  private:
-  enum class Kind { move, leave, button, wheel, key, text, focus_lost };
-  struct Event {
-    Kind kind = Kind::move;
-    float x = 0, y = 0;
-    int code = 0;  // button or scancode
-    bool down = false, repeat = false;
-    bool ctrl = false, shift = false, alt = false;
-    std::string text;
-  };
-  bool fits_frame(const Event& event) const;
-  void apply_event(const Event& event, ImGuiIO& io);
+  bool fits_frame(const InputEvent& event) const;
+  void apply_event(const InputEvent& event, ImGuiIO& io);
 
-  std::deque<Event> events_;
+  std::deque<InputEvent> events_;
   float x_ = -1e30f, y_ = -1e30f;
   bool inside_ = false;
   bool buttons_[5] = {};

@@ -2,10 +2,15 @@
 
 #include <SDL.h>
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 
 namespace ps::gui {
 namespace {
+
+/// In the order of MouseButton.
+constexpr Uint8 button_codes[] = {SDL_BUTTON_LEFT, SDL_BUTTON_RIGHT, SDL_BUTTON_MIDDLE, SDL_BUTTON_X1, SDL_BUTTON_X2};
 
 SDL_Event make(Uint32 type) {
   SDL_Event event{};
@@ -26,15 +31,62 @@ void push_scancode(unsigned window, int scancode, bool down, Uint16 modifiers) {
 
 }  // namespace
 
-WindowEvent read_event(const SDL_Event& event) {
-  WindowEvent result;
-  result.close =
-      event.type == SDL_QUIT || (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE);
-  if (event.type == SDL_DROPFILE && event.drop.file) {
-    result.dropped_file = event.drop.file;
-    SDL_free(event.drop.file);
+InputEvent translated(const SDL_Event& event) {
+  using Kind = InputEvent::Kind;
+  const auto point = [](auto x, auto y) { return WindowPoint{static_cast<float>(x), static_cast<float>(y)}; };
+  InputEvent out;
+  switch (event.type) {
+  case SDL_MOUSEMOTION:
+    if (event.motion.which == SDL_TOUCH_MOUSEID) break;
+    out.kind = Kind::move;
+    out.at = point(event.motion.x, event.motion.y);
+    break;
+  case SDL_MOUSEBUTTONDOWN:
+  case SDL_MOUSEBUTTONUP: {
+    const auto button = std::find(std::begin(button_codes), std::end(button_codes), event.button.button);
+    if (button == std::end(button_codes)) break;
+    out.kind = Kind::button;
+    out.at = point(event.button.x, event.button.y);
+    out.button = static_cast<MouseButton>(button - std::begin(button_codes));
+    out.down = event.type == SDL_MOUSEBUTTONDOWN;
+    break;
   }
-  return result;
+  case SDL_MOUSEWHEEL:
+    out.kind = Kind::wheel;
+    out.at = {event.wheel.preciseX, event.wheel.preciseY};
+    break;
+  case SDL_KEYDOWN:
+  case SDL_KEYUP:
+    out.kind = Kind::key;
+    out.key = key_of(event.key.keysym.scancode);
+    out.down = event.type == SDL_KEYDOWN;
+    out.repeat = event.key.repeat != 0;
+    out.ctrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
+    out.shift = (event.key.keysym.mod & KMOD_SHIFT) != 0;
+    out.alt = (event.key.keysym.mod & KMOD_ALT) != 0;
+    break;
+  case SDL_TEXTINPUT:
+    out.kind = Kind::text;
+    out.text = event.text.text;
+    break;
+  case SDL_WINDOWEVENT:
+    if (event.window.event == SDL_WINDOWEVENT_LEAVE) out.kind = Kind::leave;
+    if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) out.kind = Kind::focus_lost;
+    if (event.window.event == SDL_WINDOWEVENT_CLOSE) out.kind = Kind::close;
+    break;
+  case SDL_QUIT:
+    out.kind = Kind::close;
+    break;
+  case SDL_DROPFILE:
+    if (!event.drop.file) break;
+    out.kind = Kind::drop;
+    out.text = event.drop.file;
+    SDL_free(event.drop.file);
+    break;
+  default:  // SDL's other kinds of events, whose number grows
+    break;
+  }
+  return out;
 }
 
 void push_move(unsigned window, float x, float y) {
@@ -48,9 +100,7 @@ void push_move(unsigned window, float x, float y) {
 void push_button(unsigned window, MouseButton button, bool down, float x, float y, int clicks) {
   SDL_Event event = make(down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP);
   event.button.windowID = window;
-  event.button.button = button == MouseButton::left     ? SDL_BUTTON_LEFT
-                        : button == MouseButton::middle ? SDL_BUTTON_MIDDLE
-                                                        : SDL_BUTTON_RIGHT;
+  event.button.button = button_codes[static_cast<std::size_t>(button)];
   event.button.state = down ? SDL_PRESSED : SDL_RELEASED;
   event.button.clicks = static_cast<Uint8>(clicks);
   event.button.x = static_cast<Sint32>(x);
@@ -76,12 +126,12 @@ void push_key(unsigned window, const Chord& chord, bool down) {
   if (!down) {
     held = static_cast<Uint16>((chord.ctrl ? KMOD_LCTRL : 0) | (chord.shift ? KMOD_LSHIFT : 0) |
                                (chord.alt ? KMOD_LALT : 0));
-    push_scancode(window, chord.scancode, false, held);
+    push_scancode(window, scancode_of(chord.key), false, held);
   }
   modifier(chord.ctrl, SDL_SCANCODE_LCTRL, KMOD_LCTRL);
   modifier(chord.shift, SDL_SCANCODE_LSHIFT, KMOD_LSHIFT);
   modifier(chord.alt, SDL_SCANCODE_LALT, KMOD_LALT);
-  if (down && chord.scancode != 0) push_scancode(window, chord.scancode, true, held);
+  if (down && chord.key != Key::none) push_scancode(window, scancode_of(chord.key), true, held);
 }
 
 void push_text(unsigned window, const std::string& utf8) {

@@ -2,20 +2,20 @@
 #include <string>
 
 #include "gui/input/actions.h"
+#include "gui/input/event.h"
 
 union SDL_Event;
 
 namespace ps::gui {
 
-/// Events that are not mouse or keyboard.
-struct WindowEvent {
-  bool close = false;
-  std::string dropped_file;
-};
-WindowEvent read_event(const SDL_Event& event);
+/// The event in our own terms.
+InputEvent translated(const SDL_Event& event);
+/// SDL's number of a key, of the left one of two; 0 for Key::none and Key::other.
+int scancode_of(Key key);
+/// The key with that number; Key::other if it has no name here.
+Key key_of(int scancode);
 
 /// Puts events into SDL's queue as if they came from the devices; for scripts. Coordinates in window pixels.
-enum class MouseButton { left, middle, right };
 void push_move(unsigned window, float x, float y);
 void push_button(unsigned window, MouseButton button, bool down, float x, float y, int clicks);
 void push_wheel(unsigned window, float steps);

@@ -25,13 +25,21 @@ std::filesystem::path user_folder(const char* variable, const char* below_home) 
   return {};
 }
 
-/// Throws InputError for a text that is not a state file. Entries that are not text are named in `odd`.
+/// The file is of an older or a newer program.
+class OtherVersion : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Throws InputError for a text that is not a state file, OtherVersion for one of another program. Entries that are not
+/// text are named in `odd`.
 std::map<std::string, std::string> parse_state(const std::string& text, std::vector<std::string>& odd) {
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (json.is_discarded()) throw InputError("found no JSON, expected what the window writes there");
   if (!json.is_object()) throw InputError(fmt::format("found {}, expected an object", json.type_name()));
   if (const auto format = json.find(format_key); format != json.end() && *format != this_format)
-    throw InputError(fmt::format("found another version's format, expected {}", this_format));
+    throw OtherVersion(fmt::format("found format {} of {} version, expected {}", format->dump(),
+                                   *format < this_format ? "an older" : "another", this_format));
   std::map<std::string, std::string> entries;
   for (const auto& [key, value] : json.items())
     if (value.is_string())
@@ -89,16 +97,18 @@ StateFile::StateFile(std::filesystem::path path) : path_(std::move(path)) {
     std::vector<std::string> odd;
     entries_ = read_ = parse_state(read_whole_file(path_, largest_state), odd);
     for (const std::string& what : odd) complaints_.push_back(fmt::format("{}: {}; ignored", path_.string(), what));
+  } catch (const OtherVersion& problem) {
+    keep_aside(problem.what(), ".old");
   } catch (const InputError& problem) {
-    keep_damaged(problem.what());
+    keep_aside(problem.what(), ".damaged");
   }
 }
 
 /// Moves the file aside, so that saving does not replace it.
-void StateFile::keep_damaged(const std::string& why) {
+void StateFile::keep_aside(const std::string& why, const char* ending) {
   const std::string text = why.starts_with(path_.string()) ? why : fmt::format("{}: {}", path_.string(), why);
   auto aside = path_;
-  aside += ".damaged";
+  aside += ending;
   std::error_code error;
   std::filesystem::rename(path_, aside, error);
   if (error) {

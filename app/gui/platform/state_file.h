@@ -8,8 +8,8 @@ namespace ps::gui {
 
 /// What the window remembers from one start to the next, as text by key, in a JSON file in the user's state folder
 /// ($XDG_STATE_HOME or ~/.local/state, then pixelscope/window.json). A missing file counts as empty; a damaged one too,
-/// with a complaint, and it is kept as window.json.damaged. What cannot be read or written is not remembered:
-/// remembering is a convenience. Several windows may use the same file.
+/// with a complaint, and it is kept as window.json.damaged; so is one of another version, as window.json.old. What
+/// cannot be read or written is not remembered: remembering is a convenience. Several windows may use the same file.
 class StateFile {
  public:
   /// An empty path remembers nothing.
@@ -34,7 +34,7 @@ class StateFile {
  private:
   using Entries = std::map<std::string, std::string>;
   enum class Kind { value, lines };
-  void keep_damaged(const std::string& why);
+  void keep_aside(const std::string& why, const char* ending);
 
   std::filesystem::path path_;
   Entries entries_, read_;               ///< as they are here, and as they were in the file

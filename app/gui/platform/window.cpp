@@ -10,6 +10,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "gui/input/imgui_keys.h"
+#include "gui/platform/display.h"
+#include "gui/platform/events.h"
 #include "gui/platform/texture.h"
 
 namespace ps::gui {
@@ -28,13 +31,14 @@ bool has_display() {
 
 [[noreturn]] void fail(const std::string& what) { throw WindowError("The window cannot be opened: " + what); }
 
-/// Tries one kind of context; null if the driver refuses it.
+/// Tries one kind of context; null if the driver refuses it. The window is hidden yet.
 SDL_Window* open_with(const char* title, WindowSize size, int profile, int major, int minor, void** context) {
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, profile);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, major);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, minor);
-  SDL_Window* window = SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width, size.height,
-                                        SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  SDL_Window* window =
+      SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width, size.height,
+                       SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI | SDL_WINDOW_HIDDEN);
   if (!window) return nullptr;
   *context = SDL_GL_CreateContext(window);
   if (*context) return window;
@@ -44,13 +48,14 @@ SDL_Window* open_with(const char* title, WindowSize size, int profile, int major
 
 }  // namespace
 
-Window::Window(const std::string& title, WindowSize size) {
+Window::Window(const std::string& title, const WindowPlacement& placement) {
   if (!has_display()) fail("there is no display (DISPLAY and WAYLAND_DISPLAY are not set)");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
   if (SDL_Init(SDL_INIT_VIDEO) != 0) fail(SDL_GetError());
   wake_event = SDL_RegisterEvents(1);
+  const WindowSize size = opening_size(placement.size);
 
   SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
@@ -68,6 +73,8 @@ Window::Window(const std::string& title, WindowSize size) {
          "). Install a newer graphics driver, or render in software: LIBGL_ALWAYS_SOFTWARE=1 pixelscope");
   }
   SDL_SetWindowMinimumSize(window_, 640, 480);
+  normal_size_ = NormalSize(size);
+  open(placement);
   SDL_GL_MakeCurrent(window_, context_);
   SDL_GL_SetSwapInterval(1);
   SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
@@ -80,6 +87,7 @@ Window::Window(const std::string& title, WindowSize size) {
   io.MouseDoubleClickTime = 0.4f;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window drawing
   ImGui_ImplSDL2_InitForOpenGL(window_, context_);
+  map_imgui_keys(io);
   ImGui_ImplOpenGL3_Init(shader_version);
 }
 
@@ -92,7 +100,7 @@ Window::~Window() {
   SDL_Quit();
 }
 
-bool Window::wait_events(double seconds, const std::function<void(const SDL_Event&)>& sink) {
+bool Window::wait_events(double seconds, const std::function<void(const InputEvent&)>& sink) {
   bool any = false;
   SDL_Event event;
   const int milliseconds = seconds >= 1e6 ? -1 : static_cast<int>(seconds * 1000 + 0.999);
@@ -104,10 +112,11 @@ bool Window::wait_events(double seconds, const std::function<void(const SDL_Even
     if (event.type == wake_event)
       wake_waiting = false;
     else
-      sink(event);
+      sink(translated(event));
     if (event.type == SDL_WINDOWEVENT) shown_.forget();  // the window may have been covered, or have another size
     got = SDL_PollEvent(&event);
   }
+  note_size();
   return any;
 }
 
@@ -134,6 +143,9 @@ void Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   do_not_repeat_fonts();
   ImGui_ImplSDL2_NewFrame();
+  measure();
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(size_.width), static_cast<float>(size_.height)};
 }
 
 bool Window::draw_frame(bool will_be_read) {
@@ -141,8 +153,7 @@ bool Window::draw_frame(bool will_be_read) {
   const bool same_paper = std::exchange(shown_paper_, {paper.x, paper.y, paper.z, 1}) == shown_paper_;
   const bool same_textures = std::exchange(shown_textures_, Texture::changes()) == Texture::changes();
   if (shown_.same_again(*ImGui::GetDrawData()) && same_paper && same_textures && !will_be_read) return false;
-  const WindowSize pixels = drawable_size();
-  glViewport(0, 0, pixels.width, pixels.height);
+  glViewport(0, 0, drawable_.width, drawable_.height);
   // The cleared colour is the background of the whole window: a filled rectangle of this size would cost drivers that
   // draw by the processor several milliseconds.
   glClearColor(paper.x, paper.y, paper.z, 1);
@@ -160,12 +171,11 @@ void Window::fonts_changed() {
 }
 
 Image<Rgb8> Window::screenshot() const {
-  const WindowSize size_px = drawable_size();
-  Image<Rgb8> picture(size_px.width, size_px.height);
+  Image<Rgb8> picture(drawable_.width, drawable_.height);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadBuffer(GL_BACK);
-  for (int y = 0; y < size_px.height; ++y)  // OpenGL's first row is the lowest
-    glReadPixels(0, size_px.height - 1 - y, size_px.width, 1, GL_RGB, GL_UNSIGNED_BYTE, picture.row(y).data());
+  for (int y = 0; y < drawable_.height; ++y)  // OpenGL's first row is the lowest
+    glReadPixels(0, drawable_.height - 1 - y, drawable_.width, 1, GL_RGB, GL_UNSIGNED_BYTE, picture.row(y).data());
   return picture;
 }
 
@@ -174,33 +184,6 @@ WindowPoint Window::pointer() const {
   SDL_GetGlobalMouseState(&x, &y);
   SDL_GetWindowPosition(window_, &left, &top);
   return {static_cast<float>(x - left), static_cast<float>(y - top)};
-}
-
-WindowSize Window::size() const {
-  WindowSize result;
-  SDL_GetWindowSize(window_, &result.width, &result.height);
-  return result;
-}
-
-WindowSize Window::drawable_size() const {
-  WindowSize result;
-  SDL_GL_GetDrawableSize(window_, &result.width, &result.height);
-  return result;
-}
-
-void Window::resize(WindowSize size) { SDL_SetWindowSize(window_, size.width, size.height); }
-
-int Window::display_lines() const {
-  SDL_DisplayMode mode{};
-  const int display = SDL_GetWindowDisplayIndex(window_);
-  return display >= 0 && SDL_GetCurrentDisplayMode(display, &mode) == 0 ? mode.h : 0;
-}
-
-bool Window::minimised() const { return (SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0; }
-
-void Window::set_fullscreen(bool on) {
-  fullscreen_ = on;
-  SDL_SetWindowFullscreen(window_, on ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
 }
 
 void Window::set_title(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
@@ -215,5 +198,13 @@ std::string Window::clipboard() const {
 void Window::set_clipboard(const std::string& text) { SDL_SetClipboardText(text.c_str()); }
 
 unsigned Window::id() const { return SDL_GetWindowID(window_); }
+
+GraphicsDriver graphics_driver() {
+  const auto text = [](GLenum name) -> std::string {
+    const auto* known = reinterpret_cast<const char*>(glGetString(name));
+    return known ? known : "unknown";
+  };
+  return {text(GL_VERSION), text(GL_RENDERER)};
+}
 
 }  // namespace ps::gui

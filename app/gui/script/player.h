@@ -26,7 +26,7 @@ struct LoopState {
   bool idle = false;           ///< nothing to draw, no work going on
 };
 
-/// Plays a script upon the real window: everything that a user could do goes through SDL's event queue. Commands that
+/// Plays a script upon the real window: everything that a user could do goes through the queue of events. Commands that
 /// push events wait until frames have shown their effect.
 class ScriptPlayer {
  public:

@@ -19,7 +19,6 @@
 #include "gui/input/bindings_file.h"
 #include "gui/input/tracker.h"
 #include "gui/platform/end_signals.h"
-#include "gui/platform/events.h"
 #include "gui/platform/state_file.h"
 #include "gui/platform/window.h"
 #include "gui/script/player.h"
@@ -40,17 +39,23 @@ constexpr std::chrono::microseconds frame_time{16'666};
 constexpr std::chrono::microseconds watching_frame_time{33'333};
 constexpr std::chrono::milliseconds hands_off{500};  ///< after the last input
 
-WindowSize remembered_size(StateFile& state, const ShellOptions& options) {
+constexpr WindowSize scripted_size{1280, 800};
+
+/// As the window was left the last time.
+WindowPlacement remembered_placement(StateFile& state) {
+  WindowPlacement placement;
+  placement.maximised = state.get("window/maximised") == "yes";
   const std::string remembered = state.get("window/size");
-  if (remembered.empty()) return {options.width, options.height};
+  if (remembered.empty()) return placement;
   char cross = 0;
   WindowSize old;
   std::istringstream text(remembered);
   if (text >> old.width >> cross >> old.height && cross == 'x' && old.width >= 320 && old.height >= 240 &&
       old.width <= 16384 && old.height <= 16384)
-    return old;
-  state.complain("window/size", "a size such as 1280x800");
-  return {options.width, options.height};
+    placement.size = old;
+  else
+    state.complain("window/size", "a size such as 1280x800");
+  return placement;
 }
 
 /// Since the process began, to a hundredth of a second: what was done before main() counts for one who waits.
@@ -93,11 +98,14 @@ struct Shell::Impl {
   explicit Impl(const ShellOptions& options)
       : script(options.script.empty() ? nullptr : std::make_unique<ScriptPlayer>(options.script)),
         state(script && !std::getenv("XDG_STATE_HOME") ? std::filesystem::path() : StateFile::default_path()),
-        window(options.title, script ? WindowSize{options.width, options.height} : remembered_size(state, options)) {}
+        remembers_placement(!options.size && state.remembers()),
+        window(options.title, remembers_placement ? remembered_placement(state)
+                                                  : WindowPlacement{.size = options.size.value_or(scripted_size)}) {}
 
   std::unique_ptr<ScriptPlayer> script;  // read first: a bad script must not open a window
   StateFile state;
   std::vector<std::string> complaints;  // about files of the user that were ignored
+  bool remembers_placement;
   Window window;
   InputTracker input;
   Actions actions;
@@ -108,6 +116,7 @@ struct Shell::Impl {
   int status = 0;
   int frames_due = frames_after_event;
   std::uint64_t frames = 0, frames_drawn = 0;        // the latter without those that look like the one before
+  std::uint64_t turns = 0;                           // of the loop
   Clock::time_point due = Clock::time_point::max();  // of wake_after
   Clock::time_point last_frame, last_input;
   RecentTimes layout_times, frame_times;
@@ -115,7 +124,7 @@ struct Shell::Impl {
   void add_actions(Shell& shell);
   void offer_values();
   void load_own_keys();
-  void take_event(const SDL_Event& event);
+  void take_event(const InputEvent& event);
   void wait(double seconds);
   void rest_between_frames();
   double patience() const;
@@ -128,6 +137,12 @@ void Shell::Impl::offer_values() {
   // Of the last frames, whose drawing and showing comes after their layout; sleeping in between does not count.
   values().offer("window/layout-ms", [this] { return std::to_string(layout_times.mean()); });
   values().offer("window/frame-ms", [this] { return std::to_string(frame_times.mean()); });
+  values().offer("window/size", [this] { return fmt::format("{}x{}", window.size().width, window.size().height); });
+  const auto on_off = [](bool on) { return std::string(on ? "on" : "off"); };
+  values().offer("window/maximised", [=, this] { return on_off(window.maximised()); });
+  values().offer("window/fullscreen", [=, this] { return on_off(window.fullscreen()); });
+  values().offer("window/visible", [=, this] { return on_off(window.visible()); });
+  values().offer("window/turns", [this] { return std::to_string(turns); });
   values().offer("clipboard", [this] { return window.clipboard(); });
   values().offer("window/seconds", [=] { return in_seconds(seconds_since_start()); });
   values().offer("window/cpu-seconds",
@@ -202,19 +217,18 @@ void Shell::Impl::load_own_keys() {
   if (!complaint.empty()) complaints.push_back(complaint);
 }
 
-void Shell::Impl::take_event(const SDL_Event& event) {
+void Shell::Impl::take_event(const InputEvent& event) {
   input.take(event);
-  const WindowEvent other = read_event(event);
   // While something is dragged over the window no movements are reported, but a script's pointer is not the real one.
-  if (!other.dropped_file.empty())
-    content->drop(other.dropped_file, script ? std::nullopt : std::optional(window.pointer()));
-  if (other.close && content->may_close()) ended = true;
+  if (event.kind == InputEvent::Kind::drop)
+    content->drop(event.text, script ? std::nullopt : std::optional(window.pointer()));
+  if (event.kind == InputEvent::Kind::close && content->may_close()) ended = true;
 }
 
 /// Takes what comes within `seconds`, and notes how many frames it needs.
 void Shell::Impl::wait(double seconds) {
   bool input_came = false;
-  const bool any = window.wait_events(seconds, [&](const SDL_Event& event) {
+  const bool any = window.wait_events(seconds, [&](const InputEvent& event) {
     input_came = true;
     take_event(event);
   });
@@ -239,6 +253,7 @@ void Shell::Impl::rest_between_frames() {
 }
 
 double Shell::Impl::patience() const {
+  if (!window.visible()) return script ? script->patience() : for_ever;
   if (frames_due > 0 || input.pending() || content->animating()) return 0;
   const auto now = Clock::now();
   double seconds = due == Clock::time_point::max() ? for_ever : std::chrono::duration<double>(due - now).count();
@@ -251,7 +266,7 @@ void Shell::Impl::dispatch_keys() {
   const bool typing = ImGui::GetIO().WantTextInput;
   for (const KeyChange& key : input.keys()) {
     if (!key.down)
-      actions.key_up(key.chord.scancode);
+      actions.key_up(key.chord.key);
     else if (!help.take_key(key.chord) && !palette.is_open())
       actions.key_down(key.chord, key.repeat, typing);
   }
@@ -305,28 +320,31 @@ int Shell::run(Content& content) {
       my.due = Clock::time_point::max();
       my.frames_due = std::max(my.frames_due, 1);
     }
+    bool asked_for = false;  // a frame, by the script
+    ++my.turns;
     if (my.script) {
-      const bool idle = my.frames_due == 0 && !my.input.pending() && !content.busy() && !content.animating();
-      const ScriptStep step = my.script->step(my.window, content, {.input_pending = my.input.pending(), .idle = idle});
+      const bool draws = my.window.visible();  // what waits for a frame waits on while nobody sees it
+      const bool pending = draws && my.input.pending();
+      const bool idle = !(draws && (my.frames_due > 0 || content.animating())) && !pending && !content.busy();
+      const ScriptStep step = my.script->step(my.window, content, {.input_pending = pending, .idle = idle});
       my.wait(0);  // what the step pushed
       if (step.frame) my.frames_due = std::max(my.frames_due, 1);
+      asked_for = step.frame;
       if (step.ended) {
         my.status = step.status;
         break;
       }
     }
+    if (!my.window.visible() && !asked_for) continue;
     if (my.frames_due == 0 && !my.input.pending() && !content.animating()) continue;
-    if (my.window.minimised() && !my.script) {
-      my.frames_due = 0;
-      continue;
-    }
     my.last_frame = Clock::now();
     my.frames_due = std::max(0, my.frames_due - 1);
     my.draw_frame();
   }
-  if (!my.script && !my.window.fullscreen()) {
-    const WindowSize size = my.window.size();
-    remember("window/size", std::to_string(size.width) + "x" + std::to_string(size.height));
+  if (my.remembers_placement) {
+    const WindowPlacement left = my.window.placement();
+    remember("window/size", fmt::format("{}x{}", left.size.width, left.size.height));
+    remember("window/maximised", left.maximised ? "yes" : "no");
   }
   my.state.save();
   return my.status;

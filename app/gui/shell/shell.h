@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gui/base/content.h"
+#include "gui/platform/window_size.h"
 
 namespace ps::gui {
 
@@ -13,10 +14,9 @@ class Actions;
 /// How the window starts.
 struct ShellOptions {
   std::string title = "Pixelscope";
-  std::optional<double> scale;  ///< --scale; else the remembered one; else guessed from the display
-  std::string script;           ///< --script FILE; empty = none
-  int width = 1280;             ///< size of a window that was never moved, and of scripted windows
-  int height = 800;
+  std::optional<double> scale;     ///< --scale; else the remembered one; else guessed from the display
+  std::string script;              ///< --script FILE; empty = none
+  std::optional<WindowSize> size;  ///< --window-size; else the remembered one, which scripted windows have none of
 };
 
 /// The window, its event loop and everything that does not depend on what is shown in it: input, theme, type size,

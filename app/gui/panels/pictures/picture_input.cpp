@@ -1,7 +1,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "gui/input/actions.h"
+#include "gui/input/imgui_keys.h"
 #include "gui/panels/pictures/handles_view.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/session/camera_moves.h"
@@ -114,7 +114,7 @@ void drag(Session& session, PicturesState& state, Side side, const Area& area) {
   }
 }
 
-bool key_down(const char* key) { return ImGui::IsKeyDown(parse_chord(key).scancode); }
+bool key_down(Key key) { return ImGui::IsKeyDown(imgui_key(key)); }
 
 }  // namespace
 
@@ -160,10 +160,8 @@ bool flying(const PicturesState& state) { return state.fly || state.drag == Pict
 
 bool fly_camera(Session& session, const PicturesState& state, double seconds) {
   if (!session.has_scene() || !flying(state) || ImGui::GetIO().WantTextInput || ImGui::GetIO().KeyCtrl) return false;
-  const auto axis = [](const char* more, const char* less) {
-    return (key_down(more) ? 1.0 : 0.0) - (key_down(less) ? 1.0 : 0.0);
-  };
-  const double right = axis("D", "A"), up = axis("E", "Q"), forward = axis("W", "S");
+  const auto axis = [](Key more, Key less) { return (key_down(more) ? 1.0 : 0.0) - (key_down(less) ? 1.0 : 0.0); };
+  const double right = axis(Key::d, Key::a), up = axis(Key::e, Key::q), forward = axis(Key::w, Key::s);
   if (right == 0 && up == 0 && forward == 0) return false;
   const Camera camera = session.view().camera;
   const double step = fly_share * scene_reach(session.scene(), camera) * seconds;
