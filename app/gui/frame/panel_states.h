@@ -16,6 +16,7 @@
 #include "gui/panels/studies/needs_tab.h"
 #include "gui/panels/studies/stability_tab.h"
 #include "gui/panels/studies/study_folder.h"
+#include "gui/panels/studies/timings_panel.h"
 #include "gui/panels/studies/unsafe_line.h"
 #include "gui/panels/studies/why_tab.h"
 
@@ -42,6 +43,7 @@ struct PanelStates {
   StabilityTabState stability;
   NeedsTabState needs;
   WhyTabState why;
+  TimingsState timings;
   UnsafeState unsafe;
 };
 

@@ -396,16 +396,28 @@ Panel why(Session& session, PanelStates& my) {
           .status = [&] { return why_status(my.why); }};
 }
 
-Panel timings(Session& session) {
+Panel timings(Session& session, PanelStates& my) {
   return {.name = "timings",
           .heading = "TIMINGS",
           .brief = "Times",
           .command = "Timings: times and counts",
           .help = "Times of the stages and counts of the work, A beside B.",
-          .draw = [&](const Context&) {
-            timings_panel(session);
-            return false;
-          }};
+          .draw =
+              [&](const Context&) {
+                timings_panel(session, my.timings);
+                return false;
+              },
+          .publish = [&](Values& out) { offer_timings_values(out, my.timings); },
+          .update =
+              [&] {
+                hold_while_rendering(session, my.timings.study);
+                update_timings(session, my.timings);
+              },
+          .busy = [&] { return my.timings.study.running(); },
+          .status =
+              [&] {
+                return my.timings.study.running() ? "Timings: " + status_text(my.timings.study.status(), "runs") : "";
+              }};
 }
 
 /// Each name that a document may have has its row, and each row below the pictures such a name.
@@ -422,7 +434,7 @@ bool rows_match_names(const std::vector<Panel>& panels) {
 
 PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
     : history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake), folder(remember),
-      chart(wake), stability(wake), needs(wake), why(wake), unsafe(wake) {
+      chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
   pictures.meter = std::make_unique<DifferenceMeter>(wake);
   stability.folder = folder.of("stability");
 }
@@ -432,7 +444,7 @@ std::vector<Panel> panel_table(Session& session, PanelStates& my, const PanelHos
                             pixel(session, my, host), space(session, my, host), microscope(session, my, host),
                             pixels(session, my),      listing(session, my),     vertex(session, my),
                             chart(session, my, host), stability(session, my),   needs(session, my),
-                            why(session, my),         timings(session)};
+                            why(session, my),         timings(session, my)};
   PS_ASSERT(rows_match_names(panels), "a row for each name that a document may have");
   return panels;
 }

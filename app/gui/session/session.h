@@ -10,6 +10,7 @@
 
 #include "document/document.h"
 #include "document/history.h"
+#include "gui/session/timed_pictures.h"
 #include "gui/work/file_watch.h"
 #include "gui/work/inspect_worker.h"
 #include "gui/work/newest_job.h"
@@ -65,6 +66,8 @@ class Session {
   std::optional<Vec2i> pixel() const;
   RenderWorker& renderer(Side side) { return *renderers_[index_of(side)]; }
   InspectWorker& inspector(Side side) { return *inspectors_[index_of(side)]; }
+  /// How long pictures take, as far as that has been measured.
+  TimedPictures& timed() { return timed_; }
   /// What has been built for the pictures.
   Prepared& prepared() { return *prepared_; }
   /// The story of the picked pixel; nullptr while there is none.
@@ -171,6 +174,7 @@ class Session {
   std::string watched_;                                        // name of the scene whose files are watched
   std::array<std::shared_ptr<const RenderResult>, 2> ranged_;  // results that range_ was made from
   std::optional<ValueRange> range_;
+  TimedPictures timed_;
   std::shared_ptr<const PictureFile> picture_b_;
   std::vector<Message> messages_;
   std::vector<std::string> recent_;

@@ -207,6 +207,7 @@ void RenderWorker::render_full(const Run& run, Progress& progress) {
   }
   const Timer timer;
   const auto result = std::make_shared<RenderResult>();
+  result->begun = std::chrono::steady_clock::now();
   result->request = run.request;
   result->channels = options.channels;
   result->frame = render_(run.request.scene, run.request.view, run.request.settings, options, *prepared_, progress);

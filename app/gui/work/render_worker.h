@@ -38,7 +38,8 @@ struct RenderResult {
   PictureRequest request;
   Channel channels = Channel::none;  ///< those that `frame` has
   Frame frame;
-  double milliseconds = 0;  ///< wall-clock time of the full render
+  std::chrono::steady_clock::time_point begun;  ///< the full render
+  double milliseconds = 0;                      ///< its wall-clock time
 };
 
 struct RenderStatus {

@@ -6,15 +6,14 @@
 #include <filesystem>
 #include <vector>
 
+#include "gui/panels/pictures/clipped_text.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
-#include "render/left_out.h"
 
 namespace ps::gui {
 namespace {
 
 constexpr double narrow = 380;  ///< pictures below this width, at scale 1, get two lines above and below
-constexpr double note = 24;     ///< height of the row for a note
 
 const std::vector<Choice>& channel_choices() {
   static const std::vector<Choice> choices = [] {
@@ -23,25 +22,6 @@ const std::vector<Choice>& channel_choices() {
     return result;
   }();
   return choices;
-}
-
-float width_of(Face face, const std::string& text) {
-  ImFont* font = theme().font(face);
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
-}
-
-/// Text that ends with "..." where it does not fit.
-void clipped_text(ImDrawList& list, Face face, ImVec2 at, float width, ImU32 colour, std::string text) {
-  ImFont* font = theme().font(face);
-  if (width_of(face, text) > width) {
-    const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-    while (!text.empty() && width_of(face, text + "...") > width) {
-      while (!text.empty() && is_continuation(text.back())) text.pop_back();
-      if (!text.empty()) text.pop_back();
-    }
-    text += "...";
-  }
-  list.AddText(font, font->FontSize, at, colour, text.c_str());
 }
 
 /// Cuts at a space so that the first part fits the width; answers the rest.
@@ -54,55 +34,15 @@ std::string take_line(Face face, std::string& text, float width) {
   return rest;
 }
 
-/// One thing in the line below a picture.
-struct FooterItem {
-  std::string name;  ///< empty = it shows the counters
-  std::string text;
-  std::string tooltip;
-  bool attention = false;
-};
-
-std::vector<FooterItem> footer_items(Session& session, Side side, const std::string& lead) {
-  if (const auto file = session.picture_b(); side == Side::b && file)
-    return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path}};
-  const auto status = session.renderer(side).status();
-  const auto result = session.renderer(side).result();
-  const std::string text = footer_text(status, result.get());
-  const std::string counters = result ? counters_text(*result) : std::string();
-  std::vector<FooterItem> items;
-  FooterItem left{"left-out", {}, {}, true};
-  for (const LeftOut& one : left_out(session.traits(), session.settings(side))) {
-    left.text += (left.text.empty() ? "" : ", ") + one.brief;
-    left.tooltip += (left.tooltip.empty() ? "" : "\n") + one.sentence;
-  }
-  if (!left.text.empty()) items.push_back(std::move(left));
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t to = std::min(text.find("   ", from), text.size());
-    const bool alarm = text.find("NaN", from) < to;  // comes first, where no ellipsis reaches it
-    items.insert(alarm ? items.begin() : items.end(), {{}, text.substr(from, to - from), counters, alarm});
-    from = text.find_first_not_of(' ', to);
-  }
-  if (!lead.empty() && !items.empty()) items.front().text = lead + items.front().text;
-  return items;
-}
-
-/// A triangle that says: look here.
-void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
-  const ImVec2 top{corner.x + size / 2, corner.y}, left{corner.x, corner.y + size},
-      right{corner.x + size, corner.y + size};
-  list.AddTriangleFilled(top, right, left, colour_u32(palette().attention));
-  list.AddTriangle(top, right, left, colour_u32(palette().text), px(1.2));
-}
-
 }  // namespace
 
 PictureMargins picture_margins(float width) {
-  const float notes = px(note);
+  const float notes = px(note_height);
   return width < px(narrow) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }
 
 Area picture_note(const Area& footer) {
-  return {{footer.min.x, footer.min.y + px(3)}, {footer.max.x, footer.min.y + px(note)}};
+  return {{footer.min.x, footer.min.y + px(3)}, {footer.max.x, footer.min.y + px(note_height)}};
 }
 
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
@@ -166,36 +106,6 @@ void picture_title(Session& session, Side side, const Area& row) {
              {.tooltip = "What this picture shows.", .disabled = {}, .width = choice_width}))
     session.edit(fmt::format("{} shows {}", letter_of(side), channel_choices()[static_cast<std::size_t>(shown)].label),
                  [&](Document& document) { side_of(document, side).show = static_cast<ShownChannel>(shown); });
-}
-
-void picture_footer(Session& session, Side side, const Area& row, const std::string& lead) {
-  const NameScope scope(side == Side::a ? "view/a" : "view/b");
-  auto& list = *ImGui::GetWindowDrawList();
-  const float between = px(14), mark = px(11), height = theme().font(Face::small)->FontSize + px(3);
-  ImVec2 at{row.min.x, row.min.y + px(note) + px(3)};
-  std::string all;
-  for (const FooterItem& item : footer_items(session, side, lead)) {
-    all += (all.empty() ? "" : "   ") + item.text;
-    const float inset = item.attention ? mark + px(5) : 0, width = inset + width_of(Face::small, item.text);
-    if (at.x > row.min.x && at.x + width > row.max.x && at.y + 2 * height <= row.max.y) at = {row.min.x, at.y + height};
-    const float room = row.max.x - at.x;
-    if (room < px(24)) continue;
-    if (item.attention) attention_mark(list, {at.x, at.y + px(2)}, mark);
-    clipped_text(list, Face::small, {at.x + inset, at.y}, room - inset,
-                 colour_u32(item.attention ? palette().text : palette().text_quiet), item.text);
-    ImGui::SetCursorScreenPos(at);
-    ImGui::Dummy({std::min(width, room), height});
-    if (!item.name.empty()) controls().record(item.name, item.text);
-    tooltip(item.tooltip);
-    at.x += width + between;
-  }
-  controls().record("footer", row.min, row.max, all);
-
-  const auto status = session.renderer(side).status();
-  if (status.state != RenderState::full || status.fraction <= 0) return;
-  const float width = row.width() * static_cast<float>(status.fraction);
-  list.AddRectFilled(row.min, {row.min.x + width, row.min.y + px(3)},
-                     colour_u32(side == Side::a ? palette().a : palette().b));
 }
 
 }  // namespace ps::gui

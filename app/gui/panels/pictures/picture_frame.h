@@ -3,18 +3,21 @@
 
 #include <string>
 
+#include "gui/panels/pictures/caption.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/session/session.h"
 
 namespace ps::gui {
 
-/// The lines above and below a picture: what it is made with, which channel is shown, how long it took, what it leaves
-/// out. Where a picture is narrow both have two lines instead of one, so that nothing that matters is cut. The lines
-/// below begin with a row for a note, kept free while there is none so that nothing jumps.
+/// The lines above and below a picture: what it is made with, which channel is shown, what it cost, what it leaves out.
+/// Where a picture is narrow both have two lines instead of one, so that nothing that matters is cut. The lines below
+/// begin with a row for a note, kept free while there is none so that nothing jumps.
 struct PictureMargins {
   float title = 0, footer = 0;  ///< heights in window pixels
 };
 PictureMargins picture_margins(float width);
+
+constexpr double note_height = 24;  ///< of the row for a note, at scale 1
 
 /// The row for a note below a picture, within the rows of its footer.
 Area picture_note(const Area& footer);
@@ -26,8 +29,8 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);
 /// picture_margins().
 void picture_title(Session& session, Side side, const Area& row);
 
-/// The lines below a picture, under its note: how long it took and what it cost; what its renderer cannot show of the
-/// scene; a thin bar while it is being made. `lead` comes first.
-void picture_footer(Session& session, Side side, const Area& row, const std::string& lead = {});
+/// The lines below a picture, under its note: what its renderer cannot show of the scene; the counted work, with what
+/// it was before the last change; how long it took; a thin bar while it is being made. `lead` comes first.
+void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, const std::string& lead = {});
 
 }  // namespace ps::gui

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <initializer_list>
+#include <cmath>
 #include <vector>
 
 #include "options/option.h"
@@ -15,10 +15,6 @@ std::string label_of(std::string_view key, const Settings& settings) {
   const Option* option = find_option(key);
   if (!option) return {};
   return std::string(chosen(*option, settings).label);
-}
-
-std::string plural(std::uint64_t count, const std::string& one) {
-  return fmt::format("{} {}{}", count_text(count), one, count == 1 ? "" : "s");
 }
 
 /// The value of an option with four digits, unless `other` then looks the same but is not.
@@ -87,11 +83,12 @@ std::string count_text(std::uint64_t count) {
   return std::to_string(count);
 }
 
-std::string time_text(double milliseconds) {
-  if (milliseconds >= 1000) return fmt::format("{:.2f} s", milliseconds / 1000);
-  if (milliseconds >= 100) return fmt::format("{:.0f} ms", milliseconds);
-  if (milliseconds >= 10) return fmt::format("{:.1f} ms", milliseconds);
-  return fmt::format("{:.2f} ms", milliseconds);
+std::string three_digits(double value) { return fmt::format("{:.{}f}", value, value >= 100 ? 0 : value >= 10 ? 1 : 2); }
+
+std::string two_digits(double value) {
+  if (value < 10) return fmt::format("{:.2g}", value);
+  const double place = std::pow(10, std::floor(std::log10(value)) - 1);
+  return fmt::format("{:.0f}", std::round(value / place) * place);
 }
 
 std::string title_text(const Settings& settings, const SceneTraits& traits, const Settings* other) {
@@ -103,7 +100,7 @@ std::string title_text(const Settings& settings, const SceneTraits& traits, cons
   return differing + (differing.empty() || shared.empty() ? "" : " · ") + shared;
 }
 
-std::string footer_text(const RenderStatus& status, const RenderResult* result) {
+std::string state_text(const RenderStatus& status, const RenderResult* result) {
   switch (status.state) {
   case RenderState::failed:
     return "not rendered: " + status.message;
@@ -115,32 +112,7 @@ std::string footer_text(const RenderStatus& status, const RenderResult* result) 
   case RenderState::done:
     break;
   }
-  if (!result) return "rendering";
-  const auto sum = [&](std::initializer_list<Counter> counted) { return counted_sum(result->frame.counters, counted); };
-  std::string text = time_text(result->milliseconds);
-  switch (picture_way(result->request.settings.renderer)) {
-  case PictureWay::rays: {
-    const auto rays = sum({Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays});
-    if (rays) text += fmt::format("   {}", plural(*rays, "ray"));
-    break;
-  }
-  case PictureWay::fragments: {
-    const auto triangles = sum({Counter::triangles_drawn}), lines = sum({Counter::lines_drawn}),
-               fragments = sum({Counter::fragments});
-    if (triangles) text += fmt::format("   {}", plural(*triangles, "triangle"));
-    if (lines.value_or(0) > 0 && fragments.value_or(0) == 0)
-      text += fmt::format("   {}", plural(*lines, "line"));
-    else if (fragments)
-      text += fmt::format("   {}", plural(*fragments, "fragment"));
-    break;
-  }
-  case PictureWay::listing:  // a listing counts no work
-    break;
-  }
-  // A pixel without a number is worth more attention than all the others.
-  const auto nan = sum({Counter::nan_pixels});
-  if (nan.value_or(0) > 0) text += fmt::format("   {} NaN!", plural(*nan, "pixel"));
-  return text;
+  return result ? "" : "rendering";
 }
 
 std::string counters_text(const RenderResult& result) {

@@ -189,7 +189,7 @@ Halves halves(const Area& area, Vec2i picture_size) {
 
 void below(Session& session, PicturesState& state, Side side, const Area& footer, const std::string& lead = {}) {
   state.notes[index_of(side)] = picture_note(footer);
-  picture_footer(session, side, footer, lead);
+  picture_footer(session, side, state.changes[index_of(side)], footer, lead);
 }
 
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {

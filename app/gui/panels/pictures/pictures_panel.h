@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "gui/panels/pictures/caption.h"
 #include "gui/panels/pictures/nan_pixels.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/panels/pictures/picture_view.h"
@@ -32,6 +33,7 @@ struct PicturesState {
   std::array<bool, 2> fresh{};              ///< changed since their hash was taken
   std::array<std::uint64_t, 2> hashes{};    ///< of the pictures' levels, for tests
   std::array<NanPixels, 2> nan_pixels;
+  std::array<CaptionChange, 2> changes;  ///< of the counts below the pictures
   ShownPicture difference;
   bool difference_stale = true;
   bool difference_fresh = false;      ///< made since its hash was taken

@@ -9,6 +9,7 @@
 #include "gui/base/record.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
 #include "raster/clear/coverage/efficiency.h"
 
 namespace ps::gui {
@@ -28,10 +29,12 @@ void columns() {
     ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, px(number_width));
 }
 
-void heading(const char* what) {
+enum class Ratio { none, shown };
+
+void heading(const char* what, Ratio ratio) {
   ImGui::TableNextRow();
   int column = 0;
-  for (const char* text : {what, "A", "B", "B / A"}) {
+  for (const char* text : {what, "A", "B", ratio == Ratio::shown ? "B / A" : ""}) {
     ImGui::TableNextColumn();
     const FontScope font(Face::bold);
     const ImVec4 colour = column == 1 ? palette().a_text : column == 2 ? palette().b_text : palette().text_quiet;
@@ -45,9 +48,11 @@ void heading(const char* what) {
   }
 }
 
-/// A label and two numbers; a missing number stays blank.
-void row(std::string_view label, const std::array<std::optional<double>, 2>& values,
-         const std::function<std::string(double)>& text) {
+using Pair = std::array<std::optional<double>, 2>;
+using NumberText = std::function<std::string(double)>;
+
+/// A label and two numbers; a missing number stays blank. The last column is left to the caller.
+void row(std::string_view label, const Pair& values, const NumberText& text) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -60,7 +65,11 @@ void row(std::string_view label, const std::array<std::optional<double>, 2>& val
     if (value) number_text(text(*value), 0, full_number(*value));
   }
   ImGui::TableNextColumn();
-  if (values[0] && values[1] && *values[0] > 0) number_text(*values[1] / *values[0]);
+}
+
+std::optional<double> ratio_of(const Pair& values) {
+  if (!values[0] || !values[1] || *values[0] <= 0) return {};
+  return *values[1] / *values[0];
 }
 
 std::optional<double> stage_time(const std::shared_ptr<const RenderResult>& result, const std::string& stage) {
@@ -70,22 +79,102 @@ std::optional<double> stage_time(const std::shared_ptr<const RenderResult>& resu
   return {};
 }
 
-void times(const Results& results) {
+/// Of the runs that made the pictures. They are not to be compared with one another, so there is no ratio.
+void single_times(const Results& results) {
   if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
   columns();
-  heading("Time, ms");
+  heading("Time of one run, ms", Ratio::none);
   std::vector<std::string> stages;
   for (const auto& result : results)
     if (result)
       for (const auto& time : result->frame.times)
         if (std::find(stages.begin(), stages.end(), time.stage) == stages.end()) stages.push_back(time.stage);
-  const auto in_ms = [](double value) { return short_number(value); };
-  for (const auto& stage : stages) row(stage, {stage_time(results[0], stage), stage_time(results[1], stage)}, in_ms);
-  std::array<std::optional<double>, 2> all;
+  const auto roughly = [](double value) { return value <= 0 ? "0" : fmt::format("~{}", two_digits(value)); };
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  for (const auto& stage : stages) row(stage, {stage_time(results[0], stage), stage_time(results[1], stage)}, roughly);
+  Pair all;
   for (std::size_t i = 0; i < 2; ++i)
     if (results[i]) all[i] = results[i]->milliseconds;
-  row("whole render", all, in_ms);
+  row("whole render", all, roughly);
+  ImGui::PopStyleColor();
   ImGui::EndTable();
+}
+
+void median_times(const PairTiming& timing) {
+  if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
+  columns();
+  heading("Median time, ms", Ratio::shown);
+  for (const PairStage& stage : timing.stages) row(stage.stage, stage.median_ms, three_digits);
+  row("whole render", {timing.time_ms[0].median, timing.time_ms[1].median}, three_digits);
+  number_text(two_digits(timing.ratio.median), 0, full_number(timing.ratio.median));
+  row("lower quartile", {timing.time_ms[0].q1, timing.time_ms[1].q1}, three_digits);
+  row("upper quartile", {timing.time_ms[0].q3, timing.time_ms[1].q3}, three_digits);
+  ImGui::EndTable();
+}
+
+void sentence(const std::string& name, const std::string& text) {
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + table_size().x);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  controls().record(name, text);
+}
+
+/// Whether the timing is of the pictures that are shown.
+bool of_these(const FoundTiming& found, const Results& results) {
+  for (std::size_t side = 0; side < 2; ++side)
+    if (!results[side] || results[side]->request.shown != found.requests[side].shown ||
+        !same_render(results[side]->request, found.requests[side]))
+      return false;
+  return true;
+}
+
+void start(TimingsState& state, const Results& results) {
+  FoundTiming found;
+  PairTimingRequest request;
+  for (std::size_t side = 0; side < 2; ++side) {
+    found.requests[side] = results[side]->request;
+    request.settings[side] = results[side]->request.settings;
+    request.channels[side] = results[side]->channels;
+  }
+  request.scene = results[0]->request.scene;
+  request.view = results[0]->request.view;
+  request.region = results[0]->request.region;
+  request.priority = WorkerPriority::background;
+  state.study.start([request = std::move(request), found = std::move(found)](
+                        StudyControl& control, const BackgroundStudy<FoundTiming>::Publish& publish) mutable {
+    StudyStatus last;
+    found.timing = time_pair(request, {}, control, [&](const StudyStatus& status) {
+      last = status;
+      publish(nullptr, status);
+    });
+    last.done = last.total;
+    publish(std::make_shared<const FoundTiming>(std::move(found)), last);
+  });
+}
+
+/// Why both cannot be timed now; empty if they can.
+std::string reason_against(Session& session, const Results& results) {
+  if (session.picture_b()) return "B is a picture file.";
+  for (const Side side : both_sides)
+    if (!results[index_of(side)] || session.renderer(side).status().state != RenderState::done)
+      return "The pictures are not finished.";
+  return "";
+}
+
+void run_line(Session& session, TimingsState& state, const Results& results) {
+  if (state.study.running()) {
+    if (button("cancel", "Cancel")) state.study.cancel();
+    ImGui::SameLine(0, px(8));
+    ImGui::AlignTextToFramePadding();
+    const StudyStatus status = state.study.status();
+    value_text("state", status.total > 0 ? status_text(status, "runs") : "warming up");
+    return;
+  }
+  if (button("time", "Time A and B", Emphasis::primary,
+             {.tooltip = "Renders A and B in turn, warm, and shows the median and the quartiles.",
+              .disabled = reason_against(session, results)}))
+    start(state, results);
+  if (state.study.state() == StudyState::failed) sentence("state", "Failed: " + state.study.message());
 }
 
 /// Which code drew each picture, and why it was nothing faster.
@@ -108,10 +197,10 @@ void machinery(const Results& results) {
 void counters(const Results& results) {
   if (!ImGui::BeginTable("counters", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
   columns();
-  heading("Work");
+  heading("Work", Ratio::shown);
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);
-    std::array<std::optional<double>, 2> values;
+    Pair values;
     bool any = false;
     for (std::size_t side = 0; side < 2; ++side) {
       if (!results[side]) continue;
@@ -120,27 +209,37 @@ void counters(const Results& results) {
       values[side] = static_cast<double>(*count);
       any = any || *count > 0;
     }
-    if (any)
-      row(counter_label(counter), values, [](double value) { return count_text(static_cast<std::uint64_t>(value)); });
+    if (!any) continue;
+    row(counter_label(counter), values, [](double value) { return count_text(static_cast<std::uint64_t>(value)); });
+    if (const auto ratio = ratio_of(values)) number_text(*ratio);
   }
-  std::array<std::optional<double>, 2> efficiency;
+  Pair efficiency;
   for (std::size_t side = 0; side < 2; ++side)
     if (results[side]) efficiency[side] = raster::sample_test_efficiency(results[side]->frame.counters);
-  if (efficiency[0] || efficiency[1])
+  if (efficiency[0] || efficiency[1]) {
     row("fragments per coverage test", efficiency, [](double value) { return short_number(value); });
+    if (const auto ratio = ratio_of(efficiency)) number_text(*ratio);
+  }
   ImGui::EndTable();
 }
 
 }  // namespace
 
-void timings_panel(Session& session) {
+void timings_panel(Session& session, TimingsState& state) {
   const NameScope scope("timings");
   const Results results{session.renderer(Side::a).result(), session.renderer(Side::b).result()};
+  const bool timed = state.found && of_these(*state.found, results);
   ImGui::BeginChild("timings");
+  run_line(session, state, results);
   const float column = px(table_width + 20);
   const bool beside = ImGui::GetContentRegionAvail().x >= 2 * column;
   ImGui::BeginGroup();
-  times(results);
+  if (timed) {
+    sentence("ratio", ratio_sentence(state.found->timing));
+    median_times(state.found->timing);
+  } else {
+    single_times(results);
+  }
   machinery(results);
   ImGui::EndGroup();
   if (beside) ImGui::SameLine(column);

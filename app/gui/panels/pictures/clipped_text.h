@@ -1,0 +1,15 @@
+#pragma once
+#include <imgui.h>
+
+#include <string>
+
+#include "gui/theme/theme.h"
+
+namespace ps::gui {
+
+/// Width of one line, in window pixels.
+float width_of(Face face, const std::string& text);
+/// Draws text that ends with "..." where it does not fit.
+void clipped_text(ImDrawList& list, Face face, ImVec2 at, float width, ImU32 colour, std::string text);
+
+}  // namespace ps::gui

@@ -1,0 +1,31 @@
+#pragma once
+#include <deque>
+
+#include "base/statistics.h"
+#include "gui/work/render_worker.h"
+
+namespace ps::gui {
+
+/// How long a picture takes: of warm runs, while nothing else was rendered.
+struct TimedPicture {
+  PictureRequest request;
+  Quartiles ms;
+  int runs = 0;
+};
+
+/// The pictures that have been timed lately, so that the time of one that comes back, for example by undo, is known.
+class TimedPictures {
+ public:
+  void add(TimedPicture timed);
+  /// Of this picture; nullptr if it has not been timed.
+  const TimedPicture* find(const PictureRequest& request) const;
+
+ private:
+  std::deque<TimedPicture> newest_first_;
+};
+
+/// Whether the time of a single run may be shown beside that of the other picture: only of two runs that one change
+/// asked for, at the same time or nearly so. Otherwise the newer one's alone. `other` is null where there is none.
+bool shows_single_run(const RenderResult& own, const RenderResult* other);
+
+}  // namespace ps::gui

@@ -1,0 +1,164 @@
+// What stands below a picture: counted work before times, and no time that could mislead. All times are given here.
+#include "gui/panels/pictures/caption.h"
+
+#include <gtest/gtest.h>
+
+#include "gui/panels/pictures/picture_text.h"
+#include "gui/panels/studies/timings_panel.h"
+#include "gui/session/timed_pictures.h"
+#include "options/option.h"
+
+namespace ps::gui {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::shared_ptr<RenderResult> rasterized(std::uint64_t triangles, std::uint64_t fragments) {
+  auto result = std::make_shared<RenderResult>();
+  result->request.settings.renderer = Renderer::rasterizer;
+  result->request.scene.name = "scene";
+  result->frame.counters[Counter::triangles_drawn] = triangles;
+  result->frame.counters[Counter::fragments] = fragments;
+  return result;
+}
+
+std::string texts(const CaptionChange& change, const RenderResult& result, double now) {
+  std::string all;
+  for (const CaptionWork& work : caption_work(result)) all += work_text(work, change.before(work, now)) + "|";
+  return all;
+}
+
+TEST(Caption, CountsWork) {
+  EXPECT_EQ(work_text({37, "triangle"}), "37 triangles");
+  EXPECT_EQ(work_text({1, "ray"}), "1 ray");
+  EXPECT_EQ(work_text({37, "triangle"}, 19), "19 → 37 triangles");
+  const auto result = rasterized(3, 5);
+  result->frame.counters[Counter::nan_pixels] = 2;
+  const auto work = caption_work(*result);
+  ASSERT_EQ(work.size(), 3u);
+  EXPECT_TRUE(work[0].attention) << "pixels that are not a number come first";
+  EXPECT_EQ(work_text(work[0]), "2 NaN pixels");
+  EXPECT_EQ(work_text(work[2]), "5 fragments");
+  result->request.settings.renderer = Renderer::ray_tracer;
+  for (const Counter rays :
+       {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays})
+    result->frame.counters[rays] = 10;
+  EXPECT_EQ(work_text(caption_work(*result)[1]), "40 rays") << "all kinds of them";
+}
+
+TEST(Caption, ASingleRunIsSaidToBeOne) {
+  EXPECT_EQ(single_run_text(268.4), "~270 ms (first)");
+  EXPECT_EQ(single_run_text(5.06), "~5.1 ms (first)");
+  EXPECT_EQ(single_run_text(23.5), "~24 ms (first)");
+  EXPECT_EQ(single_run_text(0.4236), "~0.42 ms (first)");
+  EXPECT_EQ(single_run_text(1310), "~1.3 s (first)");
+  EXPECT_EQ(single_run_text(42100), "~42 s (first)");
+}
+
+TEST(Caption, WarmRunsHaveTheirSpread) {
+  EXPECT_EQ(warm_time_text({22.91, 23.46, 24.44}), "23.5 ms (22.9 to 24.4)");
+  EXPECT_EQ(warm_time_text({1290, 1310, 1450}), "1.31 s (1.29 to 1.45)");
+  EXPECT_EQ(warm_time_text({0.41, 0.42, 0.5}), "0.42 ms (0.41 to 0.50)");
+}
+
+// 5 ms of a run alone never stands beside 268 ms of one that ran cold together with the other picture.
+TEST(Caption, SingleRunsOfDifferentMomentsAreNotShownTogether) {
+  RenderResult first_a, first_b, again;
+  const std::chrono::steady_clock::time_point start{};
+  first_a.begun = start;
+  first_a.milliseconds = 200;
+  first_b.begun = start + 10ms;
+  first_b.milliseconds = 268;
+  EXPECT_TRUE(shows_single_run(first_a, &first_b)) << "they ran together";
+  EXPECT_TRUE(shows_single_run(first_b, &first_a));
+  again.begun = start + 10s;
+  again.milliseconds = 5;
+  EXPECT_TRUE(shows_single_run(again, &first_b));
+  EXPECT_FALSE(shows_single_run(first_b, &again)) << "the older one gives way";
+  EXPECT_TRUE(shows_single_run(first_b, nullptr)) << "alone";
+}
+
+TEST(Caption, OldCountsAreShownForSomeSeconds) {
+  CaptionChange change;
+  const auto first = rasterized(19, 100), second = rasterized(37, 100), third = rasterized(40, 100);
+  change.take(first, 1);
+  EXPECT_EQ(texts(change, *first, 1), "19 triangles|100 fragments|");
+  EXPECT_EQ(change.left(1), 0);
+  change.take(second, 10);
+  EXPECT_EQ(texts(change, *second, 10), "19 → 37 triangles|100 fragments|");
+  change.take(second, 12);
+  EXPECT_GT(change.left(12), 0);
+  EXPECT_EQ(texts(change, *second, 10.01 + CaptionChange::shown_for), "37 triangles|100 fragments|");
+  EXPECT_EQ(change.left(10.01 + CaptionChange::shown_for), 0);
+  // Pictures in quick succession are one change: of a drag, from where it began.
+  change.take(first, 30);
+  change.take(second, 30.2);
+  change.take(third, 30.4);
+  EXPECT_EQ(texts(change, *third, 30.4), "37 → 40 triangles|100 fragments|");
+}
+
+TEST(Caption, OtherWorkOrAnotherSceneHasNoOldCount) {
+  CaptionChange change;
+  const auto first = rasterized(19, 100), traced = rasterized(0, 0), elsewhere = rasterized(5, 6);
+  traced->request.settings.renderer = Renderer::ray_tracer;
+  elsewhere->request.scene.name = "another";
+  change.take(first, 1);
+  change.take(traced, 10);
+  EXPECT_EQ(texts(change, *traced, 10), "0 rays|");
+  change.take(first, 20);
+  EXPECT_EQ(texts(change, *first, 20), "19 triangles|100 fragments|");
+  change.take(elsewhere, 30);
+  EXPECT_EQ(texts(change, *elsewhere, 30), "5 triangles|6 fragments|");
+}
+
+TEST(TimedPictures, AreFoundWhenTheSamePictureComesBack) {
+  TimedPictures timed;
+  PictureRequest request;
+  EXPECT_EQ(timed.find(request), nullptr);
+  timed.add({request, {1, 2, 3}, 9});
+  ASSERT_NE(timed.find(request), nullptr);
+  PictureRequest other = request;
+  parse_assignment("exposure=2", other.settings);
+  EXPECT_NE(timed.find(other), nullptr) << "only displayed otherwise";
+  parse_assignment("shading=flat", other.settings);
+  EXPECT_EQ(timed.find(other), nullptr);
+  other = request;
+  other.shown = ShownChannel::depth;
+  EXPECT_EQ(timed.find(other), nullptr) << "another channel is other work";
+  timed.add({request, {4, 5, 6}, 9});
+  EXPECT_EQ(timed.find(request)->ms.median, 5) << "the newest";
+  for (int size = 1; size < 100; ++size) {
+    other = request;
+    other.view.width = size;
+    timed.add({other, {7, 8, 9}, 3});
+  }
+  EXPECT_NE(timed.find(other), nullptr);
+  EXPECT_EQ(timed.find(request), nullptr) << "long ago";
+}
+
+PairTiming with_ratio(const Quartiles& ratio) {
+  PairTiming timing;
+  timing.ratio = ratio;
+  timing.samples_ms[1].assign(9, 1);
+  return timing;
+}
+
+TEST(Timings, RatioHasItsRangeAndNoMoreDigitsThanItIsWorth) {
+  EXPECT_EQ(ratio_sentence(with_ratio({4.412, 4.634, 4.913})),
+            "B takes 4.6 times as long as A (4.4 to 4.9; 9 rounds).");
+  EXPECT_EQ(ratio_sentence(with_ratio({0.2, 0.25, 0.5})), "A takes 4 times as long as B (2 to 5; 9 rounds).");
+  EXPECT_EQ(ratio_sentence(with_ratio({0.97, 1.02, 1.06})),
+            "A and B take equally long, as far as 9 rounds show: B / A is 1 (0.97 to 1.1).");
+}
+
+TEST(Timings, SmallNumbersOfDigits) {
+  EXPECT_EQ(two_digits(268.4), "270");
+  EXPECT_EQ(two_digits(9.96), "10");
+  EXPECT_EQ(two_digits(0.0412), "0.041");
+  EXPECT_EQ(three_digits(0.4167), "0.42");
+  EXPECT_EQ(three_digits(14.23), "14.2");
+  EXPECT_EQ(three_digits(131.4), "131");
+}
+
+}  // namespace
+}  // namespace ps::gui
