@@ -1,6 +1,10 @@
 #include "gui/frame/file_questions.h"
 
+#include <filesystem>
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "document/permalink_file.h"
 #include "gui/frame/exports.h"
@@ -11,6 +15,12 @@ namespace {
 FileQuestion saves_with(Session& session, void (*save)(Session&, std::filesystem::path), FileQuestion question) {
   question.answer = [&session, save](const FileAnswer& file) { save(session, file.path); };
   return question;
+}
+
+/// The name under which something of the scene is saved: "spheres.png" for "cgfs/spheres".
+std::string suggested_name(const Session& session, std::string_view extension) {
+  const std::string stem = std::filesystem::path(session.scene().name).stem().string();
+  return fmt::format("{}{}", stem.empty() ? "scene" : stem, extension);
 }
 
 }  // namespace
@@ -40,12 +50,17 @@ FileQuestion picture_question(Session& session, const PicturesState& pictures) {
   return {.title = "Save the pictures",
           .extensions = {".png", ".ppm"},
           .hint = "picture.png",
+          .suggestion = suggested_name(session, ".png"),
           .answer = [&session, &pictures](const FileAnswer& file) { save_pictures(session, pictures, file.path); }};
 }
 
 FileQuestion save_scene_question(Session& session) {
   return saves_with(session, save_scene_as,
-                    {.title = "Save the scene", .extensions = {".scene"}, .hint = "my.scene", .answer = {}});
+                    {.title = "Save the scene",
+                     .extensions = {".scene"},
+                     .hint = "my.scene",
+                     .suggestion = suggested_name(session, ".scene"),
+                     .answer = {}});
 }
 
 FileQuestion save_screen_question(Session& session) {
@@ -53,6 +68,7 @@ FileQuestion save_screen_question(Session& session) {
                     {.title = "Save the screen",
                      .extensions = {std::string(permalink_extension)},
                      .hint = "screen.permalink",
+                     .suggestion = suggested_name(session, permalink_extension),
                      .answer = {}});
 }
 

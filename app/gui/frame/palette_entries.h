@@ -6,8 +6,8 @@
 
 namespace ps::gui {
 
-/// What the palette finds besides the actions: lessons, options and their values, scenes and experiments. `show_options` brings the list of options into
-/// sight.
+/// What the palette finds besides the actions: lessons, options and their values, scenes and experiments.
+/// `show_options` brings the list of options into sight.
 std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& options,
                                           const std::function<void()>& show_options);
 

@@ -170,6 +170,13 @@ void offer_space_values(Values& out, Session& session, SpacePanelState& space) {
   });
 }
 
+/// A view that is not drawn, or has no room, asks for nothing in this frame and keeps nothing busy.
+template <class Worker>
+void wait_unless_drawn(Worker& worker) {
+  worker.rest();
+  worker.take_news();
+}
+
 Panel space(Session& session, PanelStates& my, const PanelHost& host) {
   my.space.save = [&] {
     host.ask_file(save_drawing_question(session, "Save the view from outside", "space.svg",
@@ -189,6 +196,7 @@ Panel space(Session& session, PanelStates& my, const PanelHost& host) {
           .publish = [&](Values& out) { offer_space_values(out, session, my.space); },
           .update =
               [&] {
+                wait_unless_drawn(my.space.worker);
                 const bool kept = session.has_scene() && session.document().story.vertex;
                 update_space(session, my.space, kept ? followed_chain(session, my.vertex) : nullptr);
               },
@@ -210,6 +218,7 @@ Panel microscope(Session& session, PanelStates& my, const PanelHost& host) {
                 return unless_asked(session, my.predict,
                                     [&] { return microscope_panel(session, my.microscope, context.filled); });
               },
+          .update = [&] { wait_unless_drawn(my.microscope.worker); },
           .busy = [&] { return works(my.microscope.worker); }};
 }
 

@@ -224,11 +224,23 @@ std::string Session::undo_label() const { return can_undo() ? history_->entries(
 std::string Session::redo_label() const { return can_redo() ? history_->entries()[history_->place() + 1].label : ""; }
 
 void Session::undo() {
-  if (can_undo()) go_to_entry(history_->place() - 1);
+  if (!can_undo()) return;
+  say_step("Undid: ", undo_label());
+  go_to_entry(history_->place() - 1);
 }
 
 void Session::redo() {
-  if (can_redo()) go_to_entry(history_->place() + 1);
+  if (!can_redo()) return;
+  say_step("Redid: ", redo_label());
+  go_to_entry(history_->place() + 1);
+}
+
+/// In place of the step before, so that many steps are one line.
+void Session::say_step(const std::string& did, const std::string& step) {
+  std::erase_if(messages_, [](const Message& message) {
+    return message.text.starts_with("Undid: ") || message.text.starts_with("Redid: ");
+  });
+  say(Message::Kind::information, did + step);
 }
 
 void Session::go_to_entry(std::size_t place) {

@@ -148,6 +148,7 @@ class Session {
     std::string error;
     Reason reason = Reason::open;
   };
+  void say_step(const std::string& did, const std::string& step);
   void load(const std::string& name, std::function<Document()> make, Reason reason);
   bool take_loaded();
   void take_up(Document document, Reason reason);

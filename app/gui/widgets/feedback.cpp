@@ -9,7 +9,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double tooltip_delay = 0.45;  // seconds at rest
+constexpr double tooltip_delay = 0.6;  // seconds at rest
 
 /// What the pointer rests on, by the rectangle of the item: items without an id have tooltips too.
 struct Rest {
@@ -33,12 +33,26 @@ bool rested_on_last_item() {
   return left <= 0;
 }
 
+ImVec2 last_size{0, 0};  // of the newest tooltip, as it came out
+
+/// Below the item and flush with its left edge, above it where there is no room below, so that neither the item nor
+/// what is beside it is covered. Over a large one, such as a picture, Dear ImGui places it beside the pointer.
+void place_beside_last_item() {
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax(), display = ImGui::GetIO().DisplaySize;
+  if (max.y - min.y > 5 * ImGui::GetFrameHeight()) return;
+  const float away = px(5);
+  const float left = std::clamp(min.x, 0.f, std::max(0.f, display.x - last_size.x));
+  const bool room_below = max.y + away + last_size.y <= display.y;
+  ImGui::SetNextWindowPos({left, room_below ? max.y + away : std::max(0.f, min.y - away - last_size.y)});
+}
+
 float tooltip_width() { return ImGui::GetFontSize() * 38; }
 
 }  // namespace
 
 bool begin_tooltip() {
   if (!rested_on_last_item()) return false;
+  place_beside_last_item();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
@@ -49,6 +63,7 @@ bool begin_tooltip() {
 void end_tooltip() {
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
+  last_size = ImGui::GetWindowSize();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }
