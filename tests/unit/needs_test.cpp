@@ -31,11 +31,14 @@ std::uint64_t work_of(const Scene& scene, const Settings& settings) {
   Settings scalar = settings;
   scalar.simd = Simd::off;  // SIMD searches count another tree, as wide as the processor's vectors
   const Counters counters = render(scene, {scene.camera, 64, 48}, scalar).counters;
-  return counters[Counter::eye_rays] + counters[Counter::shadow_rays] + counters[Counter::reflection_rays] +
-         counters[Counter::refraction_rays] + counters[Counter::sphere_tests] + counters[Counter::triangle_tests] +
-         counters[Counter::solid_tests] + counters[Counter::node_visits] + counters[Counter::coverage_tests] +
-         counters[Counter::coverage_regions] + counters[Counter::stencil_tests] + counters[Counter::fragments] +
-         counters[Counter::texel_reads] + counters[Counter::shadow_map_taps] + counters[Counter::environment_reads];
+  std::uint64_t work = 0;
+  for (const Counter counter :
+       {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays,
+        Counter::sphere_tests, Counter::triangle_tests, Counter::solid_tests, Counter::node_visits,
+        Counter::coverage_tests, Counter::coverage_regions, Counter::stencil_tests, Counter::fragments,
+        Counter::texel_reads, Counter::shadow_map_taps, Counter::environment_reads})
+    work += counters.get(counter).value_or(0);  // absent: another renderer's kind of work
+  return work;
 }
 
 Image<Rgb8> levels_of(const Scene& scene, const Settings& settings) {
