@@ -69,7 +69,7 @@ WindowRun play_by_hand(const std::string& commands, const std::string& hand, con
     if (std::system(("bash " + hand_script + " >" + log + " 2>&1").c_str()) != 0)
       complaint = "the hand failed: " + read_file(log);
   });
-  const int ended = std::system(("timeout 120 " + before + " " PIXELSCOPE_BIN_DIR "/pixelscope " + arguments +
+  const int ended = std::system(("timeout 60 " + before + " " PIXELSCOPE_BIN_DIR "/pixelscope " + arguments +
                                  " --script " + script + " >" + out + " 2>" + err + " </dev/null")
                                     .c_str());
   hands.join();

@@ -116,6 +116,7 @@ bool Window::wait_events(double seconds, const std::function<void(const InputEve
     if (event.type == SDL_WINDOWEVENT) shown_.forget();  // the window may have been covered, or have another size
     got = SDL_PollEvent(&event);
   }
+  leave_room_for_decoration();
   note_size();
   return any;
 }

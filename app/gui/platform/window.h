@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -65,6 +66,8 @@ class Window {
   WindowSize drawable_size() const { return drawable_; }
   /// Clamped to the display; moved so that all of it is seen.
   void resize(WindowSize size);
+  /// Where the upper left corner of what is inside its frame is on the desktop.
+  std::array<int, 2> position() const;
   int display_lines() const;  ///< height of its display
   /// Whether a person may see it: neither minimised nor on another desktop.
   bool visible() const;
@@ -103,6 +106,8 @@ class Window {
   WindowSize size_, drawable_;
   NormalSize normal_size_;
   FullScreen full_screen_ = FullScreen::off;
+  bool opening_ = true;  // its decoration may not be known yet
+  std::chrono::steady_clock::time_point opened_;
   bool covers_ = false;         // maximised by hand
   bool was_maximised_ = false;  // before it became full screen
   Place before_;                // it became full screen by hand

@@ -25,14 +25,21 @@ void Window::open(const WindowPlacement& placement) {
     covers_ = true;
     cover_display();
   }
-  if (helped && !placement.maximised) leave_room_for_decoration();
+  opening_ = helped;
+  opened_ = std::chrono::steady_clock::now();
   measure();
 }
 
-/// A frame and a title around the window must not push its lower edge out of the display.
+/// A frame and a title around the window must not push its lower edge out of the display. The window manager adds them
+/// some time after the window is shown.
 void Window::leave_room_for_decoration() {
+  constexpr std::chrono::seconds long_enough{2};
+  if (!opening_ || !normal()) return;
+  if (std::chrono::steady_clock::now() - opened_ > long_enough) opening_ = false;
   int top = 0, left = 0, bottom = 0, right = 0;
   if (SDL_GetWindowBordersSize(window_, &top, &left, &bottom, &right) != 0) return;
+  if (top == 0 && left == 0 && bottom == 0 && right == 0) return;
+  opening_ = false;
   const DisplayArea area = usable_area(window_);
   const Place now = place();
   const WindowSize room{area.size.width - left - right, area.size.height - top - bottom};
@@ -75,6 +82,11 @@ void Window::resize(WindowSize size) {
   next.y = std::clamp(next.y, area.y, area.y + area.size.height - next.size.height);
   covers_ = false;
   move_to(next);
+}
+
+std::array<int, 2> Window::position() const {
+  const Place now = place();
+  return {now.x, now.y};
 }
 
 int Window::display_lines() const { return whole_area(window_).size.height; }

@@ -138,6 +138,10 @@ void Shell::Impl::offer_values() {
   values().offer("window/layout-ms", [this] { return std::to_string(layout_times.mean()); });
   values().offer("window/frame-ms", [this] { return std::to_string(frame_times.mean()); });
   values().offer("window/size", [this] { return fmt::format("{}x{}", window.size().width, window.size().height); });
+  values().offer("window/place", [this] {
+    const auto [x, y] = window.position();
+    return fmt::format("{},{}", x, y);
+  });
   const auto on_off = [](bool on) { return std::string(on ? "on" : "off"); };
   values().offer("window/maximised", [=, this] { return on_off(window.maximised()); });
   values().offer("window/fullscreen", [=, this] { return on_off(window.fullscreen()); });
