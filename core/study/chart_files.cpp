@@ -11,6 +11,7 @@
 #include "render/provenance.h"
 #include "study/chart_conclusion.h"
 #include "study/comparison_json.h"
+#include "study/counted_work.h"
 #include "study/missing_points.h"
 
 namespace ps {

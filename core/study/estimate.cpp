@@ -13,8 +13,10 @@
 namespace ps {
 namespace {
 
-constexpr int least_side = 32;                  // px; smaller pictures are mostly the start of threads
-constexpr int small_part = 8, larger_part = 4;  // of the sides
+constexpr int small_part = 8, larger_part = 4;      // of the sides
+constexpr int least_small = 32, least_larger = 64;  // px
+constexpr int tries = 3;                            // of each size; the quickest counts, as others were disturbed
+constexpr double short_try = 0.05;                  // seconds; what takes longer is tried once
 constexpr int most_samples_tried = 16;
 
 /// Seconds of a picture by its size.
@@ -24,10 +26,11 @@ struct PictureTime {
   double of(double pixels) const { return start + per_pixel * pixels; }
 };
 
-View smaller(const View& view, int part) {
+/// A part of the sides, but at least so many pixels that a renderer is busy with them and not with its threads.
+View smaller(const View& view, int part, int least) {
   View small = view;
-  small.width = std::max(std::min(view.width, least_side), view.width / part);
-  small.height = std::max(std::min(view.height, least_side), view.height / part);
+  small.width = std::max(std::min(view.width, least), view.width / part);
+  small.height = std::max(std::min(view.height, least), view.height / part);
   return small;
 }
 
@@ -40,17 +43,19 @@ class Trial {
       : scene_(scene), view_(view), priority_(priority), control_(control), clock_(clock) {}
 
   PictureTime time_of(const Settings& settings) {
-    const View small = smaller(view_, small_part), larger = smaller(view_, larger_part);
+    const View small = smaller(view_, small_part, least_small), larger = smaller(view_, larger_part, least_larger);
     Prepared prepared;
-    const double first = seconds(small, settings, prepared), again = seconds(small, settings, prepared);
+    const double first = seconds(small, settings, prepared);
+    const double little = quickest(small, settings, prepared);
     seconds(larger, settings, prepared);
-    const double large = seconds(larger, settings, prepared);
+    const double more = quickest(larger, settings, prepared);
     const double more_pixels = pixels_of(larger) - pixels_of(small);
     PictureTime time;
-    time.per_pixel = more_pixels > 0 ? std::max(0.0, (large - again) / more_pixels) : 0;
-    time.start = std::max(0.0, again - time.per_pixel * pixels_of(small));
-    if (time.per_pixel == 0) time = {0, again / pixels_of(small), 0};  // the clock shows no growth: the upper bound
-    time.prepare = std::max(0.0, first - again);
+    time.per_pixel = more_pixels > 0 ? (more - little) / more_pixels : 0;
+    // Without growth that the clock shows, all of the larger picture's time is taken to be that of its pixels.
+    if (time.per_pixel <= 0) time.per_pixel = more / pixels_of(larger);
+    time.start = std::max(0.0, more - time.per_pixel * pixels_of(larger));
+    time.prepare = std::max(0.0, first - little);
     return time;
   }
 
@@ -63,7 +68,7 @@ class Trial {
   /// Seconds that `compare` takes for two pictures of the whole view.
   template <class Compare>
   double comparing(const Settings& settings, const Compare& compare) {
-    const View small = smaller(view_, larger_part);
+    const View small = smaller(view_, larger_part, least_larger);
     Prepared prepared;
     RenderRequest how;
     how.priority = priority_;
@@ -77,6 +82,12 @@ class Trial {
   double pixels() const { return pixels_of(view_); }
 
  private:
+  double quickest(const View& view, const Settings& settings, Prepared& prepared) {
+    double best = seconds(view, settings, prepared);
+    for (int i = 1; i < tries && best < short_try; ++i) best = std::min(best, seconds(view, settings, prepared));
+    return best;
+  }
+
   double seconds(const View& view, const Settings& settings, Prepared& prepared) {
     control_.wait_here();
     RenderRequest how;

@@ -11,8 +11,8 @@ struct StudyEstimate {
 };
 
 /// Renders each picture of the chart, and its reference, small (an eighth and a quarter as wide), and concludes from
-/// their times how long the study will take: a fixed part and one that grows with the number of pixels. Takes about a
-/// hundredth of the study. Throws Cancelled and InputError.
+/// their times how long the study will take: a fixed part and one that grows with the number of pixels. Takes a few
+/// hundredths of the study. Throws Cancelled and InputError.
 StudyEstimate estimate_chart(const ChartRequest& request, StudyControl& control, const Clock& clock = steady_seconds);
 
 /// The least that the search takes: every feature is left out once, every saving is tried once, and times are measured.

@@ -40,9 +40,9 @@ TEST(Estimate, GrowsWithRunsAndWithTheTimeOfAPicture) {
   const double five = estimate_chart(request, control, stepping(0.01)).seconds;
   request.repeats = 10;
   const double ten = estimate_chart(request, control, stepping(0.01)).seconds;
-  // Five more runs of two points, each with one run before it that is not timed. A small picture takes a step
-  // whatever its size, so a picture takes the step of 32 x 32 pixels for each 32 x 32 of its own.
-  EXPECT_NEAR(ten - five, 5 * 2 * 2 * 0.01 * 9, 1e-9);
+  // Five more runs of two points, each with one run before it that is not timed. Every try takes a step whatever its
+  // size, so a picture of 96 x 96 pixels takes as many steps as it has times the 64 x 64 of the larger try.
+  EXPECT_NEAR(ten - five, 5 * 2 * 2 * 0.01 * (96.0 * 96) / (64 * 64), 1e-9);
   EXPECT_NEAR(estimate_chart(request, control, stepping(0.02)).seconds, 2 * ten, 1e-9);
 }
 

@@ -109,7 +109,7 @@ extern const StabilityExperiment fma_contraction{
     .measure = measure_contraction};
 
 static constexpr StabilitySeries build_flags_series[]{
-    {.names = "*", .title = "pixels that differ from the book's picture", .unit = "px of 360,000"},
+    {.names = "*", .title = "pixels that differ from a build without the flags", .unit = "px of 360,000"},
     {.names = "*, largest difference", .title = "largest difference", .unit = "levels of 255"},
 };
 

@@ -174,9 +174,9 @@ void needs_shares(const Needs& needs, bool timed, NeedsThumbnails& thumbnails) {
   if (any && ImGui::BeginTable("shares", timed ? 5 : 4, ImGuiTableFlags_SizingStretchProp)) {
     ImGui::TableSetupColumn("thumbnail", ImGuiTableColumnFlags_WidthFixed, thumbnail_width(needs));
     ImGui::TableSetupColumn("feature", ImGuiTableColumnFlags_WidthStretch, 0.8f);
-    for (const char* name : {"picture", "work", "time"})
-      if (timed || std::string_view(name) != "time")
-        ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthStretch, 1);
+    ImGui::TableSetupColumn("picture", ImGuiTableColumnFlags_WidthStretch, 1.5f);  // it has the longest heading
+    ImGui::TableSetupColumn("work", ImGuiTableColumnFlags_WidthStretch, 1);
+    if (timed) ImGui::TableSetupColumn("time", ImGuiTableColumnFlags_WidthStretch, 1);
     ImGui::TableNextRow();
     column_heading("Picture", "The picture without the feature.");
     column_heading("Without", "The feature that is switched off.");
