@@ -28,7 +28,7 @@ struct InputEvent {
   Key key = Key::none;
   bool down = false, repeat = false;
   bool ctrl = false, shift = false, alt = false;  ///< held together with a key
-  std::string text;                               ///< UTF-8
+  std::string text = {};                          ///< UTF-8
 };
 
 }  // namespace ps::gui
