@@ -79,7 +79,7 @@ struct Document {
   std::optional<Pin> pin;             ///< the pixel whose numbers of then are shown beside those of now
   CompareMode compare = CompareMode::side_by_side;
   double split = 0.5;          ///< where the divider stands, share of the picture's width
-  double difference_gain = 1;  ///< factor by which differences are shown
+  double difference_gain = 0;  ///< factor by which differences are shown; 0 = as large as shows something
   ScreenMode mode = ScreenMode::explore;
   Layout layout;
   std::string lesson;  ///< folder name; empty = none

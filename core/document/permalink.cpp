@@ -120,7 +120,7 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.compare = parse_compare_mode(t); }},
       {"split", [](const Document& d) { return number_unless(d.split, 0.5); },
        [](Document& d, std::string_view t) { d.split = parse_in_range(t, 0, 1, "split"); }},
-      {"gain", [](const Document& d) { return number_unless(d.difference_gain, 1); },
+      {"gain", [](const Document& d) { return number_unless(d.difference_gain, 0); },
        [](Document& d, std::string_view t) { d.difference_gain = parse_in_range(t, 0, 1e6, "gain"); }},
       {"left", [](const Document& d) { return number_unless(d.layout.left, Layout{}.left); },
        [](Document& d, std::string_view t) { d.layout.left = parse_in_range(t, 0, 1, "left"); }},

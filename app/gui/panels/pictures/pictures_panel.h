@@ -40,6 +40,11 @@ struct PicturesState {
   std::uint64_t difference_hash = 0;  ///< of its levels, for tests
   bool identical = false;             ///< A and B, when the difference was last made
   DifferenceMode difference_mode = DifferenceMode::absolute;
+  Image<float> difference_values;  ///< what the difference shows of each pixel
+  DifferenceNumbers difference_numbers;
+  double difference_gain = 1;                         ///< with which it is shown
+  double difference_asked = 0;                        ///< gain that the document asked for then
+  bool difference_settled = false;                    ///< its gain is that of whole pictures
   ErrorMetric difference_metric = ErrorMetric::rmse;  ///< beside the difference
   std::unique_ptr<DifferenceMeter> meter;             ///< made by whoever owns the state
 
