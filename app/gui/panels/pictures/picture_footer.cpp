@@ -9,7 +9,6 @@
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
-#include "render/left_out.h"
 
 namespace ps::gui {
 namespace {
@@ -25,15 +24,6 @@ struct FooterItem {
 };
 using Voice = FooterItem::Voice;
 constexpr const char* time_name = "time";
-
-FooterItem left_out_item(Session& session, Side side) {
-  FooterItem item{"left-out", {}, {}, Voice::attention};
-  for (const LeftOut& one : left_out(session.traits(), session.settings(side))) {
-    item.text += (item.text.empty() ? "" : ", ") + one.brief;
-    item.tooltip += (item.tooltip.empty() ? "" : "\n") + one.sentence;
-  }
-  return item;
-}
 
 /// The picture on the other side, if it is seen and rendered.
 std::shared_ptr<const RenderResult> beside(Session& session, Side side) {
@@ -75,10 +65,6 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
     }
     items.push_back(time_item(session, side, *result));
   }
-  // After the pixels that are not a number, which no ellipsis may reach.
-  const auto place =
-      std::find_if(items.begin(), items.end(), [](const FooterItem& item) { return item.voice != Voice::attention; });
-  items.insert(place, left_out_item(session, side));
   std::erase_if(items, [](const FooterItem& item) { return item.text.empty(); });
   if (!lead.empty() && !items.empty()) {
     items.front().text = lead + items.front().text;
@@ -150,14 +136,6 @@ std::vector<Slot> placed(std::vector<FooterItem>& items, const Area& row, const 
   return slots;
 }
 
-/// A triangle that says: look here.
-void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
-  const ImVec2 top{corner.x + size / 2, corner.y}, left{corner.x, corner.y + size},
-      right{corner.x + size, corner.y + size};
-  list.AddTriangleFilled(top, right, left, colour_u32(palette().attention));
-  list.AddTriangle(top, right, left, colour_u32(palette().text), px(1.2));
-}
-
 }  // namespace
 
 void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, const std::string& lead) {
@@ -180,7 +158,6 @@ void picture_footer(Session& session, Side side, CaptionChange& change, const Ar
                  colour_u32(item.voice == Voice::quiet ? palette().text_quiet : palette().text), text);
     ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({width, measures.height});
-    if (item.name == "left-out") controls().record(item.name, text);
     tooltip(item.tooltip);
   }
   controls().record("footer", row.min, row.max, all);

@@ -45,6 +45,13 @@ Area picture_note(const Area& footer) {
   return {{footer.min.x, footer.min.y + px(3)}, {footer.max.x, footer.min.y + px(note_height)}};
 }
 
+void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
+  const ImVec2 top{corner.x + size / 2, corner.y}, left{corner.x, corner.y + size},
+      right{corner.x + size, corner.y + size};
+  list.AddTriangleFilled(top, right, left, colour_u32(palette().attention));
+  list.AddTriangle(top, right, left, colour_u32(palette().text), px(1.2));
+}
+
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
   const ImVec4 colour = side == Side::a ? palette().a : palette().b;
   list.AddRectFilled(corner, {corner.x + size, corner.y + size}, colour_u32(colour), px(3));

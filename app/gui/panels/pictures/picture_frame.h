@@ -21,6 +21,8 @@ constexpr double note_height = 24;  ///< of the row for a note, at scale 1
 
 /// The row for a note below a picture, within the rows of its footer.
 Area picture_note(const Area& footer);
+/// A triangle that asks for attention, beside a text.
+void attention_mark(ImDrawList& list, ImVec2 corner, float size);
 
 /// The letter of a side on its colour.
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);

@@ -7,6 +7,7 @@
 
 #include "gui/panels/pictures/difference_view.h"
 #include "gui/panels/pictures/handles_view.h"
+#include "gui/panels/pictures/left_out_line.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/widgets/widgets.h"
 #include "render/left_out.h"
@@ -188,7 +189,7 @@ Halves halves(const Area& area, Vec2i picture_size) {
 }
 
 void below(Session& session, PicturesState& state, Side side, const Area& footer, const std::string& lead = {}) {
-  state.notes[index_of(side)] = picture_note(footer);
+  state.notes[index_of(side)] = left_out_line(session, side, picture_note(footer));
   picture_footer(session, side, state.changes[index_of(side)], footer, lead);
 }
 
