@@ -25,8 +25,7 @@ Reason needs_lines(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
-Reason needs_canvas_triangles(const Settings& s, const SceneTraits& t) {
-  if (const auto reason = needs_fragments(s, t)) return reason;
+Reason needs_canvas_triangles(const Settings&, const SceneTraits& t) {
   if (!t.canvas_triangles) return "the scene has no triangle or polygon on the canvas";
   return {};
 }
@@ -61,7 +60,9 @@ std::vector<Option> drawing_rows() {
            .help = {"How triangles and convex polygons on the canvas are filled.", "LAB 4; CGFS ch. 7",
                     "By rows all edges count as inside, so neighbours overlap. A polygon of more than three vertices "
                     "has other colours inside, whichever is chosen, when it is turned."},
+           .keywords = "polygon fill, scanline, row, span, Interpolate, ComputePolygonRows",
            .truth = exactly("canvas-fill=edge-functions"),
+           .acts_for = ActsFor::fragments,
            .inactive = needs_canvas_triangles},
           {{"edge-functions", "edge functions",
             "Three edge functions for each sample, and the fill rule; polygons as triangles around their first "

@@ -9,8 +9,10 @@
 #include "image/flip.h"
 #include "image/heat_colour.h"
 
-namespace ps {
+namespace difference_test {
 namespace {
+
+using namespace ps;
 
 constexpr Rgb8 of_a{0, 114, 178}, of_b{213, 94, 0};  // Okabe and Ito's blue and vermilion
 
@@ -105,4 +107,4 @@ TEST(DifferenceMap, PicturesAreMadeOfTheColours) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace difference_test

@@ -10,8 +10,10 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
-namespace ps {
+namespace pixel_surroundings_test {
 namespace {
+
+using namespace ps;
 
 constexpr int side = 100;
 
@@ -125,4 +127,4 @@ TEST(PixelSurroundings, FarFromAllEdgesItSaysHowFarItLooked) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace pixel_surroundings_test

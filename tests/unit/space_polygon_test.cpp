@@ -9,8 +9,10 @@
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
 
-namespace ps {
+namespace space_polygon_test {
 namespace {
+
+using namespace ps;
 
 const std::string lights = "light { type = ambient intensity = 0.3 }\n"
                            "light { type = point intensity = 0.7 position = (1, 2, 0) }\n";
@@ -105,4 +107,4 @@ TEST(SpacePolygon, RefusesWhatIsNotConvexOrHasNoArea) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace space_polygon_test

@@ -13,8 +13,10 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
-namespace ps {
+namespace vertex_light_test {
 namespace {
+
+using namespace ps;
 
 /// One triangle; a light near the middle of it whose highlight is small.
 Scene one_triangle(const std::string& light = "(0, 0, 2.6)") {
@@ -202,4 +204,4 @@ TEST(VertexLight, PartingGivesTheNumbersOfBothSides) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace vertex_light_test
