@@ -9,6 +9,7 @@
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
+#include "render/left_out.h"
 
 namespace ps::gui {
 namespace {
@@ -24,6 +25,15 @@ struct FooterItem {
 };
 using Voice = FooterItem::Voice;
 constexpr const char* time_name = "time";
+
+FooterItem left_out_item(Session& session, Side side) {
+  FooterItem item{"left-out", {}, {}, Voice::attention};
+  for (const LeftOut& one : left_out(session.traits(), session.settings(side))) {
+    item.text += (item.text.empty() ? "" : ", ") + one.brief;
+    item.tooltip += (item.tooltip.empty() ? "" : "\n") + one.sentence;
+  }
+  return item;
+}
 
 /// The picture on the other side, if it is seen and rendered.
 std::shared_ptr<const RenderResult> beside(Session& session, Side side) {
@@ -46,7 +56,8 @@ FooterItem time_item(Session& session, Side side, const RenderResult& result) {
       Voice::quiet};
 }
 
-std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange& change, const std::string& lead) {
+std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange& change, PictureCaptions captions,
+                                     const std::string& lead) {
   if (const auto file = session.picture_b(); side == Side::b && file)
     return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path}};
   const auto result = session.renderer(side).result();
@@ -65,6 +76,10 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
     }
     items.push_back(time_item(session, side, *result));
   }
+  // After the pixels that are not a number, which no ellipsis may reach.
+  const auto place =
+      std::find_if(items.begin(), items.end(), [](const FooterItem& item) { return item.voice != Voice::attention; });
+  if (captions == PictureCaptions::brief) items.insert(place, left_out_item(session, side));
   std::erase_if(items, [](const FooterItem& item) { return item.text.empty(); });
   if (!lead.empty() && !items.empty()) {
     items.front().text = lead + items.front().text;
@@ -138,12 +153,13 @@ std::vector<Slot> placed(std::vector<FooterItem>& items, const Area& row, const 
 
 }  // namespace
 
-void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, const std::string& lead) {
+void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, PictureCaptions captions,
+                    const std::string& lead) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
   const FooterMeasures measures;
-  std::vector<FooterItem> items = footer_items(session, side, change, lead);
-  const ImVec2 corner{row.min.x, row.min.y + px(note_height) + px(3)};
+  std::vector<FooterItem> items = footer_items(session, side, change, captions, lead);
+  const ImVec2 corner{row.min.x, row.min.y + (captions == PictureCaptions::full ? px(note_height) : 0) + px(3)};
   const std::string time = !items.empty() && items.back().name == time_name ? items.back().text : "";
   const std::vector<Slot> slots = placed(items, {corner, row.max}, measures);
   std::string all;
@@ -158,6 +174,7 @@ void picture_footer(Session& session, Side side, CaptionChange& change, const Ar
                  colour_u32(item.voice == Voice::quiet ? palette().text_quiet : palette().text), text);
     ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({width, measures.height});
+    if (item.name == "left-out") controls().record(item.name, text);
     tooltip(item.tooltip);
   }
   controls().record("footer", row.min, row.max, all);
