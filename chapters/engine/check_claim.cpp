@@ -6,6 +6,7 @@
 #include "frame/display_frame.h"
 #include "image/metrics.h"
 #include "options/option.h"
+#include "options/renderer_kind.h"
 #include "render/render.h"
 
 namespace ps {
@@ -69,10 +70,17 @@ void reset_option(const std::string& key, Settings& settings) {
   option->set(settings, option->default_value());
 }
 
-double count_of(const Frame& frame, Counter counter) {
-  const auto count = frame.counters.get(counter);
-  if (!count) throw InputError(fmt::format("metric: the picture's renderer does not count {}", counter_key(counter)));
-  return static_cast<double>(*count);
+bool counts_rays(Counter counter) {
+  constexpr CounterSet rays{Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays,
+                            Counter::refraction_rays};
+  return rays.contains(counter);
+}
+
+double count_of(const Frame& frame, const Settings& settings, Counter counter) {
+  if (const auto count = frame.counters.get(counter)) return static_cast<double>(*count);
+  // Who draws fragments sends no ray: a claim may hold that against those who do.
+  if (counts_rays(counter) && picture_way(settings.renderer) == PictureWay::fragments) return 0;
+  throw InputError(fmt::format("metric: the picture's renderer does not count {}", counter_key(counter)));
 }
 
 }  // namespace
@@ -87,9 +95,9 @@ double measure(const Claim& claim, const Document& document, Progress& progress)
   case ClaimMetric::max_difference:
     return compare_channels(bench.levels(Side::a), bench.levels(Side::b)).max;
   case ClaimMetric::counter_a:
-    return count_of(bench.frame(Side::a), claim.counter);
+    return count_of(bench.frame(Side::a), document.a.settings, claim.counter);
   case ClaimMetric::counter_b:
-    return count_of(bench.frame(Side::b), claim.counter);
+    return count_of(bench.frame(Side::b), document.b.settings, claim.counter);
   case ClaimMetric::false_shadow_pixels:
     return false_shadow_pixels(bench, document);
   case ClaimMetric::red_a:

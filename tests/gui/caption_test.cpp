@@ -71,6 +71,11 @@ TEST(Caption, SingleRunsOfDifferentMomentsAreNotShownTogether) {
   first_b.milliseconds = 268;
   EXPECT_TRUE(shows_single_run(first_a, &first_b)) << "they ran together";
   EXPECT_TRUE(shows_single_run(first_b, &first_a));
+  RenderResult short_a, short_b;
+  short_a.begun = start;
+  short_a.milliseconds = 1;
+  short_b.begun = start + 20ms;
+  EXPECT_TRUE(shows_single_run(short_a, &short_b)) << "one change asked for both, one after the other";
   again.begun = start + 10s;
   again.milliseconds = 5;
   EXPECT_TRUE(shows_single_run(again, &first_b));

@@ -60,7 +60,7 @@ choose bottom listing
 wait idle
 click listing/fill
 wait idle
-click listing/line-40/next
+click listing/line-41/next
 wait idle
 key Esc
 choose bottom microscope

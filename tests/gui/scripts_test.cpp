@@ -1,6 +1,5 @@
-// Every script of tests/gui/scripts in the real window, at the sizes of a small and of a common screen;
-// window_shares_test.cpp has that of an old projector. A first line "# arguments: ..." gives arguments for the program.
-// OUT/ stands for a folder for screenshots; none may be blank.
+// Every script of tests/gui/scripts in the real window, at the sizes of a small and of a common screen. A first line
+// "# arguments: ..." gives arguments for the program. OUT/ stands for a folder for screenshots; none may be blank.
 #include <gtest/gtest.h>
 
 #include <algorithm>

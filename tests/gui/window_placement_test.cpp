@@ -59,6 +59,17 @@ TEST(WindowPlacement, IsNeverLargerThanTheDisplay) {
   EXPECT_EQ(result.status, 0) << result.errors;
 }
 
+// Nobody is there to maximise it, so it covers the display by itself, and is left as it was.
+TEST(WindowPlacement, MaximisedWithoutAWindowManager) {
+  const Home home("covers");
+  home.remember("window/size", "1000x700");
+  home.remember("window/maximised", "yes");
+  home.plays("expect window/size 1920x1200\nexpect window/maximised on\nkey F11\nwait idle\nkey F11\nwait idle\n"
+             "expect window/size 1920x1200\nexpect window/maximised on\n");
+  EXPECT_EQ(home.remembered("window/size"), "1000x700");
+  EXPECT_EQ(home.remembered("window/maximised"), "yes");
+}
+
 // A script that wants a larger window brings a larger display.
 TEST(WindowPlacement, TheVirtualDisplayIsAsLargeAsTheWindow) {
   const auto folder = fresh_output_folder("gui-placement-large");

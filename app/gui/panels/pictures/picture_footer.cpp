@@ -49,11 +49,10 @@ FooterItem time_item(Session& session, Side side, const RenderResult& result) {
             fmt::format("Median and quartiles of {} warm runs, in turn with the other picture.", timed->runs),
             Voice::plain};
   if (!shows_single_run(result, beside(session, side).get())) return {};
-  return {
-      "time", single_run_text(result.milliseconds),
-      "A single run, with all that it had to prepare and with whatever else the machine did. Study > Timings > Time "
-      "A and B measures both pictures.",
-      Voice::quiet};
+  return {"time", single_run_text(result.milliseconds),
+          "A single run, with all that it had to prepare and whatever else the machine did. Timings has a button that "
+          "times both pictures.",
+          Voice::quiet};
 }
 
 std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange& change, PictureCaptions captions,

@@ -91,11 +91,11 @@ void single_times(const Results& results) {
         if (std::find(stages.begin(), stages.end(), time.stage) == stages.end()) stages.push_back(time.stage);
   const auto roughly = [](double value) { return value <= 0 ? "0" : fmt::format("~{}", two_digits(value)); };
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  for (const auto& stage : stages) row(stage, {stage_time(results[0], stage), stage_time(results[1], stage)}, roughly);
   Pair all;
   for (std::size_t i = 0; i < 2; ++i)
     if (results[i]) all[i] = results[i]->milliseconds;
   row("whole render", all, roughly);
+  for (const auto& stage : stages) row(stage, {stage_time(results[0], stage), stage_time(results[1], stage)}, roughly);
   ImGui::PopStyleColor();
   ImGui::EndTable();
 }
@@ -104,11 +104,11 @@ void median_times(const PairTiming& timing) {
   if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
   columns();
   heading("Median time, ms", Ratio::shown);
-  for (const PairStage& stage : timing.stages) row(stage.stage, stage.median_ms, three_digits);
   row("whole render", {timing.time_ms[0].median, timing.time_ms[1].median}, three_digits);
   number_text(two_digits(timing.ratio.median), 0, full_number(timing.ratio.median));
   row("lower quartile", {timing.time_ms[0].q1, timing.time_ms[1].q1}, three_digits);
   row("upper quartile", {timing.time_ms[0].q3, timing.time_ms[1].q3}, three_digits);
+  for (const PairStage& stage : timing.stages) row(stage.stage, stage.median_ms, three_digits);
   ImGui::EndTable();
 }
 
