@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <vector>
 
 #include "gui/panels/pictures/picture_frame.h"
@@ -18,18 +18,21 @@ namespace {
 constexpr double room_for_others = 128;  ///< of the row, at scale 1
 constexpr double mark = 11, space = 6;
 
-float width_of_buttons(const LeftOut& one) {
+/// Of the first `count`.
+float width_of_buttons(const LeftOut& one, std::size_t count) {
   float width = 0;
-  for (const Remedy& remedy : one.remedies) width += button_width(remedy.label) + px(space);
+  for (std::size_t i = 0; i < count; ++i) width += button_width(one.remedies[i].label) + px(space);
   return width;
 }
 
-/// The notice, what stands before its reason, or nothing: the longest that leaves room for the buttons.
+/// The notice with room for all buttons, or what stands before its reason with room for one at least; else nothing.
 std::string text_that_fits(const LeftOut& one, float room) {
-  const std::array candidates{one.notice, one.notice.substr(0, one.notice.find(':'))};
-  for (const std::string& text : candidates)
-    if (text_width(text) + px(space) + width_of_buttons(one) <= room) return text;
-  return {};
+  const std::string brief = one.notice.substr(0, one.notice.find(':'));
+  const auto fits = [&](const std::string& text, std::size_t buttons) {
+    return text_width(text) + px(space) + width_of_buttons(one, buttons) <= room;
+  };
+  if (fits(one.notice, one.remedies.size())) return one.notice;
+  return fits(brief, std::min<std::size_t>(one.remedies.size(), 1)) ? brief : std::string();
 }
 
 /// One thing that is left out, from `at` on; answers where the next may begin, or nothing where there was no room.
