@@ -100,7 +100,8 @@ TEST(Window, AValueIsNoControl) {
 
 TEST(Window, IdleWindowDrawsNothing) {
   const auto folder = ps::fresh_output_folder("gui-idle");
-  const auto result = play("wait idle\nwait 500\nprint window/frames\nwait 1500\nprint window/frames\n", folder,
+  // The tooltip under the resting pointer comes within the first second.
+  const auto result = play("wait idle\nwait 1000\nprint window/frames\nwait 1500\nprint window/frames\n", folder,
                            "1024x768", "--widget-gallery");
   ASSERT_EQ(result.status, 0) << result.errors;
   std::istringstream lines(result.output);
