@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gui/panels/pictures/difference_scale.h"
-#include "gui/shell/values.h"
+#include "gui/base/values.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
