@@ -1,10 +1,10 @@
 #pragma once
 #include <optional>
 
-#include "raster/corner_attributes.h"
 #include "raster/clear/fragment.h"
 #include "raster/clear/fragment_event.h"
 #include "raster/clear/light_at.h"
+#include "raster/corner_attributes.h"
 
 namespace ps::raster {
 

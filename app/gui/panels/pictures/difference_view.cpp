@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "gui/panels/pictures/difference_scale.h"
 #include "gui/base/values.h"
+#include "gui/panels/pictures/difference_scale.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
