@@ -269,7 +269,8 @@ void App::Parts::draw() {
   if (!presents) menu_bar.draw();
   const float top = ImGui::GetCursorScreenPos().y, status_height = presents ? 0 : ImGui::GetFrameHeight() + px(6);
   regions.draw({{0, top}, {size.x, size.y - status_height - status_bar.bars_height}}, offers_first_look);
-  if (regions.first_look_answered()) {
+  // Who begins a lesson in another way has passed the offer by.
+  if (regions.first_look_answered() || (offers_first_look && !session.document().lesson.empty())) {
     offers_first_look = false;
     shell.remember(first_look_key, "answered");
   }

@@ -237,13 +237,9 @@ void Regions::study(const Area& area) {
   pictures({{area.max.x - width, area.min.y}, area.max}, 0, PictureCaptions::full);
 }
 
-/// At the first start, until it is answered or a lesson is begun by other ways. Returns what room is left.
+/// At the first start, until it is answered. Returns what room is left.
 Area Regions::first_look(const Area& area) {
-  if (!offers_first_look_) return area;
-  if (!session_.document().lesson.empty()) {
-    answered_ = true;
-    return area;
-  }
+  if (!offers_first_look_ || !session_.document().lesson.empty()) return area;
   const float bottom = area.min.y + first_look_height();
   begin_region(session_, "first-look", {area.min, {area.max.x, bottom}}, "NEW HERE?");
   const FirstLookAnswer answer = first_look_offer();
