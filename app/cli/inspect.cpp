@@ -193,7 +193,7 @@ void add_inspect_command(CLI::App& app, Action& chosen) {
       ->type_name("D")
       ->check(number_above(0));
   const auto rows = command->add_flag("--rows", arguments->rows,
-                                      "print the rows of the canvas triangles at the pixel instead: left, between the "
+                                      "print the rows of the canvas shapes at the pixel instead: left, between the "
                                       "pixels of interpolated edges (LAB 4); right, by the fill rule");
   const auto json = command->add_flag("--json", arguments->json, "as JSON, with all digits");
   const auto markdown = command->add_flag("--markdown", arguments->markdown, "as a page of Markdown")->excludes(json);

@@ -8,6 +8,7 @@
 #include "cli/interrupt.h"
 #include "document/document_provenance.h"
 #include "inspect/canvas_rows.h"
+#include "record/value_text.h"
 #include "render/provenance_json.h"
 
 namespace ps::cli {
@@ -19,14 +20,28 @@ RowsJson span_json(const std::optional<ColumnSpan>& span) {
   return span ? RowsJson::array({span->left, span->right}) : RowsJson();
 }
 
-std::string rows_json(const std::vector<CanvasTriangleRows>& triangles, const Provenance& made) {
+/// What is interpolated at both ends of the row, linear; null for a row that has none.
+RowsJson colours_json(const CanvasRow& row) {
+  if (!row.outlined) return {};
+  RowsJson ends = RowsJson::array();
+  for (const Vec3d& colour : row.end_colours) ends.push_back({colour.x, colour.y, colour.z});
+  return ends;
+}
+
+std::string colour_text(const CanvasRow& row, std::size_t end) {
+  return row.outlined ? vector_text(row.end_colours[end]) : "none";
+}
+
+std::string rows_json(const std::vector<CanvasShapeRows>& shapes, const Provenance& made) {
   RowsJson json{{"triangles", RowsJson::array()}};
-  for (const CanvasTriangleRows& triangle : triangles) {
-    RowsJson one{{"item", triangle.item}, {"corners", RowsJson::array()}, {"rows", RowsJson::array()}};
-    for (const Vec2i& corner : triangle.corners) one["corners"].push_back({corner.x, corner.y});
-    for (const CanvasRow& row : triangle.rows)
-      one["rows"].push_back(
-          {{"y", row.y}, {"interpolated", span_json(row.outlined)}, {"filled", span_json(row.filled)}});
+  for (const CanvasShapeRows& shape : shapes) {
+    RowsJson one{{"item", shape.item}, {"corners", RowsJson::array()}, {"rows", RowsJson::array()}};
+    for (const Vec2i& vertex : shape.vertices) one["corners"].push_back({vertex.x, vertex.y});
+    for (const CanvasRow& row : shape.rows)
+      one["rows"].push_back({{"y", row.y},
+                             {"interpolated", span_json(row.outlined)},
+                             {"filled", span_json(row.filled)},
+                             {"end_colours", colours_json(row)}});
     json["triangles"].push_back(std::move(one));
   }
   json["provenance"] = provenance_json(made);
@@ -36,19 +51,22 @@ std::string rows_json(const std::vector<CanvasTriangleRows>& triangles, const Pr
 }  // namespace
 
 std::string rows_text(const Document& document, Vec2i pixel, bool json) {
-  const auto triangles =
+  const auto shapes =
       canvas_rows(document.scene, view_of(document), document.a.settings, pixel, interruptible_progress());
-  if (triangles.empty())
-    throw InputError(fmt::format("--rows: there is no filled triangle of the canvas at pixel {},{}", pixel.x, pixel.y));
-  if (json) return rows_json(triangles, document_provenance(document, Side::a));
+  if (shapes.empty())
+    throw InputError(
+        fmt::format("--rows: there is no filled triangle or polygon of the canvas at pixel {},{}", pixel.x, pixel.y));
+  if (json) return rows_json(shapes, document_provenance(document, Side::a));
   std::string text;
-  for (const CanvasTriangleRows& triangle : triangles) {
-    const auto& c = triangle.corners;
-    text += fmt::format("canvas item {}, vertices at pixels ({}, {}), ({}, {}), ({}, {})\n{:>7} {:>14} {:>14}\n",
-                        triangle.item, c[0].x, c[0].y, c[1].x, c[1].y, c[2].x, c[2].y, "row", "interpolated", "filled");
-    for (const CanvasRow& row : triangle.rows)
-      text += fmt::format("{:>7} {:>14} {:>14}{}\n", row.y, span_text(row.outlined), span_text(row.filled),
-                          row.y == pixel.y ? "  <- the pixel's row" : "");
+  for (const CanvasShapeRows& shape : shapes) {
+    std::vector<std::string> vertices;
+    for (const Vec2i& v : shape.vertices) vertices.push_back(fmt::format("({}, {})", v.x, v.y));
+    text += fmt::format("canvas item {}, {}, vertices at pixels {}\n{:>7} {:>14} {:>14}  {:<30} {}\n", shape.item,
+                        shape_name(shape), fmt::join(vertices, ", "), "row", "interpolated", "filled",
+                        "colour of the left end", "colour of the right end");
+    for (const CanvasRow& row : shape.rows)
+      text += fmt::format("{:>7} {:>14} {:>14}  {:<30} {}{}\n", row.y, span_text(row.outlined), span_text(row.filled),
+                          colour_text(row, 0), colour_text(row, 1), row.y == pixel.y ? "  <- the pixel's row" : "");
     text += "\n";
   }
   return text;

@@ -42,7 +42,7 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour) {
 }
 
 void draw(const BookScene& scene, BookCanvas& canvas) {
-  for (const CanvasItem& item : *scene.scene.canvas_items) {
+  for (const CanvasItem& item : lines_and_triangles(*scene.scene.canvas_items)) {
     const auto* line = std::get_if<CanvasLine>(&item);
     if (!line || canvas.far_outside(line->points[0]) || canvas.far_outside(line->points[1])) continue;
     PS_REACHING("line from", line->points[0]);

@@ -75,7 +75,7 @@ void draw_filled_triangle(BookCanvas& canvas, const std::array<Vec2d, 3>& corner
 }
 
 void draw(const BookScene& scene, BookCanvas& canvas) {
-  for (const CanvasItem& item : *scene.scene.canvas_items) {
+  for (const CanvasItem& item : lines_and_triangles(*scene.scene.canvas_items)) {
     if (const auto* line = std::get_if<CanvasLine>(&item)) {
       if (canvas.far_outside(line->points[0]) || canvas.far_outside(line->points[1])) continue;
       PS_REACHING("line from", line->points[0]);

@@ -13,6 +13,8 @@
 namespace ps {
 namespace {
 
+constexpr double opened_share = 0.36;  // of the window, for a tool that a step opens where all are folded
+
 /// Keeps an assignment after making sure that the option table takes it.
 void add_setting(const std::string& assignment, std::vector<std::string>& settings) {
   Settings trial;
@@ -85,7 +87,7 @@ Document state_document(const LessonState& state, const Document& now) {
   if (!state.tab.empty()) document.layout.bottom_tab = state.tab;
   if (!state.sweep.empty()) document.layout.sweep = state.sweep;
   if (!state.experiment.empty()) document.layout.experiment = state.experiment;
-  if (!state.tab.empty() && document.layout.bottom <= 0) document.layout.bottom = Layout{}.bottom;
+  if (!state.tab.empty() && document.layout.bottom <= 0) document.layout.bottom = opened_share;
   document.story = carried_over(now.story, same_scene);
   return document;
 }

@@ -50,8 +50,8 @@ enum class ScreenMode { lesson, explore, study, presenter };
 
 /// How the window is divided. Sizes are shares of the window, 0..1; 0 = what suits the window's size.
 struct Layout {
-  double left = 0, right = 0, bottom = 0.36;  ///< bottom: 0 = folded
-  bool panels = true;                         ///< false: only the pictures
+  double left = 0, right = 0, bottom = 0;  ///< bottom: 0 = folded
+  bool panels = true;                      ///< false: only the pictures
   std::string left_tab = "options", right_tab = "story", bottom_tab = "space";
   bool pixel_open = false;  ///< exploring: the panel with the pixel's story
   std::string stage;        ///< below the pictures of a lesson, one of bottom_tabs; empty = the pixel's story
@@ -79,7 +79,7 @@ struct Document {
   std::optional<Pin> pin;             ///< the pixel whose numbers of then are shown beside those of now
   CompareMode compare = CompareMode::side_by_side;
   double split = 0.5;          ///< where the divider stands, share of the picture's width
-  double difference_gain = 1;  ///< factor by which differences are shown
+  double difference_gain = 0;  ///< factor by which differences are shown; 0 = as large as shows something
   ScreenMode mode = ScreenMode::explore;
   Layout layout;
   std::string lesson;  ///< folder name; empty = none

@@ -120,7 +120,7 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.compare = parse_compare_mode(t); }},
       {"split", [](const Document& d) { return number_unless(d.split, 0.5); },
        [](Document& d, std::string_view t) { d.split = parse_in_range(t, 0, 1, "split"); }},
-      {"gain", [](const Document& d) { return number_unless(d.difference_gain, 1); },
+      {"gain", [](const Document& d) { return number_unless(d.difference_gain, 0); },
        [](Document& d, std::string_view t) { d.difference_gain = parse_in_range(t, 0, 1e6, "gain"); }},
       {"left", [](const Document& d) { return number_unless(d.layout.left, Layout{}.left); },
        [](Document& d, std::string_view t) { d.layout.left = parse_in_range(t, 0, 1, "left"); }},
@@ -139,11 +139,6 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.layout.right_tab = t; }},
       {"bottom-tab", [](const Document& d) { return text_unless(d.layout.bottom_tab, Layout{}.bottom_tab); },
        [](Document& d, std::string_view t) { d.layout.bottom_tab = t; }},
-      {"mode",
-       [](const Document& d) {
-         return text_unless(std::string(mode_key(d.mode)), std::string(mode_key(ScreenMode::explore)));
-       },
-       [](Document& d, std::string_view t) { d.mode = parse_screen_mode(t); }},
       {"pixel-panel", [](const Document& d) { return d.layout.pixel_open ? Text{"open"} : Text{}; },
        [](Document& d, std::string_view t) {
          if (t != "open") throw InputError(fmt::format("pixel-panel: found '{}', expected open", t));
@@ -162,7 +157,16 @@ const std::vector<Field>& document_fields() {
          d.layout.filled = t;
        }},
       {"lesson", [](const Document& d) { return text_unless(d.lesson, ""); },
-       [](Document& d, std::string_view t) { d.lesson = t; }},
+       [](Document& d, std::string_view t) {
+         d.lesson = t;
+         d.mode = ScreenMode::lesson;  // unless the next part says otherwise
+       }},
+      {"mode",
+       [](const Document& d) {
+         const ScreenMode usual = d.lesson.empty() ? ScreenMode::explore : ScreenMode::lesson;
+         return d.mode == usual ? Text{} : Text{std::string(mode_key(d.mode))};
+       },
+       [](Document& d, std::string_view t) { d.mode = parse_screen_mode(t); }},
       {"step", [](const Document& d) { return d.step == 0 ? Text{} : Text{fmt::format("{}", d.step)}; },
        [](Document& d, std::string_view t) { d.step = parse_whole(t, 0, 1000, "step"); }},
   };

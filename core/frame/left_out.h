@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "options/settings.h"
 #include "scene/scene.h"
@@ -11,11 +12,19 @@ enum class LeftOutKind {
   effect    ///< they are, but without something that the settings ask for
 };
 
+/// A setting that shows what is left out.
+struct Remedy {
+  std::string label;    ///< for a button: "Shadow map"
+  std::string setting;  ///< "shadows=map"
+};
+
 /// Something of a scene that a renderer cannot show.
 struct LeftOut {
   LeftOutKind kind = LeftOutKind::objects;
   std::string brief;     ///< a few words: "leaves out CSG"
   std::string sentence;  ///< a whole one, with the reason and what shows it
+  std::string notice;    ///< for the line under the picture: "No shadows: traced shadows need rays."
+  std::vector<Remedy> remedies;
 };
 
 /// Would the picture have shadows, or reflections, if its renderer could make them?

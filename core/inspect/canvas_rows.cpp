@@ -1,37 +1,28 @@
 #include "inspect/canvas_rows.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
-#include "raster/clear/canvas_line.h"
-#include "raster/clear/lines/walk_line.h"
+#include "raster/clear/canvas_outline.h"
 #include "raster/clear/polygon_rows.h"
 #include "render/render.h"
 
 namespace ps {
 namespace {
 
-/// The pixel of a canvas point, as lines light it; nothing for a point so far outside that its rows would be endless.
-std::optional<Vec2i> pixel_of_point(const Vec2d& point, const View& view, SamplePosition position) {
-  constexpr double farthest = 1 << 16;  // pixels; no picture has a longer side than that many
-  if (!(std::abs(point.x) <= farthest && std::abs(point.y) <= farthest)) return {};
-  const Vec2d shifted = point + Vec2d(raster::odd_shift(view.width), raster::odd_shift(view.height));
-  return raster::array_pixel(raster::book_pixel_at(shifted, position), view.width, view.height);
-}
-
-/// Columns of each row where the picture of this triangle alone has a fragment.
-std::vector<std::optional<ColumnSpan>> filled_spans(const Scene& scene, CanvasTriangle triangle, const View& view,
+/// Columns of each row where the picture of this shape alone has a fragment.
+template <class Shape>
+std::vector<std::optional<ColumnSpan>> filled_spans(const Scene& scene, Shape shape, const View& view,
                                                     Settings settings, Progress& progress) {
   settings.renderer = renderer_for(PictureWay::fragments);
   settings.draw = Draw::filled;
-  triangle.outline.reset();
+  settings.canvas_fill = CanvasFill::edges;
+  shape.outline.reset();
   Scene alone;
   alone.camera = scene.camera;
-  alone.canvas_items.edit([&](std::vector<CanvasItem>& items) { items = {triangle}; });
+  alone.canvas_items.edit([&](std::vector<CanvasItem>& items) { items = {shape}; });
   RenderRequest wanted;
   wanted.channels = Channel::overdraw;
   Prepared prepared;
@@ -48,48 +39,73 @@ std::vector<std::optional<ColumnSpan>> filled_spans(const Scene& scene, CanvasTr
 
 bool holds(const std::optional<ColumnSpan>& span, int x) { return span && x >= span->left && x <= span->right; }
 
-bool holds(const CanvasTriangleRows& triangle, Vec2i pixel) {
-  return std::any_of(triangle.rows.begin(), triangle.rows.end(), [&](const CanvasRow& row) {
+bool holds(const CanvasShapeRows& shape, Vec2i pixel) {
+  return std::any_of(shape.rows.begin(), shape.rows.end(), [&](const CanvasRow& row) {
     return row.y == pixel.y && (holds(row.outlined, pixel.x) || holds(row.filled, pixel.x));
   });
 }
 
-}  // namespace
+Vec3d colour_at(const raster::CanvasOutline& outline, const raster::PolygonRowEnd& end) {
+  const auto from = static_cast<std::size_t>(end.edge);
+  const Vec3d &a = outline.colours[from], &b = outline.colours[(from + 1) % outline.colours.size()];
+  return a + (b - a) * end.along<double>();
+}
 
-std::vector<CanvasTriangleRows> canvas_rows(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
-                                            Progress& progress) {
-  std::vector<CanvasTriangleRows> found;
-  for (std::size_t i = 0; i < scene.canvas_items->size(); ++i) {
-    const auto* triangle = std::get_if<CanvasTriangle>(&(*scene.canvas_items)[i]);
-    if (triangle == nullptr || !triangle->filled) continue;
-    CanvasTriangleRows rows;
-    rows.item = static_cast<int>(i);
-    bool near = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto corner = pixel_of_point(triangle->points[k], view, settings.sample_position);
-      near = near && corner.has_value();
-      rows.corners[k] = corner.value_or(Vec2i{0, 0});
-    }
-    if (!near) continue;
-    const auto [top, bottom] = std::minmax({rows.corners[0].y, rows.corners[1].y, rows.corners[2].y});
-    const auto [left, right] = std::minmax({rows.corners[0].x, rows.corners[1].x, rows.corners[2].x});
-    // Neither rule goes a whole pixel farther.
-    if (pixel.y < top - 1 || pixel.y > bottom + 1 || pixel.x < left - 1 || pixel.x > right + 1) continue;
-    const auto filled = filled_spans(scene, *triangle, view, settings, progress);
-    const auto outlined = raster::polygon_rows(rows.corners);
-    for (int y = std::max(top - 1, 0); y <= std::min(bottom + 1, view.height - 1); ++y) {
-      CanvasRow row;
-      row.y = y;
-      if (y >= top && y <= bottom) {
-        const raster::PolygonRow& one = outlined[static_cast<std::size_t>(y - top)];
-        row.outlined = ColumnSpan{one.left, one.right};
-      }
-      row.filled = filled[static_cast<std::size_t>(y)];
-      if (row.outlined || row.filled) rows.rows.push_back(row);
-    }
-    if (holds(rows, pixel)) found.push_back(std::move(rows));
+/// Could a row of the shape hold the pixel? Neither rule goes a whole pixel farther than the vertices' pixels.
+bool is_near(const std::vector<Vec2i>& vertices, Vec2i pixel) {
+  if (vertices.empty()) return false;
+  Vec2i low = vertices.front(), high = low;
+  for (const Vec2i& v : vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
+  }
+  return pixel.x >= low.x - 1 && pixel.x <= high.x + 1 && pixel.y >= low.y - 1 && pixel.y <= high.y + 1;
+}
+
+template <class Shape>
+std::optional<CanvasShapeRows> rows_of(const Scene& scene, const Shape& shape, const View& view,
+                                       const Settings& settings, Vec2i pixel, Progress& progress) {
+  const raster::CanvasOutline outline =
+      raster::canvas_outline(shape, {view.width, view.height}, settings.sample_position);
+  if (!is_near(outline.pixels, pixel)) return {};
+  CanvasShapeRows found;
+  found.vertices = outline.pixels;
+  const auto filled = filled_spans(scene, shape, view, settings, progress);
+  std::vector<CanvasRow> rows(static_cast<std::size_t>(view.height));
+  for (const raster::PolygonRow& row : raster::polygon_rows(outline.pixels, {0, view.height - 1})) {
+    CanvasRow& of = rows[static_cast<std::size_t>(row.y)];
+    of.outlined = ColumnSpan{row.left.x, row.right.x};
+    of.end_colours = {colour_at(outline, row.left), colour_at(outline, row.right)};
+  }
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    rows[y].y = static_cast<int>(y);
+    rows[y].filled = filled[y];
+    if (rows[y].outlined || rows[y].filled) found.rows.push_back(rows[y]);
   }
   return found;
+}
+
+}  // namespace
+
+std::vector<CanvasShapeRows> canvas_rows(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
+                                         Progress& progress) {
+  std::vector<CanvasShapeRows> found;
+  for (std::size_t i = 0; i < scene.canvas_items->size(); ++i) {
+    const CanvasItem& item = (*scene.canvas_items)[i];
+    std::optional<CanvasShapeRows> shape;
+    if (const auto* triangle = std::get_if<CanvasTriangle>(&item); triangle && triangle->filled)
+      shape = rows_of(scene, *triangle, view, settings, pixel, progress);
+    if (const auto* polygon = std::get_if<CanvasPolygon>(&item); polygon && polygon->filled)
+      shape = rows_of(scene, *polygon, view, settings, pixel, progress);
+    if (!shape || !holds(*shape, pixel)) continue;
+    shape->item = static_cast<int>(i);
+    found.push_back(std::move(*shape));
+  }
+  return found;
+}
+
+std::string shape_name(const CanvasShapeRows& shape) {
+  return shape.vertices.size() == 3 ? "triangle" : fmt::format("polygon with {} vertices", shape.vertices.size());
 }
 
 std::string span_text(const std::optional<ColumnSpan>& span) {

@@ -17,6 +17,7 @@ namespace {
 
 struct Describer {
   const Scene& scene;
+  static constexpr std::size_t most_listed = 8;  // vertices in one sentence
 
   std::string operator()(const RayEvent& e) const {
     std::string text =
@@ -63,6 +64,13 @@ struct Describer {
   }
   std::string operator()(const LightEvent& e) const {
     return fmt::format("{}: {}", light_name(scene, e.light), light_effect_text(scene, e, LightWords::whole));
+  }
+  std::string operator()(const VertexLightEvent& e) const {
+    const std::string light = vector_text(e.light + e.extra);
+    if (!e.vertex)
+      return fmt::format("light at the centre of {}, for all of it: {}", primitive_name(scene, e.id), light);
+    return fmt::format("light at vertex {} of {}: {}, weight {}", *e.vertex, primitive_name(scene, e.id), light,
+                       number_text(e.weight));
   }
   std::string operator()(const ShadeEvent& e) const {
     return fmt::format("local colour {}: surface {} x light {}", vector_text(e.local), vector_text(e.surface),
@@ -156,6 +164,20 @@ struct Describer {
       return text + ": depth test off";
     }
     return text;
+  }
+  std::string operator()(const PolygonEvent& e) const {
+    const std::string_view shape = e.vertices.size() == 3 ? "triangle" : "polygon";
+    std::string text = fmt::format("{} {} with vertices ", shape, e.item);
+    if (e.vertices.size() > most_listed) {
+      text = fmt::format("{} {} with {} vertices", shape, e.item, e.vertices.size());
+    } else {
+      for (std::size_t i = 0; i < e.vertices.size(); ++i) text += (i == 0 ? "" : ", ") + vector_text(e.vertices[i]);
+    }
+    if (!e.row) return text + ": filled as triangles around its first vertex";
+    return text + fmt::format(": its row is filled from x = {} to {}, interpolated from {} to {}: {} at {}",
+                              e.row->left, e.row->right, vector_text(e.row->end_colours[0]),
+                              vector_text(e.row->end_colours[1]), vector_text(e.row->colour),
+                              number_text(e.row->along_row));
   }
   std::string operator()(const CoverageEvent& e) const { return fmt::format("{}: {}", event_key(e.strategy), e.how); }
   std::string operator()(const WriteEvent& e) const {

@@ -117,7 +117,11 @@ class FragmentParts {
       const Vec3d& lamp = lights[static_cast<std::size_t>(light.light)].position;
       item.points = {lamp - light.to_light, lamp};
     } else {
-      item.points = {point_, point_ + light.to_light * (sunward_share * inputs_.bounds.radius / length)};
+      const int parent = events_[static_cast<std::size_t>(index)].parent;
+      const auto* lit_at =
+          parent < 0 ? nullptr : std::get_if<VertexLightEvent>(&events_[static_cast<std::size_t>(parent)].data);
+      const Vec3d from = lit_at ? lit_at->position : point_;
+      item.points = {from, from + light.to_light * (sunward_share * inputs_.bounds.radius / length)};
     }
     model_.items.push_back(std::move(item));
   }

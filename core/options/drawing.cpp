@@ -25,6 +25,11 @@ Reason needs_lines(const Settings& s, const SceneTraits& t) {
   return {};
 }
 
+Reason needs_canvas_triangles(const Settings&, const SceneTraits& t) {
+  if (!t.canvas_triangles) return "the scene has no triangle or polygon on the canvas";
+  return {};
+}
+
 Reason needs_spheres(const Settings& s, const SceneTraits& t) {
   const bool patches = t.patches && s.patches == Patches::projected_error;
   if (!t.spheres && !t.solids && !patches) return "the scene has no curved surfaces";
@@ -49,6 +54,22 @@ std::vector<Option> drawing_rows() {
                               {{"filled", "filled", "All pixels that it covers."},
                                {"wireframe", "wireframe", "Its three edges."},
                                {"points", "points", "Its three vertices."}}),
+      choice<&Settings::canvas_fill>(
+          {.key = "canvas-fill",
+           .label = "Fill of canvas shapes",
+           .help = {"How triangles and convex polygons on the canvas are filled.", "LAB 4; CGFS ch. 7",
+                    "By rows all edges count as inside, so neighbours overlap. A polygon of more than three vertices "
+                    "has other colours inside, whichever is chosen, when it is turned."},
+           .keywords = "polygon fill, scanline, row, span, Interpolate, ComputePolygonRows",
+           .truth = exactly("canvas-fill=edge-functions"),
+           .acts_for = ActsFor::fragments,
+           .inactive = needs_canvas_triangles},
+          {{"edge-functions", "edge functions",
+            "Three edge functions for each sample, and the fill rule; polygons as triangles around their first "
+            "vertex."},
+           {"rows", "rows",
+            "Row by row from the leftmost to the rightmost pixel of the edges, colours interpolated "
+            "along the edges and then along the row."}}),
       choice<&Settings::line_algorithm>(
           {.key = "line-algorithm",
            .label = "Line algorithm",

@@ -111,20 +111,22 @@ std::vector<Option> reflection_rows() {
       choice<&Settings::environment_objects>(
           {.key = "environment-objects",
            .label = "Objects in environment maps",
-           .help = {"Which objects the cube map of a mirror shows. Objects that a scene marks with dynamic = on can be "
-                    "left out: the map is then made once, and stays right for all others while those move.",
-                    "CGFS ch. 15", "What is left out is not reflected, however near it is."},
+           .help =
+               {"Which objects environment maps show. Objects that a scene marks with dynamic = on can be left out: "
+                "a map is then made once, and stays right for all others while those move.",
+                "CGFS ch. 15", "What is left out is not reflected, however near it is."},
            .keywords = "dynamic, static, cube map, reflection map",
            .truth = exactly_by_rays(),
            .acts_for = ActsFor::fragments,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
              if (const auto reason = needs_mirrors(s, t)) return reason;
-             if (s.environment != Environment::cube_map) return "needs environment = cube-map";
+             if (s.environment == Environment::none) return "needs environment = cube-map or room-map";
              if (!t.dynamic) return "no object of the scene is dynamic";
              return {};
            }},
-          {{"all", "all", "Six pictures for each mirror, rendered again whenever anything moves."},
-           {"static", "static ones", "Rendered again only when a static object, a mirror or the light changes."}}),
+          {{"all", "all", "Every map is rendered again whenever anything moves that it shows."},
+           {"static", "static ones",
+            "Rendered again only when a static object, the map's own mirror or the light changes."}}),
       integer<&Settings::environment_size>(
           {.key = "environment-size",
            .label = "Environment map size",

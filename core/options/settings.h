@@ -29,6 +29,7 @@ enum class Coverage {
 enum class EdgeArithmetic { fixed, float32, float_stepped, int32 };
 enum class FillRule { top_left, inclusive, exclusive };
 enum class Draw { filled, wireframe, points };
+enum class CanvasFill { edges, rows };
 enum class LineAlgorithm { general, y_of_x, x_of_y, interpolate, bresenham };
 enum class Shading { phong, gouraud, flat };
 enum class Normals { vertex, triangle };
@@ -91,6 +92,7 @@ struct Settings {
   int subpixel_bits = 8;
   FillRule fill_rule = FillRule::top_left;
   Draw draw = Draw::filled;
+  CanvasFill canvas_fill = CanvasFill::edges;  ///< of triangles and polygons on the canvas
   LineAlgorithm line_algorithm = LineAlgorithm::general;
   double tessellation = 0.5;  ///< largest chord error of a tessellated sphere, in pixels
   Patches patches = Patches::as_made;

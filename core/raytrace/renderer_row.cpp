@@ -16,9 +16,12 @@ bool rays_show_objects(const SceneTraits& traits, const Settings&) {
 
 std::vector<LeftOut> left_out_by_rays(const SceneTraits& traits, const Settings&) {
   if (!traits.canvas_items) return {};
-  return {{LeftOutKind::objects, "leaves out what is drawn on the canvas",
-           "The ray tracer leaves out lines and triangles on the canvas, which no ray hits. Set renderer = rasterizer "
-           "to see them."}};
+  return {{LeftOutKind::objects,
+           "leaves out what is drawn on the canvas",
+           "The ray tracer leaves out lines and shapes on the canvas, which no ray hits. Set renderer = rasterizer "
+           "to see them.",
+           "Nothing of the canvas: no ray hits it.",
+           {{"Rasterizer", "renderer=rasterizer"}}}};
 }
 
 }  // namespace

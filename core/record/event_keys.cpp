@@ -110,6 +110,8 @@ std::string_view event_key(FragmentEvent::Pass pass) {
 
 std::string_view event_key(LightKind kind) { return light_kind_key(kind); }
 
+std::string_view event_key(CanvasFill fill) { return choice_key<&Settings::canvas_fill>(fill); }
+
 std::string_view event_key(Coverage strategy) { return choice_key<&Settings::coverage>(strategy); }
 
 std::string_view cube_face_name(int face) {

@@ -14,6 +14,7 @@ std::string_view event_key(TextureUse use);
 std::string_view event_key(FragmentEvent::Depth depth);
 std::string_view event_key(FragmentEvent::Pass pass);
 std::string_view event_key(LightKind kind);
+std::string_view event_key(CanvasFill fill);
 std::string_view event_key(Coverage strategy);
 
 }  // namespace ps

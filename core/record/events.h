@@ -9,6 +9,7 @@
 #include "image/texel.h"
 #include "math/vec.h"
 #include "options/settings.h"
+#include "record/polygon_event.h"
 #include "record/shadow_events.h"
 #include "scene/light.h"
 
@@ -20,13 +21,13 @@ namespace ps {
 
 enum class RayKind { eye, shadow, reflection, refraction };
 
-/// A ray is about to be traced. Its tests, hit and shading follow as its children.
 /// A transparent body in which an eye ray begins.
 struct MediumAtEye {
   std::int32_t object = -1;
   double index = 1;  ///< of refraction
 };
 
+/// A ray is about to be traced. Its tests, hit and shading follow as its children.
 struct RayEvent {
   RayKind kind = RayKind::eye;
   Vec3d origin{0, 0, 0};
@@ -125,6 +126,18 @@ struct LightEvent {
   std::optional<PixelId> blocker;    ///< what stands between; then both intensities are 0
   double visible = 1;          ///< share of the light that reaches the point; 0 with a blocker, or in a shadow map
   bool below_horizon = false;  ///< N.L <= 0: no diffuse light
+};
+
+/// The light at a point from which a fragment takes its own: a vertex of its triangle (Gouraud shading) or the
+/// triangle's centre (flat shading). The lights there are its children.
+struct VertexLightEvent {
+  PixelId id;
+  std::optional<int> vertex;  ///< of the triangle; absent for its centre
+  double weight = 1;          ///< of this light in that of the fragment
+  Vec3d position{0, 0, 0};    ///< of the point
+  Vec3d normal{0, 0, 1};      ///< at the point, any length
+  Vec3d light{0, 0, 0};       ///< sum over the lights, before the weight
+  Vec3d extra{0, 0, 0};       ///< the same of what has a colour of its own
 };
 
 /// Local colour of a surface point: light times colour.
@@ -274,11 +287,11 @@ struct PixelEvent {
   std::array<int, 3> display{};
 };
 
-using EventData =
-    std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent, TextureEvent, LightEvent,
-                 ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent, WriteEvent, LineEvent, PixelEvent,
-                 SolidTestEvent, RefractionEvent, CoverageEvent, SampleEvent, CompareEvent, ReuseEvent, NormalMapEvent,
-                 ShadowMapEvent, StencilEvent, EnvironmentEvent, ParallaxEvent, CutoffEvent>;
+using EventData = std::variant<RayEvent, NodeEvent, SphereTestEvent, TriangleTestEvent, HitEvent, MissEvent,
+                               TextureEvent, LightEvent, ShadeEvent, ReflectionEvent, RejectEvent, FragmentEvent,
+                               WriteEvent, LineEvent, PixelEvent, SolidTestEvent, RefractionEvent, CoverageEvent,
+                               SampleEvent, CompareEvent, ReuseEvent, NormalMapEvent, ShadowMapEvent, StencilEvent,
+                               EnvironmentEvent, ParallaxEvent, CutoffEvent, VertexLightEvent, PolygonEvent>;
 
 /// One event with its place in the tree: `parent` is the index of the event it belongs to, -1 at the top.
 struct Event {

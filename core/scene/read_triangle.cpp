@@ -5,14 +5,6 @@
 namespace ps {
 namespace {
 
-/// Do the vertices have three coordinates?
-bool in_space(const SceneEntry& entry) {
-  for (const SceneEntry& field : entry.value.entries)
-    if (field.key == "vertices" && !field.value.items.empty()) return field.value.items.front().items.size() == 3;
-  return false;
-}
-
-/// A model of one triangle with one instance: nothing else has to know single triangles.
 void read_space_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
   const SceneValues& values = source.values;
   const SceneFields fields(
@@ -35,10 +27,24 @@ void read_space_triangle(const SceneSource& source, const SceneEntry& entry, Sce
   mesh.materials = {material_for(source, fields, {}, draft)};
   if (draft.materials[mesh.materials.front()].texture >= 0 && mesh.uvs.empty())
     values.fail_at(entry.line, entry.column, "a triangle with a texture", "'uvs' too");
+  add_single_model(source, fields, "triangle", std::move(mesh), draft);
+}
+
+}  // namespace
+
+bool has_vertices_in_space(const SceneEntry& entry) {
+  for (const SceneEntry& field : entry.value.entries)
+    if (field.key == "vertices" && !field.value.items.empty()) return field.value.items.front().items.size() == 3;
+  return false;
+}
+
+void add_single_model(const SceneSource& source, const SceneFields& fields, std::string_view kind, Mesh mesh,
+                      SceneDraft& draft) {
+  const SceneValues& values = source.values;
   const SceneTerm* name = fields.find("name");
-  mesh.name = name != nullptr ? values.name(*name) : "triangle";
+  mesh.name = name != nullptr ? values.name(*name) : std::string(kind);
   for (int number = 2; draft.mesh_index.count(mesh.name) > 0; ++number)
-    mesh.name = fmt::format("{} {}", name != nullptr ? values.name(*name) : "triangle", number);
+    mesh.name = fmt::format("{} {}", name != nullptr ? values.name(*name) : std::string(kind), number);
   Instance instance;
   instance.mesh = static_cast<std::uint32_t>(draft.geometry.meshes.size());
   if (const auto* term = fields.find("sides")) instance.sides = read_sides(values, *term);
@@ -47,10 +53,8 @@ void read_space_triangle(const SceneSource& source, const SceneEntry& entry, Sce
   add_object(source, fields, {{}, instance}, draft);
 }
 
-}  // namespace
-
 void read_any_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft) {
-  if (in_space(entry))
+  if (has_vertices_in_space(entry))
     read_space_triangle(source, entry, draft);
   else
     read_canvas_triangle(source, entry, draft);

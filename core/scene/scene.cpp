@@ -76,7 +76,7 @@ SceneTraits scene_traits(const Scene& scene) {
   traits.canvas_items = !scene.canvas_items->empty();
   traits.canvas_triangles =
       std::any_of(scene.canvas_items->begin(), scene.canvas_items->end(),
-                  [](const CanvasItem& item) { return std::holds_alternative<CanvasTriangle>(item); });
+                  [](const CanvasItem& item) { return !std::holds_alternative<CanvasLine>(item); });
   return traits;
 }
 

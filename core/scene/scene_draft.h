@@ -53,8 +53,17 @@ void read_settings(const SceneSource& source, const SceneEntry& entry, SceneDraf
 void read_line(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 /// Vertices with three coordinates make a triangle in space, with two one on the canvas.
 void read_any_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
-/// A convex polygon on the canvas (LAB 4), kept as triangles around its first corner; its outline follows as lines.
-void read_polygon(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+/// Vertices with three coordinates make a convex polygon in space, with two one on the canvas (LAB 4).
+void read_any_polygon(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+void read_canvas_polygon(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
+/// A list of 3 to 1000 vertices; throws InputError for another.
+void require_polygon_vertices(const SceneSource& source, const SceneTerm& vertices);
+/// Do the block's `vertices` have three coordinates?
+bool has_vertices_in_space(const SceneEntry& entry);
+/// A model of its own with one instance, from `name`, `sides` and the keys of objects: nothing else has to know single
+/// triangles and polygons. `kind` is its name where the block gives none.
+void add_single_model(const SceneSource& source, const SceneFields& fields, std::string_view kind, Mesh mesh,
+                      SceneDraft& draft);
 void read_canvas_triangle(const SceneSource& source, const SceneEntry& entry, SceneDraft& draft);
 
 /// The `position` and `transform` of a block within CSG.

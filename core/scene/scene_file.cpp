@@ -30,7 +30,7 @@ constexpr std::array<BlockReader, 20> blocks{{{form_key<Ball>, read_sphere, fals
                                               {"group", read_group, false},
                                               {"line", read_line, false},
                                               {"triangle", read_any_triangle, false},
-                                              {"polygon", read_polygon, false},
+                                              {"polygon", read_any_polygon, false},
                                               {form_key<Plane>, read_solid, false},
                                               {form_key<Rectangle>, read_solid, false},
                                               {form_key<Brick>, read_solid, false},

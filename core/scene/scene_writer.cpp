@@ -349,6 +349,21 @@ class SceneWriter {
     line("}}");
   }
 
+  void canvas_item(const CanvasPolygon& item) {
+    const auto each = [&](auto&& text_of) {
+      std::string all;
+      for (const CanvasVertex& vertex : item.vertices) all += (all.empty() ? "" : ", ") + text_of(vertex);
+      return all;
+    };
+    line("\npolygon {{\n    vertices = [{}]", each([](const CanvasVertex& v) { return scene_vec(v.point); }));
+    line("    colors = [{}]", each([](const CanvasVertex& v) { return scene_colour(v.colour); }));
+    line("    h = [{}]", each([](const CanvasVertex& v) { return scene_number(v.h); }));
+    if (!item.filled) line("    filled = off");
+    if (item.outline) line("    outline = {}", scene_colour(*item.outline));
+    blend(item.blend);
+    line("}}");
+  }
+
   void canvas_item(const CanvasTriangle& item) {
     line("\ntriangle {{\n    vertices = [{}, {}, {}]", scene_vec(item.points[0]), scene_vec(item.points[1]),
          scene_vec(item.points[2]));

@@ -22,7 +22,7 @@ bool listing_shows_objects(const SceneTraits& traits, const Settings& settings) 
 struct ListingGap {
   LeftOutKind kind;
   bool missing;
-  std::string_view what, remedy;
+  std::string_view what, remedy;  ///< the remedy as key and value, with spaces
 };
 
 std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& settings) {
@@ -48,9 +48,12 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
   std::vector<LeftOut> all;
   for (const ListingGap& gap : gaps) {
     if (!gap.missing) continue;
-    all.push_back(
-        {gap.kind, fmt::format("leaves out {}", gap.what),
-         fmt::format("The listing of {} leaves out {}; {} shows that.", listing.source, gap.what, gap.remedy)});
+    const bool rays = gap.remedy == in_space;
+    all.push_back({gap.kind,
+                   fmt::format("leaves out {}", gap.what),
+                   fmt::format("The listing of {} leaves out {}; {} shows that.", listing.source, gap.what, gap.remedy),
+                   fmt::format("Leaves out {}: not in the listing of {}.", gap.what, listing.source),
+                   {{rays ? "Ray tracer" : "Rasterizer", rays ? "renderer=ray-tracer" : "renderer=rasterizer"}}});
   }
   return all;
 }

@@ -9,7 +9,8 @@ namespace {
 class CanvasReporter {
  public:
   CanvasReporter(const BookScene& book, const WatchReader& reader, PixelRecorder& recorder)
-      : book_(book), reader_(reader), recorder_(recorder), colour_(book.background / 255.0) {}
+      : book_(book), items_(lines_and_triangles(*book.scene.canvas_items)), reader_(reader), recorder_(recorder),
+        colour_(book.background / 255.0) {}
 
   void report() {
     for (const int pixel : reader_.all("pixel"))
@@ -30,7 +31,7 @@ class CanvasReporter {
   void report_line(int line, int pixel) {
     const Vec2d from = std::get<Vec2d>(reader_.value_of(line));
     const CanvasLine* drawn = nullptr;
-    for (const CanvasItem& item : *book_.scene.canvas_items)
+    for (const CanvasItem& item : items_)
       if (const auto* one = std::get_if<CanvasLine>(&item);
           one && one->points[0] == from && one->points[1] == reader_.last<Vec2d>(line, "to").value_or(one->points[1]))
         drawn = one;
@@ -46,7 +47,7 @@ class CanvasReporter {
     const int triangle = reader_.around(pixel, "triangle with vertex");
     if (triangle < 0) return nullptr;
     const CanvasTriangle* found = nullptr;
-    for (const CanvasItem& item : *book_.scene.canvas_items)
+    for (const CanvasItem& item : items_)
       if (const auto* one = std::get_if<CanvasTriangle>(&item);
           one && Vec2d(std::trunc(one->points[0].x), std::trunc(one->points[0].y)) ==
                      std::get<Vec2d>(reader_.value_of(triangle)))
@@ -84,6 +85,7 @@ class CanvasReporter {
   }
 
   const BookScene& book_;
+  const std::vector<CanvasItem> items_;  // as the listings draw them, without polygons
   const WatchReader& reader_;
   PixelRecorder& recorder_;
   Vec3d colour_;  // of the pixel so far

@@ -1,6 +1,7 @@
 // Environment maps without the dynamic objects (CGFS ch. 15), against traced reflections with and without them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 
 #include "raster/environment/environment_map.h"
@@ -124,6 +125,90 @@ TEST(EnvironmentObjects, KeepsTheMapWhileDynamicObjectsMove) {
     EXPECT_NE(before, map()) << "it is static now";
     scene.geometry.edit([](Geometry& g) { g.objects[moving].dynamic = true; });
   }
+}
+
+/// A static and a dynamic mirror, a static and a dynamic ball.
+Scene two_mirrors() {
+  return parse_scene("background = (40, 60, 90)\n"
+                     "light { type = ambient intensity = 1 }\n"
+                     "sphere { name = m center = (0, 0, 4) radius = 0.4 color = white reflective = 0.8 }\n"
+                     "sphere { name = moving center = (1, 0, 4) radius = 0.4 color = white reflective = 0.5 "
+                     "dynamic = on }\n"
+                     "sphere { name = ball dynamic = on center = (0, 2, 5) radius = 0.5 color = red }\n"
+                     "sphere { name = still center = (-2, 0, 5) radius = 0.5 color = green }\n",
+                     "two.scene", ".");
+}
+
+/// What the maps of the two mirrors are before and after an object has moved.
+struct MapsAround {
+  Scene scene = two_mirrors();
+  Settings settings;
+  Prepared prepared;
+  Progress progress;
+
+  explicit MapsAround(Environment environment, EnvironmentObjects objects) {
+    settings.renderer = Renderer::rasterizer;
+    settings.environment = environment;
+    settings.environment_objects = objects;
+    settings.environment_size = 16;
+  }
+  std::shared_ptr<const raster::EnvironmentMap> map(std::size_t object) {
+    return raster::environment_maps(scene, settings, prepared, WorkerPriority::normal, progress)->at(object);
+  }
+  void move(std::size_t object) {
+    scene.geometry.edit([&](Geometry& g) { std::get<Sphere>(g.objects[object].shape).centre += Vec3d(0.125, 0, 0); });
+  }
+  /// Which of the two maps are made anew when the object moves.
+  std::array<bool, 2> made_anew(std::size_t object) {
+    const auto first = map(0), second = map(1);
+    move(object);
+    return {map(0) != first, map(1) != second};
+  }
+};
+
+// A dynamic mirror stands in no other mirror's map, so only its own is made anew when it moves.
+TEST(EnvironmentObjects, AMovingMirrorChangesNoMapButItsOwn) {
+  using Anew = std::array<bool, 2>;
+  MapsAround fixed(Environment::cube_map, EnvironmentObjects::fixed);
+  EXPECT_EQ(fixed.made_anew(1), (Anew{false, true})) << "the dynamic mirror";
+  EXPECT_EQ(fixed.made_anew(2), (Anew{false, false})) << "the dynamic ball";
+  EXPECT_EQ(fixed.made_anew(3), (Anew{true, true})) << "the static ball";
+  EXPECT_EQ(fixed.made_anew(0), (Anew{true, true})) << "the static mirror, which the other shows";
+  MapsAround all(Environment::cube_map, EnvironmentObjects::all);
+  for (const std::size_t object : {0u, 1u, 2u, 3u}) EXPECT_EQ(all.made_anew(object), (Anew{true, true})) << object;
+  // What is kept is what would be made.
+  const auto kept = fixed.map(0);
+  fixed.prepared.clear();
+  const auto fresh = fixed.map(0);
+  ASSERT_NE(kept, fresh);
+  for (std::size_t face = 0; face < 6; ++face) EXPECT_TRUE(kept->faces[face] == fresh->faces[face]);
+  EXPECT_EQ(fresh->left_out, 2) << "the other mirror and the ball";
+  EXPECT_EQ(fixed.map(1)->left_out, 1) << "the ball; a mirror is never in its own map";
+}
+
+// Mirrors are not in the map of the room, and with environment-objects = static nothing that is dynamic is.
+TEST(EnvironmentObjects, TheMapOfTheRoomFollowsTheMark) {
+  using Anew = std::array<bool, 2>;
+  MapsAround all(Environment::room_map, EnvironmentObjects::all);
+  EXPECT_EQ(all.map(0), all.map(1));
+  EXPECT_EQ(all.map(0)->left_out, 0);
+  for (const std::size_t mirror_index : {0u, 1u})
+    EXPECT_EQ(all.made_anew(mirror_index), (Anew{false, false})) << "mirror " << mirror_index;
+  for (const std::size_t ball : {2u, 3u}) EXPECT_EQ(all.made_anew(ball), (Anew{true, true})) << "ball " << ball;
+  MapsAround fixed(Environment::room_map, EnvironmentObjects::fixed);
+  EXPECT_EQ(fixed.map(0)->left_out, 1);
+  EXPECT_EQ(fixed.made_anew(2), (Anew{false, false})) << "the dynamic ball";
+  EXPECT_EQ(fixed.made_anew(3), (Anew{true, true})) << "the static ball";
+  // The picture is that of a room without the dynamic ball.
+  Scene without = fixed.scene;
+  without.geometry.edit([](Geometry& g) { g.objects.erase(g.objects.begin() + 2); });
+  Settings plain = fixed.settings;
+  plain.environment_objects = EnvironmentObjects::all;
+  Prepared prepared;
+  Progress progress;
+  const auto expected = raster::environment_maps(without, plain, prepared, WorkerPriority::normal, progress)->at(0);
+  for (std::size_t face = 0; face < 6; ++face) EXPECT_TRUE(fixed.map(0)->faces[face] == expected->faces[face]);
+  EXPECT_FALSE(fixed.map(0)->faces[0] == all.map(0)->faces[0] && fixed.map(0)->faces[2] == all.map(0)->faces[2]);
 }
 
 TEST(EnvironmentObjects, TheInspectorAndTheCaptionSayWhatIsLeftOut) {

@@ -7,7 +7,8 @@
 #include <map>
 
 #include "options/scene_settings.h"
-#include "raytrace/clear/tracer.h"
+#include "raytrace/clear/intersector-inl.h"
+#include "raytrace/clear/tracer-inl.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/emulated.h"
@@ -33,31 +34,51 @@ Pair inputs_for(const Scene& scene, const Settings& settings, Prepared& prepared
 /// shadow rays, light (-1 = reflection): the same step of the two stories.
 using SelfHits = std::map<std::pair<int, int>, bool>;
 
-template <class Real>
-SelfHits self_hits(const TraceInputs<Real>& inputs, int x, int y) {
-  PixelRecorder recorder({x, y});
-  Tracer<Real, PixelRecorder>(inputs, recorder).trace_pixel(x, y);
-  const std::vector<Event> events = recorder.take();
-  struct Met {
-    RayKind kind = RayKind::eye;
-    int depth = 0, parent = -1;
-    PixelId surface;
-  };
-  std::map<int, Met> rays;  // by the event's index
-  SelfHits hits;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const int parent = events[i].parent;
-    if (const auto* ray = std::get_if<RayEvent>(&events[i].data)) {
-      rays[static_cast<int>(i)] = {ray->kind, ray->depth, parent, {}};
-    } else if (const auto* hit = std::get_if<HitEvent>(&events[i].data)) {
-      Met& met = rays.at(parent);
-      met.surface = hit->id;
-      if (met.kind == RayKind::reflection) hits[{met.depth, -1}] = rays.at(met.parent).surface == met.surface;
-    } else if (const auto* light = std::get_if<LightEvent>(&events[i].data)) {
-      hits[{rays.at(parent).depth, light->light}] = light->blocker == rays.at(parent).surface;
+/// Collects only that.
+class SelfHitRecorder {
+ public:
+  static constexpr bool counts = false;
+  static constexpr bool records = false;
+  void count(Counter, std::uint64_t = 1) {}
+  static constexpr bool wants(int, int) { return false; }
+  static constexpr bool collects() { return false; }
+  template <class Make>
+  void event(Make&& make) {
+    using Made = std::remove_cvref_t<decltype(make())>;
+    if constexpr (std::is_same_v<Made, HitEvent>) {
+      OpenRay& ray = open_.back();
+      ray.surface = make().id;
+      if (ray.kind == RayKind::reflection) hits_[{ray.depth, -1}] = open_[open_.size() - 2].surface == ray.surface;
+    } else if constexpr (std::is_same_v<Made, LightEvent>) {
+      const LightEvent light = make();
+      hits_[{open_.back().depth, light.light}] = light.blocker == open_.back().surface;
     }
   }
-  return hits;
+  template <class Make>
+  void begin(Make&& make) {
+    using Made = std::remove_cvref_t<decltype(make())>;
+    static_assert(std::is_same_v<Made, RayEvent>, "rays alone hold other events");
+    const RayEvent ray = make();
+    open_.push_back({ray.kind, ray.depth, {}});
+  }
+  void end() { open_.pop_back(); }
+  SelfHits take() { return std::move(hits_); }
+
+ private:
+  struct OpenRay {
+    RayKind kind = RayKind::eye;
+    int depth = 0;
+    PixelId surface;
+  };
+  std::vector<OpenRay> open_;
+  SelfHits hits_;
+};
+
+template <class Real>
+SelfHits self_hits(const TraceInputs<Real>& inputs, int x, int y) {
+  SelfHitRecorder recorder;
+  Tracer<Real, SelfHitRecorder>(inputs, recorder).trace_pixel(x, y);
+  return recorder.take();
 }
 
 int false_ones(const SelfHits& found, const SelfHits& truth) {

@@ -56,8 +56,11 @@ AddedRenderer constant_renderer() {
                       },
                   .left_out =
                       [](const SceneTraits&, const Settings&) {
-                        return std::vector<LeftOut>{{LeftOutKind::objects, "leaves out everything",
-                                                     "A constant colour leaves out everything but the background."}};
+                        return std::vector<LeftOut>{{LeftOutKind::objects,
+                                                     "leaves out everything",
+                                                     "A constant colour leaves out everything but the background.",
+                                                     "Nothing but the background.",
+                                                     {}}};
                       },
                   .shows_objects = [](const SceneTraits&, const Settings&) { return false; },
                   .subject = [](const SceneTraits&, const Settings&) { return std::string("the constant renderer"); }}};

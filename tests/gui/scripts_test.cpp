@@ -1,5 +1,5 @@
-// Every script of tests/gui/scripts in the real window, at the size of an old projector and of a common screen. A first
-// line "# arguments: ..." gives arguments for the program. OUT/ stands for a folder for screenshots; none may be blank.
+// Every script of tests/gui/scripts in the real window, at the sizes of a small and of a common screen. A first line
+// "# arguments: ..." gives arguments for the program. OUT/ stands for a folder for screenshots; none may be blank.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ std::string test_name(const testing::TestParamInfo<Case>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Window, Script,
-                         testing::Combine(testing::ValuesIn(scripts()), testing::Values("1024x768", "1920x1080")),
+                         testing::Combine(testing::ValuesIn(scripts()), testing::Values("1366x768", "1920x1080")),
                          test_name);
 
 }  // namespace

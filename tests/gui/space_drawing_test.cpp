@@ -18,9 +18,9 @@ TEST(SpaceDrawing, HoldsWhatHasHappenedSoFar) {
   const auto save = [&](const std::string& name) {
     return "click space/svg\nwait frames 3\ntype " + (folder / name).string() + "\nkey Enter\nwait idle\n";
   };
-  const auto run =
-      ps::test::play("wait idle\n" + save("whole.svg") + "key .\nwait idle\n" + save("first.svg") + "quit\n", folder,
-                     "1024x768", "cgfs/reflections");
+  const auto run = ps::test::play("wait idle\nclick bottom/space\nwait idle\n" + save("whole.svg") +
+                                      "key .\nwait idle\n" + save("first.svg") + "quit\n",
+                                  folder, "1024x768", "cgfs/reflections");
   ASSERT_EQ(run.status, 0) << run.errors;
   const std::string whole = ps::test::read_file(folder / "whole.svg");
   const std::string first = ps::test::read_file(folder / "first.svg");

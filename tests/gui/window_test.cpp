@@ -85,13 +85,14 @@ TEST(Window, EveryPixelOfAShrunkPictureCanBeClickedByAScript) {
   std::string script = "wait idle\nexpect zoom < 0.5\n";
   for (const char* pixel : {"300,420", "301,421", "302,422", "777,13", "778,14"})
     script += std::string("click-pixel A ") + pixel + "\nexpect pixel " + pixel + "\n";
-  const auto result = play(script, folder, "1024x768", "--size 1100x800 cgfs/spheres");
+  const auto result = play(script, folder, "1024x768", "--size 2200x1600 cgfs/spheres");
   EXPECT_EQ(result.status, 0) << result.errors;
 }
 
 TEST(Window, AValueIsNoControl) {
   const auto folder = ps::fresh_output_folder("gui-value-no-control");
-  const auto result = play("wait idle\nclick space/boxes\n", folder, "1024x768", "--size 160x120");
+  const auto result =
+      play("wait idle\nclick bottom/space\nwait idle\nclick space/boxes\n", folder, "1024x768", "--size 160x120");
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.errors.find("it is a value, which can be read and not clicked; similar: space/"), std::string::npos)
       << result.errors;
@@ -173,7 +174,8 @@ TEST(Window, OffersAFirstLookOnce) {
 // At both, everything that a lesson needs can be reached.
 TEST(Window, WorksSmallAndAtDoubleScale) {
   const std::string script =
-      "wait idle\nexpect step 1\nclick lesson/next\nwait idle\nexpect step 2\nchoose options/renderer rasterizer\n"
+      "wait idle\nexpect step 1\nclick lesson/next\nwait idle\nexpect step 2\nkey F3\nwait idle\n"
+      "choose options/renderer rasterizer\nclick pixel/open\nwait idle\n"
       "click pixel/side/b\nclick menu/view\nkey Esc\nkey ?\nexpect help/open on\nkey Esc\nkey X\nwait idle\n"
       "keep split BEFORE\ndrag pictures/divider 30,0\nexpect split > $BEFORE\nexpect messages 0\n";
   struct Case {

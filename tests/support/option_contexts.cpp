@@ -74,6 +74,7 @@ const std::vector<OptionContext>& option_contexts() {
       {"cgfs/shading", {"accelerator=octree"}},
       {"cgfs/behind", {"renderer=rasterizer", "subpixel-bits=12", "clipping=near"}},
       {"lab/depth-complexity", {"subpixel-bits=12"}},
+      {"lab/polygons", {}},
   };
   return all;
 }

@@ -8,6 +8,7 @@
 #include "raster/clear/polygon_rows.h"
 #include "render/render.h"
 #include "scene/scene_file.h"
+#include "scene/scene_writer.h"
 
 namespace ps {
 namespace canvas_polygon_test {
@@ -76,7 +77,7 @@ TEST(CanvasPolygon, LiesWithinTheRowsOfTheLab) {
   std::map<int, raster::PolygonRow> rows;
   for (const raster::PolygonRow& row : raster::polygon_rows(corners)) {
     rows[row.y] = row;
-    in_rows += row.right - row.left + 1;
+    in_rows += row.right.x - row.left.x + 1;
   }
   for (int y = 0; y < polygon_side; ++y)
     for (int x = 0; x < polygon_side; ++x) {
@@ -85,8 +86,8 @@ TEST(CanvasPolygon, LiesWithinTheRowsOfTheLab) {
       const int column = x - polygon_side / 2, height = polygon_side / 2 - 1 - y;  // the book's names of the pixel
       const auto row = rows.find(height);
       ASSERT_NE(row, rows.end()) << height;
-      EXPECT_GE(column, row->second.left) << height;
-      EXPECT_LE(column, row->second.right) << height;
+      EXPECT_GE(column, row->second.left.x) << height;
+      EXPECT_LE(column, row->second.right.x) << height;
     }
   EXPECT_GT(covered, 500);
   EXPECT_LE(covered, in_rows);
@@ -100,6 +101,28 @@ TEST(CanvasPolygon, ColoursOfItsCornersAndItsOutline) {
   EXPECT_NEAR(middle.x, 1 - 14.5 / 30, 1e-5);
   EXPECT_NEAR(middle.z, 0.5 * 14.5 / 30, 1e-5);
   EXPECT_EQ(frame.colour.at(polygon_side / 2, polygon_side / 2 + 14), Vec3f(1));
+}
+
+// It stays a polygon when it is written; what knows lines and triangles alone gets its triangles and its outline.
+TEST(CanvasPolygon, IsOneItemThatIsWrittenAndReadBack) {
+  const std::string text = "polygon { vertices = [(0, 0), (5, 0), (10, 0), (10, 10)] colors = [red, blue, red, white]\n"
+                           "  h = [1, 0.5, 1, 2] outline = white blend = additive }\n"
+                           "polygon { vertices = [(0, 0), (0, 9), (9, 9), (9, 0)] filled = off outline = red }\n";
+  const Scene scene = parse_scene(text, "p.scene", ".");
+  ASSERT_EQ(scene.canvas_items->size(), 2u);
+  EXPECT_TRUE(scene_traits(scene).canvas_triangles);
+  const auto& polygon = std::get<CanvasPolygon>((*scene.canvas_items)[0]);
+  EXPECT_EQ(polygon.vertices.size(), 4u);
+  const Scene again = parse_scene(write_scene(scene, "."), "again.scene", ".");
+  EXPECT_EQ(*again.canvas_items, *scene.canvas_items);
+  const auto plain = lines_and_triangles(*scene.canvas_items);
+  std::size_t lines = 0, triangles = 0;
+  for (const CanvasItem& item : plain) {
+    lines += std::holds_alternative<CanvasLine>(item) ? 1u : 0u;
+    triangles += std::holds_alternative<CanvasTriangle>(item) ? 1u : 0u;
+  }
+  EXPECT_EQ(lines, 8u);
+  EXPECT_EQ(triangles, 1u) << "that on a line has no area, and the other polygon is not filled";
 }
 
 TEST(CanvasPolygon, RefusesWhatIsNotConvex) {

@@ -34,7 +34,7 @@ constexpr std::array<std::array<int, 3>, 11> printed_rows{{{5, 10, 10},
 
 /// The pixels between the three edges by the plane's definition: a centre is inside where it lies on the same side of
 /// all edges, in twice the pixels' whole numbers.
-bool strictly_inside(const std::array<Vec2i, 3>& corner, Vec2i pixel) {
+bool strictly_inside(const std::vector<Vec2i>& corner, Vec2i pixel) {
   int left = 0, right = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2i a = corner[k], b = corner[(k + 1) % 3];
@@ -52,7 +52,7 @@ TEST(CanvasRows, AreThoseOfTheLabAndOfTheFillRule) {
   Progress progress;
   const auto found = canvas_rows(scene, view, settings, {10, 9}, progress);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].corners, (std::array<Vec2i, 3>{Vec2i{10, 5}, {5, 10}, {15, 15}}));
+  EXPECT_EQ(found[0].vertices, (std::vector<Vec2i>{{10, 5}, {5, 10}, {15, 15}}));
   std::size_t lab_rows = 0;
   for (const CanvasRow& row : found[0].rows) {
     if (!row.outlined) continue;
@@ -72,7 +72,7 @@ TEST(CanvasRows, AreThoseOfTheLabAndOfTheFillRule) {
         const bool filled = row != rows.end() && row->filled && x >= row->filled->left && x <= row->filled->right;
         EXPECT_EQ(filled, picture.at(x, y) != (Rgb8{0, 0, 0})) << x << "," << y;
         if (rule == FillRule::exclusive) {
-          EXPECT_EQ(filled, strictly_inside(found[0].corners, {x, y})) << x << "," << y;
+          EXPECT_EQ(filled, strictly_inside(found[0].vertices, {x, y})) << x << "," << y;
         }
       }
   }
@@ -90,7 +90,44 @@ TEST(CanvasRows, OnlyOfTrianglesAtThePixel) {
   far.canvas_items.edit([](std::vector<CanvasItem>& items) {
     std::get<CanvasTriangle>(items[0]).points[0] = {-1e300, 1e300};
   });
-  EXPECT_EQ(canvas_rows(far, view, settings, {20, 19}, progress).size(), 1u) << "rows without end are not listed";
+  const auto cut = canvas_rows(far, view, settings, {20, 19}, progress);
+  EXPECT_GE(cut.size(), 1u);
+  for (const CanvasShapeRows& shape : cut) EXPECT_LE(shape.rows.size(), 40u) << "only the picture's";
+}
+
+// A polygon is one shape, with the rows that canvas-fill = rows draws and the colours that are interpolated between.
+TEST(CanvasRows, OfAPolygonAreThoseThatAreDrawn) {
+  const Scene scene = load_scene("lab/polygons");
+  Settings settings = settings_for(scene);
+  const View view{scene.camera, 400, 400};
+  Progress progress;
+  Prepared prepared;
+  const Vec2i pixel{310, 100};
+  const auto found = canvas_rows(scene, view, settings, pixel, progress);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].item, 1);
+  EXPECT_EQ(shape_name(found[0]), "polygon with 4 vertices");
+  settings.canvas_fill = CanvasFill::rows;
+  int compared = 0;
+  for (const CanvasRow& row : found[0].rows) {
+    if (!row.outlined || row.y % 9 != 0) continue;
+    const int middle = (row.outlined->left + row.outlined->right) / 2;
+    const PixelStory story = inspect(scene, view, settings, {middle, row.y}, prepared, progress);
+    const PolygonEvent* polygon = nullptr;
+    for (const Event& event : story.events)
+      if (const auto* one = std::get_if<PolygonEvent>(&event.data)) polygon = one;
+    ASSERT_TRUE(polygon && polygon->row) << row.y;
+    EXPECT_EQ(*row.outlined, (ColumnSpan{polygon->row->left, polygon->row->right})) << row.y;
+    for (std::size_t end = 0; end < 2; ++end)
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(row.end_colours[end][c], polygon->row->end_colours[end][c], 1e-6) << row.y;
+    ++compared;
+  }
+  EXPECT_GT(compared, 10);
+  const auto text = run_cli({"inspect", "lab/polygons", "--pixel", "310,100", "--rows"});
+  ASSERT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("canvas item 1, polygon with 4 vertices, vertices at pixels ("), std::string::npos);
+  EXPECT_NE(text.out.find("colour of the left end"), std::string::npos) << text.out;
 }
 
 TEST(CanvasRows, CommandLine) {
@@ -106,6 +143,7 @@ TEST(CanvasRows, CommandLine) {
       const auto& [y, left, right] = printed_rows.at(count++);
       EXPECT_EQ(row["y"], y);
       EXPECT_EQ(row["interpolated"], nlohmann::json({left, right}));
+      EXPECT_EQ(row["end_colours"].size(), 2u);
     }
   EXPECT_EQ(count, printed_rows.size());
   const test::ScratchFolder folder;
@@ -115,7 +153,7 @@ TEST(CanvasRows, CommandLine) {
   EXPECT_EQ(run_cli({"inspect", "lab/polygon-rows", "--pixel", "10,9", "--rows", "--csv"}).status, 2);
   const auto none = run_cli({"inspect", "cgfs/spheres", "--size", "9x9", "--pixel", "3,3", "--rows"});
   EXPECT_EQ(none.status, 2);
-  EXPECT_NE(none.err.find("no filled triangle of the canvas"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("no filled triangle or polygon of the canvas"), std::string::npos) << none.err;
 }
 
 }  // namespace

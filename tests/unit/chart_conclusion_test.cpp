@@ -9,8 +9,10 @@
 
 #include "study/chart_front.h"
 
-namespace ps {
+namespace chart_conclusion_test {
 namespace {
+
+using namespace ps;
 
 struct Given {
   std::string name;
@@ -134,4 +136,4 @@ TEST(ChartConclusion, StatesNoOrderThatNoiseCouldTurnRound) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace chart_conclusion_test

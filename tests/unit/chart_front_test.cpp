@@ -7,8 +7,10 @@
 #include <random>
 #include <vector>
 
-namespace ps {
+namespace chart_front_test {
 namespace {
+
+using namespace ps;
 
 Chart chart_of(const std::vector<Quartiles>& times, const std::vector<double>& errors, double noise) {
   Chart chart;
@@ -103,4 +105,4 @@ TEST(ChartFront, TheBandHoldsEveryFrontThatTheNoiseAllows) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace chart_front_test

@@ -6,8 +6,10 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace estimate_test {
 namespace {
+
+using namespace ps;
 
 ChartRequest request_of(const std::vector<std::string>& sweeps) {
   ChartRequest request;
@@ -72,4 +74,4 @@ TEST(Estimate, IsRoundedInWords) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace estimate_test

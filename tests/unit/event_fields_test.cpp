@@ -63,6 +63,11 @@ std::vector<EventData> sample_events() {
   shadow_map.taps = {{1, 2, 3, true}};
   StencilEvent stencil;
   stencil.crossings = {VolumeCrossing{}};
+  VertexLightEvent vertex_light;
+  vertex_light.vertex = 1;
+  PolygonEvent polygon;
+  polygon.vertices = {{1, 2}, {3, 4}, {5, 6}};
+  polygon.row = PolygonRowSpan{};
   ParallaxEvent parallax;
   parallax.relief = {0.5};
   return {ray,
@@ -92,7 +97,9 @@ std::vector<EventData> sample_events() {
           shadow_map,
           stencil,
           EnvironmentEvent{},
-          parallax};
+          parallax,
+          vertex_light,
+          polygon};
 }
 
 PixelStory sample_story() {

@@ -10,8 +10,10 @@
 
 #include "support/stability_table.h"
 
-namespace ps {
+namespace experiment_figures_test {
 namespace {
+
+using namespace ps;
 
 const double none = std::nan("");
 
@@ -124,4 +126,4 @@ TEST(ExperimentFigures, TheTableGetsItsMeaningBehindItsColumns) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace experiment_figures_test

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -141,6 +142,36 @@ TEST(LeftOutObjects, TheRasterizersMissingEffectsAreNamedUntilTheyAreThere) {
   parse_assignment("shadows=none", settings);
   EXPECT_EQ(words(), "");
   EXPECT_EQ(left_out_words(scene_traits(scene), with_renderer(Renderer::ray_tracer)), "");
+}
+
+// Each button does what it says: with its setting the thing is left out no longer, in every built-in scene.
+TEST(LeftOutObjects, EveryRemedyEndsWhatItIsOfferedFor) {
+  std::set<std::string> tried;
+  for (const BuiltinScene& built_in : builtin_scenes()) {
+    const Scene scene = load_scene(built_in.name);
+    const SceneTraits traits = scene_traits(scene);
+    for (const char* start : {"renderer=ray-tracer", "renderer=rasterizer", "renderer=textbook"})
+      for (const char* more : {"shading=phong", "shading=gouraud", "environment=cube-map", "environment=room-map"}) {
+        Settings settings = settings_for(scene);
+        parse_assignment(start, settings);
+        parse_assignment(more, settings);
+        parse_assignment("environment-objects=static", settings);
+        for (const LeftOut& one : left_out(traits, settings)) {
+          ASSERT_FALSE(one.remedies.empty()) << one.brief;
+          EXPECT_FALSE(one.notice.empty()) << one.brief;
+          for (const Remedy& remedy : one.remedies) {
+            Settings mended = settings;
+            parse_assignment(remedy.setting, mended);
+            for (const LeftOut& still : left_out(traits, mended))
+              EXPECT_NE(still.brief, one.brief) << built_in.name << ", " << start << ", " << remedy.setting;
+            tried.insert(remedy.setting);
+          }
+        }
+      }
+  }
+  for (const char* setting : {"shadows=map", "shadows=stencil-depth-fail", "environment=cube-map",
+                              "renderer=ray-tracer", "renderer=rasterizer", "environment-objects=all"})
+    EXPECT_TRUE(tried.contains(setting)) << setting << " is offered nowhere";
 }
 
 TEST(LeftOutObjects, TheCommandLineNamesThemWithTheRemedy) {

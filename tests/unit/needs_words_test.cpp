@@ -5,8 +5,10 @@
 
 #include "scene/load.h"
 
-namespace ps {
+namespace needs_words_test {
 namespace {
+
+using namespace ps;
 
 /// Shares as a search would find them: errors of the features that are used, in their order; below 0: the scene lacks
 /// it, above 1: it is off.
@@ -61,4 +63,4 @@ TEST(NeedsWords, WhatASceneNeverUsesDoesNotDependOnSettings) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace needs_words_test

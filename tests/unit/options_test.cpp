@@ -38,6 +38,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"parallax-mapping", up_to(Parallax::occlusion)},
       {"patches", up_to(Patches::projected_error)},
       {"light-passes", up_to(LightPasses::many)},
+      {"canvas-fill", up_to(CanvasFill::rows)},
       {"fill-rule", up_to(FillRule::exclusive)},
       {"draw", up_to(Draw::points)},
       {"line-algorithm", up_to(LineAlgorithm::bresenham)},

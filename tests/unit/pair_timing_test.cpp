@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "scene/load.h"
 
+namespace pair_timing_test {
 namespace {
 
 using namespace ps;
@@ -121,3 +122,4 @@ TEST(PairTiming, TimesPicturesOfAScene) {
 }
 
 }  // namespace
+}  // namespace pair_timing_test

@@ -127,6 +127,29 @@ TEST(Permalink, RectangleIsCutOffAtThePicturesEdges) {
   EXPECT_EQ(outside.view.region, std::nullopt);
 }
 
+TEST(Permalink, KeepsTheSelectedEventsOfBothStories) {
+  Document document;
+  document.events = {3, 7};
+  document.picked = Side::b;
+  const std::string link = permalink(document);
+  EXPECT_NE(link.find("event=7"), std::string::npos) << link;
+  EXPECT_EQ(parse_permalink(link).events, document.events);
+  // In whichever order its parts come.
+  EXPECT_EQ(parse_permalink("other-event=3&event=7&picked=b").events, document.events);
+}
+
+TEST(Permalink, OfALessonOpensItsModeUnlessItNamesAnother) {
+  EXPECT_EQ(parse_permalink("scene=cgfs/crates").mode, ScreenMode::explore);
+  Document document = parse_permalink("scene=cgfs/crates&lesson=cgfs_03_light&step=2");
+  EXPECT_EQ(document.mode, ScreenMode::lesson);
+  EXPECT_EQ(permalink(document), "scene=cgfs/crates&lesson=cgfs_03_light&step=2");
+  for (const ScreenMode mode : {ScreenMode::explore, ScreenMode::study, ScreenMode::presenter}) {
+    document.mode = mode;
+    EXPECT_EQ(parse_permalink(permalink(document)).mode, mode) << permalink(document);
+  }
+  EXPECT_THROW(parse_permalink("mode=theatre"), InputError);
+}
+
 TEST(PermalinkFile, KeepsTheLineAndTheTextOfPictures) {
   const test::ScratchFolder folder;
   Document document;

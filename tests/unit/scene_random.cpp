@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "scene/rotation.h"
 #include "scene/texture_generator.h"
 
@@ -91,10 +93,27 @@ CsgNode random_tree(Dice& dice, std::uint32_t materials, int depth) {
   return node;
 }
 
+/// Its vertices lie on an ellipse, so it is convex.
+CanvasPolygon random_polygon(Dice& dice, Blend blend) {
+  CanvasPolygon polygon;
+  const Vec2d middle{dice.number(-300, 300), dice.number(-300, 300)}, radius{dice.number(1, 90), dice.number(1, 90)};
+  const int count = 3 + dice.below(7);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * (i + 0.5 * dice.number(0, 1)) / count;
+    polygon.vertices.push_back(
+        {middle + radius * Vec2d{std::cos(angle), std::sin(angle)}, dice.colour(), dice.number(-1, 2)});
+  }
+  polygon.filled = dice.coin();
+  polygon.blend = blend;
+  if (dice.coin()) polygon.outline = dice.colour();
+  return polygon;
+}
+
 CanvasItem random_item(Dice& dice) {
   const auto point = [&] { return Vec2d{dice.number(-300, 300), dice.number(-300, 300)}; };
   const auto blend = static_cast<Blend>(dice.below(3));
   if (dice.coin()) return CanvasLine{{point(), point()}, dice.colour(), blend};
+  if (dice.coin()) return random_polygon(dice, blend);
   CanvasTriangle triangle{
       {point(), point(), point()}, {dice.colour(), dice.colour(), dice.colour()}, {}, true, blend, {}};
   triangle.h = {dice.number(-1, 2), 1, 0};

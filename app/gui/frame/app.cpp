@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "document/permalink.h"
 #include "document/permalink_file.h"
 #include "gui/frame/about.h"
 #include "gui/frame/drop.h"
@@ -31,6 +32,7 @@ namespace ps::gui {
 namespace {
 
 constexpr const char* layout_key = "app/layout";
+constexpr const char* mode_key_of_state = "app/mode";
 constexpr const char* first_look_key = "app/first-look";  // "answered" once the offer is taken, declined or passed by
 /// Without backgrounds: the window is cleared to their colour.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoDecoration |
@@ -39,7 +41,7 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoBackground | ImGuiW
 constexpr double progress_interval = 0.1;  // seconds
 
 std::string layout_text(const Layout& layout) {
-  return fmt::format("{} {} {}", layout.left, layout.right, layout.bottom);
+  return fmt::format("{} {} {} {}", layout.left, layout.right, layout.bottom, layout.pixel_open ? "pixel" : "-");
 }
 
 void read_layout(const std::string& text, Layout& layout) {
@@ -52,6 +54,8 @@ void read_layout(const std::string& text, Layout& layout) {
     layout.right = right;
     layout.bottom = bottom;
   }
+  std::string pixel;
+  layout.pixel_open = words >> pixel && pixel == "pixel";
 }
 
 /// Whether no permalink says how the window is divided.
@@ -79,9 +83,11 @@ struct App::Parts {
   void offer_values();
   void update();
   void draw();
+  void draw_status(ImVec2 window, float height);
   void close_on_escape();
   void keep_what_is_open();
   void show_options();
+  void open_tool(std::string_view name, PanelUse use);
   std::string status() const;
   bool unsafe_busy() const;
   bool busy() const;
@@ -121,10 +127,12 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
   const bool asked = !nothing_asked(options);
   auto left_behind = asked ? std::optional<Document>() : restored_document(autosave, session, words);
   offers_first_look = !asked && !left_behind && shell.remembers() && shell.remembered(first_look_key).empty();
-  if (left_behind)
+  if (left_behind) {
     document = std::move(*left_behind);
-  else if (nothing_linked(options))
+  } else if (nothing_linked(options)) {
     read_layout(shell.remembered(layout_key), document.layout);
+    if (shell.remembered(mode_key_of_state) == mode_key(ScreenMode::lesson)) document.mode = ScreenMode::lesson;
+  }
   session.start(std::move(document));
   for (const Message& message : words) session.say(message.kind, message.text);
   if (!options.lesson.empty()) go_to_step(session, options.lesson, 0);
@@ -142,10 +150,16 @@ void App::Parts::add_actions() {
       actions.add({.name = "study-" + std::string(panel.name),
                    .label = std::string(panel.command),
                    .group = "Study",
-                   .run = [this, name = panel.name] { show_panel(session, name); },
+                   .run = [this, name = panel.name, use = panel.use] { open_tool(name, use); },
                    .enabled = [this] { return session.has_scene(); }});
   }
   actions.offer_more([this] { return palette_entries(session, my.options, [this] { show_options(); }); });
+}
+
+/// A study's window has no place for what looks at one pixel.
+void App::Parts::open_tool(std::string_view name, PanelUse use) {
+  if (use == PanelUse::pixel && session.document().mode == ScreenMode::study) set_mode(session, ScreenMode::explore);
+  show_panel(session, name);
 }
 
 void App::Parts::offer_values() {
@@ -159,10 +173,7 @@ void App::Parts::offer_values() {
 
 void App::Parts::show_options() {
   my.history.open = false;
-  session.navigate([](Document& document) {
-    document.layout.panels = true;
-    document.layout.filled.clear();
-  });
+  set_mode(session, ScreenMode::explore);
 }
 
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
@@ -187,6 +198,7 @@ void App::Parts::close_on_escape() {
     my.history.open = false;
     return;
   }
+  if (leave_presenter(session)) return;
   session.navigate([](Document& document) {
     document.layout.panels = true;
     if (document.compare == CompareMode::only_a || document.compare == CompareMode::only_b)
@@ -231,6 +243,16 @@ void App::Parts::keep_what_is_open() {
   kept_revision = session.revision();
   autosave.save(session.permalink());
   shell.remember(layout_key, layout_text(session.document().layout));
+  shell.remember(mode_key_of_state, std::string(mode_key(session.document().mode)));
+}
+
+void App::Parts::draw_status(ImVec2 window, float height) {
+  ImGui::SetCursorScreenPos({px(12), window.y - height + px(3)});
+  ImGui::BeginChild("status", {window.x - px(24), height - px(3)}, false, fixed_window);
+  const std::string study = status();
+  gui::status_bar(session, my.pictures, status_bar,
+                  study.empty() ? "Click a pixel to see how it got its colour.   ? shows all keys." : study);
+  ImGui::EndChild();
 }
 
 void App::Parts::draw() {
@@ -240,21 +262,19 @@ void App::Parts::draw() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-  ImGui::Begin("pixelscope", nullptr, fixed_window | ImGuiWindowFlags_MenuBar);
+  // The presenter's audience sees pictures and text alone.
+  const bool presents = session.document().mode == ScreenMode::presenter;
+  ImGui::Begin("pixelscope", nullptr, fixed_window | (presents ? ImGuiWindowFlags_None : ImGuiWindowFlags_MenuBar));
   ImGui::PopStyleVar(3);
-  menu_bar.draw();
-  const float top = ImGui::GetCursorScreenPos().y, status_height = ImGui::GetFrameHeight() + px(6);
+  if (!presents) menu_bar.draw();
+  const float top = ImGui::GetCursorScreenPos().y, status_height = presents ? 0 : ImGui::GetFrameHeight() + px(6);
   regions.draw({{0, top}, {size.x, size.y - status_height - status_bar.bars_height}}, offers_first_look);
-  if (regions.first_look_answered()) {
+  // Who begins a lesson in another way has passed the offer by.
+  if (regions.first_look_answered() || (offers_first_look && !session.document().lesson.empty())) {
     offers_first_look = false;
     shell.remember(first_look_key, "answered");
   }
-  ImGui::SetCursorScreenPos({px(12), size.y - status_height + px(3)});
-  ImGui::BeginChild("status", {size.x - px(24), status_height - px(3)}, false, fixed_window);
-  const std::string study = status();
-  gui::status_bar(session, my.pictures, status_bar,
-                  study.empty() ? "Click a pixel to see how it got its colour.   ? shows all keys." : study);
-  ImGui::EndChild();
+  if (!presents) draw_status(size, status_height);
   ImGui::End();
   message_bars(session, status_bar, px(8), size.x - px(8), size.y - status_height);
   if (const auto experiment = unsafe_lines(session, my.unsafe, my.pictures)) {
@@ -306,6 +326,9 @@ std::optional<WindowPoint> App::pixel_place(Side side, Vec2i pixel) const {
   if (!area) return {};
   const ImVec2 at = pictures.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, *area);
   if (!area->contains(at)) return {};
+  // Of a picture that A and B share, each shows its part; flicker lets them change places.
+  const Side left = pictures.flip ? Side::b : Side::a;
+  if (pictures.split_at && (at.x < *pictures.split_at) != (side == left)) return {};
   return WindowPoint{at.x, at.y};
 }
 

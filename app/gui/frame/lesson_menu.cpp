@@ -28,7 +28,7 @@ LessonEntry lesson_entry(const Lesson& lesson) {
 }  // namespace
 
 void MenuBar::lesson_menu() {
-  if (!begin_menu("menu/lesson", "Lesson")) return;
+  if (!begin_menu("menu/lesson", "Lessons")) return;
   std::string book;
   for (const auto& name : lesson_names()) {
     static std::map<std::string, LessonEntry> entries;

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "gui/frame/show_panel.h"
 #include "gui/panels/lesson/first_look.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/widgets.h"
@@ -22,6 +23,7 @@ void MenuBar::view_menu() {
   items({"side-by-side", "split", "difference", "only-a", "only-b"});
   items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid", "handles"});
   items({"channel-next", "channel-before"});
+  items({"mode-lesson", "mode-explore", "mode-study", "mode-presenter"});
   items({"panels", "fullscreen"});
   items({"predict"});
   menu_action(actions_, "reset-view");
@@ -35,7 +37,7 @@ void MenuBar::view_menu() {
 }
 
 void MenuBar::study_menu() {
-  if (!begin_menu("menu/study", "Study")) return;
+  if (!begin_menu("menu/study", "Tools")) return;
   for (const Panel& panel : panels_) {
     if (panel.place != PanelPlace::below) continue;
     if (panel.name == "chart") ImGui::Separator();  // what follows is about the whole picture
@@ -44,8 +46,27 @@ void MenuBar::study_menu() {
   end_menu();
 }
 
+/// What the window is for, with the key of each.
+void MenuBar::mode_buttons() {
+  struct Row {
+    ScreenMode mode;
+    const char *name, *label, *help;
+  };
+  static constexpr std::array rows{
+      Row{ScreenMode::lesson, "lesson", "Lesson", "The lesson's text beside large pictures (F2)."},
+      Row{ScreenMode::explore, "explore", "Explore", "All options and tools around the pictures (F3)."},
+      Row{ScreenMode::study, "study", "Study", "A chart or a table at full height beside small pictures (F4)."}};
+  const NameScope scope("mode");
+  ImGui::SetCursorPosX(px(8));
+  for (const Row& row : rows)
+    if (button_on_off(row.name, row.label, session_.document().mode == row.mode, {.tooltip = row.help, .disabled = {}}))
+      set_mode(session_, row.mode);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(8));
+}
+
 void MenuBar::draw() {
   if (!ImGui::BeginMenuBar()) return;
+  mode_buttons();
   scene_menu();
   lesson_menu();
   view_menu();
@@ -72,7 +93,8 @@ void MenuBar::draw() {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
   }
-  compare_buttons(ImGui::GetWindowWidth() - modes);
+  // Where large type leaves them no room they are in the menu View and on their keys.
+  if (ImGui::GetCursorPosX() < ImGui::GetWindowWidth() - modes) compare_buttons(ImGui::GetWindowWidth() - modes);
   ImGui::EndMenuBar();
 }
 

@@ -20,6 +20,7 @@ class MenuBar {
   void lesson_menu();
   void view_menu();
   void study_menu();
+  void mode_buttons();
   float compare_buttons_width() const;
   void compare_buttons(float left);
 

@@ -47,7 +47,8 @@ Panel lesson(Session& session, PanelStates& my) {
                 lesson_panel(session, my.lessons);
                 return false;
               },
-          .actions = [&](Actions& actions) { add_lesson_actions(actions, session, my.lessons); }};
+          .actions = [&](Actions& actions) { add_lesson_actions(actions, session, my.lessons); },
+          .publish = [&](Values& out) { out.offer("lesson/pages", [&] { return pages_of(my.lessons.text); }); }};
 }
 
 /// What the row of an option asks the chart for.
@@ -95,8 +96,7 @@ Panel history(Session& session, PanelStates& my) {
                              .run =
                                  [&] {
                                    my.history.open = !my.history.open;
-                                   if (my.history.open)
-                                     session.navigate([](Document& document) { document.layout.panels = true; });
+                                   if (my.history.open) set_mode(session, ScreenMode::explore);
                                  },
                              .checked = [&] { return my.history.open; }});
               },
@@ -115,7 +115,10 @@ void update_question(Session& session, PanelStates& my) {
 
 bool draw_pixel(Session& session, PanelStates& my, const PanelHost& host) {
   if (prediction_pending(session, my.predict)) {
-    predict_panel(session, my.predict);
+    if (session.document().mode == ScreenMode::lesson)
+      ImGui::TextWrapped("The story is shown after your answer.");  // the question is beside the text
+    else
+      predict_panel(session, my.predict);
     return false;
   }
   prediction_verdict(session, my.predict);
@@ -224,6 +227,8 @@ Panel microscope(Session& session, PanelStates& my, const PanelHost& host) {
 
 Panel pixels(Session& session, PanelStates& my) {
   return {.name = "pixels",
+          .use = PanelUse::study,
+          .height = PanelHeight::tall,
           .heading = "PIXELS",
           .brief = "Pixels",
           .command = "Pixels: the worst ones",
@@ -244,6 +249,7 @@ void offer_listing_values(Values& out, const ListingPanelState& listing) {
 
 Panel listing(Session& session, PanelStates& my) {
   return {.name = "listing",
+          .height = PanelHeight::tall,
           .heading = "LISTING",
           .brief = "Listing",
           .command = "Listing: a routine with its values",
@@ -260,6 +266,7 @@ Panel listing(Session& session, PanelStates& my) {
 
 Panel vertex(Session& session, PanelStates& my) {
   return {.name = "vertex",
+          .height = PanelHeight::tall,
           .heading = "VERTEX",
           .brief = "Vertex",
           .command = "Vertex: from the model to the canvas",
@@ -320,6 +327,8 @@ std::string chart_status(const ChartTabState& chart) {
 
 Panel chart(Session& session, PanelStates& my, const PanelHost& host) {
   return {.name = "chart",
+          .use = PanelUse::study,
+          .height = PanelHeight::tall,
           .heading = "CHART",
           .brief = "Chart",
           .command = "Chart: time against error",
@@ -345,6 +354,8 @@ std::string stability_status(const StabilityTabState& stability) {
 
 Panel stability(Session& session, PanelStates& my) {
   return {.name = "stability",
+          .use = PanelUse::study,
+          .height = PanelHeight::tall,
           .heading = "STABILITY",
           .brief = "Stable",
           .command = "Stability: where methods fail",
@@ -362,6 +373,8 @@ Panel stability(Session& session, PanelStates& my) {
 
 Panel needs(Session& session, PanelStates& my) {
   return {.name = "needs",
+          .use = PanelUse::study,
+          .height = PanelHeight::tall,
           .heading = "NEEDS",
           .brief = "Needs",
           .command = "Needs: what the scene can do without",
@@ -390,6 +403,8 @@ std::string why_status(const WhyTabState& why) {
 
 Panel why(Session& session, PanelStates& my) {
   return {.name = "why",
+          .use = PanelUse::study,
+          .height = PanelHeight::tall,
           .heading = "WHY",
           .brief = "Why",
           .command = "Why: what makes A and B differ",
@@ -407,6 +422,8 @@ Panel why(Session& session, PanelStates& my) {
 
 Panel timings(Session& session, PanelStates& my) {
   return {.name = "timings",
+          .use = PanelUse::study,
+          .height = PanelHeight::tall,
           .heading = "TIMINGS",
           .brief = "Times",
           .command = "Timings: times and counts",

@@ -8,8 +8,6 @@
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
-namespace {
-
 void region_heading(Session& session, const std::string& name, const std::string& heading) {
   const bool filled = session.document().layout.filled == name;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -23,11 +21,10 @@ void region_heading(Session& session, const std::string& name, const std::string
   tooltip(filled ? "Double-click or Esc: back to the pictures." : "Double-click: fill the window with this.");
 }
 
-}  // namespace
-
-void begin_region(Session& session, const std::string& name, const Area& area, const std::string& heading) {
+void begin_region(Session& session, const std::string& name, const Area& area, const std::string& heading,
+                  RegionPadding padding) {
   ImGui::SetCursorScreenPos(area.min);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(12), px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(12), padding == RegionPadding::tight ? px(1) : px(8)});
   ImGui::BeginChild(name.c_str(), {area.width(), area.height()}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);

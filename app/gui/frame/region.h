@@ -6,8 +6,15 @@
 
 namespace ps::gui {
 
+/// The margins above and below what is in a region: those of a region of one line are tight.
+enum class RegionPadding { normal, tight };
+
 /// Begins a region of the window; ImGui::EndChild() after what is in it. With a heading, a double click on that lets
 /// the region fill the window, another one or Esc takes it back. `name` is that of the document's layout.
-void begin_region(Session& session, const std::string& name, const Area& area, const std::string& heading = {});
+void begin_region(Session& session, const std::string& name, const Area& area, const std::string& heading = {},
+                  RegionPadding padding = RegionPadding::normal);
+
+/// The heading alone, for a region that was begun without one: what lies over it is drawn before it.
+void region_heading(Session& session, const std::string& name, const std::string& heading);
 
 }  // namespace ps::gui

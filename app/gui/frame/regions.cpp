@@ -7,22 +7,46 @@
 
 #include "gui/frame/region.h"
 #include "gui/frame/show_panel.h"
+#include "gui/panels/lesson/caption_strip.h"
 #include "gui/panels/lesson/first_look.h"
+#include "gui/panels/lesson/lesson_list.h"
+#include "gui/panels/pictures/picture_frame.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/tab_row.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
 
-/// The sizes of the regions in pixels where the document leaves them to the window. They grow with it only so far that
-/// the pictures keep more than half of it.
-float automatic_left(float width) { return std::clamp(width * 0.2f, std::min(px(250), width * 0.26f), px(290)); }
-float automatic_right(float width) { return std::clamp(width * 0.26f, std::min(px(236), width * 0.3f), px(390)); }
 /// One line: the title that opens it.
-float folded_height() { return ImGui::GetFrameHeight() + px(8); }
+float folded_height() { return ImGui::GetFrameHeight() + px(6); }
 
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
+constexpr double picture_margin = 6;
+constexpr double question_height = 270;          // of a lesson's question with its answers, at scale 1
+constexpr std::string_view story_key = "story";  // of the stage, for the panel on the right
+
+/// The width at which a text in the body's type has 62 characters to the line, with the column's margins.
+float reading_width() {
+  constexpr std::string_view measure = "The light of a point is the sum of all that reaches it, and on";  // 62
+  return text_width(measure) + px(24) + ImGui::GetStyle().ScrollbarSize;
+}
+
+/// Above and below a picture that is not narrow.
+float captions_height(PictureCaptions captions) {
+  const PictureMargins margins = picture_margins(px(600), captions);
+  return margins.title + margins.footer;
+}
+
+/// As much of a text as fits, with "…" for the rest.
+std::string shortened_to(const std::string& text, float width) {
+  if (text_width(text) <= width) return text;
+  std::string part = text;
+  while (!part.empty() && text_width(part + "…") > width)
+    part.resize(part.find_last_of(' ') == std::string::npos ? 0 : part.find_last_of(' '));
+  return part + "…";
+}
 
 bool divider(const char* name, SplitterAxis axis, ImVec2 at, float length, float& position, float low, float high) {
   ImGui::SetCursorScreenPos(at);
@@ -34,53 +58,140 @@ bool divider(const char* name, SplitterAxis axis, ImVec2 at, float length, float
 void Regions::draw(const Area& area, bool offers_first_look) {
   offers_first_look_ = offers_first_look;
   answered_ = false;
-  const Layout& layout = session_.document().layout;
-  const float margin = px(6);
-  if (layout.filled.empty() && layout.panels) return divided(area);
-  if (layout.filled.empty()) {
-    pictures_panel(session_, my_.pictures, {{area.min.x + margin, area.min.y}, {area.max.x - margin, area.max.y}});
-    return;
+  if (!session_.document().layout.filled.empty()) return filled(area);
+  switch (session_.document().mode) {
+  case ScreenMode::lesson:
+    return lesson(area);
+  case ScreenMode::presenter:
+    return presenter(area);
+  case ScreenMode::explore:
+    return explore(area);
+  case ScreenMode::study:
+    return study(area);
   }
-  if (layout.filled == "right")
-    right(area);
-  else if (layout.filled == "bottom")
-    below(area);
+}
+
+void Regions::filled(const Area& area) {
+  const std::string& region = session_.document().layout.filled;
+  if (region == "right")
+    right(area, true);
+  else if (region == "bottom")
+    drawer(area);
+  else if (session_.document().mode == ScreenMode::lesson)
+    lesson_text(area);
   else
     left(area);
   my_.pictures.areas = {};
   my_.pictures.notes = {};
 }
 
-void Regions::divided(const Area& area) {
-  const Layout shares = session_.document().layout;
-  const float width = area.width(), height = area.height();
-  const float margin = px(6), grip = px(6), least = px(180), folded = folded_height();
-  const float wanted_left = shares.left > 0 ? static_cast<float>(shares.left) * width : automatic_left(width);
-  const float wanted_right = shares.right > 0 ? static_cast<float>(shares.right) * width : automatic_right(width);
-  const float wanted_bottom = shares.bottom > 0 ? static_cast<float>(shares.bottom) * height : folded;
-  auto left_end = std::round(wanted_left);
-  auto right_begin = std::round(width - wanted_right);
-  auto bottom = std::round(height - grip - wanted_bottom);
-  const float most_left = std::max(least, width * 0.5f - grip),
-              least_right = std::min(width - least, width * 0.5f + grip);
-  const float most_bottom = std::max(height - grip - folded, height * 0.3f);
-  left_end = std::clamp(left_end, std::min(least, most_left), most_left);
-  right_begin = std::clamp(right_begin, least_right, std::max(width - least, least_right));
-  bottom = std::clamp(bottom, height * 0.3f, most_bottom);
+PlanInput Regions::plan_input(const Area& area, PictureCaptions captions) const {
+  const View view = session_.has_scene() ? session_.view() : View{};
+  PlanInput input;
+  input.area = area;
+  input.window = ImGui::GetIO().DisplaySize;
+  if (view.width > 0 && view.height > 0) input.picture = {view.width, view.height};
+  input.scale = px(1);
+  input.captions = captions_height(captions);
+  input.text_width = reading_width();
+  input.headline = folded_height();
+  return input;
+}
 
+void Regions::pictures(const Area& area, double least_share, PictureCaptions captions) {
+  const float margin = px(picture_margin);
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  pictures_panel(session_, my_.pictures, {{area.min.x + margin, area.min.y}, {area.max.x - margin, area.max.y}},
+                 {.captions = captions, .least_pixels = least_share * window.x * window.y});
+}
+
+const Panel& Regions::staged() const {
+  const std::string& stage = session_.document().layout.stage;
+  return panel(stage.empty() ? "right" : stage);
+}
+
+void Regions::lesson_text(const Area& area) {
+  if (my_.lessons.open(session_)) {
+    Area text = area;
+    if (session_.pixel() && prediction_pending(session_, my_.predict)) {  // the step asks before it shows
+      text.max.y = std::round(area.max.y - std::min(px(question_height), area.height() / 2));
+      begin_region(session_, "question", {{area.min.x, text.max.y}, area.max});
+      predict_panel(session_, my_.predict);
+      ImGui::EndChild();
+    }
+    return panel_in(panel("lesson"), "lesson", text);
+  }
+  begin_region(session_, "lesson", area, "LESSONS");
+  lesson_list(session_);
+  ImGui::EndChild();
+}
+
+void Regions::lesson(const Area& area) {
+  // Where type is large beside the window, the lines around the pictures are what gives way.
+  const bool small = area.width() < px(1200) || area.height() < px(600);
+  const PictureCaptions captions = small ? PictureCaptions::brief : PictureCaptions::full;
+  const PlanInput input = plan_input(area, captions);
+  const LessonPlan plan = plan_lesson(input, staged().height);
+  lesson_text(plan.text);
+  if (!session_.document().layout.panels) {
+    pictures({plan.pictures.min, area.max}, lesson_share, captions);
+    return;
+  }
+  stage(plan.stage, plan.folded);
+  pictures(plan.pictures, staged().height == PanelHeight::tall ? 1 : lesson_share, captions);
+}
+
+/// The tool that the step is about; another one can be chosen.
+void Regions::stage(const Area& area, bool folded) {
+  begin_region(session_, "stage", area, {}, folded ? RegionPadding::tight : RegionPadding::normal);
+  std::vector<Choice> tools{{story_key, "PIXEL", "The story of the picked pixel."}};
+  int index = 0;
+  for (const Panel& each : panels_) {
+    if (each.place != PanelPlace::below) continue;
+    if (each.name == session_.document().layout.stage) index = static_cast<int>(tools.size());
+    tools.push_back({each.name, each.heading, each.help});
+  }
+  if (drop_down("stage", tools, index, px(150), {.tooltip = "What is shown below the pictures.", .disabled = {}}))
+    session_.navigate([&](Document& document) {
+      document.layout.stage = index == 0 ? "" : std::string(tools[static_cast<std::size_t>(index)].key);
+    });
+  const auto story = session_.story(inspected_side(session_));
+  if (folded) {
+    ImGui::SameLine(0, px(12));
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (story && !prediction_pending(session_, my_.predict))
+      value_text("stage/verdict", shortened_to(story->verdict, room));
+  } else if (staged().draw({})) {
+    session_.navigate([&](Document& document) {
+      document.layout.filled = "bottom";
+      document.layout.bottom_tab = staged().name;
+    });
+  }
+  ImGui::EndChild();
+}
+
+void Regions::explore(const Area& area) {
+  if (!session_.document().layout.panels) return pictures(area, explore_share, PictureCaptions::full);
+  const Layout shares = session_.document().layout;
+  const PictureCaptions captions = area.height() < px(600) ? PictureCaptions::brief : PictureCaptions::full;
+  const ExplorePlan plan =
+      plan_explore(plan_input(area, captions), {shares.left, shares.right, shares.bottom, shares.pixel_open});
+  const float width = area.width(), height = area.height(), grip = px(6), least = px(180), folded = folded_height();
+  float left_end = plan.left, right_begin = width - plan.right, bottom = height - grip - plan.bottom;
   const ImVec2 at = area.min;
   left({at, {at.x + left_end, area.max.y}});
-  right({{at.x + right_begin + grip, at.y}, area.max});
-  below({{at.x + left_end + grip, at.y + bottom + grip}, {at.x + right_begin, area.max.y}});
-  pictures_panel(session_, my_.pictures,
-                 {{at.x + left_end + grip + margin, at.y}, {at.x + right_begin - margin, at.y + bottom}});
+  right({{at.x + right_begin + grip, at.y}, area.max}, shares.pixel_open);
+  drawer({{at.x + left_end + grip, at.y + bottom + grip}, {at.x + right_begin, area.max.y}});
+  pictures({{at.x + left_end + grip, at.y}, {at.x + right_begin, at.y + bottom}}, explore_share, captions);
 
   // Only what was dragged becomes a share of its own; the rest stays with what suits the window.
-  if (divider("split/left", SplitterAxis::left_right, {at.x + left_end, at.y}, height, left_end, least, most_left))
+  if (divider("split/left", SplitterAxis::left_right, {at.x + left_end, at.y}, height, left_end,
+              std::min(least, width * 0.3f), width * 0.5f))
     session_.navigate([&](Document& document) { document.layout.left = left_end / width; });
-  if (divider("split/right", SplitterAxis::left_right, {at.x + right_begin, at.y}, height, right_begin, least_right,
-              width - least))
+  if (shares.pixel_open && divider("split/right", SplitterAxis::left_right, {at.x + right_begin, at.y}, height,
+                                   right_begin, width * 0.5f, width - least))
     session_.navigate([&](Document& document) { document.layout.right = 1 - right_begin / width; });
+  const float most_bottom = std::max(height - grip - folded, height * 0.3f);
   if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip, at.y + bottom},
               right_begin - left_end - grip, bottom, height * 0.3f, most_bottom)) {
     const bool shut = bottom >= most_bottom - 1;
@@ -88,13 +199,47 @@ void Regions::divided(const Area& area) {
   }
 }
 
-/// At the first start, until it is answered or a lesson is begun by other ways. Returns what room is left.
-Area Regions::first_look(const Area& area) {
-  if (!offers_first_look_) return area;
-  if (!session_.document().lesson.empty()) {
-    answered_ = true;
-    return area;
+void Regions::presenter(const Area& area) {
+  if (my_.lessons.caption.blank) {
+    ImGui::GetWindowDrawList()->AddRectFilled(area.min, area.max, IM_COL32(0, 0, 0, 255));
+    my_.pictures.areas = {};
+    my_.pictures.notes = {};
+    return;
   }
+  const float caption = my_.lessons.open(session_) ? caption_height() : 0;
+  pictures({area.min, {area.max.x, area.max.y - caption}}, lesson_share, PictureCaptions::brief);
+  if (caption <= 0) return;
+  begin_region(session_, "caption", {{area.min.x, area.max.y - caption}, area.max});
+  caption_strip(session_, my_.lessons);
+  ImGui::EndChild();
+}
+
+void Regions::study(const Area& area) {
+  const float width = std::round(std::clamp(area.width() * 0.26f, px(200), px(460))), grip = px(6);
+  const Area tools{area.min, {area.max.x - width - grip, area.max.y}};
+  begin_region(session_, "study", tools);
+  std::vector<Choice> tabs;
+  std::vector<std::string_view> brief;
+  int tab = -1;
+  for (const Panel& each : panels_) {
+    if (each.place != PanelPlace::below || each.use != PanelUse::study) continue;
+    if (each.name == session_.document().layout.bottom_tab) tab = static_cast<int>(tabs.size());
+    tabs.push_back({each.name, each.heading, each.help});
+    brief.push_back(each.brief);
+  }
+  if (tab < 0) {  // a tool that looks at one pixel was open
+    tab = 1;
+    show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
+  }
+  if (tab_row("bottom", tabs, brief, tab)) show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
+  if (panel(session_.document().layout.bottom_tab).draw({})) fill_window(session_, "bottom");
+  ImGui::EndChild();
+  pictures({{area.max.x - width, area.min.y}, area.max}, 0, PictureCaptions::full);
+}
+
+/// At the first start, until it is answered. Returns what room is left.
+Area Regions::first_look(const Area& area) {
+  if (!offers_first_look_ || !session_.document().lesson.empty()) return area;
   const float bottom = area.min.y + first_look_height();
   begin_region(session_, "first-look", {area.min, {area.max.x, bottom}}, "NEW HERE?");
   const FirstLookAnswer answer = first_look_offer();
@@ -124,40 +269,60 @@ void Regions::left(const Area& area) {
   panel_in(panel(my_.history.open ? "history" : "left"), "left", options);
 }
 
-void Regions::right(const Area& area) { panel_in(panel("right"), "right", area); }
-
-void Regions::below(const Area& area) {
-  if (!bottom_is_open(session_.document())) {
-    bool open = false;
-    begin_region(session_, "bottom", area);
-    section("bottom/open", "SPACE, LISTING, CHART, NEEDS and others", open);
-    open_bottom(session_, open);
-    ImGui::EndChild();
+/// The pixel's story, or while it is folded the button that opens it.
+void Regions::right(const Area& area, bool open) {
+  const auto show = [&](bool opened) {
+    session_.navigate([&](Document& document) { document.layout.pixel_open = opened; });
+  };
+  if (!open) {
+    ImGui::SetCursorScreenPos({area.min.x, area.min.y + px(6)});
+    if (button("pixel/open", "‹", Emphasis::quiet, {.tooltip = "PIXEL: how the picked pixel got its colour."}))
+      show(true);
     return;
   }
-  begin_region(session_, "bottom", area);
+  begin_region(session_, "right", area);
+  const bool filled = session_.document().layout.filled == "right";
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (!filled) {
+    ImGui::SetCursorScreenPos({area.max.x - button_width("›") - px(6), area.min.y + px(2)});
+    if (button("pixel/fold", "›", Emphasis::quiet, {.tooltip = "Folds PIXEL away; a click on a pixel opens it."}))
+      show(false);
+    ImGui::SetCursorScreenPos(at);
+  }
+  region_heading(session_, "right", std::string(panel("right").heading));
+  panel("right").draw({.filled = filled});
+  ImGui::EndChild();
+}
+
+void Regions::drawer(const Area& area) {
+  const bool open = bottom_is_open(session_.document());
+  begin_region(session_, "bottom", area, {}, open ? RegionPadding::normal : RegionPadding::tight);
   std::vector<Choice> tabs;
   std::vector<std::string_view> brief;
-  int tab = 0;
+  int tab = -1;
   const Panel& shown = panel(session_.document().layout.bottom_tab);
   for (const Panel& each : panels_) {
     if (each.place != PanelPlace::below) continue;
-    if (&each == &shown) tab = static_cast<int>(tabs.size());
+    if (open && &each == &shown) tab = static_cast<int>(tabs.size());
     tabs.push_back({each.name, each.heading, each.help});
     brief.push_back(each.brief);
   }
-  tabs.push_back({"fold", "↓", "Hides the panels, so that the pictures have the whole window."});
-  brief.push_back("↓");
+  if (open) {
+    tabs.push_back({"fold", "↓", "Folds the drawer, so that the pictures have its place."});
+    brief.push_back("↓");
+  }
   if (tab_row("bottom", tabs, brief, tab)) {
-    const std::string chosen(tabs[static_cast<std::size_t>(tab)].key);
+    const std::string_view chosen = tabs[static_cast<std::size_t>(tab)].key;
     if (chosen == "fold")
       open_bottom(session_, false);
     else
-      session_.navigate([&](Document& document) { document.layout.bottom_tab = chosen; });
+      show_panel(session_, chosen);
   }
-  const bool filled = session_.document().layout.filled == "bottom";
-  if (panel(session_.document().layout.bottom_tab).draw({.filled = filled}))
-    fill_window(session_, filled ? "" : "bottom");
+  if (open) {
+    const bool filled = session_.document().layout.filled == "bottom";
+    if (panel(session_.document().layout.bottom_tab).draw({.filled = filled}))
+      fill_window(session_, filled ? "" : "bottom");
+  }
   ImGui::EndChild();
 }
 

@@ -3,11 +3,14 @@
 #include <vector>
 
 #include "gui/frame/panel_table.h"
+#include "gui/frame/plan.h"
 
 namespace ps::gui {
 
-/// The regions of the window with the panels in them: lesson and options on the left, the pixel's story on the right,
-/// the pictures between them, and below these one of the others. The document's layout says how the window is divided.
+/// The regions of the window with the panels in them, as the document's mode and layout divide it. A lesson: its text,
+/// the pictures, and below these the tool that the step is about. Exploring: options, pictures with a drawer of tools
+/// below, and the pixel's story. A study: its tool at full height beside small pictures.
+/// The presenter: pictures, and the lesson's text as a caption.
 class Regions {
  public:
   /// All must outlive it.
@@ -20,14 +23,24 @@ class Regions {
   bool first_look_answered() const { return answered_; }
 
  private:
-  void divided(const Area& area);
+  void filled(const Area& area);
+  void lesson(const Area& area);
+  void explore(const Area& area);
+  void study(const Area& area);
+  void presenter(const Area& area);
   void left(const Area& area);
-  void right(const Area& area);
-  void below(const Area& area);
+  void right(const Area& area, bool open);
+  void drawer(const Area& area);
+  void stage(const Area& area, bool folded);
+  void lesson_text(const Area& area);
+  void pictures(const Area& area, double least_share, PictureCaptions captions);
   Area first_look(const Area& area);
-  /// A region with its heading, and the panel in it. `region` is its name in the document's layout; "" has no heading.
+  /// A region with its heading, and the panel in it. `region` is its name in the document's layout.
   void panel_in(const Panel& panel, const std::string& region, const Area& area);
   const Panel& panel(std::string_view name) const { return find_panel(panels_, name); }
+  /// The tool of a lesson's stage.
+  const Panel& staged() const;
+  PlanInput plan_input(const Area& area, PictureCaptions captions) const;
 
   Session& session_;
   PanelStates& my_;

@@ -34,9 +34,9 @@ std::size_t sentence_end(const std::string& text) {
 /// How many letters of descriptions a menu has room for, beside its submenus: these would else lie over it, under the
 /// pointer that opened them.
 std::size_t description_room() {
-  constexpr float names = 420, submenu = 460, letter = 8.6f;
+  constexpr float modes = 250, names = 420, submenu = 460, letter = 8.6f;  // the buttons of the modes are left of it
   constexpr std::size_t fewest = 24, most = 72;
-  const float room = (ImGui::GetIO().DisplaySize.x - px(names + submenu)) / px(letter);
+  const float room = (ImGui::GetIO().DisplaySize.x - px(modes + names + submenu)) / px(letter);
   return room < fewest ? 0 : std::min(most, static_cast<std::size_t>(room));
 }
 

@@ -18,9 +18,32 @@ void open_bottom(Session& session, bool open) {
   });
 }
 
+void set_mode(Session& session, ScreenMode mode) {
+  session.navigate([&](Document& document) {
+    document.mode = mode;
+    document.layout.panels = true;
+    document.layout.filled.clear();
+  });
+}
+
+bool leave_presenter(Session& session) {
+  const Document& document = session.document();
+  if (document.mode != ScreenMode::presenter) return false;
+  set_mode(session, document.lesson.empty() ? ScreenMode::explore : ScreenMode::lesson);
+  return true;
+}
+
 void show_panel(Session& session, std::string_view name) {
+  if (session.document().mode == ScreenMode::lesson) {
+    session.navigate([&](Document& document) {
+      document.layout.panels = true;
+      document.layout.stage = name;
+      if (document.layout.filled != below) document.layout.filled.clear();
+    });
+    return;
+  }
   if (session.document().layout.filled != below) fill_window(session, {});
-  open_bottom(session, true);
+  if (session.document().mode != ScreenMode::study) open_bottom(session, true);
   session.navigate([&](Document& document) {
     document.layout.panels = true;
     document.layout.bottom_tab = name;

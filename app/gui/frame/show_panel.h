@@ -8,7 +8,13 @@ namespace ps::gui {
 
 // How the window is divided, as edits of the document's layout.
 
-/// Opens one of the panels below the pictures, by its name.
+/// What the window is for from now on. The region that filled it gives it back.
+void set_mode(Session& session, ScreenMode mode);
+
+/// From the presenter back to the lesson, or without one to exploring. Answers whether the presenter was left.
+bool leave_presenter(Session& session);
+
+/// Opens one of the panels below the pictures, by its name: in the drawer, or in a lesson on its stage.
 void show_panel(Session& session, std::string_view name);
 /// Opens the region below the pictures, or folds it to one line.
 void open_bottom(Session& session, bool open);

@@ -3,6 +3,7 @@
 #include "base/spelling.h"
 #include "document/command_line.h"
 #include "gui/frame/file_questions.h"
+#include "gui/frame/show_panel.h"
 
 namespace ps::gui {
 namespace {
@@ -22,6 +23,31 @@ void add_gestures(Actions& actions) {
            std::pair{"Right-click", "On an option: copy, reset, send to B"},
        })
     actions.add_gesture({hand, label, "Mouse"});
+}
+
+void add_mode_actions(Actions& actions, Session& session) {
+  const auto add = [&](const char* name, const char* label, const char* key, ScreenMode mode) {
+    actions.add({.name = name,
+                 .label = label,
+                 .group = "Window",
+                 .keys = key,
+                 .run = [&session, mode] { set_mode(session, mode); },
+                 .enabled = [&session] { return session.has_scene(); },
+                 .checked = [&session, mode] { return session.document().mode == mode; }});
+  };
+  add("mode-lesson", "Lesson: the text beside the pictures", "F2", ScreenMode::lesson);
+  add("mode-explore", "Explore: all options and tools", "F3", ScreenMode::explore);
+  add("mode-study", "Study: one long tool beside small pictures", "F4", ScreenMode::study);
+  actions.add({.name = "mode-presenter",
+               .label = "Presenter: pictures alone, the lesson's text as a caption",
+               .group = "Window",
+               .keys = "F5",
+               .run =
+                   [&session] {
+                     if (!leave_presenter(session)) set_mode(session, ScreenMode::presenter);
+                   },
+               .enabled = [&session] { return session.has_scene(); },
+               .checked = [&session] { return session.document().mode == ScreenMode::presenter; }});
 }
 
 void copy_command(const PanelHost& host, const std::string& command) {
@@ -116,6 +142,7 @@ void add_window_actions(Actions& actions, Session& session, const PicturesState&
                .kind = ActionKind::repeat,
                .run = [&session] { session.redo(); },
                .enabled = [&session] { return session.can_redo(); }});
+  add_mode_actions(actions, session);
   add_gestures(actions);
 }
 

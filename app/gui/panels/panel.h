@@ -21,6 +21,12 @@ struct Context {
   bool filled = false;  ///< the panel has the window for itself
 };
 
+/// What a tool needs to be of use: a strip below the pictures, or the height of one of them.
+enum class PanelHeight { strip, tall };
+
+/// What a tool looks at: the picked pixel, or all of the pictures, for which it may work long.
+enum class PanelUse { pixel, study };
+
 /// Where a panel has its place.
 enum class PanelPlace { left, right, below };
 
@@ -29,6 +35,8 @@ enum class PanelPlace { left, right, below };
 struct Panel {
   std::string_view name;  ///< stable: of the document's layout, of scripts
   PanelPlace place = PanelPlace::below;
+  PanelUse use = PanelUse::pixel;
+  PanelHeight height = PanelHeight::strip;
   std::string_view heading, brief;  ///< brief where there is little room
   std::string_view command;         ///< in menus and the palette
   std::string_view help;            ///< one sentence

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "image/difference.h"
+
 namespace ps::gui {
 
 bool same_difference(const DifferenceRequest& a, const DifferenceRequest& b) {
@@ -15,9 +17,14 @@ DifferenceMeter::DifferenceMeter(std::function<void()> wake)
     : LatestResult(
           [](const DifferenceRequest& request, Progress&) {
             const auto& [a, b] = *request.pictures;
-            return MeasuredDifference{request, compare_pictures(a, b, {.region = request.region})};
+            return MeasuredDifference{request, compare_pictures(a, b, {.region = request.region}),
+                                      request.flip_map ? difference_values(a.levels, b.levels, DifferenceMode::flip)
+                                                       : Image<float>()};
           },
-          same_difference, std::move(wake)) {}
+          [](const DifferenceRequest& one, const DifferenceRequest& other) {
+            return same_difference(one, other) && one.flip_map == other.flip_map;
+          },
+          std::move(wake)) {}
 
 std::shared_ptr<const std::array<MeasuredPicture, 2>>
 DifferenceMeter::copies(const Image<Rgb8>& a, const Image<Rgb8>& b, const std::array<std::uint64_t, 2>& versions) {

@@ -17,14 +17,16 @@ struct DifferenceRequest {
   std::shared_ptr<const std::array<MeasuredPicture, 2>> pictures;
   std::array<std::uint64_t, 2> versions{};  ///< which pictures these are
   std::optional<TileRect> region;           ///< the only pixels that count; absent = all
+  bool flip_map = false;                    ///< FLIP of each pixel too
 };
-/// Whether two requests are for the same pictures and pixels.
+/// Whether two requests are for the same pictures and pixels, with or without the map.
 bool same_difference(const DifferenceRequest& a, const DifferenceRequest& b);
 
 /// How far B is from A, by every metric.
 struct MeasuredDifference {
   DifferenceRequest request;
   Comparison comparison;
+  Image<float> flip_map;  ///< of the whole pictures; empty if it was not asked for
 };
 
 /// Measures in the background: FLIP and SSIM take far longer than a frame.

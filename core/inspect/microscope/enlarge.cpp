@@ -26,6 +26,7 @@ EnlargedView enlarge(const View& view, const Settings& settings, const Vec2d& lo
   how.adaptive_sampling = false;
   how.subsampling = 1;
   how.multisampling = 1;
+  how.canvas_fill = CanvasFill::edges;  // rows of the larger pixels would lie elsewhere
   how.tessellation = settings.tessellation * pixels / side;
   return enlarged;
 }
@@ -36,7 +37,7 @@ std::vector<CanvasItem> enlarged_canvas(const std::vector<CanvasItem>& items, co
   const Vec2d middle(view.width / 2, view.height - view.height / 2);
   const Vec2d new_middle(pixels / 2, pixels - pixels / 2);
   std::vector<CanvasItem> enlarged;
-  for (const CanvasItem& item : items) {
+  for (const CanvasItem& item : lines_and_triangles(items)) {
     const auto* triangle = std::get_if<CanvasTriangle>(&item);
     if (!triangle || !triangle->filled) continue;
     CanvasTriangle large = *triangle;

@@ -5,12 +5,14 @@
 
 #include "inspect/microscope/texels.h"
 #include "raster/clear/bins.h"
+#include "raster/clear/canvas_outline.h"
 #include "raster/clear/coverage/of_triangle.h"
 #include "raster/clear/coverage/walk.h"
 #include "raster/clear/fragment_event.h"
 #include "raster/clear/geometry.h"
 #include "raster/clear/multisample.h"
 #include "raster/clear/near_pixel.h"
+#include "raster/clear/polygon_rows.h"
 #include "raster/clear/shade_fragment.h"
 #include "raster/guard_band.h"
 #include "render/story/names.h"
@@ -31,6 +33,8 @@ struct NearTriangle {
 struct NearCanvasTriangle {
   std::array<FixedPoint, 3> corners;
   int number = 0;  ///< among the triangles of the canvas
+  std::optional<bool>
+      rows;  ///< filled by rows: whether they hold the pixel and this is the first triangle of the shape
 };
 
 template <class Real>
@@ -89,6 +93,8 @@ class FragmentsIn final : public Microscope::Fragments {
     return samples;
   }
 
+  bool near_canvas() const override { return !on_canvas_.empty(); }
+
  private:
   /// Corners, constants of flat shading, and the corners' weights of a piece that was cut.
   static constexpr std::ptrdiff_t most_scalars = 3 * static_cast<std::ptrdiff_t>(max_attributes) + 6 + 9;
@@ -96,18 +102,36 @@ class FragmentsIn final : public Microscope::Fragments {
   void find_canvas_triangles(const std::vector<CanvasItem>& items) {
     int number = 0;
     for (const CanvasItem& item : items) {
-      const auto* triangle = std::get_if<CanvasTriangle>(&item);
-      if (!triangle) continue;
-      NearCanvasTriangle near{{}, number++};
-      bool in_reach = triangle->filled;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec2<Real> at(static_cast<Real>(triangle->points[k].x) + pass_.projection.centre.x,
-                            pass_.projection.centre.y - static_cast<Real>(triangle->points[k].y));
-        in_reach = in_reach && std::max(std::abs(at.x), std::abs(at.y)) < static_cast<Real>(guard_band);
-        if (in_reach) near.corners[k] = to_fixed(at, pass_.grid.subpixel_bits);
-      }
-      if (in_reach && is_near(near.corners) && make_edges(near.corners, pass_.grid)) on_canvas_.push_back(near);
+      std::optional<bool> rows = rows_hold_pixel(item);
+      for (const CanvasItem& part : lines_and_triangles({item}))
+        if (const auto* triangle = std::get_if<CanvasTriangle>(&part)) {
+          find_canvas_triangle(*triangle, number++, rows);
+          if (rows) rows = false;
+        }
     }
+  }
+  void find_canvas_triangle(const CanvasTriangle& triangle, int number, std::optional<bool> rows) {
+    NearCanvasTriangle near{{}, number, rows};
+    bool in_reach = triangle.filled;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2<Real> at(static_cast<Real>(triangle.points[k].x) + pass_.projection.centre.x,
+                          pass_.projection.centre.y - static_cast<Real>(triangle.points[k].y));
+      in_reach = in_reach && std::max(std::abs(at.x), std::abs(at.y)) < static_cast<Real>(guard_band);
+      if (in_reach) near.corners[k] = to_fixed(at, pass_.grid.subpixel_bits);
+    }
+    if (in_reach && is_near(near.corners) && make_edges(near.corners, pass_.grid)) on_canvas_.push_back(near);
+  }
+  /// Whether the rows of a shape hold the pixel; nothing if shapes are not filled by rows.
+  std::optional<bool> rows_hold_pixel(const CanvasItem& item) const {
+    if (pass_.settings.canvas_fill != CanvasFill::rows) return {};
+    const Vec2i size{pass_.viewport.columns, pass_.viewport.rows};
+    std::vector<Vec2i> vertices;
+    if (const auto* triangle = std::get_if<CanvasTriangle>(&item))
+      vertices = canvas_outline(*triangle, size, pass_.settings.sample_position).pixels;
+    if (const auto* polygon = std::get_if<CanvasPolygon>(&item))
+      vertices = canvas_outline(*polygon, size, pass_.settings.sample_position).pixels;
+    const auto rows = polygon_rows(vertices, {pixel_.y, pixel_.y});
+    return !rows.empty() && pixel_.x >= rows.front().left.x && pixel_.x <= rows.front().right.x;
   }
 
   bool is_near(const std::array<FixedPoint, 3>& corners) const {
@@ -203,6 +227,8 @@ class FragmentsIn final : public Microscope::Fragments {
     MicroReading reading = read(place);
     for (std::size_t i = 0; i < near_.size(); ++i)
       reading.triangles[i].covered = covers(near_[i], *make_edges(near_[i].triangle.corners, pass_.grid));
+    for (std::size_t i = 0; i < on_canvas_.size(); ++i)
+      if (on_canvas_[i].rows) reading.triangles[near_.size() + i].covered = *on_canvas_[i].rows;
     const int front = front_of(reading.triangles);
     if (front < 0) return {place, false, "the background", -1};
     return {place, true, reading.triangles[static_cast<std::size_t>(front)].name, -1};

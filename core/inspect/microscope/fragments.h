@@ -11,6 +11,8 @@ class Microscope::Fragments {
   virtual ~Fragments() = default;
   virtual MicroReading read(const Vec2d& point) const = 0;
   virtual std::vector<MicroSample> samples() const = 0;
+  /// Whether a filled shape of the canvas comes near the pixel.
+  virtual bool near_canvas() const = 0;
 };
 
 /// Takes the triangles near the pixel from the rasterizer's own vertex stage and assembly. `scene` must live as long.

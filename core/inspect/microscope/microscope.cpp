@@ -58,6 +58,17 @@ Microscope::Microscope(Scene scene, const View& view, const Settings& settings, 
   case PictureWay::listing:  // a listing has neither samples nor fragments of its own
     break;
   }
+  if (detail_ == MicroDetail::whole && !has_edge())
+    surroundings_ = look_around(scene_, view, settings, pixel, prepared, progress);
+}
+
+/// Whether the enlarged picture shows more than one thing. Triangles on the canvas are not told apart in it: near them
+/// there is enough to see.
+bool Microscope::has_edge() const {
+  const PixelId first = enlarged_ids_.pixels().front();
+  const bool one = std::all_of(enlarged_ids_.pixels().begin(), enlarged_ids_.pixels().end(),
+                               [&](const PixelId& id) { return id == first; });
+  return !one || (fragments_ && fragments_->near_canvas());
 }
 
 void Microscope::draw_enlarged(int pixels, Prepared& prepared, Progress& progress) {

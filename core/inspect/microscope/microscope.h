@@ -8,6 +8,7 @@
 #include "frame/prepared.h"
 #include "frame/view.h"
 #include "image/image.h"
+#include "inspect/microscope/surroundings.h"
 #include "record/story.h"
 #include "scene/scene.h"
 
@@ -99,6 +100,9 @@ class Microscope {
   /// are said to see: that is read from the picture.
   MicroDetail detail() const { return detail_; }
   const std::vector<MicroSample>& samples() const { return samples_; }
+  /// What lies around the pixel where no edge runs through it or its margin; nothing where one does, or where only a
+  /// coarse picture was made.
+  const std::optional<PixelSurroundings>& surroundings() const { return surroundings_; }
   /// What there is at a point of the pixel or its margin. Rasterizer: the edge functions and weights are those of the
   /// kernel with its sample moved there. Ray tracer: the story of a ray through the point.
   MicroReading read(const Vec2d& point, Prepared& prepared, Progress& progress) const;
@@ -109,6 +113,7 @@ class Microscope {
  private:
   std::string seen_at(const Vec2d& point) const;
   void draw_enlarged(int pixels, Prepared& prepared, Progress& progress);
+  bool has_edge() const;
   void find_ray_samples(Prepared& prepared, Progress& progress);
 
   Scene scene_;
@@ -119,6 +124,7 @@ class Microscope {
   Image<Rgb8> enlarged_;
   Image<PixelId> enlarged_ids_;
   std::vector<MicroSample> samples_;
+  std::optional<PixelSurroundings> surroundings_;
   std::unique_ptr<Fragments> fragments_;  // null for rays
 };
 

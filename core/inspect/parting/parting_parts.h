@@ -46,6 +46,14 @@ std::optional<Parting> part_at_point(const Comparison& c, const Sighting& a, con
 std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, const Sighting& b);
 std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, const Sighting& b);
 
+/// Where the light of a pixel was computed: at the pixel, at the vertices of its triangle or at the triangle's centre.
+struct LightPlaces {
+  bool differ = false;      ///< not at the same places in A and B
+  bool same_light = false;  ///< but with the same result
+  std::string text;         ///< what each side does, with its numbers; without a full stop
+};
+LightPlaces light_places(const Comparison& c, const Sighting& a, const Sighting& b);
+
 /// Why two rays saw different things, two fragments won, or a ray and a fragment differ.
 Parting rays_saw_different_things(const Comparison& c, const Sighting& a, const Sighting& b);
 Parting fragments_won_differently(const Comparison& c, const Sighting& a, const Sighting& b);

@@ -132,9 +132,13 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
 }
 
 std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, const Sighting& b) {
+  const LightPlaces places = light_places(c, a, b);
+  if (places.differ && places.same_light) return std::nullopt;
   if (a.lights.size() != b.lights.size())
-    return light_differs(c, a.seen, b.seen, a, b,
-                         fmt::format("A evaluates {} lights and B {} lights here", a.lights.size(), b.lights.size()));
+    return light_differs(
+        c, a.seen, b.seen, a, b,
+        places.differ ? places.text
+                      : fmt::format("A evaluates {} lights and B {} lights here", a.lights.size(), b.lights.size()));
   for (std::size_t i = 0; i < a.lights.size(); ++i) {
     if (auto found = part_at_blocker(c, a.lights[i], b.lights[i])) return found;
     if (auto found = part_at_shadow(c, a.lights[i], b.lights[i])) return found;
@@ -142,9 +146,10 @@ std::optional<Parting> part_at_light(const Comparison& c, const Sighting& a, con
     const auto& light_b = event_as<LightEvent>(c.b.story.events, b.lights[i]);
     if (c.same(light_a.diffuse, light_b.diffuse) && c.same(light_a.specular, light_b.specular)) continue;
     return light_differs(c, a.lights[i], b.lights[i], a, b,
-                         fmt::format("{} adds {} in A and {} in B", light_name(c.scene, light_a.light),
-                                     number_text(light_a.diffuse + light_a.specular),
-                                     number_text(light_b.diffuse + light_b.specular)));
+                         places.differ ? places.text
+                                       : fmt::format("{} adds {} in A and {} in B", light_name(c.scene, light_a.light),
+                                                     number_text(light_a.diffuse + light_a.specular),
+                                                     number_text(light_b.diffuse + light_b.specular)));
   }
   const auto* shade_a = event_at<ShadeEvent>(c.a.story, a.shade);
   const auto* shade_b = event_at<ShadeEvent>(c.b.story, b.shade);

@@ -11,6 +11,7 @@
 #include "raster/corner_attributes.h"
 #include "raster/environment/mirror_environment.h"
 #include "raster/shadow/shadowed_light.h"
+#include "raster/vertex_light.h"
 #include "shade/normal_mapping.h"
 #include "shade/parallax_mapping.h"
 #include "shade/reflection_map.h"
@@ -170,7 +171,7 @@ Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>
     if constexpr (Recorder::records) {
       const CornerSource<Real> source = corner_source(pass, geometry, *setup.triangle);
       for (std::size_t k = 0; k < 3; ++k)
-        light_at(pass, *setup.surface, source.position(k), source.normal(k, pass.settings.normals), recorder);
+        light_of_point(pass, setup, light_point(pass, setup, fragment, source, k), recorder);
     }
     Lighting<Real> lighting;
     lighting.light = interpolate3(pass, setup, fragment, layout.light);
@@ -180,7 +181,7 @@ Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>
   case Shading::flat: {
     if constexpr (Recorder::records) {
       const FlatPoint<Real> point = flat_point(corner_source(pass, geometry, *setup.triangle), pass.settings.normals);
-      light_at(pass, *setup.surface, point.position, point.normal, recorder);
+      light_of_point(pass, setup, LightPoint<Real>{point.position, point.normal}, recorder);
     }
     return {flat_constant(setup, 0), flat_constant(setup, 1)};
   }

@@ -1,6 +1,9 @@
 #include "raster/environment/environment_map.h"
 
 #include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
 
 #include "options/option.h"
 #include "raster/environment/map_sources.h"
@@ -61,19 +64,18 @@ Scene only(const Scene& scene, Keep&& keep) {
   return rest;
 }
 
-std::shared_ptr<const EnvironmentMap> look_around(const Scene& scene, const Vec3d& centre, int left_out,
-                                                  const Settings& settings, WorkerPriority priority,
-                                                  Progress& progress) {
+EnvironmentMap look_around(const Scene& scene, const Vec3d& centre, int left_out, const Settings& settings,
+                           WorkerPriority priority, Progress& progress) {
   Prepared own;  // the scene is one of its own; its products would push out the picture's
   RenderRequest request;
   request.priority = priority;
-  auto map = std::make_shared<EnvironmentMap>();
-  map->centre = centre;
-  map->size = settings.environment_size;
-  map->left_out = left_out;
+  EnvironmentMap map;
+  map.centre = centre;
+  map.size = settings.environment_size;
+  map.left_out = left_out;
   for (const CubeFace& face : cube_faces()) {
-    const View view{cube_camera(face, centre), map->size, map->size};
-    map->faces.push_back(render_rasterized(scene, view, map_settings(settings), request, own, progress).colour);
+    const View view{cube_camera(face, centre), map.size, map.size};
+    map.faces.push_back(render_rasterized(scene, view, map_settings(settings), request, own, progress).colour);
   }
   return map;
 }
@@ -82,36 +84,27 @@ Vec3d centre_of(const Scene& scene, std::size_t object) {
   return shadow_casters(only(scene, [&](const Object&, std::size_t i) { return i == object; })).centre;
 }
 
-bool shows_static_only(const Settings& settings) {
-  return settings.environment == Environment::cube_map && settings.environment_objects == EnvironmentObjects::fixed;
-}
+bool shows_static_only(const Settings& settings) { return settings.environment_objects == EnvironmentObjects::fixed; }
 
-MapSources map_sources(const Scene& scene) {
+/// The objects that a map shows, as a number: the same while none of them changes, whatever others do.
+template <class Keep>
+std::uint64_t number_of_shown(const Scene& scene, Prepared& prepared, Keep&& keep) {
   MapSources sources;
   const auto& objects = scene.geometry->objects;
   for (std::size_t i = 0; i < objects.size(); ++i)
-    if (!objects[i].dynamic || reflective(scene, objects[i]) > 0) sources.objects.emplace_back(i, objects[i]);
+    if (keep(objects[i])) sources.objects.emplace_back(i, objects[i]);
   sources.meshes = scene.geometry->meshes;
-  sources.scene_objects = objects.size();
-  return sources;
-}
-
-/// What the maps show of the scene's geometry, as a number.
-std::uint64_t shown_geometry(const Scene& scene, const Settings& settings, Prepared& prepared) {
-  if (!shows_static_only(settings)) return scene.geometry.revision();
   const auto numbers =
       prepared.get<MapSourceNumbers>(Key("environment-map-sources"), [] { return MapSourceNumbers(); });
-  return numbers->number_of(map_sources(scene));
+  return numbers->number_of(std::move(sources));
 }
 
-Key map_key(const Scene& scene, const Settings& settings, Prepared& prepared) {
-  Key key = Key("environment-maps")
-                .add(shown_geometry(scene, settings, prepared))
+/// What all maps of a picture depend on, but for the objects in them. `of` names the map among the others.
+Key map_key(std::string_view of, const Scene& scene, const Settings& settings) {
+  Key key = Key(of)
                 .add(scene.lights.revision())
                 .add(scene.materials.revision())
                 .add(scene.textures.revision())
-                .add(settings.environment)
-                .add(settings.environment_objects)
                 .add(std::uint64_t(settings.environment_size));
   for (int axis = 0; axis < 3; ++axis) key.add(scene.background[axis]);
   Settings plain = map_settings(settings);
@@ -120,6 +113,66 @@ Key map_key(const Scene& scene, const Settings& settings, Prepared& prepared) {
   for (const Option& option : option_table()) key.add(option.get(plain));
   return key;
 }
+
+/// Makes the maps that are not in `prepared`.
+class MapMaker {
+ public:
+  MapMaker(const Scene& scene, const Settings& settings, Prepared& prepared, WorkerPriority priority,
+           Progress& progress)
+      : scene_(scene), settings_(settings), prepared_(prepared), priority_(priority), progress_(progress),
+        fixed_only_(shows_static_only(settings)) {}
+
+  /// The map of a mirror: all other objects, or the static ones among them. One that shows static objects alone depends
+  /// on none that moves but on its own place.
+  std::shared_ptr<const EnvironmentMap> around(std::size_t mirror) {
+    const auto& objects = scene_.geometry->objects;
+    const auto dynamic = static_cast<int>(std::count_if(objects.begin(), objects.end(), is_dynamic));
+    const int left_out = fixed_only_ ? dynamic - (objects[mirror].dynamic ? 1 : 0) : 0;
+    Key key = map_key(fmt::format("environment-map/{}", mirror), scene_, settings_)
+                  .add(shown_to_mirrors())
+                  .add(static_cast<std::uint64_t>(left_out));
+    const Vec3d centre = centre_of(scene_, mirror);
+    for (int axis = 0; axis < 3; ++axis) key.add(centre[axis]);
+    return prepared_.get<EnvironmentMap>(key, [&] {
+      const Scene shown =
+          only(scene_, [&](const Object& o, std::size_t k) { return k != mirror && !(fixed_only_ && o.dynamic); });
+      return look_around(shown, centre, left_out, settings_, priority_, progress_);
+    });
+  }
+
+  /// The one map of the room.
+  std::shared_ptr<const EnvironmentMap> of_room() {
+    const auto stands = [&](const Object& o) { return !(reflective(scene_, o) > 0); };
+    const auto keep = [&](const Object& o) { return stands(o) && !(fixed_only_ && o.dynamic); };
+    const auto& objects = scene_.geometry->objects;
+    const auto left_out = static_cast<int>(
+        std::count_if(objects.begin(), objects.end(), [&](const Object& o) { return stands(o) && !keep(o); }));
+    const Key key = map_key("environment-map/room", scene_, settings_)
+                        .add(number_of_shown(scene_, prepared_, keep))
+                        .add(static_cast<std::uint64_t>(left_out));
+    return prepared_.get<EnvironmentMap>(key, [&] {
+      const Scene room = only(scene_, [&](const Object& o, std::size_t) { return keep(o); });
+      return look_around(room, shadow_casters(room).centre, left_out, settings_, priority_, progress_);
+    });
+  }
+
+ private:
+  static bool is_dynamic(const Object& object) { return object.dynamic; }
+
+  std::uint64_t shown_to_mirrors() {
+    if (!fixed_only_) return scene_.geometry.revision();
+    if (!shown_) shown_ = number_of_shown(scene_, prepared_, [](const Object& o) { return !o.dynamic; });
+    return *shown_;
+  }
+
+  const Scene& scene_;
+  const Settings& settings_;
+  Prepared& prepared_;
+  const WorkerPriority priority_;
+  Progress& progress_;
+  const bool fixed_only_;
+  std::optional<std::uint64_t> shown_;
+};
 
 }  // namespace
 
@@ -130,34 +183,25 @@ bool uses_environment(const Settings& settings, const Scene& scene) {
 std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
                                                         Prepared& prepared, WorkerPriority priority,
                                                         Progress& progress) {
-  return prepared.get<EnvironmentMaps>(map_key(scene, settings, prepared), [&] {
-    const auto& objects = scene.geometry->objects;
-    EnvironmentMaps maps(objects.size());
-    std::shared_ptr<const EnvironmentMap> room;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (!(reflective(scene, objects[i]) > 0)) continue;
-      switch (settings.environment) {
-      case Environment::none:
-        break;
-      case Environment::cube_map: {
-        const bool fixed_only = shows_static_only(settings);
-        const Scene shown =
-            only(scene, [&](const Object& o, std::size_t k) { return k != i && !(fixed_only && o.dynamic); });
-        const auto left_out = static_cast<int>(objects.size() - 1 - shown.geometry->objects.size());
-        maps[i] = look_around(shown, centre_of(scene, i), left_out, settings, priority, progress);
-        break;
-      }
-      case Environment::room_map:
-        if (!room) {
-          const Scene fixed = only(scene, [&](const Object& o, std::size_t) { return !(reflective(scene, o) > 0); });
-          room = look_around(fixed, shadow_casters(fixed).centre, 0, settings, priority, progress);
-        }
-        maps[i] = room;
-        break;
-      }
+  const auto& objects = scene.geometry->objects;
+  auto maps = std::make_shared<EnvironmentMaps>(objects.size());
+  MapMaker maker(scene, settings, prepared, priority, progress);
+  std::shared_ptr<const EnvironmentMap> room;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!(reflective(scene, objects[i]) > 0)) continue;
+    switch (settings.environment) {
+    case Environment::none:
+      break;
+    case Environment::cube_map:
+      (*maps)[i] = maker.around(i);
+      break;
+    case Environment::room_map:
+      if (!room) room = maker.of_room();
+      (*maps)[i] = room;
+      break;
     }
-    return maps;
-  });
+  }
+  return maps;
 }
 
 void lay_out_environment(const EnvironmentMap& map, Image<Vec3f>& picture) {

@@ -33,8 +33,9 @@ bool uses_environment(const Settings& settings, const Scene& scene);
 
 /// With environment = cube-map each mirroring object has a map of its own, made at its centre, of all other objects
 /// (without what those mirror themselves). With room-map all share one: that of the objects without reflections,
-/// rendered from their centre, wherever the reflective objects are. Kept in `prepared` until something changes that can
-/// be seen in one; with environment-objects = static a dynamic object that moves changes none.
+/// rendered from their centre, wherever the reflective objects are. Each is kept in `prepared` until something changes
+/// that can be seen in it: with environment-objects = static a dynamic object that moves changes none but its own, and
+/// a mirror that moves never changes that of the room.
 std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
                                                         Prepared& prepared, WorkerPriority priority,
                                                         Progress& progress);

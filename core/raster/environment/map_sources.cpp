@@ -14,7 +14,8 @@ struct MapSourceNumbers::Known {
 MapSourceNumbers::MapSourceNumbers() : known_(std::make_shared<Known>()) {}
 
 std::uint64_t MapSourceNumbers::number_of(MapSources sources) const {
-  constexpr std::size_t kept = 4;  // as many as Prepared keeps versions of a product
+  // For cube maps and a room's map as many as Prepared keeps versions of a product.
+  constexpr std::size_t kept = 8;
   const std::lock_guard lock(known_->mutex);
   auto& entries = known_->entries;
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.first == sources; });

@@ -8,11 +8,10 @@
 
 namespace ps::raster {
 
-/// The objects that environment maps depend on: those that are in them, and those that they are made for.
+/// The objects that an environment map shows.
 struct MapSources {
   std::vector<std::pair<std::size_t, Object>> objects;  ///< with their indices in the scene
   std::vector<std::shared_ptr<const Mesh>> meshes;
-  std::size_t scene_objects = 0;  ///< maps are stored by object
   bool operator==(const MapSources&) const = default;
 };
 

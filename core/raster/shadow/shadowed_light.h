@@ -7,6 +7,7 @@
 #include "raster/clear/light_at.h"
 #include "raster/corner_attributes.h"
 #include "raster/shadow/fragment_shadows.h"
+#include "raster/vertex_light.h"
 
 namespace ps::raster {
 
@@ -60,22 +61,19 @@ Lighting<Real> shadowed_light(const Pass<Real>& pass, const ScreenGeometry<Real>
   case Shading::gouraud: {
     const KnownShares<Real> shares = known();
     const CornerSource<Real> source = corner_source(pass, geometry, *setup.triangle);
-    const Vec3<Real> weights =
-        whole_weights(setup, pass.divides() ? space_weights(pass, setup, fragment) : fragment.weights);
     Lighting<Real> lighting;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Lighting<Real> corner =
-          light_at(pass, *setup.surface, source.position(k), source.normal(k, pass.settings.normals), recorder,
-                   std::optional<int>(), shares);
-      lighting.light += corner.light * weights[static_cast<int>(k)];
-      lighting.extra += corner.extra * weights[static_cast<int>(k)];
+      const LightPoint<Real> point = light_point(pass, setup, fragment, source, k);
+      const Lighting<Real> corner = light_of_point(pass, setup, point, recorder, shares);
+      lighting.light += corner.light * point.weight;
+      lighting.extra += corner.extra * point.weight;
     }
     return lighting;
   }
   case Shading::flat: {
     const KnownShares<Real> shares = known();
     const FlatPoint<Real> point = flat_point(corner_source(pass, geometry, *setup.triangle), pass.settings.normals);
-    return light_at(pass, *setup.surface, point.position, point.normal, recorder, std::optional<int>(), shares);
+    return light_of_point(pass, setup, LightPoint<Real>{point.position, point.normal}, recorder, shares);
   }
   }
   return {};

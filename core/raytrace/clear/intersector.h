@@ -75,7 +75,7 @@ class Intersector final : public RaySearch<Real> {
   Recorder& recorder_;
 };
 
-// Compiled in intersector.cpp.
+// Defined in intersector-inl.h, compiled in intersector.cpp.
 extern template class Intersector<float, Silent>;
 extern template class Intersector<float, CountingRecorder>;
 extern template class Intersector<float, PixelRecorder>;

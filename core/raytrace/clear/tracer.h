@@ -121,7 +121,7 @@ class Tracer {
   mutable std::vector<std::uint32_t> last_blockers_;
 };
 
-// Compiled in tracer.cpp.
+// Defined in tracer-inl.h, compiled in tracer.cpp.
 extern template class Tracer<float, Silent>;
 extern template class Tracer<float, CountingRecorder>;
 extern template class Tracer<float, PixelRecorder>;

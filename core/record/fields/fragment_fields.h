@@ -87,6 +87,40 @@ struct List<WriteEvent> {
 };
 
 template <>
+struct List<PolygonEvent> {
+  using E = PolygonEvent;
+  static constexpr std::string_view kind = "polygon", partners = kind;
+  static constexpr bool by_rows(const E& e) { return e.row.has_value(); }
+  static constexpr std::array rows{subject(field<&E::item>("item")),
+                                   field<&E::fill>("fill"),
+                                   computed<&E::vertices>("vertices",
+                                                          [](const E& e) {
+                                                            std::vector<double> numbers;
+                                                            for (const Vec2d& v : e.vertices)
+                                                              numbers.insert(numbers.end(), {v.x, v.y});
+                                                            return numbers;
+                                                          }),
+                                   computed<&E::row>(
+                                       "columns",
+                                       [](const E& e) {
+                                         return std::array{e.row->left, e.row->right};
+                                       },
+                                       by_rows),
+                                   computed<&E::row>(
+                                       "edges", [](const E& e) { return e.row->edges; }, by_rows),
+                                   computed<&E::row>(
+                                       "along-edges", [](const E& e) { return e.row->along_edges; }, by_rows),
+                                   computed<&E::row>(
+                                       "first-colour", [](const E& e) { return e.row->end_colours[0]; }, by_rows),
+                                   computed<&E::row>(
+                                       "last-colour", [](const E& e) { return e.row->end_colours[1]; }, by_rows),
+                                   computed<&E::row>(
+                                       "along-row", [](const E& e) { return e.row->along_row; }, by_rows),
+                                   computed<&E::row>(
+                                       "colour", [](const E& e) { return e.row->colour; }, by_rows)};
+};
+
+template <>
 struct List<LineEvent> {
   using E = LineEvent;
   static constexpr std::string_view kind = "line", partners = kind;

@@ -84,6 +84,24 @@ struct List<EnvironmentEvent> {
 };
 
 template <>
+struct List<VertexLightEvent> {
+  using E = VertexLightEvent;
+  static constexpr std::string_view kind = "vertex-light", partners = kind;
+  static constexpr std::array rows{field<&E::id>("id"),
+                                   subject(computed<&E::vertex>("point",
+                                                                [](const E& e) {
+                                                                  return e.vertex
+                                                                             ? "vertex " + std::to_string(*e.vertex)
+                                                                             : std::string("centre");
+                                                                })),
+                                   field<&E::weight>("weight"),
+                                   field<&E::position>("position"),
+                                   field<&E::normal>("normal"),
+                                   field<&E::light>("light"),
+                                   labelled("other light", field<&E::extra>("extra"))};
+};
+
+template <>
 struct List<ShadeEvent> {
   using E = ShadeEvent;
   static constexpr std::string_view kind = "shade", partners = kind;

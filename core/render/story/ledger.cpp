@@ -64,8 +64,8 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
                        share * event_as<MissEvent>(events, miss).background, miss});
     return;
   }
-  const ShadingEvents shading{shades.back(), events_of_ray<LightEvent>(events, ray),
-                              event_as<HitEvent>(events, hits.back()).id};
+  const ShadingEvents shading{
+      shades.back(), events_of_ray<LightEvent>(events, ray), {}, event_as<HitEvent>(events, hits.back()).id};
   const Vec3d local = event_as<ShadeEvent>(events, shading.shade).local;
   const std::string name = primitive_name(scene, shading.id);
   const auto boundaries = events_of_ray<RefractionEvent>(events, ray);
@@ -86,9 +86,28 @@ void add_ray(const PixelStory& story, const Scene& scene, int ray, double share,
   add_rays_of_kind(story, scene, ray, RayKind::reflection, share * mirror.reflective, level + 1, lines);
 }
 
+/// A pixel of a row is a mix of the row's ends (LAB 4).
+Lines row_lines(const PixelStory& story, int polygon, double share, int level) {
+  const auto& event = event_as<PolygonEvent>(story.events, polygon);
+  const PolygonRowSpan& row = *event.row;
+  const auto end = [&](std::size_t i, std::string_view name, int column, double weight) {
+    return LedgerLine{level,
+                      fmt::format("{} end of the row, x = {} on edge {} at {}: {} x {}", name, column, row.edges[i],
+                                  number_text(row.along_edges[i]), number_text(weight),
+                                  vector_text(row.end_colours[i])),
+                      share * weight * row.end_colours[i], polygon};
+  };
+  return {end(0, "left", row.left, 1 - row.along_row), end(1, "right", row.right, row.along_row)};
+}
+
 /// How the colour that write `index` brought was made, by what the kernel reported since its fragment began, scaled by
 /// `share`.
 Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, double share, int level) {
+  const int parent = story.events[static_cast<std::size_t>(index)].parent;
+  if (parent >= 0)
+    if (const auto* polygon = std::get_if<PolygonEvent>(&story.events[static_cast<std::size_t>(parent)].data);
+        polygon && polygon->row)
+      return row_lines(story, parent, share, level);
   ShadingEvents shading;
   int mirror = -1;
   shading.id = event_as<WriteEvent>(story.events, index).id;
@@ -98,6 +117,7 @@ Lines shading_of_write(const PixelStory& story, const Scene& scene, int index, d
     if (std::holds_alternative<ShadeEvent>(data) && shading.shade < 0) shading.shade = i;
     if (std::holds_alternative<ReflectionEvent>(data) && mirror < 0) mirror = i;
     if (std::holds_alternative<LightEvent>(data)) shading.lights.insert(shading.lights.begin(), i);
+    if (std::holds_alternative<VertexLightEvent>(data)) shading.points.insert(shading.points.begin(), i);
   }
   if (mirror < 0) return shading.shade < 0 ? Lines{} : light_terms(story, scene, shading, share, level);
   const auto& event = event_as<ReflectionEvent>(story.events, mirror);

@@ -29,6 +29,12 @@ SurfaceColours surface_colours(const Scene& scene, const PixelId& id, const Vec3
   return colours;
 }
 
+/// White for a light that the scene does not have.
+Vec3d light_colour(const Scene& scene, int light) {
+  const bool known = light >= 0 && static_cast<std::size_t>(light) < scene.lights->size();
+  return known ? (*scene.lights)[static_cast<std::size_t>(light)].colour : Vec3d{1, 1, 1};
+}
+
 std::string share_prefix(double share) { return share == 1 ? "" : number_text(share) + " x "; }
 
 /// "0.49 x red light x (1, 0, 0)" without the factors that are white.
@@ -41,8 +47,7 @@ std::vector<LedgerLine> terms_of_light(const PixelStory& story, const Scene& sce
                                        int index, double share, int level) {
   const auto& light = event_as<LightEvent>(story.events, index);
   const std::string name = light_name(scene, light.light);
-  const bool known = light.light >= 0 && static_cast<std::size_t>(light.light) < scene.lights->size();
-  const Vec3d tint = known ? (*scene.lights)[static_cast<std::size_t>(light.light)].colour : Vec3d{1, 1, 1};
+  const Vec3d tint = light_colour(scene, light.light);
   const auto line = [&](std::string_view term, double intensity, const Vec3d& surface) {
     const std::string product = product_text(share, intensity, tint, surface);
     return LedgerLine{level, fmt::format("{}{}: {}", name, term, product), share * intensity * tint * surface, index};
@@ -72,6 +77,28 @@ bool adds_up(const std::vector<LedgerLine>& lines, const Vec3d& total) {
   return std::abs(rest.x) + std::abs(rest.y) + std::abs(rest.z) <= 1e-5 * std::max(scale, 1e-3);
 }
 
+/// The light at a vertex of the triangle, or at its centre, as it reaches the fragment, and its terms.
+std::vector<LedgerLine> terms_of_point(const PixelStory& story, const Scene& scene, const SurfaceColours& colours,
+                                       const ShadingEvents& shading, int index, double share, int level) {
+  const auto& point = event_as<VertexLightEvent>(story.events, index);
+  const double part = share * point.weight;
+  std::vector<LedgerLine> terms;
+  for (const int light : shading.lights)
+    if (story.events[static_cast<std::size_t>(light)].parent == index)
+      for (LedgerLine& line : terms_of_light(story, scene, colours, light, part, level + 1))
+        terms.push_back(std::move(line));
+  const Vec3d highlight = highlight_of_point(story, scene, index);
+  std::string text = share_prefix(share) + point_name(point) + ": ";
+  if (point.vertex) text += fmt::format("weight {} x ", number_text(point.weight));
+  text += "light " + light_text(point.light + point.extra);
+  if (highlight != black) text += fmt::format(" (of which highlight {})", light_text(highlight));
+  text += " x " + vector_text(colours.diffuse);
+  const Vec3d value = part * (point.light * colours.diffuse + point.extra);
+  std::vector<LedgerLine> lines{{level, std::move(text), value, index}};
+  if (adds_up(terms, value)) lines.insert(lines.end(), terms.begin(), terms.end());
+  return lines;
+}
+
 std::vector<LedgerLine> all_light_at_once(const PixelStory& story, const ShadingEvents& shading, double share,
                                           int level) {
   const auto& shade = event_as<ShadeEvent>(story.events, shading.shade);
@@ -88,11 +115,36 @@ std::vector<LedgerLine> all_light_at_once(const PixelStory& story, const Shading
 
 }  // namespace
 
+std::string point_name(const VertexLightEvent& point) {
+  return point.vertex ? fmt::format("vertex {}", *point.vertex) : std::string("centre of the triangle");
+}
+
+Vec3d highlight_of_point(const PixelStory& story, const Scene& scene, int index) {
+  const auto& point = event_as<VertexLightEvent>(story.events, index);
+  const SurfaceColours colours = surface_colours(scene, point.id, {1, 1, 1});
+  Vec3d sum = black;
+  for (int i = index + 1; i < static_cast<int>(story.events.size()); ++i) {
+    const Event& event = story.events[static_cast<std::size_t>(i)];
+    if (event.parent < index) break;
+    const auto* light = std::get_if<LightEvent>(&event.data);
+    if (!light || event.parent != index || adds_nothing(light->specular)) continue;
+    sum += light->specular * light_colour(scene, light->light) * colours.specular;
+  }
+  return sum;
+}
+
 std::vector<LedgerLine> light_terms(const PixelStory& story, const Scene& scene, const ShadingEvents& shading,
                                     double share, int level) {
   const auto& shade = event_as<ShadeEvent>(story.events, shading.shade);
   const SurfaceColours colours = surface_colours(scene, shading.id, shade.surface);
-  std::vector<LedgerLine> lines;
+  std::vector<LedgerLine> lines, of_level;
+  for (const int index : shading.points) {
+    const std::vector<LedgerLine> terms = terms_of_point(story, scene, colours, shading, index, share, level);
+    of_level.push_back(terms.front());
+    lines.insert(lines.end(), terms.begin(), terms.end());
+  }
+  if (!lines.empty() && adds_up(of_level, share * shade.local)) return lines;
+  lines.clear();
   for (const int index : shading.lights)
     for (LedgerLine& line : terms_of_light(story, scene, colours, index, share, level))
       lines.push_back(std::move(line));

@@ -22,6 +22,10 @@ std::string highlight_text(const LightEvent& light) {
 
 bool adds_nothing(double intensity) { return std::abs(intensity) < least_light; }
 
+std::string light_text(const Vec3d& light) {
+  return light.x == light.y && light.y == light.z ? number_text(light.x) : vector_text(light);
+}
+
 std::string light_effect_text(const Scene& scene, const LightEvent& light, LightWords words) {
   const bool whole = words == LightWords::whole;
   if (light.kind == LightKind::ambient)

@@ -21,4 +21,7 @@ enum class LightWords {
 /// "blocked by sphere 3", "in shadow", "emits no light". Terms that add nothing are described without their number.
 std::string light_effect_text(const Scene& scene, const LightEvent& light, LightWords words);
 
+/// Light as one number where its channels are equal, else as three.
+std::string light_text(const Vec3d& light);
+
 }  // namespace ps

@@ -170,6 +170,22 @@ std::string winner_behind_camera(const PixelStory& story) {
   return text;
 }
 
+/// The shape on the canvas that wrote last.
+std::string shape_that_won(const PixelStory& story) {
+  const PolygonEvent* polygon = nullptr;
+  for (const Event& event : story.events) {
+    if (!std::holds_alternative<WriteEvent>(event.data)) continue;
+    const auto parent = static_cast<std::size_t>(event.parent);
+    polygon = event.parent < 0 ? nullptr : std::get_if<PolygonEvent>(&story.events[parent].data);
+  }
+  if (!polygon) return "a shape on the canvas won";
+  const std::string_view shape = polygon->vertices.size() == 3 ? "triangle" : "polygon";
+  std::string text = fmt::format("{} {} on the canvas won", shape, polygon->item);
+  if (polygon->row)
+    text += fmt::format(", row {} from x = {} to {}", story.pixel.y, polygon->row->left, polygon->row->right);
+  return text;
+}
+
 std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
   const WriteEvent* write = nullptr;
   const LineEvent* line = nullptr;
@@ -190,7 +206,7 @@ std::string fragment_verdict(const PixelStory& story, const Scene& scene) {
   else if (write->id.object >= 0)
     parts.push_back(fmt::format("{} won", primitive_name(scene, write->id)));
   else
-    parts.push_back("a shape on the canvas won");
+    parts.push_back(shape_that_won(story));
   if (write) add_shadow_remarks(story, parts);
   if (const std::string behind = winner_behind_camera(story); !behind.empty())
     parts.push_back("it was not clipped, " + behind);

@@ -78,7 +78,7 @@ enum class Subject { rays, boxes, coverage, depth, shadows, shading, sampling, n
 struct Place {
   Subject subject = Subject::numbers;
   int rank = 0;
-  auto operator<=>(const Place&) const = default;
+  auto operator<=>(const Place&) const = default;  // NOLINT(modernize-use-nullptr): a < b compares it with 0
 };
 
 /// A place where a method fails, with what does not fail there.

@@ -8,7 +8,7 @@ float first_look_height() { return 4 * ImGui::GetTextLineHeightWithSpacing() + I
 
 FirstLookAnswer first_look_offer() {
   const NameScope scope("first-look");
-  ImGui::TextWrapped("A first look leads through the window in eight steps. It stays in the menu Lesson.");
+  ImGui::TextWrapped("A first look leads through the window in eight steps. It stays in the menu Lessons.");
   ImGui::Dummy({0, px(2)});
   FirstLookAnswer answer = FirstLookAnswer::none;
   if (button("start", "Show me", Emphasis::primary)) answer = FirstLookAnswer::start;

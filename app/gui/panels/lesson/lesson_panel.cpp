@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
+#include "gui/panels/lesson/step_controls.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
@@ -81,7 +83,13 @@ void move_lesson(Session& session, int by) {
   if (place >= 0 && place < std::ssize(names)) go_to_step(session, names[static_cast<std::size_t>(place)], 0);
 }
 
+int pages_of(const LessonText& text) {
+  const float hidden = text.above + text.below;
+  return hidden > 1 ? 1 + static_cast<int>(std::ceil(hidden / text.page)) : 1;
+}
+
 void close_lesson(Session& session) {
+  session.navigate([](Document& document) { document.mode = ScreenMode::explore; });
   session.edit("close the lesson", [](Document& document) {
     document.lesson.clear();
     document.step = 0;
@@ -99,12 +107,12 @@ void turn_pages(LessonText& text, const std::string& lesson, int step) {
     text.step = step;
     ImGui::SetScrollY(0);
   } else if (text.turn != 0) {
-    const float line = ImGui::GetTextLineHeight();
-    const float page = std::max(ImGui::GetWindowHeight() - 2 * line, line);  // two lines stay in sight
     ImGui::SetScrollY(
-        std::clamp(ImGui::GetScrollY() + static_cast<float>(text.turn) * page, 0.f, ImGui::GetScrollMaxY()));
+        std::clamp(ImGui::GetScrollY() + static_cast<float>(text.turn) * text.page, 0.f, ImGui::GetScrollMaxY()));
     text.turn = 0;
   }
+  const float line = ImGui::GetTextLineHeight();
+  text.page = std::max(ImGui::GetWindowHeight() - 2 * line, line);  // two lines stay in sight
   text.above = ImGui::GetScrollY();
   text.below = ImGui::GetScrollMaxY() - ImGui::GetScrollY();
   text.frame = ImGui::GetFrameCount();
@@ -136,6 +144,7 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
   for (const auto& paragraph : step.paragraphs) text += paragraph + "\n\n";
   for (const auto& hint : step.hints) text += "- " + hint + "\n";
   rich_text(without_emphasis(text));
+  if (session.document().mode == ScreenMode::lesson) step_controls(session, step);
   turn_pages(shelf.text, lesson->name, index);
   const bool above = shelf.text.above > 1, below = shelf.text.below > 1;
   controls().record("hidden", above && below ? "both" : above ? "above" : below ? "below" : "none");

@@ -10,11 +10,24 @@ namespace ps::gui {
 /// How much of a step's text lesson_panel() showed last, in pixels.
 struct LessonText {
   float above = 0, below = 0;  ///< scrolled out of sight
+  float page = 1;              ///< what one page turns
   int frame = -2;              ///< when that was
   int turn = 0;                ///< pages still to be turned, on or back
   std::string lesson;
   int step = 0;
 };
+
+/// Which page of the step the presenter's strip shows.
+struct CaptionState {
+  int page = 0, pages = 1;
+  bool turned_back = false;  ///< the previous step was reached from its end
+  bool blank = false;        ///< the window is black, so that all look at the speaker
+  std::string lesson;
+  int step = 0;
+};
+
+/// In how many pages the step's text is read; 1 where all of it is in sight.
+int pages_of(const LessonText& text);
 
 /// The lesson that the document names, read when it is first needed.
 class LessonShelf {
@@ -22,6 +35,7 @@ class LessonShelf {
   /// The open lesson, or nullptr. What cannot be read becomes a message of the session, once.
   const Lesson* open(Session& session);
   LessonText text;
+  CaptionState caption;
 
  private:
   std::string name_;

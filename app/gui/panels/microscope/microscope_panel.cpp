@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "gui/panels/microscope/surroundings_view.h"
 #include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
 #include "inspect/microscope/event_of_triangle.h"
@@ -258,6 +259,8 @@ void readings(Session& session, MicroscopePanelState& state, const PixelStory* s
     ImGui::PopStyleColor();
   }
   samples_text(*state.shown->microscope);
+  if (const auto& around = state.shown->microscope->surroundings())
+    surroundings_view(session, *around, state.shown->request.pixel);
   if (reading.ray) ray_text(*reading.ray);
   ImGui::Spacing();
   triangle_list(session, state, reading, story);

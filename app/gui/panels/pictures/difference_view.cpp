@@ -1,8 +1,12 @@
 #include "gui/panels/pictures/difference_view.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
+#include "gui/base/values.h"
+#include "gui/panels/pictures/difference_scale.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -15,61 +19,107 @@ bool comparable(const PicturesState& state) {
   return !a.empty() && a.width() == b.width() && a.height() == b.height();
 }
 
+/// What was measured of the pictures as they are now; nullptr while that is still to come.
+std::shared_ptr<const MeasuredDifference> measured_now(const Session& session, const PicturesState& state) {
+  auto measured = state.meter->result();
+  const bool known = measured && same_difference(measured->request, {{}, state.versions, session.region()});
+  return known ? measured : nullptr;
+}
+
+/// Makes the map of the difference again where something has changed. FLIP comes from the background; until then the
+/// map stays as it was.
 void make_difference(Session& session, PicturesState& state) {
-  if (!state.difference_stale || !comparable(state)) return;
+  const double asked = session.document().difference_gain;
+  const bool due =
+      state.difference_stale || asked != state.difference_asked || (!state.difference_settled && !session.busy());
+  if (!due || !comparable(state)) return;
   const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
+  if (state.difference_mode == DifferenceMode::flip) {
+    const auto measured = measured_now(session, state);
+    if (!measured || measured->flip_map.empty()) return;
+    state.difference_values = measured->flip_map;
+  } else {
+    state.difference_values = difference_values(a, b, state.difference_mode);
+  }
   state.identical = a == b;
-  state.difference.levels = difference_picture(a, b, {session.document().difference_gain, state.difference_mode});
+  state.difference_numbers = difference_numbers(state.difference_values, session.region());
+  // While tiles arrive the gain stays: the whole map would flicker.
+  if (asked > 0 || !session.busy() || state.difference.levels.empty())
+    state.difference_gain = asked > 0 ? asked : gain_that_shows(state.difference_numbers, state.difference_mode);
+  const DifferenceOptions options{state.difference_gain, state.difference_mode};
+  state.difference.levels = state.difference_mode == DifferenceMode::absolute
+                                ? difference_picture(a, b, options)
+                                : difference_picture(state.difference_values, options);
   state.difference.upload({{0, 0, a.width(), a.height()}});
   state.difference_stale = false;
+  state.difference_asked = asked;
+  state.difference_settled = asked > 0 || !session.busy();
   state.difference_fresh = true;
 }
 
-/// How the difference is shown.
+const std::vector<Choice>& mode_choices() {
+  static const std::vector<Choice> choices{
+      {"absolute", "|B − A|", "The difference of each channel, in levels."},
+      {"sign", "B − A", "Blue where A is brighter, orange where B is, in levels."},
+      {"relative", "relative", "The difference as a share of A: what differs in the dark shows."},
+      {"flip", "FLIP", "The difference as seen when the pictures are flipped in place, measured in the background."}};
+  return choices;
+}
+
+void set_gain(Session& session, double gain) {
+  session.navigate([&](Document& document) { document.difference_gain = gain; });
+}
+
+/// How the difference is shown, and a way to where it is largest.
 void difference_tools(Session& session, PicturesState& state, const Area& row) {
+  const float wide = px(460);  // of all four
+  const float share = std::min(row.width() / wide, 1.f);
   ImGui::SetCursorScreenPos({row.min.x, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
-  ImGui::AlignTextToFramePadding();
-  {
-    const FontScope font(Face::bold);
-    ImGui::TextUnformatted(state.difference_mode == DifferenceMode::absolute ? "|B − A|" : "B − A");
+  int mode = static_cast<int>(state.difference_mode);
+  if (choice("mode", mode_choices(), mode,
+             {.tooltip = "What is shown of the difference.", .disabled = {}, .width = px(104) * share})) {
+    state.difference_mode = static_cast<DifferenceMode>(mode);
+    state.difference_stale = true;
   }
-  ImGui::SameLine();
-  ImGui::TextUnformatted("amplify");
-  ImGui::SameLine();
-  double gain = session.document().difference_gain;
+  ImGui::SameLine(0, px(6));
+  double gain = state.difference_gain;
   const auto edit = number("gain", gain, {.minimum = 1, .maximum = 256, .scale = OptionScale::logarithmic, .unit = "x"},
                            {.tooltip = "Factor by which differences are multiplied before they are shown.",
                             .disabled = {},
-                            .width = px(140)});
-  if (edit.changed) {
-    session.navigate([&](Document& document) { document.difference_gain = gain; });
-    state.difference_stale = true;
-  }
-  ImGui::SameLine();
-  bool sign = state.difference_mode == DifferenceMode::sign;
-  if (toggle("sign", "signed", sign,
-             {.tooltip = "Grey where equal, lighter where B is brighter, darker where A is."})) {
-    state.difference_mode = sign ? DifferenceMode::sign : DifferenceMode::absolute;
-    state.difference_stale = true;
-  }
-  if (sign) {
-    ImGui::SameLine();
-    const FontScope font(Face::small);
-    for (const char* legend : {"grey: equal, lighter: B larger, darker: A larger", "lighter: B larger"}) {
-      if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(legend).x > row.max.x) continue;
-      ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-      value_text("legend", legend);
-      ImGui::PopStyleColor();
-      break;
-    }
-  }
+                            .width = px(120) * share});
+  if (edit.changed) set_gain(session, gain);
+  ImGui::SameLine(0, px(6));
+  const bool automatic = session.document().difference_gain == 0;
+  if (button_on_off("auto", "auto", automatic,
+                    {.tooltip = "The gain with which the brightest 0.1 % of the pixels are white."}))
+    set_gain(session, automatic ? state.difference_gain : 0);
+  ImGui::SameLine(0, px(6));
+  const Vec2i at = state.difference_numbers.at;
+  if (button("largest", "Largest", Emphasis::plain,
+             {.tooltip = "Picks the pixel with the largest difference, which has a ring.",
+              .disabled = at.x < 0 ? "no pixel differs" : ""}))
+    session.set_pixel(at);
+  values().publish("difference/largest-at", at.x < 0 ? "none" : fmt::format("{},{}", at.x, at.y));
+}
+
+/// A ring around the pixel with the largest difference.
+void largest_ring(ImDrawList& list, const PicturesState& state, const Area& area) {
+  const Vec2i at = state.difference_numbers.at;
+  if (at.x < 0) return;
+  const ImVec2 middle = state.transform.to_window(Vec2d(at) + Vec2d(0.5), area);
+  const float radius = std::max(px(9), static_cast<float>(state.transform.zoom));
+  list.PushClipRect(area.min, area.max, true);
+  list.AddCircle(middle, radius, colour_u32(palette().panel), 0, px(4));
+  list.AddCircle(middle, radius, colour_u32(palette().attention), 0, px(2));
+  list.PopClipRect();
 }
 
 /// How large the difference is, as one number: the metric, and its value as soon as it is measured.
 void difference_number(Session& session, PicturesState& state, const Area& row) {
   if (!session.busy() && comparable(state)) {
     const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
-    state.meter->request({state.meter->copies(a, b, state.versions), state.versions, session.region()});
+    state.meter->request({state.meter->copies(a, b, state.versions), state.versions, session.region(),
+                          state.difference_mode == DifferenceMode::flip});
   }
   ImGui::SetCursorScreenPos({row.min.x, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
   std::vector<Choice> choices;
@@ -80,12 +130,11 @@ void difference_number(Session& session, PicturesState& state, const Area& row) 
     state.difference_metric = static_cast<ErrorMetric>(index);
   ImGui::SameLine(0, px(8));
   ImGui::AlignTextToFramePadding();
-  const auto measured = state.meter->result();
-  const bool known = measured && same_difference(measured->request, {{}, state.versions, session.region()});
+  const auto measured = measured_now(session, state);
   std::string text =
-      known ? difference_text(state.difference_metric, error_of(measured->comparison, state.difference_metric))
-            : "measuring ...";
-  if (known && measured->request.region) text += ", in the rectangle";
+      measured ? difference_text(state.difference_metric, error_of(measured->comparison, state.difference_metric))
+               : "measuring ...";
+  if (measured && measured->request.region) text += ", in the rectangle";
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {row.max.x, row.max.y}, true);
   {
@@ -124,7 +173,13 @@ void difference_view(Session& session, PicturesState& state, const Area& title, 
   style.marked = session.pixel();
   style.region = session.region();
   draw_picture(list, state.flip ? state.pictures[1] : state.difference, state.transform, area, style);
+  if (!state.flip) {
+    largest_ring(list, state, area);
+    draw_difference_scale(list, {state.difference_gain, state.difference_mode}, state.difference_numbers, area);
+  }
   picture_handles(session, state, Side::a, area, area, "picture", hovered);
+  if (state.difference_stale && state.difference_mode == DifferenceMode::flip && state.meter->busy())
+    return draw_notice(list, area, "measuring FLIP ...");
   if (!state.identical || session.busy()) return;
   const bool same = session.settings(Side::a) == session.settings(Side::b);
   const std::string text = same ? "A and B have the same options: there is no difference."

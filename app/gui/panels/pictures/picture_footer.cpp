@@ -55,7 +55,8 @@ FooterItem time_item(Session& session, Side side, const RenderResult& result) {
           Voice::quiet};
 }
 
-std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange& change, const std::string& lead) {
+std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange& change, PictureCaptions captions,
+                                     const std::string& lead) {
   if (const auto file = session.picture_b(); side == Side::b && file)
     return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path}};
   const auto result = session.renderer(side).result();
@@ -77,7 +78,7 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
   // After the pixels that are not a number, which no ellipsis may reach.
   const auto place =
       std::find_if(items.begin(), items.end(), [](const FooterItem& item) { return item.voice != Voice::attention; });
-  items.insert(place, left_out_item(session, side));
+  if (captions == PictureCaptions::brief) items.insert(place, left_out_item(session, side));
   std::erase_if(items, [](const FooterItem& item) { return item.text.empty(); });
   if (!lead.empty() && !items.empty()) {
     items.front().text = lead + items.front().text;
@@ -149,22 +150,15 @@ std::vector<Slot> placed(std::vector<FooterItem>& items, const Area& row, const 
   return slots;
 }
 
-/// A triangle that says: look here.
-void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
-  const ImVec2 top{corner.x + size / 2, corner.y}, left{corner.x, corner.y + size},
-      right{corner.x + size, corner.y + size};
-  list.AddTriangleFilled(top, right, left, colour_u32(palette().attention));
-  list.AddTriangle(top, right, left, colour_u32(palette().text), px(1.2));
-}
-
 }  // namespace
 
-void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, const std::string& lead) {
+void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, PictureCaptions captions,
+                    const std::string& lead) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
   const FooterMeasures measures;
-  std::vector<FooterItem> items = footer_items(session, side, change, lead);
-  const ImVec2 corner{row.min.x, row.min.y + px(note_height) + px(3)};
+  std::vector<FooterItem> items = footer_items(session, side, change, captions, lead);
+  const ImVec2 corner{row.min.x, row.min.y + (captions == PictureCaptions::full ? px(note_height) : 0) + px(3)};
   const std::string time = !items.empty() && items.back().name == time_name ? items.back().text : "";
   const std::vector<Slot> slots = placed(items, {corner, row.max}, measures);
   std::string all;

@@ -36,13 +36,22 @@ std::string take_line(Face face, std::string& text, float width) {
 
 }  // namespace
 
-PictureMargins picture_margins(float width) {
+PictureMargins picture_margins(float width, PictureCaptions captions) {
+  if (captions == PictureCaptions::brief) return {px(23), px(18)};
   const float notes = px(note_height);
   return width < px(narrow) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }
 
-Area picture_note(const Area& footer) {
-  return {{footer.min.x, footer.min.y + px(3)}, {footer.max.x, footer.min.y + px(note_height)}};
+std::optional<Area> picture_note(const Area& footer, PictureCaptions captions) {
+  if (captions == PictureCaptions::brief) return {};
+  return Area{{footer.min.x, footer.min.y + px(3)}, {footer.max.x, footer.min.y + px(note_height)}};
+}
+
+void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
+  const ImVec2 top{corner.x + size / 2, corner.y}, left{corner.x, corner.y + size},
+      right{corner.x + size, corner.y + size};
+  list.AddTriangleFilled(top, right, left, colour_u32(palette().attention));
+  list.AddTriangle(top, right, left, colour_u32(palette().text), px(1.2));
 }
 
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
@@ -56,13 +65,14 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
                colour_u32(palette().on_accent), text);
 }
 
-void picture_title(Session& session, Side side, const Area& row) {
+void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
-  const bool two_lines = row.width() < px(narrow);
+  const bool is_narrow = row.width() < px(narrow), two_lines = is_narrow && captions == PictureCaptions::full;
+  const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
   const float size = px(22), top = row.min.y + (line - size) / 2;
-  const float choice_width = std::min(px(124), row.width() * 0.45f), space = px(8);
+  const float choice_width = has_choice ? std::min(px(124), row.width() * 0.45f) : 0, space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
 
   const auto file = side == Side::b ? session.picture_b() : nullptr;
@@ -99,6 +109,7 @@ void picture_title(Session& session, Side side, const Area& row) {
       document.layout.panels = filled;
     });
 
+  if (!has_choice) return;
   const float choice_room = two_lines ? ImGui::GetFrameHeight() + px(6) : line;
   ImGui::SetCursorScreenPos({row.max.x - choice_width, row.max.y - (choice_room + ImGui::GetFrameHeight()) / 2});
   int shown = static_cast<int>(session.shown(side));

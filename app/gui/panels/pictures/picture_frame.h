@@ -1,9 +1,11 @@
 #pragma once
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 
 #include "gui/panels/pictures/caption.h"
+#include "gui/panels/pictures/picture_captions.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/session/session.h"
 
@@ -15,22 +17,26 @@ namespace ps::gui {
 struct PictureMargins {
   float title = 0, footer = 0;  ///< heights in window pixels
 };
-PictureMargins picture_margins(float width);
+PictureMargins picture_margins(float width, PictureCaptions captions);
 
 constexpr double note_height = 24;  ///< of the row for a note, at scale 1
 
-/// The row for a note below a picture, within the rows of its footer.
-Area picture_note(const Area& footer);
+/// The row for a note below a picture, within the rows of its footer; none has room below brief captions.
+std::optional<Area> picture_note(const Area& footer, PictureCaptions captions);
+/// A triangle that asks for attention, beside a text.
+void attention_mark(ImDrawList& list, ImVec2 corner, float size);
 
 /// The letter of a side on its colour.
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);
 
 /// The line above a picture: letter, what it is made with, and which channel is shown. `row` has the height of
 /// picture_margins().
-void picture_title(Session& session, Side side, const Area& row);
+void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions = PictureCaptions::full);
 
-/// The lines below a picture, under its note: what its renderer cannot show of the scene; the counted work, with what
-/// it was before the last change; how long it took; a thin bar while it is being made. `lead` comes first.
-void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, const std::string& lead = {});
+/// The lines below a picture, under its note: the counted work, with what it was before the last change; how long it
+/// took; a thin bar while it is being made. Brief ones name here what the renderer cannot show of the scene. `lead`
+/// comes first.
+void picture_footer(Session& session, Side side, CaptionChange& change, const Area& row, PictureCaptions captions,
+                    const std::string& lead = {});
 
 }  // namespace ps::gui

@@ -145,7 +145,10 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
   if (ImGui::IsItemDeactivated()) {
     if (state.drag == PictureDrag::undecided && on_picture) {
       session.set_pixel(pixel);
-      session.navigate([&](Document& document) { document.picked = under; });
+      session.navigate([&](Document& document) {
+        document.picked = under;
+        document.layout.pixel_open = true;
+      });
     }
     if (state.drag == PictureDrag::look || state.drag == PictureDrag::orbit || state.drag == PictureDrag::handle)
       session.end_drag();

@@ -1,7 +1,9 @@
 #include "gui/panels/pictures/picture_values.h"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace ps::gui {
@@ -56,6 +58,10 @@ void offer_picture_values(Values& out, Session& session, PicturesState& pictures
     return measured ? fmt::format("{}", error_of(measured->comparison, pictures.difference_metric)) : "none";
   });
   out.offer("zoom", [&pictures] { return pictures.transform.zoom; });
+  out.offer("window/pictures-share", [&pictures] {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    return 100 * pixels_on_screen(pictures) / std::max(static_cast<double>(window.x) * window.y, 1.0);
+  });
   out.offer("flying", [&pictures] { return flying(pictures); });
   out.offer("flicker", [&pictures] { return pictures.flip; });
 }

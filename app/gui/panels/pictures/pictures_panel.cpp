@@ -7,6 +7,7 @@
 
 #include "gui/panels/pictures/difference_view.h"
 #include "gui/panels/pictures/handles_view.h"
+#include "gui/panels/pictures/left_out_line.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/widgets/widgets.h"
 #include "render/left_out.h"
@@ -38,8 +39,17 @@ namespace {
 constexpr double gap = 10;         // between two pictures
 constexpr double long_wait = 500;  // milliseconds without a new pixel until that is said
 
-PictureTransform current_transform(const Document& document, Vec2i size, const Area& area) {
-  if (document.view.zoom <= 0) return fitted(size, area);
+PictureTransform fitted_as(PictureFit fit, Vec2i size, const Area& area) {
+  PictureTransform result = fitted(size, area);
+  if (fit == PictureFit::whole_place && size.x > 0 && size.y > 0)
+    result.zoom =
+        std::clamp(std::min(static_cast<double>(area.width()) / size.x, static_cast<double>(area.height()) / size.y),
+                   smallest_zoom, largest_zoom);
+  return result;
+}
+
+PictureTransform current_transform(const Document& document, Vec2i size, const Area& area, PictureFit fit) {
+  if (document.view.zoom <= 0) return fitted_as(fit, size, area);
   return {document.view.zoom, {document.view.middle.x * size.x, document.view.middle.y * size.y}};
 }
 
@@ -166,8 +176,8 @@ struct Framed {
   Area title, picture, footer;
 };
 /// `columns`: how many titles stand side by side over the picture.
-Framed framed(const Area& area, int columns = 1) {
-  const PictureMargins margins = picture_margins(area.width() / static_cast<float>(columns));
+Framed framed(const Area& area, PictureCaptions captions, int columns = 1) {
+  const PictureMargins margins = picture_margins(area.width() / static_cast<float>(columns), captions);
   const float top = area.min.y + margins.title, bottom = area.max.y - margins.footer;
   return {{area.min, {area.max.x, top}}, {{area.min.x, top}, {area.max.x, bottom}}, {{area.min.x, bottom}, area.max}};
 }
@@ -176,41 +186,50 @@ struct Halves {
   Area first, second;
 };
 /// Side by side or one above the other, whichever shows the pictures larger.
-Halves halves(const Area& area, Vec2i picture_size) {
+Halves halves(const Area& area, Vec2i picture_size, PictureCaptions captions) {
   const float space = px(gap);
   // Equal to the pixel, so that both pictures have the same size and height.
   const float half = std::floor((area.width() - space) / 2), middle_y = std::round((area.min.y + area.max.y) / 2);
   const Halves beside{{area.min, {area.min.x + half, area.max.y}}, {{area.max.x - half, area.min.y}, area.max}};
   const Halves stacked{{area.min, {area.max.x, middle_y}}, {{area.min.x, middle_y}, area.max}};
-  const double beside_zoom = fitted(picture_size, framed(beside.first).picture).zoom;
-  const double stacked_zoom = fitted(picture_size, framed(stacked.first).picture).zoom;
+  const double beside_zoom = fitted(picture_size, framed(beside.first, captions).picture).zoom;
+  const double stacked_zoom = fitted(picture_size, framed(stacked.first, captions).picture).zoom;
   return stacked_zoom > beside_zoom ? stacked : beside;
 }
 
+/// How many window pixels a picture takes that fits an area.
+double pixels_of(Vec2i picture_size, const Area& area, PictureFit fit) {
+  const double zoom = fitted_as(fit, picture_size, area).zoom;
+  return zoom * picture_size.x * zoom * picture_size.y;
+}
+
 void below(Session& session, PicturesState& state, Side side, const Area& footer, const std::string& lead = {}) {
-  state.notes[index_of(side)] = picture_note(footer);
-  picture_footer(session, side, state.changes[index_of(side)], footer, lead);
+  auto& note = state.notes[index_of(side)];
+  note = picture_note(footer, state.captions);
+  if (note) note = left_out_line(session, side, *note);
+  picture_footer(session, side, state.changes[index_of(side)], footer, state.captions, lead);
 }
 
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
-  const auto [title, inner, footer] = framed(area);
-  state.transform = current_transform(session.document(), state.pictures[index_of(side)].size(), inner);
+  const auto [title, inner, footer] = framed(area, state.captions);
+  state.transform = current_transform(session.document(), state.pictures[index_of(side)].size(), inner, state.fit);
   const Side shown = state.flip ? other_side(side) : side;
-  picture_title(session, shown, title);
+  picture_title(session, shown, title, state.captions);
   picture(session, state, side, inner, {});
   below(session, state, shown, footer);
 }
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
-  const auto [title, inner, footer] = framed(area, 2);
-  state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
+  const auto [title, inner, footer] = framed(area, state.captions, 2);
+  state.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.fit);
   const Area whole = state.transform.picture_area(state.pictures[0].size(), inner);
   const float low = std::max(whole.min.x, inner.min.x), high = std::min(whole.max.x, inner.max.x);
   const float at = std::round(low + (high - low) * static_cast<float>(session.document().split));
   const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
   const Side left = state.flip ? Side::b : Side::a;
-  picture_title(session, left, {title.min, {middle - space, title.max.y}});
-  picture_title(session, other_side(left), {{middle + space, title.min.y}, title.max});
+  picture_title(session, left, {title.min, {middle - space, title.max.y}}, state.captions);
+  picture_title(session, other_side(left), {{middle + space, title.min.y}, title.max}, state.captions);
+  state.split_at = at;
   picture(session, state, Side::a, inner, Split{at});
   state.areas[1] = inner;
   divider({{inner.min.x, std::max(inner.min.y, whole.min.y)}, {inner.max.x, std::min(inner.max.y, whole.max.y)}}, at,
@@ -259,7 +278,25 @@ void collect_pictures(Session& session, PicturesState& state) {
   }
 }
 
-void pictures_panel(Session& session, PicturesState& state, const Area& area) {
+double pixels_on_screen(const PicturesState& state) {
+  const auto seen = [&](Side side) {
+    const auto& area = state.areas[index_of(side)];
+    const Vec2i size = state.pictures[index_of(side)].size();
+    if (!area || size.x <= 0) return 0.0;
+    const Area whole = state.transform.picture_area(size, *area);
+    const double width = std::min(whole.max.x, area->max.x) - std::max(whole.min.x, area->min.x);
+    const double height = std::min(whole.max.y, area->max.y) - std::max(whole.min.y, area->min.y);
+    return std::max(width, 0.0) * std::max(height, 0.0);
+  };
+  const auto& [a, b] = state.areas;
+  const bool share_one = a && b && a->min.x == b->min.x && a->min.y == b->min.y;
+  return share_one ? seen(Side::a) : seen(Side::a) + seen(Side::b);
+}
+
+void pictures_panel(Session& session, PicturesState& state, const Area& area, const PicturePlace& place) {
+  state.captions = place.captions;
+  state.fit = PictureFit::even_pixels;
+  state.split_at.reset();
   state.areas = {};
   state.notes = {};
   state.hover.reset();
@@ -268,7 +305,15 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area) {
   state.meter->take_news();
   switch (session.document().compare) {
   case CompareMode::side_by_side: {
-    const auto parts = halves(area, state.pictures[0].size());
+    const Vec2i size = state.pictures[0].size();
+    const auto parts = halves(area, size, state.captions);
+    const Area each = framed(parts.first, state.captions).picture, one = framed(area, state.captions, 2).picture;
+    if (2 * pixels_of(size, each, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
+    const double two = 2 * pixels_of(size, each, state.fit);
+    if (two < place.least_pixels && pixels_of(size, one, state.fit) > two) {
+      split_view(session, state, area);
+      break;
+    }
     one_side(session, state, Side::a, parts.first);
     one_side(session, state, Side::b, parts.second);
     break;
@@ -277,8 +322,8 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area) {
     split_view(session, state, area);
     break;
   case CompareMode::difference: {
-    const auto [title, inner, footer] = framed(area, 2);
-    state.transform = current_transform(session.document(), state.pictures[0].size(), inner);
+    const auto [title, inner, footer] = framed(area, state.captions, 2);
+    state.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.fit);
     difference_view(session, state, title, inner);
     const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
     below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");

@@ -5,6 +5,7 @@
 
 #include "gui/panels/pictures/caption.h"
 #include "gui/panels/pictures/nan_pixels.h"
+#include "gui/panels/pictures/picture_captions.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/panels/pictures/picture_view.h"
 #include "gui/session/handles.h"
@@ -13,6 +14,12 @@
 #include "image/difference.h"
 
 namespace ps::gui {
+
+/// The place that pictures are given.
+struct PicturePlace {
+  PictureCaptions captions = PictureCaptions::full;
+  double least_pixels = 0;  ///< of the window, that both together shall take
+};
 
 /// What the mouse is over.
 struct Hover {
@@ -40,6 +47,11 @@ struct PicturesState {
   std::uint64_t difference_hash = 0;  ///< of its levels, for tests
   bool identical = false;             ///< A and B, when the difference was last made
   DifferenceMode difference_mode = DifferenceMode::absolute;
+  Image<float> difference_values;  ///< what the difference shows of each pixel
+  DifferenceNumbers difference_numbers;
+  double difference_gain = 1;                         ///< with which it is shown
+  double difference_asked = 0;                        ///< gain that the document asked for then
+  bool difference_settled = false;                    ///< its gain is that of whole pictures
   ErrorMetric difference_metric = ErrorMetric::rmse;  ///< beside the difference
   std::unique_ptr<DifferenceMeter> meter;             ///< made by whoever owns the state
 
@@ -48,6 +60,9 @@ struct PicturesState {
   bool loupe = false;  ///< held
   bool fly = false;    ///< letters move the camera
 
+  PictureCaptions captions = PictureCaptions::full;  ///< as they were drawn last
+  PictureFit fit = PictureFit::even_pixels;
+  std::optional<float> split_at;             ///< the divider's place in the window, while A and B share one picture
   std::array<std::optional<Area>, 2> areas;  ///< where each side was drawn in the last frame
   std::array<std::optional<Area>, 2> notes;  ///< the row for a note below each of them
   PictureTransform transform;                ///< shared by all views
@@ -64,7 +79,12 @@ struct PicturesState {
 void collect_pictures(Session& session, PicturesState& state);
 
 /// Both pictures as the document's compare mode has them, with titles, times and everything the mouse can do in them.
-void pictures_panel(Session& session, PicturesState& state, const Area& area);
+/// Where two side by side would take fewer than place.least_pixels and one takes more, A and B share it with a divider.
+void pictures_panel(Session& session, PicturesState& state, const Area& area, const PicturePlace& place = {});
+
+/// How many pixels of the window show rendered pixels of A or B: without captions and margins, what both show counted
+/// once.
+double pixels_on_screen(const PicturesState& state);
 
 /// Mouse in one picture; call right after its invisible button. `split_at` is the divider's place in the window, if
 /// there is one.

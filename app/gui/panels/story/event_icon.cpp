@@ -87,6 +87,7 @@ struct Drawer {
     else
       pen.sun(e.below_horizon ? p.text_quiet : p.right);
   }
+  void operator()(const VertexLightEvent& e) const { swatch(e.light + e.extra); }
   void operator()(const ShadeEvent& e) const { swatch(e.local); }
   void operator()(const ReflectionEvent& e) const { swatch(e.result); }
   void operator()(const RefractionEvent& e) const { swatch(e.result); }
@@ -107,6 +108,7 @@ struct Drawer {
   void operator()(const FragmentEvent& e) const {
     pen.triangle(e.depth == FragmentEvent::Depth::failed ? p.wrong : p.right, Fill::filled);
   }
+  void operator()(const PolygonEvent& e) const { pen.diamond(e.row ? colour_of(e.row->colour) : p.right); }
   void operator()(const CoverageEvent& e) const { pen.square(e.covered ? p.right : p.wrong, Fill::hollow); }
   void operator()(const WriteEvent& e) const { swatch(e.after); }
   void operator()(const LineEvent&) const { pen.line(p.right); }

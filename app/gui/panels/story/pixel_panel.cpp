@@ -94,7 +94,7 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   if (section("sum", "The colour as a sum", state.sum_open))
     if (const int clicked = ledger_view(name, story, tree.selected, pinned); clicked >= 0)
       select_event(session, side, clicked);
-  if (has_canvas_rows(session) && section("rows", "Rows of the canvas triangles", state.rows_open))
+  if (has_canvas_rows(session) && section("rows", "Rows of the canvas shapes", state.rows_open))
     canvas_rows_view(session, side, state.rows, name);
   if (section("work", "Work for this pixel", state.work_open)) work(story, name + "/work");
   ImGui::Spacing();

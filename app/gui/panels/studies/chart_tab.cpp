@@ -372,6 +372,10 @@ void measure_chart(Session& session, ChartTabState& state, const StudyFolder& fo
   }
   state.measured = state.plan.key;
   state.kept_for.clear();
+  if (state.estimate.running()) {  // it would disturb the times
+    state.estimate.cancel();
+    state.estimated.clear();
+  }
   start_chart(state.study, std::move(request));
 }
 

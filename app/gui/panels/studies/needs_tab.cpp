@@ -28,6 +28,10 @@ void measure(Session& session, NeedsTabState& state) {
   state.base = request.base;
   state.scene_name = session.document().scene_name;
   state.needs = nullptr;
+  if (state.estimate.running()) {  // it would disturb the times
+    state.estimate.cancel();
+    state.estimated.clear();
+  }
   state.study.start([request = std::move(request)](StudyControl& control, const NeedsStudy::Publish& publish) {
     const auto hand_over = [&](const Needs& needs, const StudyStatus& status) {
       publish(std::make_shared<const Needs>(needs), status);

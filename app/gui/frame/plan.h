@@ -1,0 +1,45 @@
+#pragma once
+#include "gui/panels/panel.h"
+#include "gui/panels/pictures/picture_transform.h"
+
+namespace ps::gui {
+
+/// What a plan is made for. Lengths are in window pixels.
+struct PlanInput {
+  Area area;                ///< that is divided: the window without its menu and status lines
+  ImVec2 window{0, 0};      ///< whose share the pictures take
+  Vec2i picture{600, 600};  ///< size of A and of B, picture pixels
+  float scale = 1;          ///< of the type
+  float captions = 0;       ///< height of the lines above and below a picture
+  float text_width = 0;     ///< at which a lesson's text reads best
+  float headline = 0;       ///< height of a stage or drawer that is folded to one line
+};
+
+/// How the window is divided in a lesson.
+struct LessonPlan {
+  Area text, pictures, stage;
+  bool folded = false;  ///< the stage has room for its headline alone
+};
+
+/// The shares of the window that the pictures keep, 0..1: in a lesson, and exploring.
+inline constexpr double lesson_share = 0.35, explore_share = 0.30;
+
+/// The text as wide as it reads best, unless the pictures, side by side or as one, would take less than lesson_share of
+/// the window. What height they leave is the stage's.
+/// A tall tool takes the place of one picture.
+LessonPlan plan_lesson(const PlanInput& input, PanelHeight stage);
+
+/// How the window is divided exploring. `left`, `right` and `bottom` are shares of the area as the document has them,
+/// 0 = what suits the window; `bottom` 0 = folded.
+struct ExplorePlan {
+  float left = 0;    ///< width of the options
+  float right = 0;   ///< width of the pixel's story; that of its handle while it is folded
+  float bottom = 0;  ///< height of the drawer
+};
+struct ExploreShares {
+  double left = 0, right = 0, bottom = 0;
+  bool pixel_open = false;
+};
+ExplorePlan plan_explore(const PlanInput& input, const ExploreShares& shares);
+
+}  // namespace ps::gui

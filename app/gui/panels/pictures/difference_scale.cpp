@@ -1,0 +1,98 @@
+#include "gui/panels/pictures/difference_scale.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr int scale_steps = 64;
+
+std::string title_of(DifferenceMode mode) {
+  switch (mode) {
+  case DifferenceMode::absolute:
+    return "|B - A| of each channel";
+  case DifferenceMode::sign:
+    return "B - A: blue A larger, orange B larger";
+  case DifferenceMode::relative:
+    return "|B - A| / (A + 1 % of white)";
+  case DifferenceMode::flip:
+    return "FLIP, 1 at most";
+  }
+  return {};
+}
+
+/// The lines below the scale.
+std::vector<std::string> number_lines(const DifferenceNumbers& numbers, DifferenceMode mode) {
+  if (numbers.at.x < 0) return {"no pixel differs"};
+  const auto text = [&](double value) { return difference_value_text(value, mode); };
+  return {fmt::format("mean {}, 99.9 % at most {}", text(numbers.mean), text(numbers.percentile)),
+          fmt::format("largest {} at ({}, {})", text(numbers.largest), numbers.at.x, numbers.at.y),
+          fmt::format("{:.3g} % of the pixels differ", 100 * numbers.differing)};
+}
+
+}  // namespace
+
+std::string difference_value_text(double value, DifferenceMode mode) {
+  switch (mode) {
+  case DifferenceMode::absolute:
+  case DifferenceMode::sign:
+    return fmt::format("{:.3g} level{}", value, value == 1 ? "" : "s");
+  case DifferenceMode::relative:
+    return fmt::format("{:.3g} %", 100 * value);
+  case DifferenceMode::flip:
+    return fmt::format("{:.3g}", value);
+  }
+  return {};
+}
+
+std::string difference_numbers_text(const DifferenceNumbers& numbers, DifferenceMode mode) {
+  return fmt::format("{}", fmt::join(number_lines(numbers, mode), "; "));
+}
+
+void draw_difference_scale(ImDrawList& list, const DifferenceOptions& options, const DifferenceNumbers& numbers,
+                           const Area& area) {
+  ImFont* font = theme().font(Face::small);
+  const float size = font->FontSize, line = px(19), margin = px(8), bar = px(14);
+  const double end = full_scale(options.mode) / options.gain;
+  const bool both_ways = options.mode == DifferenceMode::sign;
+  const std::string low = both_ways ? "-" + difference_value_text(end, options.mode) : "0";
+  const std::string high = (both_ways ? "+" : "") + difference_value_text(end, options.mode);
+  const std::vector<std::string> lines = number_lines(numbers, options.mode);
+  const auto width_of = [&](const std::string& text) { return font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x; };
+  float width = std::max(px(180), width_of(title_of(options.mode)));
+  for (const std::string& text : lines) width = std::max(width, width_of(text));
+  const ImVec2 min{area.min.x + margin, area.min.y + margin};
+  const ImVec2 max{min.x + width + 2 * margin, min.y + line * static_cast<float>(3 + lines.size()) + margin};
+  if (max.y > area.max.y || max.x > area.max.x) return;
+  controls().record("scale", min, max, low + " to " + high + "; " + difference_numbers_text(numbers, options.mode));
+
+  const ImU32 ink = colour_u32(palette().text);
+  list.AddRectFilled(min, max, colour_u32(palette().panel, 0.92), px(4));
+  list.AddRect(min, max, colour_u32(palette().line_strong), px(4));
+  ImVec2 at{min.x + margin, min.y + margin / 2};
+  const auto write = [&](float x, const std::string& text) { list.AddText(font, size, {x, at.y}, ink, text.c_str()); };
+  write(at.x, title_of(options.mode));
+  at.y += line;
+  for (int i = 0; i < scale_steps; ++i) {
+    const double t = (i + 0.5) / scale_steps;
+    const Rgb8 c = difference_colour(both_ways ? (2 * t - 1) * end : t * end, options);
+    const float from = width * static_cast<float>(i) / scale_steps,
+                to = width * static_cast<float>(i + 1) / scale_steps;
+    list.AddRectFilled({at.x + from, at.y}, {at.x + to, at.y + bar}, IM_COL32(c.r, c.g, c.b, 255));
+  }
+  at.y += line;
+  write(at.x, low);
+  if (both_ways) write(at.x + (width - width_of("0")) / 2, "0");
+  write(at.x + width - width_of(high), high);
+  for (const std::string& text : lines) {
+    at.y += line;
+    write(at.x, text);
+  }
+}
+
+}  // namespace ps::gui

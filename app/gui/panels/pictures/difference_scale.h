@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+#include "gui/panels/pictures/picture_view.h"
+#include "image/difference.h"
+
+namespace ps::gui {
+
+/// "12 levels", "31 %", "0.42": a value of the map of a difference, with its unit.
+std::string difference_value_text(double value, DifferenceMode mode);
+
+/// What the map says in words: the 99.9th percentile, the largest value and where, the share of pixels that differ.
+std::string difference_numbers_text(const DifferenceNumbers& numbers, DifferenceMode mode);
+
+/// The colours of the map with the values at both ends, and the numbers below, in the upper left corner of an area.
+/// Nothing where there is no room.
+void draw_difference_scale(ImDrawList& list, const DifferenceOptions& options, const DifferenceNumbers& numbers,
+                           const Area& area);
+
+}  // namespace ps::gui

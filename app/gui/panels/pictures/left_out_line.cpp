@@ -1,0 +1,100 @@
+#include "gui/panels/pictures/left_out_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "gui/panels/pictures/picture_frame.h"
+#include "gui/theme/theme.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+#include "options/option.h"
+#include "render/left_out.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr double room_for_others = 128;  ///< of the row, at scale 1
+constexpr double mark = 11, space = 6;
+
+/// Of the first `count`.
+float width_of_buttons(const LeftOut& one, std::size_t count) {
+  float width = 0;
+  for (std::size_t i = 0; i < count; ++i) width += button_width(one.remedies[i].label) + px(space);
+  return width;
+}
+
+/// The notice with room for all buttons, or what stands before its reason with room for one at least; else nothing.
+std::string text_that_fits(const LeftOut& one, float room) {
+  const std::string brief = one.notice.substr(0, one.notice.find(':'));
+  const auto fits = [&](const std::string& text, std::size_t buttons) {
+    return text_width(text) + px(space) + width_of_buttons(one, buttons) <= room;
+  };
+  if (fits(one.notice, one.remedies.size())) return one.notice;
+  return fits(brief, std::min<std::size_t>(one.remedies.size(), 1)) ? brief : std::string();
+}
+
+/// One thing that is left out, from `at` on; answers where the next may begin, or nothing where there was no room.
+std::optional<float> notice(Session& session, Side side, const LeftOut& one, ImVec2 at, float right, float height) {
+  const float room = right - at.x - px(mark + space);
+  const std::string text = text_that_fits(one, room);
+  if (text.empty() && (one.remedies.empty() || button_width(one.remedies.front().label) > room)) return {};
+  attention_mark(*ImGui::GetWindowDrawList(), {at.x, at.y + (height - px(mark)) / 2}, px(mark));
+  float x = at.x + px(mark + space);
+  if (!text.empty()) {
+    draw_text({x, at.y}, {x + text_width(text), at.y + height}, text, palette().text, 0);
+    x += text_width(text) + px(space);
+  }
+  for (const Remedy& remedy : one.remedies) {
+    if (x + button_width(remedy.label) > right) break;
+    ImGui::SetCursorScreenPos({x, at.y + (height - ImGui::GetFrameHeight()) / 2});
+    if (button("remedy/" + remedy.setting, remedy.label, Emphasis::plain,
+               {.tooltip = fmt::format("{}\nSets {} in {}.", one.sentence, remedy.setting, letter_of(side))}))
+      session.edit(fmt::format("{} {}", letter_of(side), remedy.setting),
+                   [&](Document& document) { parse_assignment(remedy.setting, side_of(document, side).settings); });
+    x += button_width(remedy.label) + px(space);
+  }
+  return x;
+}
+
+}  // namespace
+
+Area left_out_line(Session& session, Side side, const Area& row) {
+  if (side == Side::b && session.picture_b()) return row;
+  const std::vector<LeftOut> all = left_out(session.traits(), session.settings(side));
+  if (all.empty()) return row;
+  const NameScope scope(side == Side::a ? "view/a" : "view/b");
+  const FontScope font(Face::small);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
+  std::string names, sentences;
+  for (const LeftOut& one : all) {
+    names += (names.empty() ? "" : ", ") + one.brief;
+    sentences += (sentences.empty() ? "" : "\n") + one.sentence;
+  }
+  const float right = std::max(row.min.x, row.max.x - px(room_for_others));
+  float x = row.min.x;
+  std::size_t shown = 0;
+  for (const LeftOut& one : all) {
+    const bool last = &one == &all.back();
+    const std::optional<float> next =
+        notice(session, side, one, {x, row.min.y}, last ? right : right - px(28), row.height());
+    if (!next) break;
+    x = *next + px(space);
+    ++shown;
+  }
+  if (shown < all.size()) {
+    const std::string more = shown == 0 ? "left out" : fmt::format("+{}", all.size() - shown);
+    draw_text({x, row.min.y}, {x + text_width(more), row.max.y}, more, palette().text, 0);
+    x += text_width(more) + px(space);
+  }
+  const bool on_a_button = ImGui::IsAnyItemHovered();
+  ImGui::SetCursorScreenPos(row.min);
+  ImGui::Dummy({std::max(std::min(x, right) - row.min.x, 1.f), row.height()});
+  controls().record("left-out", names);
+  if (!on_a_button) tooltip(sentences);
+  ImGui::PopStyleVar();
+  return {{std::min(x, row.max.x), row.min.y}, row.max};
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,11 @@
+#pragma once
+#include "gui/panels/pictures/picture_transform.h"
+#include "gui/session/session.h"
+
+namespace ps::gui {
+
+/// What the renderer of a side leaves out of the scene, in a row below its picture, with the settings that show it as
+/// buttons. Text that does not fit is shortened; the tooltip has all of it. Answers what is left of the row.
+Area left_out_line(Session& session, Side side, const Area& row);
+
+}  // namespace ps::gui

@@ -1,0 +1,93 @@
+// Pictures come first: how much of the window A and B take in each mode, at the sizes of old and new screens, with
+// common and with large type. The window's own figure is counted again in a screenshot.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "gui/program.h"
+#include "image/file.h"
+#include "support/golden.h"
+
+namespace {
+
+constexpr double lesson_share = 35, explore_share = 30;  // percent of the window, for square pictures
+constexpr double any_shape_share = 24;                   // exploring
+
+/// What each `print` of the commands wrote, as numbers.
+std::vector<double> printed(const std::string& commands, const std::string& name, const std::string& size,
+                            const std::string& arguments) {
+  const auto result = ps::test::play(commands, ps::fresh_output_folder(name), size, arguments);
+  EXPECT_EQ(result.status, 0) << result.errors;
+  std::istringstream lines(result.output);
+  std::vector<double> numbers;
+  for (double number = 0; lines >> number;) numbers.push_back(number);
+  return numbers;
+}
+
+struct Screen {
+  std::string size, type;  ///< type: --scale
+};
+
+std::string name_of(const testing::TestParamInfo<Screen>& info) {
+  std::string name = info.param.size + "_type_" + info.param.type;
+  for (char& c : name)
+    if (c == '.') c = '_';
+  return name;
+}
+
+class WindowShares : public testing::TestWithParam<Screen> {};
+
+TEST_P(WindowShares, LessonsKeepTheirPicturesLarge) {
+  const auto& [size, type] = GetParam();
+  const auto shares =
+      printed("wait idle\nprint window/pictures-share\nkey PageDown\nwait idle\nprint window/pictures-share\n",
+              "gui-share-lesson", size, "--scale " + type + " --lesson cgfs_04_shadows_and_reflections");
+  ASSERT_EQ(shares.size(), 2u);
+  for (const double share : shares) EXPECT_GE(share, lesson_share) << size << ", type " << type;
+}
+
+TEST_P(WindowShares, ExploringKeepsThePicturesLarge) {
+  const auto& [size, type] = GetParam();
+  // First without the pixel's story, then with it.
+  const auto shares =
+      printed("wait idle\nexpect pixel-panel off\nprint window/pictures-share\nclick-pixel A 200,300\nwait idle\n"
+              "expect pixel-panel on\nprint window/pictures-share\n",
+              "gui-share-explore", size, "--scale " + type);
+  ASSERT_EQ(shares.size(), 2u);
+  EXPECT_GE(shares[0], explore_share) << size << ", type " << type;
+  // Beside the story, large type on the smallest screen leaves less: as for pictures of any shape.
+  const bool cramped = size == "1024x768" && type == "1.5";
+  EXPECT_GE(shares[1], cramped ? any_shape_share : explore_share) << size << ", type " << type;
+}
+
+INSTANTIATE_TEST_SUITE_P(Screens, WindowShares,
+                         testing::Values(Screen{"1024x768", "1"}, Screen{"1366x768", "1"}, Screen{"1920x1080", "1"},
+                                         Screen{"3840x2160", "2"}, Screen{"1024x768", "1.5"}, Screen{"1366x768", "1.5"},
+                                         Screen{"1920x1080", "1.5"}, Screen{"3840x2160", "3"}),
+                         name_of);
+
+TEST(PicturesShare, IsTheShareOfTheWindowThatHasThePicturesColour) {
+  const auto folder = ps::fresh_output_folder("gui-share-flat");
+  // Nothing but background, in a colour that the window has nowhere else.
+  std::ofstream(folder / "flat.scene") << "canvas_size = 600 x 600\nbackground = (255, 0, 255)\n"
+                                       << "sphere { center = (0, 0, -5) radius = 1 color = (1, 2, 3) }\n";
+  const std::string shot = (folder / "window.png").string();
+  for (const std::string keys : {"", "key F2\n", "key X\n"}) {
+    const auto result =
+        ps::test::play("wait idle\n" + keys + "wait idle\nprint window/pictures-share\nscreenshot " + shot + "\n",
+                       folder, "1366x768", (folder / "flat.scene").string());
+    ASSERT_EQ(result.status, 0) << result.errors;
+    const auto picture = ps::load_levels(shot);
+    double seen = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) seen += picture.at(x, y) == ps::Rgb8{255, 0, 255} ? 1 : 0;
+    const double counted = 100 * seen / (picture.width() * picture.height());
+    // The split's divider and the marks of handles lie over the pictures.
+    EXPECT_NEAR(std::stod(result.output), counted, 0.5) << keys;
+    EXPECT_GT(counted, 20);
+  }
+}
+
+}  // namespace
