@@ -22,11 +22,11 @@ void require_equal_size(const Image<Rgb8>& a, const Image<Rgb8>& b) {
                                  a.height(), b.width(), b.height()));
 }
 
-std::array<int, 3> channels(Rgb8 colour) { return {colour.r, colour.g, colour.b}; }
+std::array<int, 3> levels_of(Rgb8 colour) { return {colour.r, colour.g, colour.b}; }
 
 /// The difference of the channel in which both differ most.
 float signed_difference(Rgb8 a, Rgb8 b) {
-  const auto from = channels(a), to = channels(b);
+  const auto from = levels_of(a), to = levels_of(b);
   int most = 0;
   for (std::size_t i = 0; i < 3; ++i)
     if (std::abs(to[i] - from[i]) > std::abs(most)) most = to[i] - from[i];
@@ -34,7 +34,7 @@ float signed_difference(Rgb8 a, Rgb8 b) {
 }
 
 float relative_difference(Rgb8 a, Rgb8 b) {
-  const auto from = channels(a), to = channels(b);
+  const auto from = levels_of(a), to = levels_of(b);
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(to[i] - from[i]) / (from[i] + one_per_cent));
   return static_cast<float>(most);
@@ -44,7 +44,7 @@ std::uint8_t stored(double level) { return static_cast<std::uint8_t>(std::lround
 
 /// From black over `colour` in the middle to white.
 Rgb8 through(Rgb8 colour, double t) {
-  const auto middle = channels(colour);
+  const auto middle = levels_of(colour);
   std::array<std::uint8_t, 3> mixed{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double part = middle[i];
