@@ -66,8 +66,8 @@ FrontPlace front_place(const Chart& chart, const ChartPoint& point) {
     const bool same_cost = equal_cost(chart, other, point), same_error = other.error == point.error;
     const bool cheaper = surely_cheaper(chart, other, point), better = surely_more_exact(chart, other, point);
     if ((cheaper && (better || same_error)) || (better && same_cost)) return FrontPlace::beaten;
-    const bool dearer = surely_cheaper(chart, point, other), worse = surely_more_exact(chart, point, other);
-    if (!dearer && !worse && !(same_cost && same_error)) may_be_beaten = true;
+    const bool costs_more = surely_cheaper(chart, point, other), worse = surely_more_exact(chart, point, other);
+    if (!costs_more && !worse && !(same_cost && same_error)) may_be_beaten = true;
   }
   return may_be_beaten ? FrontPlace::tie : FrontPlace::front;
 }

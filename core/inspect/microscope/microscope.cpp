@@ -62,7 +62,7 @@ Microscope::Microscope(Scene scene, const View& view, const Settings& settings, 
     surroundings_ = look_around(scene_, view, settings, pixel, prepared, progress);
 }
 
-/// Whether the enlarged picture shows more than one thing. Triangles on the canvas are not told apart in it: near them
+/// Whether the enlarged picture shows more than one thing. It does not distinguish triangles on the canvas: near them
 /// there is enough to see.
 bool Microscope::has_edge() const {
   const PixelId first = enlarged_ids_.pixels().front();
