@@ -74,6 +74,9 @@ bool shows_nothing(const Settings& settings, const SceneTraits& traits) {
   return runs_listing(settings.renderer) && listing_of(settings, traits).listing->suits(traits, settings) == 0;
 }
 
+/// Whether a listing may be asked to draw in place of a renderer: it shows less of most scenes.
+enum class Listings { as_set, any };
+
 /// Settings on the way to those under which the option acts.
 struct Stage {
   Settings settings;
@@ -124,8 +127,8 @@ bool is_of_scene(const Option& option, const Stage& stage) {
 
 /// All stages that one more setting leads to. What cannot be set, because the scene lacks what that is about, goes to
 /// `missing`.
-void add_next(const Option& wanted, const Stage& from, const SceneTraits& traits, std::vector<Stage>& next,
-              std::string_view& missing) {
+void add_next(const Option& wanted, const Stage& from, const SceneTraits& traits, Listings listings,
+              std::vector<Stage>& next, std::string_view& missing) {
   for (const Option& option : option_table()) {
     if (&option == &wanted) continue;
     if (std::any_of(from.set.begin(), from.set.end(), [&](const OptionValue& set) { return set.option == &option; }))
@@ -137,6 +140,8 @@ void add_next(const Option& wanted, const Stage& from, const SceneTraits& traits
       option.set(settings, value);
       const Reason reason = reason_of(wanted, settings, traits);
       if (reason == from.reason) continue;
+      if (listings == Listings::as_set && runs_listing(settings.renderer) && !runs_listing(from.settings.renderer))
+        continue;
       if (shows_nothing(settings, traits)) {
         if (missing.empty()) missing = "the listings that use it show nothing of this scene";
         continue;
@@ -160,9 +165,7 @@ std::string value_words(const OptionValue& set) {
   return fmt::format("{} = {}", option.label, set.value);
 }
 
-}  // namespace
-
-Waking waking_of(const Option& option, const Settings& settings, const SceneTraits& traits) {
+Waking search(const Option& option, const Settings& settings, const SceneTraits& traits, Listings listings) {
   std::vector<Stage> stages{{settings, {}, reason_of(option, settings, traits), 0}};
   if (!stages.front().reason) return {};
   std::string_view missing = *stages.front().reason, in_the_way;
@@ -170,7 +173,7 @@ Waking waking_of(const Option& option, const Settings& settings, const SceneTrai
   std::set<std::string_view> met{missing};
   for (std::size_t count = 1; count <= most_settings && !stages.empty(); ++count) {
     std::vector<Stage> next;
-    for (const Stage& stage : stages) add_next(option, stage, traits, next, in_the_way);
+    for (const Stage& stage : stages) add_next(option, stage, traits, listings, next, in_the_way);
     std::stable_sort(next.begin(), next.end(), [](const Stage& a, const Stage& b) { return a.score > b.score; });
     const auto acts = std::find_if(next.begin(), next.end(), [](const Stage& stage) { return !stage.reason; });
     if (acts != next.end()) return {acts->set, {}};
@@ -184,6 +187,14 @@ Waking waking_of(const Option& option, const Settings& settings, const SceneTrai
     stages = std::move(next);
   }
   return {{}, of_scene || in_the_way.empty() ? missing : in_the_way};
+}
+
+}  // namespace
+
+Waking waking_of(const Option& option, const Settings& settings, const SceneTraits& traits) {
+  Waking waking = search(option, settings, traits, Listings::as_set);
+  if (!waking.missing.empty()) waking = search(option, settings, traits, Listings::any);
+  return waking;
 }
 
 void wake(const Waking& waking, Settings& settings) {

@@ -97,6 +97,8 @@ TEST(Waking, AsksForWhatTheReasonNames) {
   EXPECT_EQ(text_of("specular", {"renderer=rasterizer", "draw=wireframe"}, "cgfs/crates"), "acts with Draw = filled");
   EXPECT_EQ(text_of("sample-pattern", {"renderer=rasterizer"}, "cgfs/shadows"), "acts with Renderer = ray tracer");
   EXPECT_EQ(text_of("adaptive-threshold", {}, "cgfs/shadows"), "acts with Samples per pixel = 4, Adaptive sampling on");
+  EXPECT_EQ(text_of("shadow-epsilon", {"renderer=rasterizer"}, "cgfs/shadows"),
+            "acts with Renderer = ray tracer, Self-hit guard = epsilon");
   EXPECT_EQ(text_of("texture-filter", {}, "cgfs/spheres"), "the scene has no texture");
   EXPECT_EQ(text_of("shading", {"renderer=rasterizer"}, "cgfs/shading"), "");
 }
