@@ -94,6 +94,13 @@ Edit option_control(const Option& option, Settings& settings, const ControlStyle
   return edit;
 }
 
+void attention_ring(ImVec2 min, ImVec2 max) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  draw.AddRect(min, max, colour_u32(palette().text), rounding, 0, px(4));
+  draw.AddRect(min, max, colour_u32(palette().attention), rounding, 0, px(2));
+}
+
 bool reset_button(const Option& option, float size) {
   const std::string name = std::string(option.key) + "/reset";
   const bool clicked = hit_area(name, {size, ImGui::GetFrameHeight()}, {});

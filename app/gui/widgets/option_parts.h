@@ -15,6 +15,8 @@ OptionRequest option_menu(const char* popup, const Option& option, Settings& set
                           Edit& edit);
 /// The control for an option's kind, named by its key.
 Edit option_control(const Option& option, Settings& settings, const ControlStyle& style);
+/// Around a row that something points at.
+void attention_ring(ImVec2 min, ImVec2 max);
 /// A round arrow, for a row that is not at its default. Answers whether it was clicked.
 bool reset_button(const Option& option, float size);
 /// Lines in small print: what an option that cannot act needs, and a button for each of `sides` that sets it, named

@@ -49,7 +49,7 @@ void follow_step(const Session& session, CaptionState& caption) {
 }  // namespace
 
 float caption_height() {
-  const FontScope font(Face::heading);
+  const FontScope font(Face::caption);
   return static_cast<float>(lines_of_page) * ImGui::GetTextLineHeightWithSpacing() + px(40);
 }
 
@@ -62,7 +62,7 @@ void caption_strip(Session& session, LessonShelf& shelf) {
   const LessonStep& step = lesson->steps[static_cast<std::size_t>(index)];
   CaptionState& caption = shelf.caption;
   follow_step(session, caption);
-  const FontScope font(Face::heading);
+  const FontScope font(Face::caption);
   const std::vector<std::string> lines = lines_of(step, ImGui::GetContentRegionAvail().x);
   caption.pages = std::max(1, static_cast<int>((lines.size() + lines_of_page - 1) / lines_of_page));
   caption.page = std::clamp(caption.page, 0, caption.pages - 1);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gui/panels/options/row_results.h"
-#include "gui/widgets/widgets.h"
+#include "gui/widgets/draw.h"
 
 namespace ps::gui {
 namespace {
@@ -50,9 +50,9 @@ void step_controls(Session& session, const LessonStep& step) {
     ImGui::Spacing();
     {
       const FontScope font(Face::bold);
-      ImGui::PushStyleColor(ImGuiCol_Text, side == Side::a ? palette().a_text : palette().b_text);
-      ImGui::TextUnformatted(side == Side::a ? "Options of A" : "Options of B");
-      ImGui::PopStyleColor();
+      ImGui::TextUnformatted("Options of");
+      ImGui::SameLine();
+      side_letter(side);
     }
     rows(session, side, options);
   }
