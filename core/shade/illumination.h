@@ -7,7 +7,7 @@
 #include <span>
 
 #include "math/power.h"
-#include "math/vec.h"
+#include "math/unit.h"
 #include "options/settings.h"
 #include "record/events.h"
 #include "record/recorder.h"
@@ -116,7 +116,7 @@ inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const V
     break;
   case Highlight::blinn_phong:
     angle.a = point.normal;
-    angle.b = to_light / length(to_light) + point.to_eye / length(point.to_eye);
+    angle.b = unit(to_light) + unit(point.to_eye);
     break;
   }
   angle.dot_product = dot(angle.a, angle.b);

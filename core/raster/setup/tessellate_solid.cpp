@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "math/portable.h"
+#include "math/unit.h"
 #include "scene/form_frame.h"
 #include "scene/uv_maps.h"
 
@@ -206,7 +207,7 @@ void add_world_map_uvs(Mesh& mesh, const Vec3d& centre) {
     double highest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3d offset = mesh.positions[triangle.position[k]] - centre;
-      uvs[k] = world_map_uv(offset / std::sqrt(dot(offset, offset)));
+      uvs[k] = world_map_uv(unit(offset));
       highest = std::max(highest, uvs[k].x);
     }
     for (std::size_t k = 0; k < 3; ++k) {

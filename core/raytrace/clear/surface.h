@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 
+#include "math/unit.h"
 #include "raytrace/clear/csg.h"
 #include "raytrace/clear/triangle_watertight.h"
 #include "raytrace/ray.h"
@@ -24,11 +25,6 @@ struct Surface {
   bool has_uv = false;
   bool back_face = false;
 };
-
-template <class Real>
-inline Vec3<Real> normalised(const Vec3<Real>& v) {
-  return v * (Real(1) / length(v));
-}
 
 /// A point of a sphere: the ray's point, and the direction from the centre (CGFS ch. 3).
 template <class Real>
