@@ -90,7 +90,7 @@ struct Document {
 bool operator==(const Document& x, const Document& y);
 
 /// A document that shows `scene` as its file asks: its settings on both sides; rays in A and triangles in B, unless the
-/// file names a renderer or all that there is lies on the canvas, where rays find nothing; its telling pixel picked.
+/// file names a renderer or all that there is lies on the canvas, where rays find nothing; its start pixel picked.
 /// Throws InputError for settings that do not exist.
 Document open_document(const std::string& scene_name, Scene scene);
 

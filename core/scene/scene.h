@@ -56,8 +56,8 @@ struct Scene {
   Part<std::vector<CanvasItem>> canvas_items;
   /// Option settings that the scene file asks for, as key and value, in the file's order.
   std::vector<SceneSetting> settings;
-  /// The pixel worth a first click at the canvas size, or (-1, -1).
-  Vec2i telling_pixel{-1, -1};
+  /// The pixel that is picked at first, at the canvas size, or (-1, -1): the one that shows what the scene is about.
+  Vec2i start_pixel{-1, -1};
   /// The files that it was read from: the scene itself, then those it includes, models, materials and textures.
   std::vector<std::string> files;
   /// What the files ask for and could not be had, in whole sentences: the scene is shown without it.
