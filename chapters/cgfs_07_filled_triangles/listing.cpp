@@ -12,19 +12,6 @@ namespace ps {
 namespace cgfs_07_filled_triangles {
 namespace {
 
-// Paint covers what is there, light adds to it, a filter lets a share of it through (chapter 1).
-Vec3d blended(Blend blend, const Vec3d& below, const Vec3d& colour) {
-  switch (blend) {
-  case Blend::replace:
-    return colour;
-  case Blend::additive:
-    return below + colour;
-  case Blend::subtractive:
-    return below * colour / 255.0;
-  }
-  return colour;
-}
-
 void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blend blend) {
   const bool flat = std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y);
   if (flat ? p1.x < p0.x : p1.y < p0.y) std::swap(p0, p1);

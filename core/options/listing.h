@@ -28,6 +28,7 @@ struct ListingDraws {
   bool models = false;  ///< made of triangles
   bool canvas_lines = false;
   bool canvas_triangles = false;
+  bool canvas_intensities = false;  ///< the intensities h at their vertices
   bool light = false;
   bool shadows = false;
   bool reflections = false;

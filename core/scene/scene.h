@@ -92,6 +92,8 @@ struct SceneTraits {
   bool reflection_maps = false;  ///< on a surface that reflects
   bool canvas_items = false;
   bool canvas_triangles = false;
+  bool canvas_intensities = false;  ///< a filled shape on the canvas with an intensity h other than 1
+  bool canvas_gradients = false;    ///< a filled shape on the canvas with vertices of different colours
   bool tinted = false;            ///< a surface whose ambient light or highlight has a colour of its own
   bool odd_highlights = false;    ///< a highlight's exponent is not a positive finite number
   bool any_transparency = false;  ///< a transparency above 0, even one that cannot be seen

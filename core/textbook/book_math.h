@@ -6,6 +6,7 @@
 
 #include "math/power.h"  // IWYU pragma: export
 #include "scene/camera.h"
+#include "scene/canvas_item.h"
 #include "scene/mesh.h"
 #include "scene/object.h"
 
@@ -60,6 +61,20 @@ std::vector<Value> interpolate(double i0, const Value& d0, double i1, const Valu
     d += slope;
   }
   return values;
+}
+
+/// What a canvas pixel becomes where `colour` meets what is `below`, both from 0 to 255: paint covers, light adds, and
+/// a filter transmits a share of what is below (CGFS ch. 1).
+inline Vec3d blended(Blend blend, const Vec3d& below, const Vec3d& colour) {
+  switch (blend) {
+  case Blend::replace:
+    return colour;
+  case Blend::additive:
+    return below + colour;
+  case Blend::subtractive:
+    return below * colour / 255.0;
+  }
+  return colour;
 }
 
 /// Along both sides of a triangle whose corners stand at whole heights y0 <= y1 <= y2: the long side, and the two short
