@@ -30,7 +30,7 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blen
 
 // Row by row, from the left side to the right one, both ends included.
 void draw_filled_triangle(BookCanvas& canvas, const std::array<Vec2d, 3>& corners, const Vec3d& colour, Blend blend) {
-  // Sorted by height, the first side goes from the lowest corner to the highest; the two others share the way.
+  // Sorted by height, the first side goes from the lowest vertex to the highest; the two others share the way.
   const auto order = sorted_by_height(corners);
   const Vec2d p0 = corners[order[0]], p1 = corners[order[1]], p2 = corners[order[2]];
   PS_WATCH("lowest corner", p0);

@@ -8,7 +8,7 @@
 #include "scene/scene.h"
 
 /// A listing is a lesson's routine, written in the steps of its source: chapters/NAME/listing.cpp. The textbook
-/// renderer runs it as it stands, in double precision, and the window shows its lines with the values that they had for
+/// renderer runs it unchanged, in double precision, and the window shows its lines with the values that they had for
 /// a pixel.
 
 namespace ps {

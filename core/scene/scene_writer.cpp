@@ -148,7 +148,7 @@ class SceneWriter {
     }
   }
 
-  /// Materials stand in the file in the order of their indices; a sphere's own stands in the sphere, as in the book.
+  /// Materials are in the file in the order of their indices; a sphere's own is in the sphere, as in the book.
   void materials_up_to(std::size_t end) {
     for (; next_material_ < end; ++next_material_) {
       line("\nmaterial {{\n    name = {}", scene_name(materials_[next_material_]));

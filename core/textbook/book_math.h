@@ -77,7 +77,7 @@ inline Vec3d blended(Blend blend, const Vec3d& below, const Vec3d& colour) {
   return colour;
 }
 
-/// Along both sides of a triangle whose corners stand at whole heights y0 <= y1 <= y2: the long side, and the two short
+/// Along both sides of a triangle whose vertices are at whole heights y0 <= y1 <= y2: the long side, and the two short
 /// ones joined (CGFS ch. 7).
 template <class Value>
 struct TriangleSides {
@@ -94,7 +94,7 @@ TriangleSides<Value> interpolate_sides(const std::array<double, 3>& y, const std
   return sides;
 }
 
-/// Indices of three corners by height, from below. Equal heights keep their order.
+/// Indices of three vertices by height, from below. Equal heights keep their order.
 inline std::array<std::size_t, 3> sorted_by_height(const std::array<Vec2d, 3>& p) {
   std::array<std::size_t, 3> order{0, 1, 2};
   const auto lower = [&](std::size_t a, std::size_t b) { return p[order[a]].y < p[order[b]].y; };

@@ -65,7 +65,7 @@ std::string short_path(const std::string& name) {
 
 }  // namespace
 
-/// The scenes are more than a window has lines for, so what is done with them stands above.
+/// The scenes are more than a window has lines for, so what is done with them is above.
 void MenuBar::scene_menu() {
   if (!begin_menu("menu/scene", "Scene")) return;
   menu_action(actions_, "open");

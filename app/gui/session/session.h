@@ -29,7 +29,7 @@ struct Message {
   double since = -1;  ///< seconds on the window's clock when it was first seen; negative before
 };
 
-/// A picture from a file that stands in B's place.
+/// A picture from a file that is in B's place.
 struct PictureFile {
   std::string path;
   Image<Rgb8> levels;

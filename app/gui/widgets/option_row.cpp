@@ -93,7 +93,7 @@ Edit option_control(const Option& option, Settings& settings, const ControlStyle
   return edit;
 }
 
-/// Whether label or choices would be cut in one line; the control then stands below its label.
+/// Whether label or choices would be cut in one line; the control then is below its label.
 bool needs_two_lines(const Option& option, float label_width, float control_width) {
   if (option.kind == OptionKind::boolean) return false;
   float widest = 0;

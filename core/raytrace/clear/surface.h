@@ -41,7 +41,7 @@ inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, 
   return surface;
 }
 
-/// The sum of three corner values by their weights, from left to right.
+/// The sum of three vertex values by their weights, from left to right.
 template <class Real, class Value>
 inline Value blend(const std::array<Real, 3>& weights, const Value& a, const Value& b, const Value& c) {
   return a * weights[0] + b * weights[1] + c * weights[2];
@@ -142,7 +142,7 @@ inline Surface<Real> solid_surface(const Ray<Real>& ray, const Hit<Real>& hit, c
   return surface;
 }
 
-/// What a hit shows: of CSG objects the part stands where others have the triangle.
+/// What a hit shows: of CSG objects the part is where others have the triangle.
 template <class Real>
 inline PixelId id_of(const TracedGeometry<Real>& geometry, const Hit<Real>& hit) {
   const Primitive primitive = primitive_of(geometry, hit.primitive);

@@ -123,7 +123,7 @@ void options_panel(Session& session, OptionsPanelState& state) {
     if (shown.empty()) continue;
     any = true;
     auto& open = state.open.try_emplace(group, open_at_first(group)).first->second;
-    // A filter shows what it finds; how the groups stand without it is not lost.
+    // A filter shows what it finds; which groups are open without it is not lost.
     bool filtered_open = true;
     bool& shown_open = state.search.empty() && !state.only_differences ? open : filtered_open;
     if (state.come_to_pointed && state.pointed->group == group) shown_open = true;

@@ -175,7 +175,7 @@ void divider(const Area& area, float at, double share) {
 struct Framed {
   Area title, picture, footer;
 };
-/// `columns`: how many titles stand side by side over the picture.
+/// `columns`: how many titles are side by side over the picture.
 Framed framed(const Area& area, PictureCaptions captions, int columns = 1) {
   const PictureMargins margins = picture_margins(area.width() / static_cast<float>(columns), captions);
   const float top = area.min.y + margins.title, bottom = area.max.y - margins.footer;

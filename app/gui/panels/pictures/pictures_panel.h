@@ -36,7 +36,7 @@ enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle, reg
 struct PicturesState {
   std::array<ShownPicture, 2> pictures;
   std::array<std::uint64_t, 2> versions{};  ///< one more with each change
-  std::shared_ptr<const PictureFile> file;  ///< that stands in B's place
+  std::shared_ptr<const PictureFile> file;  ///< that is in B's place
   std::array<bool, 2> fresh{};              ///< changed since their hash was taken
   std::array<std::uint64_t, 2> hashes{};    ///< of the pictures' levels, for tests
   std::array<NanPixels, 2> nan_pixels;
@@ -67,7 +67,7 @@ struct PicturesState {
   std::array<std::optional<Area>, 2> notes;  ///< the row for a note below each of them
   PictureTransform transform;                ///< shared by all views
   std::optional<Hover> hover;
-  std::optional<Hover> asked;  ///< the pixel about which a question stands: its surroundings are covered
+  std::optional<Hover> asked;  ///< the pixel that an open question is about: its surroundings are covered
   PictureDrag drag = PictureDrag::none;
   ImVec2 drag_from{0, 0};
   bool handles = true;            ///< lights and spheres can be dragged

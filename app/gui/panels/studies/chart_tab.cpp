@@ -245,7 +245,7 @@ void progress_line(const ChartTabState& state) {
                      colour_u32(palette().text_quiet));
 }
 
-/// What stands in place of a chart that is not there yet.
+/// What is in place of a chart that is not there yet.
 void invitation(const ChartTabState& state, const Area& area) {
   auto& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(area.min, area.max, colour_u32(palette().field));

@@ -246,7 +246,7 @@ void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool 
   ImGui::PopStyleVar();
 }
 
-/// What stands in place of a figure that is not there yet.
+/// What is in place of a figure that is not there yet.
 void no_figure(const StabilityTabState& state, const StabilityExperiment& experiment, const Area& area) {
   ImGui::GetWindowDrawList()->AddRectFilled(area.min, area.max, colour_u32(palette().field));
   const bool now = state.taken && state.taken->now == experiment.key;
