@@ -5,6 +5,7 @@
 
 #include "gui/panels/pictures/caption.h"
 #include "gui/panels/pictures/nan_pixels.h"
+#include "gui/panels/pictures/picture_before.h"
 #include "gui/panels/pictures/picture_captions.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/panels/pictures/picture_view.h"
@@ -40,6 +41,8 @@ struct PicturesState {
   std::array<bool, 2> fresh{};              ///< changed since their hash was taken
   std::array<std::uint64_t, 2> hashes{};    ///< of the pictures' levels, for tests
   std::array<NanPixels, 2> nan_pixels;
+  std::array<PictureBefore, 2> before;   ///< the last change
+  std::array<std::uint64_t, 2> taken{};  ///< the versions that `before` knows of
   std::array<CaptionChange, 2> changes;  ///< of the counts below the pictures
   ShownPicture difference;
   bool difference_stale = true;
@@ -58,6 +61,7 @@ struct PicturesState {
   bool grid = true;
   bool flip = false;   ///< held: each picture gives way to the other
   bool loupe = false;  ///< held
+  bool was = false;    ///< held: pictures as they were before the last change
   bool fly = false;    ///< letters move the camera
 
   PictureCaptions captions = PictureCaptions::full;  ///< as they were drawn last
