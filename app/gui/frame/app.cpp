@@ -143,6 +143,9 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
 void App::Parts::add_actions() {
   Actions& actions = shell.actions();
   add_window_actions(actions, session, my.pictures, host);
+  actions.add({.name = "scenes", .label = "Gallery of scenes", .group = "Scene", .keys = "Ctrl+Shift+O", .run = [this] {
+                 open_scene_gallery(my.scenes);
+               }});
   add_picture_actions(actions, session, my.pictures);
   for (const Panel& panel : panels) {
     if (panel.actions) panel.actions(actions);
@@ -168,6 +171,7 @@ void App::Parts::offer_values() {
   offer_unsafe_values(values(), my.unsafe);
   for (const Panel& panel : panels)
     if (panel.publish) panel.publish(values());
+  values().offer("scenes/open", [this] { return my.scenes.open; });
   values().offer("first-look/offered", [this] { return offers_first_look; });
 }
 
@@ -183,8 +187,8 @@ void App::Parts::close_on_escape() {
     ImGui::ClosePopupToLevel(0, true);
     return;
   }
-  if (about.open) {
-    about.open = false;
+  if (about.open || my.scenes.open) {
+    about.open = my.scenes.open = false;
     return;
   }
   if (!dropped.file.empty()) {
@@ -233,7 +237,7 @@ bool App::Parts::unsafe_busy() const {
 
 bool App::Parts::busy() const {
   return session.busy() || session.has_news() || my.pictures.meter->busy() || my.pictures.meter->has_news() ||
-         unsafe_busy() ||
+         unsafe_busy() || (my.scenes.open && my.scenes.thumbnails.busy()) ||
          std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.busy && panel.busy(); });
 }
 
@@ -283,6 +287,7 @@ void App::Parts::draw() {
   }
   files.draw();
   about.draw();
+  scene_gallery(session, my.scenes);
   dropped_picture(session, dropped);
 }
 

@@ -7,6 +7,7 @@
 #include "gui/panels/options/options_panel.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/panels/pictures/pixels_panel.h"
+#include "gui/panels/scenes/scene_gallery.h"
 #include "gui/panels/space/space_panel.h"
 #include "gui/panels/story/listing_panel.h"
 #include "gui/panels/story/pixel_panel.h"
@@ -28,6 +29,7 @@ struct PanelStates {
   PanelStates(const std::function<void()>& wake, bool remember);
 
   PicturesState pictures;
+  SceneGallery scenes;
   LessonShelf lessons;
   OptionsPanelState options;
   HistoryPanelState history;

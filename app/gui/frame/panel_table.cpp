@@ -459,8 +459,8 @@ bool rows_match_names(const std::vector<Panel>& panels) {
 }  // namespace
 
 PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
-    : history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake), folder(remember),
-      chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
+    : scenes(wake), history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake),
+      folder(remember), chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
   pictures.meter = std::make_unique<DifferenceMeter>(wake);
   stability.folder = folder.of("stability");
 }

@@ -52,16 +52,24 @@ Image<Rgb8> thumbnail(const Document& document, int width, int height, Prepared&
   return picture;
 }
 
+Image<Rgb8> thumbnail_of_a(const Document& document, int width, int height, Prepared& prepared, Progress& progress) {
+  try {
+    return side_picture(document, Side::a, small_view(document, width, height), prepared, progress);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 Thumbnails::Thumbnails(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-const Texture* Thumbnails::find(std::uint64_t id, const Document& document, int width, int height) {
+const Texture* Thumbnails::find(std::uint64_t id, int width, int height, Make make) {
   if (width != width_ || height != height_) {
     made_.clear();
     width_ = width;
     height_ = height;
   }
   if (const auto found = made_.find(id); found != made_.end()) return &found->second;
-  wanted_.emplace_back(id, document);
+  wanted_.emplace_back(id, std::move(make));
   return nullptr;
 }
 
@@ -72,7 +80,10 @@ void Thumbnails::update(const std::set<std::uint64_t>& ids) {
     const std::lock_guard lock(mutex_);
     arrived = std::exchange(arrived_, std::nullopt);
   }
-  if (arrived) made_[arrived->id].upload(arrived->picture);
+  if (arrived) {
+    Texture& made = made_[arrived->id];
+    if (arrived->picture.width() > 0) made.upload(arrived->picture);
+  }
   std::erase_if(made_, [&](const auto& entry) { return ids.count(entry.first) == 0; });
   {
     const std::lock_guard lock(mutex_);
@@ -81,9 +92,13 @@ void Thumbnails::update(const std::set<std::uint64_t>& ids) {
                                    [&](const auto& one) { return !arrived || one.first != arrived->id; });
     if (next == wanted.end()) return;
     running_ = true;
-    job_.start([this, id = next->first, document = next->second, width = width_, height = height_](Progress& progress) {
+    job_.start([this, id = next->first, make = next->second](Progress& progress) {
       Made made{id, {}};
-      made.picture = thumbnail(document, width, height, *prepared_, progress);
+      try {
+        made.picture = make(*prepared_, progress);
+      } catch (const InputError&) {
+        // Stays empty.
+      }
       {
         const std::lock_guard made_lock(mutex_);
         running_ = false;
