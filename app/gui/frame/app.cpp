@@ -26,6 +26,7 @@
 #include "gui/platform/state_file.h"
 #include "gui/session/session_values.h"
 #include "gui/shell/shell.h"
+#include "gui/widgets/key_focus.h"
 #include "options/option.h"
 
 namespace ps::gui {
@@ -182,7 +183,7 @@ void App::Parts::show_options() {
 
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
 void App::Parts::close_on_escape() {
-  if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false)) return;
+  if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false) || key_focus().left_by_escape()) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     ImGui::ClosePopupToLevel(0, true);
     return;

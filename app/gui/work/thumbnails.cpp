@@ -52,9 +52,43 @@ Image<Rgb8> thumbnail(const Document& document, int width, int height, Prepared&
   return picture;
 }
 
+namespace {
+
+/// Each pixel is the mean of the levels of those that it covers, or nearly covers.
+Image<Rgb8> shrunk_to(const Image<Rgb8>& large, int width, int height) {
+  Image<Rgb8> small(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int x0 = x * large.width() / width, x1 = std::max(x0 + 1, (x + 1) * large.width() / width);
+      const int y0 = y * large.height() / height, y1 = std::max(y0 + 1, (y + 1) * large.height() / height);
+      int sum[3] = {};
+      for (int row = y0; row < y1; ++row)
+        for (int column = x0; column < x1; ++column) {
+          const Rgb8 level = large.at(column, row);
+          sum[0] += level.r;
+          sum[1] += level.g;
+          sum[2] += level.b;
+        }
+      const int count = (x1 - x0) * (y1 - y0);
+      const auto mean = [&](int channel) { return static_cast<std::uint8_t>((sum[channel] + count / 2) / count); };
+      small.at(x, y) = {mean(0), mean(1), mean(2)};
+    }
+  return small;
+}
+
+}  // namespace
+
+// What lies on the canvas is measured in its pixels: it is drawn in full size and shrunk. So is a picture of twice the
+// size, whose edges are smoother for it.
 Image<Rgb8> thumbnail_of_a(const Document& document, int width, int height, Prepared& prepared, Progress& progress) {
   try {
-    return side_picture(document, Side::a, small_view(document, width, height), prepared, progress);
+    const View small = small_view(document, width, height);
+    View large = view_of(document);
+    if (document.scene.canvas_items->empty()) {
+      large.width = std::min(large.width, 2 * small.width);
+      large.height = std::min(large.height, 2 * small.height);
+    }
+    return shrunk_to(side_picture(document, Side::a, large, prepared, progress), small.width, small.height);
   } catch (const InputError&) {
     return {};
   }

@@ -17,7 +17,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double picture_width = 184, picture_height = 138;  // at scale 1
+constexpr double picture_width = 152, picture_height = 152;  // at scale 1
 constexpr double gap = 16, text_lines = 2;
 
 const std::vector<BuiltinScene>& all_scenes() {
