@@ -157,6 +157,7 @@ void App::Parts::add_actions() {
                    .run = [this, name = panel.name, use = panel.use] { open_tool(name, use); },
                    .enabled = [this] { return session.has_scene(); }});
   }
+  add_drawer_actions(actions, session, panels, my.drawer);
   actions.offer_more([this] { return palette_entries(session, my.options, [this] { show_options(); }); });
 }
 
@@ -173,6 +174,7 @@ void App::Parts::offer_values() {
   for (const Panel& panel : panels)
     if (panel.publish) panel.publish(values());
   values().offer("scenes/open", [this] { return my.scenes.open; });
+  offer_drawer_values(values(), session, panels);
   values().offer("first-look/offered", [this] { return offers_first_look; });
 }
 

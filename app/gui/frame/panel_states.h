@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "gui/frame/drawer.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/microscope/microscope_panel.h"
 #include "gui/panels/options/history_panel.h"
@@ -47,6 +48,7 @@ struct PanelStates {
   WhyTabState why;
   TimingsState timings;
   UnsafeState unsafe;
+  DrawerState drawer;
 };
 
 }  // namespace ps::gui

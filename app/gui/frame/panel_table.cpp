@@ -55,7 +55,7 @@ Panel lesson(Session& session, PanelStates& my) {
 void take_sweep(Session& session, PanelStates& my) {
   const Option* swept = std::exchange(my.options.sweep, nullptr);
   if (!swept) return;
-  sweep_option(my.chart, *swept, my.options.side);
+  sweep_option(my.chart, *swept, session.document().picked);
   show_panel(session, "chart");
 }
 
@@ -228,6 +228,7 @@ Panel microscope(Session& session, PanelStates& my, const PanelHost& host) {
 Panel pixels(Session& session, PanelStates& my) {
   return {.name = "pixels",
           .use = PanelUse::study,
+          .group = ToolGroup::pixels,
           .height = PanelHeight::tall,
           .heading = "PIXELS",
           .brief = "Pixels",
@@ -328,6 +329,7 @@ std::string chart_status(const ChartTabState& chart) {
 Panel chart(Session& session, PanelStates& my, const PanelHost& host) {
   return {.name = "chart",
           .use = PanelUse::study,
+          .group = ToolGroup::measure,
           .height = PanelHeight::tall,
           .heading = "CHART",
           .brief = "Chart",
@@ -355,6 +357,7 @@ std::string stability_status(const StabilityTabState& stability) {
 Panel stability(Session& session, PanelStates& my) {
   return {.name = "stability",
           .use = PanelUse::study,
+          .group = ToolGroup::stability,
           .height = PanelHeight::tall,
           .heading = "STABILITY",
           .brief = "Stable",
@@ -374,6 +377,7 @@ Panel stability(Session& session, PanelStates& my) {
 Panel needs(Session& session, PanelStates& my) {
   return {.name = "needs",
           .use = PanelUse::study,
+          .group = ToolGroup::measure,
           .height = PanelHeight::tall,
           .heading = "NEEDS",
           .brief = "Needs",
@@ -404,6 +408,7 @@ std::string why_status(const WhyTabState& why) {
 Panel why(Session& session, PanelStates& my) {
   return {.name = "why",
           .use = PanelUse::study,
+          .group = ToolGroup::measure,
           .height = PanelHeight::tall,
           .heading = "WHY",
           .brief = "Why",
@@ -423,6 +428,7 @@ Panel why(Session& session, PanelStates& my) {
 Panel timings(Session& session, PanelStates& my) {
   return {.name = "timings",
           .use = PanelUse::study,
+          .group = ToolGroup::measure,
           .height = PanelHeight::tall,
           .heading = "TIMINGS",
           .brief = "Times",

@@ -75,18 +75,27 @@ bool segments(std::string_view name, std::span<const Choice> choices, int& index
 }  // namespace
 
 bool drop_down(std::string_view name, std::span<const Choice> choices, int& index, float width,
-               const ControlStyle& style) {
+               const ControlStyle& style, const FieldLook& look) {
   const Palette& p = palette();
   const std::string popup = full_name(part_name(name, "##list"));
-  if (hit_area(name, {width, ImGui::GetFrameHeight()}, style)) ImGui::OpenPopup(popup.c_str());
+  const float height = std::max(look.height, ImGui::GetFrameHeight());
+  if (hit_area(name, {width, height}, style)) ImGui::OpenPopup(popup.c_str());
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, max, colour_u32(state_colour(p.field, style)), ImGui::GetStyle().FrameRounding);
   outline(min, max, p.line);
-  const float arrow = px(18);
+  const float arrow = px(16);
   const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(choices.size()) - 1));
-  draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, choices[chosen].label, choice_colour(style, chosen), 0);
-  const float x = max.x - arrow / 2 - px(2), y = (min.y + max.y) / 2;
+  {
+    const FontScope font(look.face);
+    const std::string_view text = style.shown.empty() ? choices[chosen].label : style.shown;
+    if (text.find('\n') == std::string_view::npos)
+      draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, text, choice_colour(style, chosen), 0);
+    else
+      draw_lines({min.x + px(8), std::floor((min.y + max.y - text_height(text)) / 2)}, text,
+                 choice_colour(style, chosen));
+  }
+  const float x = max.x - arrow / 2, y = (min.y + max.y) / 2;
   const ImU32 ink = colour_u32(style.disabled.empty() ? p.text_quiet : p.text_disabled);
   draw.AddLine({x - px(4), y - px(2)}, {x, y + px(2)}, ink, px(1.5));
   draw.AddLine({x, y + px(2)}, {x + px(4), y - px(2)}, ink, px(1.5));

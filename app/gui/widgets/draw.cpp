@@ -74,7 +74,8 @@ void style_tooltip(const ControlStyle& style) {
 ImVec4 state_colour(const ImVec4& idle, const ControlStyle& style) {
   if (!style.disabled.empty()) return palette().panel;
   if (ImGui::IsItemActive()) return palette().field_active;
-  return ImGui::IsItemHovered() ? palette().field_hover : idle;
+  if (ImGui::IsItemHovered()) return palette().field_hover;
+  return style.quiet ? palette().panel : idle;
 }
 
 void outline(ImVec2 min, ImVec2 max, const ImVec4& colour) {

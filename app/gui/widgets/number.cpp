@@ -111,8 +111,8 @@ void draw_number(const ImVec2& min, const ImVec2& max, double value, const Numbe
               dead ? p.text_disabled : p.text_quiet, 1);
   }
   const FontScope mono(Face::mono);
-  draw_text({min.x + px(6), min.y}, {max.x - px(6) - unit_width, max.y - px(3)}, short_number(value),
-            text_colour(style), 1);
+  draw_text({min.x + px(6), min.y}, {max.x - px(6) - unit_width, max.y - px(3)},
+            style.shown.empty() ? short_number(value) : std::string(style.shown), text_colour(style), 1);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ bool section(std::string_view name, std::string_view label, bool& open, std::str
   draw_arrow({min.x + px(8), (min.y + max.y) / 2}, open, colour_u32(p.text_quiet));
   float label_end = 0;
   {
-    const FontScope bold(Face::bold);
+    const bool is_small = ImGui::GetFont() == theme().font(Face::small);
+    const FontScope bold(is_small ? Face::small_bold : Face::bold);
     draw_text({min.x + px(20), min.y}, max, label, p.text, 0);
     label_end = min.x + px(20) + text_width(label);
   }

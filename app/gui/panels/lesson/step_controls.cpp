@@ -1,10 +1,9 @@
 #include "gui/panels/lesson/step_controls.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 
+#include "gui/panels/options/row_results.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -38,11 +37,7 @@ void rows(Session& session, Side side, const std::vector<const Option*>& options
     context.side = side;
     context.other = &session.settings(other);
     const OptionRowResult result = option_row(*option, settings, session.traits(), context);
-    if (result.edit.changed)
-      session.set_settings(side, settings,
-                           fmt::format("{}: {} = {}", letter_of(side), option->key, option_text(*option, settings)),
-                           fmt::format("{}/{}", letter_of(side), option->key));
-    if (result.edit.finished) session.end_drag();
+    take_row_result(session, side, *option, settings, result);
   }
 }
 
