@@ -94,11 +94,11 @@ struct SceneTraits {
   bool canvas_triangles = false;
   bool canvas_intensities = false;  ///< a filled shape on the canvas with an intensity h other than 1
   bool canvas_gradients = false;    ///< a filled shape on the canvas with vertices of different colours
-  bool tinted = false;            ///< a surface whose ambient light or highlight has a colour of its own
-  bool odd_highlights = false;    ///< a highlight's exponent is not a positive finite number
-  bool any_transparency = false;  ///< a transparency above 0, even one that cannot be seen
-  bool one_sided = false;         ///< triangles that are seen from their front alone
-  bool dynamic = false;           ///< objects that are marked so
+  bool tinted = false;              ///< a surface whose ambient light or highlight has a colour of its own
+  bool odd_highlights = false;      ///< a highlight's exponent is not a positive finite number
+  bool any_transparency = false;    ///< a transparency above 0, even one that cannot be seen
+  bool one_sided = false;           ///< triangles that are seen from their front alone
+  bool dynamic = false;             ///< objects that are marked so
   std::size_t sphere_count = 0;
 };
 SceneTraits scene_traits(const Scene& scene);

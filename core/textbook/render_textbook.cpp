@@ -19,7 +19,6 @@ namespace {
 
 constexpr int tile_size = 64;
 
-
 /// Copies a finished canvas into the frame and counts colours that are NaN.
 std::uint64_t store(const BookCanvas& canvas, Frame& frame) {
   std::uint64_t nan = 0;

@@ -1,4 +1,5 @@
-// Definitions of intersector.h for callers with a recorder of their own; intersector.cpp instantiates those of the program.
+// Definitions of intersector.h for callers with a recorder of their own; intersector.cpp instantiates those of the
+// program.
 #pragma once
 #include "raytrace/clear/intersector.h"
 
