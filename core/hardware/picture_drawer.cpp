@@ -333,24 +333,19 @@ void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& 
   program.set("ambient_colour", Vec4f(material.ambient_colour.value_or(none), material.ambient_colour ? 1 : 0));
   program.set("relief_depth", material.relief_depth);
   if (!plan_.textures) return;
-  struct Place {
-    const char *picture, *wrap;
-    int texture;
-  };
   int unit = 0;
-  for (const Place& place : {Place{"surface_picture", "surface_wrap", material.texture},
-                             {"opacity_picture", "opacity_wrap", material.opacity_map},
-                             {"specular_picture", "specular_wrap", material.specular_map},
-                             {"ambient_picture", "ambient_wrap", material.ambient_map},
-                             {"normal_picture", "normal_wrap", material.normal_map},
-                             {"height_picture", "height_wrap", material.height_map}}) {
-    if (place.texture < 0) continue;
-    const MipChain& chain = (*plan_.textures)[static_cast<std::size_t>(place.texture)];
-    const TextureWrap wrap = raster::wrap_of(chain, plan_.settings);
-    shop_.textures.bind(chain, unit, {plan_.settings.texture_filter, wrap, plan_.settings.anisotropy},
-                        shop_.driver().max_size);
-    program.set(place.picture, unit);
-    program.set(place.wrap, static_cast<int>(wrap));
+  for (const auto& [name, texture] : {std::pair{"surface", material.texture},
+                                      {"opacity", material.opacity_map},
+                                      {"specular", material.specular_map},
+                                      {"ambient", material.ambient_map},
+                                      {"normal", material.normal_map},
+                                      {"height", material.height_map}}) {
+    if (texture < 0) continue;
+    const MipChain& chain = (*plan_.textures)[static_cast<std::size_t>(texture)];
+    const Vec4<int> layout = shop_.textures.bind(chain, unit, plan_.settings, shop_.driver().max_size);
+    program.set(fmt::format("{}_layout", name), layout);
+    program.set(fmt::format("{}_picture", name), unit);
+    program.set(fmt::format("{}_wrap", name), static_cast<int>(raster::wrap_of(chain, plan_.settings)));
     ++unit;
   }
 }

@@ -59,28 +59,32 @@ Program::~Program() { glDeleteProgram(program_); }
 
 void Program::use() const { glUseProgram(program_); }
 
-int Program::location(const char* name) {
-  const auto found = locations_.find(std::string_view(name));
+int Program::location(std::string_view name) {
+  const auto found = locations_.find(name);
   if (found != locations_.end()) return found->second;
-  return locations_[name] = glGetUniformLocation(program_, name);
+  const std::string text(name);
+  return locations_[text] = glGetUniformLocation(program_, text.c_str());
 }
 
-void Program::set(const char* name, int value) { glUniform1i(location(name), value); }
-void Program::set(const char* name, float value) { glUniform1f(location(name), value); }
-void Program::set(const char* name, const Vec2f& value) { glUniform2f(location(name), value.x, value.y); }
-void Program::set(const char* name, const Vec3f& value) { glUniform3f(location(name), value.x, value.y, value.z); }
-void Program::set(const char* name, const Vec4f& value) {
+void Program::set(std::string_view name, int value) { glUniform1i(location(name), value); }
+void Program::set(std::string_view name, float value) { glUniform1f(location(name), value); }
+void Program::set(std::string_view name, const Vec2f& value) { glUniform2f(location(name), value.x, value.y); }
+void Program::set(std::string_view name, const Vec3f& value) { glUniform3f(location(name), value.x, value.y, value.z); }
+void Program::set(std::string_view name, const Vec4f& value) {
   glUniform4f(location(name), value.x, value.y, value.z, value.w);
 }
-void Program::set(const char* name, const Mat3d& value) {
+void Program::set(std::string_view name, const Vec4<int>& value) {
+  glUniform4i(location(name), value.x, value.y, value.z, value.w);
+}
+void Program::set(std::string_view name, const Mat3d& value) {
   std::array<float, 9> columns;
   for (int c = 0; c < 3; ++c)
     for (int r = 0; r < 3; ++r) columns[static_cast<std::size_t>(3 * c + r)] = static_cast<float>(value[c][r]);
   glUniformMatrix3fv(location(name), 1, GL_FALSE, columns.data());
 }
 
-bool Program::bind_block(const char* name, unsigned binding) const {
-  const GLuint index = glGetUniformBlockIndex(program_, name);
+bool Program::bind_block(std::string_view name, unsigned binding) const {
+  const GLuint index = glGetUniformBlockIndex(program_, std::string(name).c_str());
   if (index == GL_INVALID_INDEX) return false;
   glUniformBlockBinding(program_, index, binding);
   return true;

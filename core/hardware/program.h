@@ -20,17 +20,18 @@ class Program {
   void use() const;
   /// Gives a uniform of the program in use its value. One that the compiler left out, or the files do not have, is
   /// passed over.
-  void set(const char* name, int value);
-  void set(const char* name, float value);
-  void set(const char* name, const Vec2f& value);
-  void set(const char* name, const Vec3f& value);
-  void set(const char* name, const Vec4f& value);
-  void set(const char* name, const Mat3d& value);
+  void set(std::string_view name, int value);
+  void set(std::string_view name, float value);
+  void set(std::string_view name, const Vec2f& value);
+  void set(std::string_view name, const Vec3f& value);
+  void set(std::string_view name, const Vec4f& value);
+  void set(std::string_view name, const Vec4<int>& value);
+  void set(std::string_view name, const Mat3d& value);
   /// Connects a uniform block with a binding point; false if the program has no such block.
-  bool bind_block(const char* name, unsigned binding) const;
+  bool bind_block(std::string_view name, unsigned binding) const;
 
  private:
-  int location(const char* name);
+  int location(std::string_view name);
 
   unsigned program_ = 0;
   std::map<std::string, int, std::less<>> locations_;

@@ -25,22 +25,27 @@ uniform int object_number;
 uniform int numbered;  // 0: its triangles have no numbers of their own
 #if TEXTURE
 uniform sampler2D surface_picture;
+uniform ivec4 surface_layout;
 uniform int surface_wrap;
 #endif
 #if NORMAL_MAP
 uniform sampler2D normal_picture;
+uniform ivec4 normal_layout;
 uniform int normal_wrap;
 #endif
 #if OPACITY_MAP
 uniform sampler2D opacity_picture;
+uniform ivec4 opacity_layout;
 uniform int opacity_wrap;
 #endif
 #if SPECULAR_MAP
 uniform sampler2D specular_picture;
+uniform ivec4 specular_layout;
 uniform int specular_wrap;
 #endif
 #if AMBIENT_MAP
 uniform sampler2D ambient_picture;
+uniform ivec4 ambient_layout;
 uniform int ambient_wrap;
 #endif
 #if CHANNELS
@@ -78,11 +83,10 @@ void uv_steps(vec2 uv, out vec2 dx, out vec2 dy) {
 #endif
 }
 
-Footprint footprint_on(sampler2D picture, vec2 dx, vec2 dy) {
-  vec2 size = vec2(textureSize(picture, 0));
-  return Footprint(dx * size, dy * size);
+Footprint footprint_on(ivec4 layout_of, vec2 dx, vec2 dy) {
+  return Footprint(dx * vec2(layout_of.xy), dy * vec2(layout_of.xy));
 }
-#define READ(picture, wrap, at) read_texture(picture, wrap, at, footprint_on(picture, dx, dy))
+#define READ(picture, layout_of, wrap, at) read_texture(picture, layout_of, wrap, at, footprint_on(layout_of, dx, dy))
 #endif
 
 void main() {
@@ -98,7 +102,7 @@ void main() {
   vec3 colour = surface_colour;
   float level = -1.0;
 #if OPACITY_MAP
-  if (READ(opacity_picture, opacity_wrap, surface_uv).colour.x < 0.5) discard;
+  if (READ(opacity_picture, opacity_layout, opacity_wrap, surface_uv).colour.x < 0.5) discard;
 #endif
 #if INTERPOLATED_NORMAL
   vec3 normal = AT_FRAGMENT(carried_normal);
@@ -108,16 +112,16 @@ void main() {
 #if RELIEF
 #if PARALLAX != PARALLAX_OFF
   uv = relief_uv(surface_uv, normal, direction_to_eye(AT_FRAGMENT(carried_position)),
-                 footprint_on(height_picture, dx, dy));
+                 footprint_on(height_layout, dx, dy));
 #endif
 #endif
 #if TEXTURE
-  TextureRead of_surface = READ(surface_picture, surface_wrap, uv);
+  TextureRead of_surface = READ(surface_picture, surface_layout, surface_wrap, uv);
   colour *= of_surface.colour;
   level = of_surface.level;
 #endif
 #if NORMAL_MAP
-  normal = mapped_normal(normal, READ(normal_picture, normal_wrap, uv).colour);
+  normal = mapped_normal(normal, READ(normal_picture, normal_layout, normal_wrap, uv).colour);
 #endif
   vec3 unit_normal = unit_or_zero(normal);
 #if RENORMALISE
@@ -126,10 +130,10 @@ void main() {
 #if SHADING == PHONG
   Tints tints = Tints(specular_colour, ambient_colour);
 #if SPECULAR_MAP
-  tints.specular.xyz *= READ(specular_picture, specular_wrap, uv).colour;
+  tints.specular.xyz *= READ(specular_picture, specular_layout, specular_wrap, uv).colour;
 #endif
 #if AMBIENT_MAP
-  tints.ambient.xyz *= READ(ambient_picture, ambient_wrap, uv).colour;
+  tints.ambient.xyz *= READ(ambient_picture, ambient_layout, ambient_wrap, uv).colour;
 #endif
   Lighting lighting = illuminate(AT_FRAGMENT(carried_position), normal, tints);
 #elif SHADING == GOURAUD

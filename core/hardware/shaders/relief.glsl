@@ -19,6 +19,7 @@ vec3 mapped_normal(vec3 surface_normal, vec3 texel) {
 
 #if PARALLAX != PARALLAX_OFF
 uniform sampler2D height_picture;
+uniform ivec4 height_layout;
 uniform int height_wrap;
 uniform float relief_depth;  // of its bottom, in widths of the picture
 
@@ -47,7 +48,7 @@ bool relief_shift(vec3 normal, vec3 to_eye, out vec2 shift) {
 }
 
 float depth_below(vec2 uv, Footprint footprint) {
-  return 1.0 - read_texture(height_picture, height_wrap, uv, footprint).colour.x;
+  return 1.0 - read_texture(height_picture, height_layout, height_wrap, uv, footprint).colour.x;
 }
 
 // Where the line of sight meets the relief: texture coordinates.
