@@ -29,6 +29,7 @@ enum class Coverage {
 };
 enum class EdgeArithmetic { fixed, float32, float_stepped, int32 };
 enum class FillRule { top_left, inclusive, exclusive };
+enum class VertexSnapping { driver, cpu };
 enum class Draw { filled, wireframe, points };
 enum class CanvasFill { edges, rows };
 enum class LineAlgorithm { general, y_of_x, x_of_y, interpolate, bresenham };
@@ -36,6 +37,7 @@ enum class Shading { phong, gouraud, flat };
 enum class Normals { vertex, triangle };
 enum class Highlight { phong, blinn_phong };
 enum class Interpolation { perspective, affine };
+enum class HardwareTexturing { shader, driver };
 enum class Parallax { off, offset, limited, steep, occlusion };
 enum class Patches { as_made, projected_error };
 enum class LightPasses { one, many };
@@ -91,6 +93,7 @@ struct Settings {
   EdgeArithmetic edge_arithmetic = EdgeArithmetic::fixed;
   int subpixel_bits = 8;
   FillRule fill_rule = FillRule::top_left;
+  VertexSnapping vertex_snapping = VertexSnapping::driver;
   Draw draw = Draw::filled;
   CanvasFill canvas_fill = CanvasFill::edges;  ///< of triangles and polygons on the canvas
   LineAlgorithm line_algorithm = LineAlgorithm::general;
@@ -113,6 +116,7 @@ struct Settings {
   double mip_bias = 0;
   TextureWrap texture_wrap = TextureWrap::repeat;
   int anisotropy = 1;
+  HardwareTexturing hardware_texturing = HardwareTexturing::shader;
   bool normal_mapping = true;
   Parallax parallax = Parallax::off;
   int parallax_steps = 32;

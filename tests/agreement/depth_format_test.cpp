@@ -6,7 +6,7 @@
 
 #include "options/option.h"
 #include "options/scene_settings.h"
-#include "raster/depth_format.h"
+#include "raster/setup/depth_format.h"
 #include "render/render.h"
 #include "scene/load.h"
 
