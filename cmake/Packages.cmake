@@ -13,6 +13,12 @@ if(NOT PIXELSCOPE_STB)
   message(FATAL_ERROR "stb_image.h was not found; on Debian it is in libstb-dev.")
 endif()
 
+find_path(PIXELSCOPE_MD4C_INCLUDE md4c.h)
+find_library(PIXELSCOPE_MD4C md4c)
+if(NOT PIXELSCOPE_MD4C_INCLUDE OR NOT PIXELSCOPE_MD4C)
+  message(FATAL_ERROR "md4c was not found; on Debian it is in libmd4c-dev.")
+endif()
+
 if(PIXELSCOPE_GUI)
   find_package(PkgConfig REQUIRED)
   find_package(SDL2 CONFIG REQUIRED)
