@@ -13,6 +13,7 @@
 #include "gui/frame/about.h"
 #include "gui/frame/drop.h"
 #include "gui/frame/file_dialog.h"
+#include "gui/frame/follow_link.h"
 #include "gui/frame/menu_bar.h"
 #include "gui/frame/palette_entries.h"
 #include "gui/frame/regions.h"
@@ -26,6 +27,7 @@
 #include "gui/platform/state_file.h"
 #include "gui/session/session_values.h"
 #include "gui/shell/shell.h"
+#include "gui/widgets/flash.h"
 #include "gui/widgets/key_focus.h"
 #include "options/option.h"
 
@@ -292,6 +294,9 @@ void App::Parts::draw() {
   about.draw();
   scene_gallery(session, my.scenes);
   dropped_picture(session, dropped);
+  if (const auto followed = std::exchange(my.lessons.followed, {}))
+    follow_link(session, my, *followed, [this] { show_options(); });
+  draw_flash();
 }
 
 App::App(Shell& shell, const AppOptions& options, Document document)

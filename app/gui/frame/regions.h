@@ -40,6 +40,7 @@ class Regions {
   const Panel& panel(std::string_view name) const { return find_panel(panels_, name); }
   /// The tool of a lesson's stage.
   const Panel& staged() const;
+  StagePlace stage_place() const;
   PlanInput plan_input(const Area& area, PictureCaptions captions) const;
 
   Session& session_;

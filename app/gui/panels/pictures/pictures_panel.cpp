@@ -36,7 +36,7 @@ void picture_handles(Session& session, PicturesState& state, Side side, const Ar
 
 namespace {
 
-constexpr double gap = 10;         // between two pictures
+constexpr double gap = 8;          // between two pictures
 constexpr double long_wait = 500;  // milliseconds without a new pixel until that is said
 
 PictureTransform fitted_as(PictureFit fit, Vec2i size, const Area& area) {
