@@ -168,6 +168,19 @@ std::vector<Option> drawing_rows() {
           {{"top-left", "top-left", "The triangle for which it is a top or left edge: each pixel is drawn once."},
            {"inclusive", "inclusive", "Both triangles, as in the book's scanlines."},
            {"exclusive", "exclusive", "Neither."}}),
+      choice<&Settings::vertex_snapping>(
+          {.key = "vertex-snapping",
+           .label = "Vertex snapping",
+           .help = {"Who rounds vertices to the sub-pixels of the graphics driver.", "OpenGL 3.3, 2.14 and 3.6.1",
+                    "A driver rounds after its own arithmetic in float: a vertex near the middle between two "
+                    "sub-pixels may move to the other one than in exact arithmetic."},
+           .keywords = "sub-pixel precision, rounding, GL_SUBPIXEL_BITS, fixed point, driver, OpenGL, GPU",
+           .truth = exactly("vertex-snapping=cpu"),
+           .acts_for = ActsFor::readers,
+           .only_for = "only the hardware renderer uses it",
+           .inactive = needs_filling},
+          {{"driver", "by the driver", "The driver projects vertices in float and rounds them."},
+           {"cpu", "by the processor", "Vertices are projected in double and rounded before they are drawn."}}),
       real<&Settings::tessellation>(
           {.key = "tessellation",
            .label = "Tessellation error",

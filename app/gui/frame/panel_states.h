@@ -8,6 +8,7 @@
 #include "gui/panels/options/options_panel.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/panels/pictures/pixels_panel.h"
+#include "gui/panels/scenes/scene_gallery.h"
 #include "gui/panels/space/space_panel.h"
 #include "gui/panels/story/listing_panel.h"
 #include "gui/panels/story/pixel_panel.h"
@@ -29,6 +30,7 @@ struct PanelStates {
   PanelStates(const std::function<void()>& wake, bool remember);
 
   PicturesState pictures;
+  SceneGallery scenes;
   LessonShelf lessons;
   OptionsPanelState options;
   HistoryPanelState history;

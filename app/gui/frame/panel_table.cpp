@@ -15,6 +15,7 @@
 #include "gui/panels/pictures/picture_values.h"
 #include "gui/panels/space/story_actions.h"
 #include "gui/panels/studies/timings_panel.h"
+#include "gui/widgets/flash.h"
 #include "gui/widgets/widgets.h"
 #include "scene/load.h"
 
@@ -48,7 +49,13 @@ Panel lesson(Session& session, PanelStates& my) {
                 return false;
               },
           .actions = [&](Actions& actions) { add_lesson_actions(actions, session, my.lessons); },
-          .publish = [&](Values& out) { out.offer("lesson/pages", [&] { return pages_of(my.lessons.text); }); }};
+          .publish =
+              [&](Values& out) {
+                out.offer("lesson/pages", [&] { return my.lessons.text.pages; });
+                out.offer("lesson/page", [&] { return my.lessons.text.page + 1; });
+                out.offer("lesson/line-length", [&] { return my.lessons.text.line_length; });
+                out.offer_below("flash/", [](std::string_view name) { return script_text(flashes(name)); });
+              }};
 }
 
 /// What the row of an option asks the chart for.
@@ -465,8 +472,8 @@ bool rows_match_names(const std::vector<Panel>& panels) {
 }  // namespace
 
 PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
-    : history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake), folder(remember),
-      chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
+    : scenes(wake), history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake),
+      folder(remember), chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
   pictures.meter = std::make_unique<DifferenceMeter>(wake);
   stability.folder = folder.of("stability");
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gui/widgets/draw.h"
+#include "gui/widgets/key_focus.h"
 #include "gui/widgets/tab_row.h"
 
 namespace ps::gui {
@@ -104,6 +105,12 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   style_tooltip(own);
 
   bool changed = false;
+  const int last = static_cast<int>(choices.size()) - 1;
+  if (const int steps = key_focus().steps(); key_focus().is_at(full_name(name)) && style.disabled.empty()) {
+    changed = steps != 0 && std::clamp(index + steps, 0, last) != index;
+    index = std::clamp(index + steps, 0, last);
+    key_focus().use_steps();
+  }
   // Below the field, or above it where there is no room below.
   const float list_height = static_cast<float>(choices.size()) * ImGui::GetTextLineHeightWithSpacing() +
                             2 * ImGui::GetStyle().WindowPadding.y;
@@ -113,7 +120,14 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   else
     ImGui::SetNextWindowPos({min.x, min.y - px(2)}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({max.x - min.x, 0}, {px(700), px(700)});
-  if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return false;
+  if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return changed;
+  if (key_focus().is_at(full_name(name)) && !ImGui::IsWindowAppearing()) {
+    const int wanted = std::clamp(index + key_focus().lines(), 0, last);
+    changed = changed || wanted != index;
+    index = wanted;
+    key_focus().use_lines();
+    if (key_focus().pressed()) ImGui::CloseCurrentPopup();
+  }
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const std::string label(choices[i].label);
     ImGui::PushStyleColor(ImGuiCol_Text, choice_colour({.idle = style.idle}, i));

@@ -29,7 +29,7 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   const auto reason = inactive_reason(option, settings, traits);
   std::vector<std::string_view> idle;
   for (const Choice& choice : option.choices)
-    idle.push_back(inactive_choice_reason(choice, settings, traits).value_or(std::string_view{}));
+    idle.push_back(inactive_choice_reason(option, choice, settings, traits).value_or(std::string_view{}));
   const auto idle_value = inactive_value_reason(option, settings, traits);
   const ControlStyle base{.disabled = reason.value_or(std::string_view{})};
   ImGui::PushID(full_name(option.key).c_str());

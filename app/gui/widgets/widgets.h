@@ -127,10 +127,6 @@ enum class SplitterAxis { left_right, up_down };
 /// A draggable line of length `length` at the cursor. Adds the movement in pixels to `position`, kept in the range.
 Edit splitter(std::string_view name, SplitterAxis axis, float length, float& position, float minimum, float maximum);
 
-// --- rich_text.cpp ---
-/// Wrapped lesson text: "# heading", "## heading", "**bold**", "`code`", "- bullet", blank lines part paragraphs.
-void rich_text(std::string_view markdown);
-
 /// Keeps what is drawn inside it greyed and dead.
 class DisabledScope {
  public:
