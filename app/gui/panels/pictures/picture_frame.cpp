@@ -91,9 +91,10 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
     const std::string rest = take_line(face, first, room);
     const float first_top = rest.empty() ? text_top : row.min.y;
     clipped_text(list, face, {text_left, first_top}, room, colour, first);
-    clipped_text(list, face, {text_left, first_top + px(15)}, room, colour, rest);
+    clipped_text(list, face, {text_left, first_top + px(15)}, room, colour, whole_parts(face, rest, room));
   } else {
-    clipped_text(list, Face::bold, {text_left, text_top}, row.max.x - choice_width - space - text_left, colour, text);
+    const float room = row.max.x - choice_width - space - text_left;
+    clipped_text(list, Face::bold, {text_left, text_top}, room, colour, whole_parts(Face::bold, text, room));
   }
 
   ImGui::SetCursorScreenPos(row.min);

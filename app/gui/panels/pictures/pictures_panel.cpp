@@ -303,11 +303,14 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
   // Only the difference asks for its number; one that comes after it was left must not keep the window from resting.
   state.meter->rest();
   state.meter->take_news();
+  const Vec2i size = state.pictures[0].size();
+  const Area one = framed(area, state.captions, 2).picture;
+  if (pixels_of(size, one, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
   switch (session.document().compare) {
   case CompareMode::side_by_side: {
-    const Vec2i size = state.pictures[0].size();
     const auto parts = halves(area, size, state.captions);
-    const Area each = framed(parts.first, state.captions).picture, one = framed(area, state.captions, 2).picture;
+    const Area each = framed(parts.first, state.captions).picture;
+    state.fit = PictureFit::even_pixels;
     if (2 * pixels_of(size, each, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
     const double two = 2 * pixels_of(size, each, state.fit);
     if (two < place.least_pixels && pixels_of(size, one, state.fit) > two) {
