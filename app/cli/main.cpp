@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "added_renderers.h"
 #include "base/check.h"
 #include "base/failure_text.h"
 #include "base/progress.h"
@@ -63,6 +64,7 @@ int act(const ps::cli::Action& action) {
 
 int main(int argc, char** argv) {
   ps::open_standard_streams();
+  ps::add_renderers();
   CLI::App app{"Renders scenes, shows the story of a pixel and checks the lessons, without a window."};
   app.name("pixelscope-cli");
   app.set_version_flag("--version", std::string(ps::version()));

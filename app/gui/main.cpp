@@ -6,6 +6,7 @@
 #include <new>
 #include <optional>
 
+#include "added_renderers.h"
 #include "base/check.h"
 #include "base/failure_text.h"
 #include "base/standard_output.h"
@@ -85,6 +86,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   ps::open_standard_streams();
+  ps::add_renderers();
   ps::gui::watch_end_signals();
   try {
     return run(argc, argv);

@@ -24,7 +24,7 @@ struct LessonState {
   std::string scene;          ///< name or path as load_scene takes it; "./x" in a lesson is a file beside it
   std::optional<Vec2i> size;  ///< absent: the scene's canvas
   std::vector<std::string> set_a, set_b;  ///< "key=value", applied in order
-  std::optional<Vec2i> pixel;             ///< absent: the scene's telling pixel
+  std::optional<Vec2i> pixel;             ///< absent: the scene's start pixel
   Side picked = Side::a;
   ShownChannel show_a{}, show_b{};
   CompareMode compare = CompareMode::side_by_side;

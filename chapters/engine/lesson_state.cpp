@@ -100,7 +100,7 @@ Document state_document(const LessonState& state, const Document& now) {
   if (state.size) {
     document.view.width = state.size->x;
     document.view.height = state.size->y;
-    document.pixel = {-1, -1};  // the telling pixel is one of the canvas size
+    document.pixel = {-1, -1};  // the start pixel is one of the canvas size
   }
   if (state.pixel) document.pixel = *state.pixel;
   document.picked = state.picked;

@@ -20,6 +20,10 @@ std::filesystem::path chapter_dir() { return under_root("chapters", PIXELSCOPE_C
 std::filesystem::path lesson_file(std::string_view folder) { return chapter_dir() / folder / "lesson.md"; }
 std::filesystem::path listing_file(std::string_view folder) { return chapter_dir() / folder / "listing.cpp"; }
 
+std::filesystem::path shader_file(std::string_view name) {
+  return under_root("core/hardware/shaders", PIXELSCOPE_SHADER_DIR) / name;
+}
+
 std::filesystem::path font_file(std::string_view name) { return std::filesystem::path(PIXELSCOPE_FONT_DIR) / name; }
 
 }  // namespace ps

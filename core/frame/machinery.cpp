@@ -14,6 +14,8 @@ std::string_view machinery_key(Machinery machinery) {
     return "fragment-batches";
   case Machinery::whole_frame:
     return "whole-frame";
+  case Machinery::driver:
+    return "driver";
   }
   return "";
 }
@@ -30,6 +32,8 @@ std::string_view machinery_label(Machinery machinery) {
     return "SIMD: the fragments of each triangle";
   case Machinery::whole_frame:
     return "SIMD: whole tiles of the picture";
+  case Machinery::driver:
+    return "the graphics driver";
   }
   return "";
 }

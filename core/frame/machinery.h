@@ -11,6 +11,7 @@ enum class Machinery {
   wide_triangles,    ///< SIMD searches for triangles; eye rays go in packets where they stay together
   fragment_batches,  ///< SIMD over the fragments of one triangle after the other
   whole_frame,       ///< SIMD from the vertices on, tile by tile
+  driver,            ///< the code of the graphics driver, or its processor
 };
 
 /// How surfaces are shaded by that machinery.

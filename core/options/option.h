@@ -98,10 +98,10 @@ std::vector<std::string> changed_options(const Settings& settings);
 /// Why the option cannot act now, or nothing: the renderer does not use it, or its own reason.
 std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
                                                 const SceneTraits& traits);
-/// Why this choice of an option, which can act, would not act now, or nothing.
-std::optional<std::string_view> inactive_choice_reason(const Choice& choice, const Settings& settings,
-                                                       const SceneTraits& traits);
-/// The same for the choice that `settings` make; nothing for options that are not a choice.
+/// Why this choice of an option, which can act, would not act now, or nothing. `choice` is one of option.choices.
+std::optional<std::string_view> inactive_choice_reason(const Option& option, const Choice& choice,
+                                                       const Settings& settings, const SceneTraits& traits);
+/// The same for the value that `settings` hold, also where it is not a choice.
 std::optional<std::string_view> inactive_value_reason(const Option& option, const Settings& settings,
                                                       const SceneTraits& traits);
 

@@ -83,7 +83,8 @@ Option renderer_row() {
        .acts_for = ActsFor::picture},
       OptionKind::choice);
   listed = true;
-  for (const RendererKind& kind : renderer_kinds()) option.choices.push_back({kind.key, kind.label, kind.help});
+  for (const RendererKind& kind : renderer_kinds())
+    option.choices.push_back({kind.key, kind.label, kind.help, kind.inactive});
   option.maximum = static_cast<double>(option.choices.size()) - 1;
   return option;
 }

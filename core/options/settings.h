@@ -1,6 +1,7 @@
 #pragma once
 #include "image/colour_depth.h"
 #include "image/texture_choices.h"
+#include "options/triangle_tests.h"
 #include "scene/normal_transform.h"
 
 namespace ps {
@@ -28,6 +29,7 @@ enum class Coverage {
 };
 enum class EdgeArithmetic { fixed, float32, float_stepped, int32 };
 enum class FillRule { top_left, inclusive, exclusive };
+enum class VertexSnapping { driver, cpu };
 enum class Draw { filled, wireframe, points };
 enum class CanvasFill { edges, rows };
 enum class LineAlgorithm { general, y_of_x, x_of_y, interpolate, bresenham };
@@ -35,6 +37,7 @@ enum class Shading { phong, gouraud, flat };
 enum class Normals { vertex, triangle };
 enum class Highlight { phong, blinn_phong };
 enum class Interpolation { perspective, affine };
+enum class HardwareTexturing { shader, driver };
 enum class Parallax { off, offset, limited, steep, occlusion };
 enum class Patches { as_made, projected_error };
 enum class LightPasses { one, many };
@@ -46,7 +49,6 @@ enum class SelfHit { offset, epsilon, normal_bump };
 enum class EpsilonUnit { ray_parameter, distance };
 enum class Accelerator { bvh, none, bounding_spheres, box, octree, two_level, embree };
 enum class SlabTest { robust, naive };
-enum class TriangleTest { watertight, moeller_trumbore, barycentric, cross_products };
 enum class SphereTest { robust, quadratic };
 enum class Precision { float32, float64 };
 enum class Simd { automatic, off, sse4, avx2, avx512 };
@@ -91,6 +93,7 @@ struct Settings {
   EdgeArithmetic edge_arithmetic = EdgeArithmetic::fixed;
   int subpixel_bits = 8;
   FillRule fill_rule = FillRule::top_left;
+  VertexSnapping vertex_snapping = VertexSnapping::driver;
   Draw draw = Draw::filled;
   CanvasFill canvas_fill = CanvasFill::edges;  ///< of triangles and polygons on the canvas
   LineAlgorithm line_algorithm = LineAlgorithm::general;
@@ -113,6 +116,7 @@ struct Settings {
   double mip_bias = 0;
   TextureWrap texture_wrap = TextureWrap::repeat;
   int anisotropy = 1;
+  HardwareTexturing hardware_texturing = HardwareTexturing::shader;
   bool normal_mapping = true;
   Parallax parallax = Parallax::off;
   int parallax_steps = 32;

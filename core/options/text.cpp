@@ -115,6 +115,8 @@ std::vector<std::string> changed_options(const Settings& settings) {
 std::optional<std::string_view> inactive_reason(const Option& option, const Settings& settings,
                                                 const SceneTraits& traits) {
   const RendererKind& kind = renderer_kind(settings.renderer);
+  if (kind.lacks_option && acts_for(option.acts_for, kind.way))
+    if (const auto reason = kind.lacks_option(option, settings)) return reason;
   if (kind.reads)
     if (const auto reads = kind.reads(option, settings, traits)) {
       if (!*reads) return kind.unread;
@@ -125,15 +127,21 @@ std::optional<std::string_view> inactive_reason(const Option& option, const Sett
   return option.inactive ? option.inactive(settings, traits) : std::nullopt;
 }
 
-std::optional<std::string_view> inactive_choice_reason(const Choice& choice, const Settings& settings,
-                                                       const SceneTraits& traits) {
-  return choice.inactive ? choice.inactive(settings, traits) : std::nullopt;
+std::optional<std::string_view> inactive_choice_reason(const Option& option, const Choice& choice,
+                                                       const Settings& settings, const SceneTraits& traits) {
+  if (choice.inactive)
+    if (const auto reason = choice.inactive(settings, traits)) return reason;
+  const RendererKind& kind = renderer_kind(settings.renderer);
+  return kind.lacks_value ? kind.lacks_value(option, static_cast<double>(&choice - option.choices.data()), settings)
+                          : std::nullopt;
 }
 
 std::optional<std::string_view> inactive_value_reason(const Option& option, const Settings& settings,
                                                       const SceneTraits& traits) {
-  if (option.kind != OptionKind::choice) return {};
-  return inactive_choice_reason(chosen(option, settings), settings, traits);
+  if (option.kind == OptionKind::choice)
+    return inactive_choice_reason(option, chosen(option, settings), settings, traits);
+  const RendererKind& kind = renderer_kind(settings.renderer);
+  return kind.lacks_value ? kind.lacks_value(option, option.get(settings), settings) : std::nullopt;
 }
 
 }  // namespace ps

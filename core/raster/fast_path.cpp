@@ -2,7 +2,7 @@
 
 #include "frame/fast_kernels.h"
 #include "raster/clear/coverage/choice.h"
-#include "raster/draw_stage.h"
+#include "raster/setup/draw_stage.h"
 #include "raster/fast/assembly.h"
 #include "raster/renderer.h"
 

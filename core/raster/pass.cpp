@@ -4,24 +4,6 @@
 #include "raster/renderer.h"
 
 namespace ps::raster {
-namespace {
-
-using Textures = std::vector<MipChain>;
-
-/// The textures with the levels that the filter reads.
-std::shared_ptr<const Textures> mip_chains(const Scene& scene, TextureFilter filter, Prepared& prepared) {
-  const MipLevels which = reads_mip_levels(filter) ? MipLevels::all : MipLevels::finest_only;
-  return prepared.get<Textures>(Key("raster-textures").add(scene.textures.revision()).add(which), [&] {
-    Textures chains;
-    for (const Texture& texture : *scene.textures) {
-      chains.push_back(make_mip_chain(texture.texels, which));
-      chains.back().clamped = texture.clamped;
-    }
-    return chains;
-  });
-}
-
-}  // namespace
 
 template <class Real>
 Pass<Real> make_pass(const Scene& scene, const View& view, const Settings& settings, Channel channels,

@@ -9,11 +9,12 @@
 #include "image/mip_chain.h"
 #include "raster/clear/coverage/choice.h"
 #include "raster/clip.h"
-#include "raster/depth_format.h"
+#include "raster/setup/depth_format.h"
 #include "raster/edge_function.h"
 #include "raster/environment/environment_map.h"
 #include "raster/setup/projection.h"
 #include "raster/setup/surface.h"
+#include "raster/setup/textures.h"
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/stencil.h"
 #include "scene/scene.h"
@@ -41,7 +42,7 @@ struct VertexBuffer {
   BlockVector<Vec4<Real>> lit;
 
   /// Where few triangles ask (while one pixel is inspected, and of the fast path's those that something cuts), their
-  /// corners' world positions and normals are made from these when they are asked for, where shading needs them.
+  /// vertices' world positions and normals are made from these when they are asked for, where shading needs them.
   const DrawObject* world_of = nullptr;
   const DrawObject* normals_of = nullptr;
 
@@ -90,16 +91,6 @@ struct Pass {
 template <class Real>
 inline double facing_sense(const Pass<Real>& pass, const DrawObject& object) {
   return object.mirrored ? -pass.camera_space.handedness : pass.camera_space.handedness;
-}
-
-/// Does the filter read more levels of a texture than the finest?
-inline bool reads_mip_levels(TextureFilter filter) {
-  return filter == TextureFilter::trilinear || filter == TextureFilter::mipmap;
-}
-
-/// What lies beyond the borders of a texture.
-inline TextureWrap wrap_of(const MipChain& chain, const Settings& settings) {
-  return chain.clamped ? TextureWrap::clamp : settings.texture_wrap;
 }
 
 template <class Real>

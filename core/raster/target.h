@@ -8,7 +8,7 @@
 #include "raster/clear/depth_test.h"
 #include "raster/clear/multisample.h"
 #include "raster/clear/shade_fragment.h"
-#include "raster/draw_stage.h"
+#include "raster/setup/draw_stage.h"
 
 namespace ps::raster {
 

@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "frame/display_frame.h"
+#include "options/option.h"
 #include "render/precision_channels.h"
 
 namespace ps {
@@ -22,6 +23,9 @@ void compare_with_double(Frame& frame, const Scene& scene, const View& view, con
                          const RenderRequest& request, Prepared& prepared, Progress& progress) {
   Settings exact = settings;
   exact.precision = Precision::float64;
+  // A renderer that has no double is compared with core's own of its way.
+  if (inactive_value_reason(*find_option("precision"), exact, SceneTraits{}))
+    exact.renderer = renderer_for(picture_way(settings.renderer));
   exact.depth_format = DepthFormat::plain;
   RenderRequest again;
   again.channels = Channel::ids;

@@ -6,7 +6,7 @@
 #include "math/portable.h"
 #include "options/renderer_kind.h"
 #include "options/robust_rays.h"
-#include "raster/depth_format.h"
+#include "raster/setup/depth_format.h"
 #include "raytrace/clear/intersector.h"
 #include "raytrace/clear/surface.h"
 #include "raytrace/eye_ray.h"

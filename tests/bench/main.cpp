@@ -6,6 +6,7 @@
 #include <ctime>
 #include <exception>
 
+#include "added_renderers.h"
 #include "base/check.h"
 #include "bench/report.h"
 #include "number_option.h"
@@ -41,6 +42,7 @@ bool run(const std::string& filter, const MeasureOptions& options, const ps::Clo
 }  // namespace
 
 int main(int argc, char** argv) {
+  ps::add_renderers();
   CLI::App app("Times Pixelscope beside other programs that do the same work.", "pixelscope-bench");
   std::string filter, json;
   bool list = false, processor_time = false;

@@ -40,6 +40,8 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"light-passes", up_to(LightPasses::many)},
       {"canvas-fill", up_to(CanvasFill::rows)},
       {"fill-rule", up_to(FillRule::exclusive)},
+      {"vertex-snapping", up_to(VertexSnapping::cpu)},
+      {"hardware-texturing", up_to(HardwareTexturing::driver)},
       {"draw", up_to(Draw::points)},
       {"line-algorithm", up_to(LineAlgorithm::bresenham)},
       {"shading", up_to(Shading::flat)},
@@ -58,7 +60,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"epsilon-unit", up_to(EpsilonUnit::distance)},
       {"accelerator", has_embree() ? up_to(Accelerator::embree) : up_to(Accelerator::two_level)},
       {"slab-test", up_to(SlabTest::naive)},
-      {"triangle-test", up_to(TriangleTest::cross_products)},
+      {"triangle-test", up_to(triangle_test_texts.back().test)},
       {"sphere-test", up_to(SphereTest::quadratic)},
       {"illumination", up_to(Illumination::radiometric)},
       {"transparency", up_to(TransparencyShare::fresnel)},
@@ -195,10 +197,10 @@ TEST(OptionTable, AValueThatCannotActSaysWhy) {
   SceneTraits traits;
   traits.triangles = true;
   Settings settings;
-  for (const Choice& choice : accelerator.choices) EXPECT_FALSE(inactive_choice_reason(choice, settings, traits));
+  for (const Choice& choice : accelerator.choices) EXPECT_FALSE(inactive_choice_reason(accelerator, choice, settings, traits));
   settings.precision = Precision::float64;
   for (const Choice& choice : accelerator.choices)
-    EXPECT_EQ(inactive_choice_reason(choice, settings, traits).has_value(), choice.key == "embree") << choice.key;
+    EXPECT_EQ(inactive_choice_reason(accelerator, choice, settings, traits).has_value(), choice.key == "embree") << choice.key;
   EXPECT_FALSE(inactive_value_reason(accelerator, settings, traits));
   settings.renderer = Renderer::textbook;
   EXPECT_TRUE(inactive_reason(accelerator, settings, traits));

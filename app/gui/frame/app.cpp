@@ -29,6 +29,7 @@
 #include "gui/session/session_values.h"
 #include "gui/shell/shell.h"
 #include "gui/widgets/flash.h"
+#include "gui/widgets/key_focus.h"
 #include "options/option.h"
 
 namespace ps::gui {
@@ -146,6 +147,9 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
 void App::Parts::add_actions() {
   Actions& actions = shell.actions();
   add_window_actions(actions, session, my.pictures, host);
+  actions.add({.name = "scenes", .label = "Gallery of scenes", .group = "Scene", .keys = "Ctrl+Shift+O", .run = [this] {
+                 open_scene_gallery(my.scenes);
+               }});
   add_picture_actions(actions, session, my.pictures);
   for (const Panel& panel : panels) {
     if (panel.actions) panel.actions(actions);
@@ -156,6 +160,7 @@ void App::Parts::add_actions() {
                    .run = [this, name = panel.name, use = panel.use] { open_tool(name, use); },
                    .enabled = [this] { return session.has_scene(); }});
   }
+  add_drawer_actions(actions, session, panels, my.drawer);
   actions.offer_more([this] { return palette_entries(session, my.options, [this] { show_options(); }); });
 }
 
@@ -173,6 +178,8 @@ void App::Parts::offer_values() {
     if (panel.publish) panel.publish(values());
   values().offer("window/cut", [] { return fit_watch().cut(); });
   values().offer("window/overlap", [] { return fit_watch().overlap(); });
+  values().offer("scenes/open", [this] { return my.scenes.open; });
+  offer_drawer_values(values(), session, panels);
   values().offer("first-look/offered", [this] { return offers_first_look; });
 }
 
@@ -183,13 +190,13 @@ void App::Parts::show_options() {
 
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
 void App::Parts::close_on_escape() {
-  if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false)) return;
+  if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false) || key_focus().left_by_escape()) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     ImGui::ClosePopupToLevel(0, true);
     return;
   }
-  if (about.open) {
-    about.open = false;
+  if (about.open || my.scenes.open) {
+    about.open = my.scenes.open = false;
     return;
   }
   if (!dropped.file.empty()) {
@@ -238,7 +245,7 @@ bool App::Parts::unsafe_busy() const {
 
 bool App::Parts::busy() const {
   return session.busy() || session.has_news() || my.pictures.meter->busy() || my.pictures.meter->has_news() ||
-         unsafe_busy() ||
+         unsafe_busy() || (my.scenes.open && my.scenes.thumbnails.busy()) ||
          std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.busy && panel.busy(); });
 }
 
@@ -288,6 +295,7 @@ void App::Parts::draw() {
   }
   files.draw();
   about.draw();
+  scene_gallery(session, my.scenes);
   dropped_picture(session, dropped);
   if (const auto followed = std::exchange(my.lessons.followed, {}))
     follow_link(session, my, *followed, [this] { show_options(); });

@@ -91,7 +91,7 @@ ExplorePlan plan_explore(const PlanInput& in, const ExploreShares& shares) {
   const float width = in.area.width(), height = in.area.height();
   const float least = 180 * in.scale;
   // They grow with the window only so far that the pictures keep their share.
-  const float own_left = std::clamp(width * 0.17f, std::min(220 * in.scale, width * 0.24f), 300 * in.scale);
+  const float own_left = std::clamp(width * 0.183f, std::min(220 * in.scale, width * 0.24f), 300 * in.scale);
   const float own_right = std::clamp(width * 0.2f, std::min(236 * in.scale, width * 0.26f), 380 * in.scale);
   ExplorePlan plan;
   plan.left = shares.left > 0 ? static_cast<float>(shares.left) * width : own_left;

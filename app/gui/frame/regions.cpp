@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/frame/drawer.h"
 #include "gui/frame/region.h"
 #include "gui/frame/show_panel.h"
 #include "gui/panels/lesson/caption_strip.h"
@@ -314,27 +315,7 @@ void Regions::right(const Area& area, bool open) {
 void Regions::drawer(const Area& area) {
   const bool open = bottom_is_open(session_.document());
   begin_region(session_, "bottom", area, {}, open ? RegionPadding::normal : RegionPadding::tight);
-  std::vector<Choice> tabs;
-  std::vector<std::string_view> brief;
-  int tab = -1;
-  const Panel& shown = panel(session_.document().layout.bottom_tab);
-  for (const Panel& each : panels_) {
-    if (each.place != PanelPlace::below) continue;
-    if (open && &each == &shown) tab = static_cast<int>(tabs.size());
-    tabs.push_back({each.name, each.heading, each.help});
-    brief.push_back(each.brief);
-  }
-  if (open) {
-    tabs.push_back({"fold", "↓", "Folds the drawer, so that the pictures have its place."});
-    brief.push_back("↓");
-  }
-  if (tab_row("bottom", tabs, brief, tab)) {
-    const std::string_view chosen = tabs[static_cast<std::size_t>(tab)].key;
-    if (chosen == "fold")
-      open_bottom(session_, false);
-    else
-      show_panel(session_, chosen);
-  }
+  drawer_tabs(session_, panels_, my_.drawer);
   if (open) {
     const bool filled = session_.document().layout.filled == "bottom";
     if (panel(session_.document().layout.bottom_tab).draw({.filled = filled}))

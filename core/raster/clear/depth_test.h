@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "raster/clear/fragment.h"
-#include "raster/depth_format.h"
+#include "raster/setup/depth_format.h"
 
 namespace ps::raster {
 

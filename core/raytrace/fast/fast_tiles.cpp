@@ -12,6 +12,7 @@ std::unique_ptr<TileTracer> fast_tiles(const Scene& scene, const TraceInputs<flo
   case Machinery::clear:
   case Machinery::fragment_batches:
   case Machinery::whole_frame:
+  case Machinery::driver:
     return nullptr;
   }
   return nullptr;

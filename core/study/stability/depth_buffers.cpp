@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "options/renderer_kind.h"
-#include "raster/depth_format.h"
+#include "raster/setup/depth_format.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::depth_buffers {

@@ -1,0 +1,101 @@
+#include "hardware/definitions.h"
+
+#include <fmt/format.h>
+
+#include "raster/setup/draw_stage.h"
+#include "raster/setup/textures.h"
+
+namespace ps::hardware {
+namespace {
+
+class Lines {
+ public:
+  Lines& add(std::string_view name, int value) {
+    text_ += fmt::format("#define {} {}\n", name, value);
+    return *this;
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+/// As the names in shader_text.cpp.
+int shading_number(const Settings& settings) {
+  if (!settings.lighting || settings.draw != Draw::filled) return 0;
+  switch (settings.shading) {
+  case Shading::phong:
+    return 1;
+  case Shading::gouraud:
+    return 2;
+  case Shading::flat:
+    return 3;
+  }
+  return 0;
+}
+
+int depth_number(DepthValue value) {
+  switch (value) {
+  case DepthValue::inverse_z:
+  case DepthValue::ray_plane:
+    return 0;
+  case DepthValue::z:
+    return 1;
+  case DepthValue::distance:
+    return 2;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string definitions(const PicturePlan& plan, const raster::Surface<float>& surface, bool clip_control) {
+  const Settings& s = plan.settings;
+  const raster::AttributeLayout& layout = surface.layout;
+  const ShadingMaterial<float>& material = surface.material;
+  const bool filled = s.draw == Draw::filled;
+  const bool has_uv = filled && s.textures && layout.uv != raster::AttributeLayout::absent;
+  const bool normal_map = filled && layout.mapped_normal;
+  const bool relief = filled && layout.relief;
+  const bool texture = has_uv && material.texture >= 0;
+  const bool opacity = has_uv && material.opacity_map >= 0;
+  const bool specular_map = has_uv && layout.light_maps && material.specular_map >= 0;
+  const bool ambient_map = has_uv && layout.light_maps && material.ambient_map >= 0;
+  Lines lines;
+  lines.add("PERSPECTIVE", plan.perspective())
+      .add("AFFINE", plan.affine())
+      .add("CAMERA_RELATIVE", s.camera_relative)
+      .add("SNAPPED", s.vertex_snapping == VertexSnapping::cpu && filled)
+      .add("CLIP_CONTROL", clip_control)
+      .add("SHADING", shading_number(s))
+      .add("LIGHTS", static_cast<int>(plan.lights.size()))
+      .add("RADIOMETRIC", s.illumination == Illumination::radiometric)
+      .add("ATTENUATION", s.attenuation)
+      .add("SPECULAR", s.specular && material.specular.has_value())
+      .add("BLINN_PHONG", s.highlight == Highlight::blinn_phong)
+      .add("CORNER_NORMALS", s.normals == Normals::vertex)
+      .add("INTERPOLATED_NORMAL", layout.normal != raster::AttributeLayout::absent)
+      .add("RENORMALISE", s.renormalise)
+      .add("READS_TEXTURES", texture || opacity || specular_map || ambient_map || normal_map || relief)
+      .add("TEXTURE", texture)
+      .add("OPACITY_MAP", opacity)
+      .add("SPECULAR_MAP", specular_map)
+      .add("AMBIENT_MAP", ambient_map)
+      .add("NORMAL_MAP", normal_map)
+      .add("RELIEF", normal_map || relief)
+      .add("PARALLAX", relief ? static_cast<int>(s.parallax) : 0)
+      .add("PARALLAX_STEPS", s.parallax_steps)
+      .add("ONE_LIGHT", raster::lights_one_by_one(s) && !plan.lights.empty())
+      .add("TEXTURE_FILTER", static_cast<int>(s.texture_filter))
+      .add("ANISOTROPY", raster::reads_mip_levels(s.texture_filter) ? s.anisotropy : 1)
+      .add("HARDWARE_TEXTURING", s.hardware_texturing == HardwareTexturing::driver)
+      .add("DEPTH_BY_SHADER", !driver_keeps_depth(plan, clip_control))
+      .add("DEPTH_VALUE", depth_number(plan.depth.value))
+      .add("DEPTH_FORMAT", static_cast<int>(plan.depth.format))
+      .add("DEPTH_REVERSED", plan.depth.larger_is_nearer())
+      .add("CHANNELS", plan.channels != Channel::none)
+      .add("NORMAL_CHANNEL", layout.shading_normal);
+  return lines.take();
+}
+
+}  // namespace ps::hardware

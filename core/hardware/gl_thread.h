@@ -1,0 +1,42 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "hardware/context.h"
+#include "hardware/mesh_buffers.h"
+#include "hardware/program.h"
+#include "hardware/target.h"
+#include "hardware/texture_store.h"
+
+namespace ps::hardware {
+
+/// The driver of this machine, or why there is none.
+struct Availability {
+  std::optional<Driver> driver;
+  std::string reason;  ///< "no OpenGL: the library libEGL is not installed"; empty with a driver
+};
+
+/// The driver of this machine. The first call starts it.
+const Availability& availability();
+
+/// What is kept in the memory of the driver between pictures.
+struct Workshop {
+  explicit Workshop(const Context& made) : context(made) {}
+  const Context& context;
+  MeshStore meshes;
+  TextureStore textures;
+  std::map<std::string, std::unique_ptr<Program>> programs;  ///< by their definitions
+  std::unique_ptr<Target> target;                            ///< of the last picture
+  unsigned vertex_array = 0, lights = 0;                     ///< made when first needed
+
+  const Driver& driver() const { return context.driver(); }
+};
+
+/// Carries out the task on the one thread that has a context of OpenGL, and returns when it has ended; what it throws
+/// is thrown here. From any thread. Throws InputError with the reason where there is no driver.
+void on_gl_thread(const std::function<void(Workshop&)>& task);
+
+}  // namespace ps::hardware

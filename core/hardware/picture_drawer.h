@@ -1,0 +1,64 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "hardware/gl_thread.h"
+#include "hardware/picture_plan.h"
+#include "raster/setup/draw_stage.h"
+
+namespace ps::hardware {
+
+/// Triangles of one surface that follow each other in drawing order.
+struct DrawRun {
+  std::size_t object = 0;            ///< index into PicturePlan::objects
+  std::size_t surface = 0;           ///< index into Surfaces::list
+  std::size_t first = 0, count = 0;  ///< triangles of the mesh, or of the list of sorted triangles
+};
+
+/// Draws one picture. On the thread of OpenGL only.
+class PictureDrawer {
+ public:
+  PictureDrawer(const PicturePlan& plan, Workshop& shop);
+  ~PictureDrawer();
+  PictureDrawer(const PictureDrawer&) = delete;
+  PictureDrawer& operator=(const PictureDrawer&) = delete;
+
+  /// Gives the driver all that it needs and does not have yet: meshes, textures, shaders, the target.
+  void upload();
+  /// Draws everything; what it drew is complete when it returns.
+  void draw();
+  /// Fragments that passed the depth test, as the driver counts them.
+  std::uint64_t fragments_written() const { return fragments_written_; }
+  std::uint64_t triangles() const { return triangles_; }
+
+ private:
+  void upload_lights();
+  void upload_object(std::size_t object);
+  void snap_vertices(std::size_t object);
+  void make_runs();
+  void make_sorted_runs();
+  void bind_streams(std::size_t object);
+  std::vector<Stream> streams_of(std::size_t object) const;
+  void set_state();
+  void set_step(const raster::DrawStep& step);
+  void draw_runs(const raster::DrawStep& step);
+  void set_object(Program& program, std::size_t object);
+  void set_view(Program& program);
+  void set_depth(Program& program);
+  void set_surface(Program& program, const raster::Surface<float>& surface);
+  Program& program_of(const raster::Surface<float>& surface);
+  TargetShape target_shape() const;
+
+  const PicturePlan& plan_;
+  Workshop& shop_;
+  bool keeps_depth_;  ///< the driver interpolates it
+  std::vector<DrawRun> runs_;
+  std::vector<Program*> programs_;  ///< of each surface
+  std::vector<unsigned> snapped_;   ///< buffers of positions that the processor rounded, of each object
+  unsigned sorted_ = 0;             ///< indices of the corners, where triangles are sorted
+  unsigned query_ = 0;
+  std::uint64_t fragments_written_ = 0, triangles_ = 0;
+};
+
+}  // namespace ps::hardware

@@ -1,0 +1,52 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "frame/frame.h"
+#include "frame/prepared.h"
+#include "frame/view.h"
+#include "frame/viewport.h"
+#include "image/mip_chain.h"
+#include "raster/setup/depth_format.h"
+#include "raster/setup/draw_list.h"
+#include "raster/setup/projection.h"
+#include "raster/setup/surface.h"
+#include "scene/scene.h"
+
+namespace ps::hardware {
+
+/// All that is known of a picture before a driver is asked: what the rasterizer knows, too.
+struct PicturePlan {
+  const Scene* scene = nullptr;
+  Camera camera;
+  Settings settings;
+  Channel channels = Channel::none;
+  Viewport<double> viewport;
+  raster::CanvasProjection<double> projection;
+  raster::CameraSpace camera_space;
+  raster::DepthCode depth;
+  std::vector<raster::DrawObject> objects;
+  raster::Surfaces<float> surfaces;
+  std::vector<ShadingLight<float>> lights;
+  std::shared_ptr<const std::vector<MipChain>> textures;  ///< null where none is read
+  double farthest = 1;                                    ///< camera z beyond which nothing lies
+  std::optional<TileRect> region;
+
+  bool perspective() const { return settings.projection == Projection::perspective; }
+  bool affine() const { return perspective() && settings.interpolation == Interpolation::affine; }
+};
+
+PicturePlan make_plan(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                      Prepared& prepared);
+
+/// Samples of a pixel: the power of two that the rasterizer takes, too.
+int sample_count(const Settings& settings);
+
+/// Are the triangles drawn in several passes, the later of which draw once where the first found something?
+bool draws_in_passes(const PicturePlan& plan);
+
+/// Does the driver interpolate the depth that the options ask for? Otherwise the fragment shader computes it.
+bool driver_keeps_depth(const PicturePlan& plan, bool clip_control);
+
+}  // namespace ps::hardware

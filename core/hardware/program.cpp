@@ -1,0 +1,93 @@
+#include "hardware/program.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <vector>
+
+#include "base/check.h"
+#include "hardware/shader_text.h"
+
+namespace ps::hardware {
+namespace {
+
+/// A shader object; the program keeps what it needs of it.
+class Shader {
+ public:
+  Shader(GLenum kind, const ShaderText& shader) : id_(glCreateShader(kind)) {
+    const char* text = shader.text.c_str();
+    glShaderSource(id_, 1, &text, nullptr);
+    glCompileShader(id_);
+    GLint compiled = 0;
+    glGetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
+    if (compiled) return;
+    std::vector<char> log(4096);
+    glGetShaderInfoLog(id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    glDeleteShader(id_);
+    throw InputError(fmt::format("a shader does not compile: {}", compiler_words(shader, log.data())));
+  }
+  ~Shader() { glDeleteShader(id_); }
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
+  GLuint id() const { return id_; }
+
+ private:
+  GLuint id_;
+};
+
+}  // namespace
+
+Program::Program(std::string_view vertex_file, std::string_view fragment_file, Api api, std::string_view definitions) {
+  const Shader vertex(GL_VERTEX_SHADER, shader_text(vertex_file, ShaderStage::vertex, api, definitions));
+  const Shader fragment(GL_FRAGMENT_SHADER, shader_text(fragment_file, ShaderStage::fragment, api, definitions));
+  program_ = glCreateProgram();
+  glAttachShader(program_, vertex.id());
+  glAttachShader(program_, fragment.id());
+  glLinkProgram(program_);
+  GLint linked = 0;
+  glGetProgramiv(program_, GL_LINK_STATUS, &linked);
+  if (linked) return;
+  std::vector<char> log(4096);
+  glGetProgramInfoLog(program_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  glDeleteProgram(program_);
+  throw InputError(
+      fmt::format("the shaders {} and {} do not fit together: {}", vertex_file, fragment_file, log.data()));
+}
+
+Program::~Program() { glDeleteProgram(program_); }
+
+void Program::use() const { glUseProgram(program_); }
+
+int Program::location(std::string_view name) {
+  const auto found = locations_.find(name);
+  if (found != locations_.end()) return found->second;
+  const std::string text(name);
+  return locations_[text] = glGetUniformLocation(program_, text.c_str());
+}
+
+void Program::set(std::string_view name, int value) { glUniform1i(location(name), value); }
+void Program::set(std::string_view name, float value) { glUniform1f(location(name), value); }
+void Program::set(std::string_view name, const Vec2f& value) { glUniform2f(location(name), value.x, value.y); }
+void Program::set(std::string_view name, const Vec3f& value) { glUniform3f(location(name), value.x, value.y, value.z); }
+void Program::set(std::string_view name, const Vec4f& value) {
+  glUniform4f(location(name), value.x, value.y, value.z, value.w);
+}
+void Program::set(std::string_view name, const Vec4<int>& value) {
+  glUniform4i(location(name), value.x, value.y, value.z, value.w);
+}
+void Program::set(std::string_view name, const Mat3d& value) {
+  std::array<float, 9> columns;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) columns[static_cast<std::size_t>(3 * c + r)] = static_cast<float>(value[c][r]);
+  glUniformMatrix3fv(location(name), 1, GL_FALSE, columns.data());
+}
+
+bool Program::bind_block(std::string_view name, unsigned binding) const {
+  const GLuint index = glGetUniformBlockIndex(program_, std::string(name).c_str());
+  if (index == GL_INVALID_INDEX) return false;
+  glUniformBlockBinding(program_, index, binding);
+  return true;
+}
+
+}  // namespace ps::hardware

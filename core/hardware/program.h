@@ -1,0 +1,40 @@
+#pragma once
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "hardware/context.h"
+#include "math/vec.h"
+
+namespace ps::hardware {
+
+/// A vertex and a fragment shader, compiled and linked. Belongs to the context that is current.
+class Program {
+ public:
+  /// Throws InputError with the compiler's first message and the file and line that it is about.
+  Program(std::string_view vertex_file, std::string_view fragment_file, Api api, std::string_view definitions);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void use() const;
+  /// Gives a uniform of the program in use its value. One that the compiler left out, or the files do not have, is
+  /// passed over.
+  void set(std::string_view name, int value);
+  void set(std::string_view name, float value);
+  void set(std::string_view name, const Vec2f& value);
+  void set(std::string_view name, const Vec3f& value);
+  void set(std::string_view name, const Vec4f& value);
+  void set(std::string_view name, const Vec4<int>& value);
+  void set(std::string_view name, const Mat3d& value);
+  /// Connects a uniform block with a binding point; false if the program has no such block.
+  bool bind_block(std::string_view name, unsigned binding) const;
+
+ private:
+  int location(std::string_view name);
+
+  unsigned program_ = 0;
+  std::map<std::string, int, std::less<>> locations_;
+};
+
+}  // namespace ps::hardware

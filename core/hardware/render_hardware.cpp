@@ -1,0 +1,80 @@
+#include "hardware/render_hardware.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/check.h"
+#include "base/timer.h"
+#include "frame/display_frame.h"
+#include "frame/empty_frame.h"
+#include "frame/eye_directions.h"
+#include "frame/region.h"
+#include "hardware/machinery.h"
+#include "hardware/picture_drawer.h"
+#include "image/display.h"
+
+namespace ps::hardware {
+namespace {
+
+void require_room(const View& view, const Driver& driver) {
+  if (std::max(view.width, view.height) > driver.max_size)
+    throw InputError(fmt::format("a picture of {} x {} pixels: this graphics driver draws at most {} along a side",
+                                 view.width, view.height, driver.max_size));
+}
+
+/// The channels that no driver fills.
+void fill_rest(const View& view, const Settings& settings, Frame& frame) {
+  if (!frame.direction.empty()) frame.direction = eye_directions(view, settings);
+  for (std::uint32_t& samples : frame.samples.pixels()) samples = 1;
+}
+
+/// Notes how long each stage took.
+class Stages {
+ public:
+  explicit Stages(Frame& frame) : frame_(frame) {}
+  void done(const char* stage) {
+    frame_.times.push_back({stage, timer_.milliseconds()});
+    timer_ = Timer();
+  }
+
+ private:
+  Frame& frame_;
+  Timer timer_;
+};
+
+}  // namespace
+
+Frame render_hardware(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                      Prepared& prepared, Progress& progress) {
+  if (!availability().driver) throw InputError(availability().reason);
+  require_room(view, *availability().driver);
+  Frame frame = empty_frame<float>(view, request);
+  Stages stages(frame);
+  const PicturePlan plan = make_plan(scene, view, settings, request, prepared);
+  stages.done("prepare");
+  on_gl_thread([&](Workshop& shop) {
+    shop.meshes.tidy();
+    shop.textures.tidy();
+    PictureDrawer drawer(plan, shop);
+    drawer.upload();
+    stages.done("upload");
+    drawer.draw();
+    stages.done("draw");
+    shop.target->read(frame);
+    stages.done("read back");
+    frame.counters[Counter::triangles_in] += drawer.triangles();
+    frame.counters[Counter::pixels_written] += drawer.fragments_written();
+  });
+  progress.check();
+  fill_rest(view, settings, frame);
+  frame.counters[Counter::nan_pixels] += count_nan_pixels(frame.colour);
+  frame.path = hardware_path();
+  const TileRect whole{0, 0, view.width, view.height};
+  if (request.region) clear_outside(*request.region, frame);
+  finish_tile(request, settings, frame, request.region.value_or(whole));
+  return frame;
+}
+
+}  // namespace ps::hardware

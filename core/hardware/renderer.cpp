@@ -1,0 +1,52 @@
+#include "hardware/renderer.h"
+
+#include "hardware/gl_thread.h"
+#include "hardware/lacks.h"
+#include "hardware/left_out.h"
+#include "hardware/machinery.h"
+#include "hardware/render_hardware.h"
+
+namespace ps {
+namespace {
+
+/// Two options are its own; of all others it uses what it does not lack.
+std::optional<bool> reads(const Option& option, const Settings&, const SceneTraits&) {
+  if (option.key == "vertex-snapping" || option.key == "hardware-texturing") return true;
+  return {};
+}
+
+std::optional<std::string_view> why_unavailable(const Settings&, const SceneTraits&) {
+  const hardware::Availability& available = hardware::availability();
+  if (available.driver) return {};
+  return available.reason;
+}
+
+bool shows_objects(const SceneTraits& traits, const Settings&) {
+  return traits.spheres || traits.triangles || traits.solids;
+}
+
+}  // namespace
+
+RendererKind hardware_renderer_kind() {
+  return {.key = "hardware",
+          .label = "hardware (OpenGL)",
+          .help = "Draws triangles with OpenGL, on the graphics processor or with a driver that emulates one.",
+          .way = PictureWay::fragments,
+          .reads = reads,
+          .unread = "the hardware renderer does not use it",
+          .lacks_option = hardware::lacks_option,
+          .lacks_value = hardware::lacks_value,
+          .inactive = why_unavailable};
+}
+
+RendererRow hardware_renderer_row() {
+  return {.render = hardware::render_hardware,
+          .inspect = hardware::inspect_hardware,
+          .counts = {Counter::triangles_in, Counter::pixels_written, Counter::nan_pixels},
+          .fast_path = [](const Settings&, const SceneTraits&, Channel) { return hardware::hardware_path(); },
+          .left_out = hardware::left_out,
+          .shows_objects = shows_objects,
+          .subject = [](const SceneTraits&, const Settings&) { return std::string("the hardware renderer"); }};
+}
+
+}  // namespace ps

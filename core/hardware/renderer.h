@@ -1,0 +1,12 @@
+#pragma once
+#include "options/renderer_kind.h"
+#include "record/renderer_row.h"
+
+namespace ps {
+
+/// The renderer that draws with OpenGL 3.3, on a graphics processor or with Mesa's llvmpipe (CGPP 15.7): what the
+/// option table shows of it, and its row. For add_renderer() in a program's main().
+RendererKind hardware_renderer_kind();
+RendererRow hardware_renderer_row();
+
+}  // namespace ps

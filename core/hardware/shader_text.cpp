@@ -1,0 +1,74 @@
+#include "hardware/shader_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/check.h"
+#include "base/read_file.h"
+#include "base/resources.h"
+
+namespace ps::hardware {
+namespace {
+
+constexpr std::string_view desktop_head = "#version 330 core\n";
+constexpr std::string_view embedded_head =
+    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+
+/// Numbers that files compare their definitions with, after the enums of options/settings.h.
+constexpr std::string_view names =
+    "#define UNLIT 0\n#define PHONG 1\n#define GOURAUD 2\n#define FLAT 3\n"
+    "#define AMBIENT_LIGHT 0\n#define POINT_LIGHT 1\n#define DIRECTIONAL_LIGHT 2\n"
+    "#define FILTER_TRILINEAR 0\n#define FILTER_MIPMAP 1\n#define FILTER_BILINEAR 2\n#define FILTER_NEAREST 3\n"
+    "#define WRAP_REPEAT 0\n#define WRAP_CLAMP 1\n#define WRAP_MIRROR 2\n"
+    "#define DEPTH_INVERSE_Z 0\n#define DEPTH_Z 1\n#define DEPTH_DISTANCE 2\n"
+    "#define DEPTH_PLAIN 0\n#define DEPTH_UNIT_FLOAT 1\n#define DEPTH_UNORM 2\n"
+    "#define PARALLAX_OFF 0\n#define PARALLAX_OFFSET 1\n#define PARALLAX_LIMITED 2\n#define PARALLAX_STEEP 3\n"
+    "#define PARALLAX_OCCLUSION 4\n";
+
+/// Adds a file's lines, and in the place of each #include those of the file that it names, once.
+void add_file(const std::string& name, ShaderText& shader) {
+  const int number = static_cast<int>(shader.files.size());
+  shader.files.push_back(name);
+  std::istringstream lines(read_whole_file(shader_file(name)));
+  shader.text += fmt::format("#line 1 {}\n", number);
+  std::string line;
+  for (int row = 1; std::getline(lines, line); ++row) {
+    constexpr std::string_view include = "#include \"";
+    if (line.rfind(include, 0) != 0) {
+      shader.text += line + "\n";
+      continue;
+    }
+    const std::string wanted = line.substr(include.size(), line.rfind('"') - include.size());
+    if (std::find(shader.files.begin(), shader.files.end(), wanted) == shader.files.end()) add_file(wanted, shader);
+    shader.text += fmt::format("#line {} {}\n", row + 1, number);
+  }
+}
+
+}  // namespace
+
+ShaderText shader_text(std::string_view file, ShaderStage stage, Api api, std::string_view definitions) {
+  ShaderText shader;
+  shader.text = api == Api::desktop ? desktop_head : embedded_head;
+  const std::string_view way = stage == ShaderStage::vertex ? "out" : "in";
+  shader.text += fmt::format("#define CARRIED {0}\n#define CARRIED_FLAT flat {0}\n", way);
+  shader.text += names;
+  shader.text += definitions;
+  add_file(std::string(file), shader);
+  return shader;
+}
+
+// Mesa writes "2:15(7): error: ...", others "2(15) : error ..." or "ERROR: 2:15: ...": in each the number of the file
+// comes first, then that of the line.
+std::string compiler_words(const ShaderText& shader, std::string_view log) {
+  std::string line(log.substr(0, log.find('\n')));
+  const std::size_t first = line.find_first_of("0123456789");
+  if (first == std::string::npos) return line;
+  std::size_t used = 0;
+  const auto number = static_cast<std::size_t>(std::stoul(line.substr(first, 4), &used));
+  if (number >= shader.files.size()) return line;
+  return line.replace(first, used, shader.files[number]);
+}
+
+}  // namespace ps::hardware

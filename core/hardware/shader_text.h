@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardware/context.h"
+
+namespace ps::hardware {
+
+enum class ShaderStage { vertex, fragment };
+
+/// The text of a shader as the driver compiles it, and the files that its lines come from.
+struct ShaderText {
+  std::string text;
+  std::vector<std::string> files;  ///< by the number that #line gives them
+};
+
+/// Reads a shader file ("fragment.glsl") and the files that it includes, and puts before them the head of GLSL 3.30 or
+/// ES 3.00 and the definitions ("#define LIGHTS 3\n"). Throws InputError for a missing file.
+ShaderText shader_text(std::string_view file, ShaderStage stage, Api api, std::string_view definitions);
+
+/// What a driver says of a text that it does not compile, with the names of files in place of their numbers.
+std::string compiler_words(const ShaderText& shader, std::string_view log);
+
+}  // namespace ps::hardware

@@ -1,0 +1,160 @@
+// The colour of one fragment (CGFS ch. 13 and 14), in the order of core/raster/clear/shade_fragment.h.
+#include "carried.glsl"
+#if SHADING == PHONG
+#include "lighting.glsl"
+#endif
+#if READS_TEXTURES
+#include "texturing.glsl"
+#endif
+#if RELIEF
+#include "relief.glsl"
+#endif
+#if DEPTH_BY_SHADER
+#include "depth.glsl"
+#endif
+
+layout(location = 0) out vec4 fragment_colour;
+#if CHANNELS
+layout(location = 1) out ivec4 fragment_ids;      // object, triangle, bits of z, bits of the level of detail
+layout(location = 2) out vec4 fragment_normal;    // shading normal, and the cosine of the facing
+layout(location = 3) out vec4 fragment_weights;   // of corners 0 and 1, or -1 without numbers; then u and v
+#endif
+
+uniform vec3 surface_colour;
+uniform int object_number;
+uniform int numbered;  // 0: its triangles have no numbers of their own
+#if TEXTURE
+uniform sampler2D surface_picture;
+uniform ivec4 surface_layout;
+uniform int surface_wrap;
+#endif
+#if NORMAL_MAP
+uniform sampler2D normal_picture;
+uniform ivec4 normal_layout;
+uniform int normal_wrap;
+#endif
+#if OPACITY_MAP
+uniform sampler2D opacity_picture;
+uniform ivec4 opacity_layout;
+uniform int opacity_wrap;
+#endif
+#if SPECULAR_MAP
+uniform sampler2D specular_picture;
+uniform ivec4 specular_layout;
+uniform int specular_wrap;
+#endif
+#if AMBIENT_MAP
+uniform sampler2D ambient_picture;
+uniform ivec4 ambient_layout;
+uniform int ambient_wrap;
+#endif
+#if CHANNELS
+uniform vec3 camera_right;
+uniform vec3 camera_up;
+uniform vec3 camera_forward;
+uniform vec2 view_scale;   // pixels per unit of the camera's right and up, on the plane one unit before the eye
+uniform vec2 view_centre;
+#endif
+
+// A carried value as it is at the fragment.
+#if PERSPECTIVE && AFFINE
+#define AT_FRAGMENT(value) ((value) * gl_FragCoord.w)
+#else
+#define AT_FRAGMENT(value) (value)
+#endif
+
+vec3 unit_or_zero(vec3 v) {
+  float size = length(v);
+  return size > 0.0 ? v / size : vec3(0.0);
+}
+
+#if READS_TEXTURES
+// How fast u and v change from pixel to pixel. u / z and 1 / z are linear on the screen, so their differences between
+// neighbours are exact; the quotient rule gives those of u itself. For main() alone, before it branches.
+void uv_steps(vec2 uv, out vec2 dx, out vec2 dy) {
+#if PERSPECTIVE && !AFFINE
+  float inverse_z = gl_FragCoord.w;
+  vec2 linear = carried_uv * inverse_z;
+  dx = (dFdx(linear) - uv * dFdx(inverse_z)) / inverse_z;
+  dy = (dFdy(linear) - uv * dFdy(inverse_z)) / inverse_z;
+#else
+  dx = dFdx(uv);
+  dy = dFdy(uv);
+#endif
+}
+
+Footprint footprint_on(ivec4 layout_of, vec2 dx, vec2 dy) {
+  return Footprint(dx * vec2(layout_of.xy), dy * vec2(layout_of.xy));
+}
+#define READ(picture, layout_of, wrap, at) read_texture(picture, layout_of, wrap, at, footprint_on(layout_of, dx, dy))
+#endif
+
+void main() {
+#if DEPTH_BY_SHADER
+  gl_FragDepth = encoded_depth();
+#endif
+  vec2 surface_uv = AT_FRAGMENT(carried_uv);
+#if READS_TEXTURES
+  vec2 dx, dy;
+  uv_steps(surface_uv, dx, dy);
+#endif
+  vec2 uv = surface_uv;
+  vec3 colour = surface_colour;
+  float level = -1.0;
+#if OPACITY_MAP
+  if (READ(opacity_picture, opacity_layout, opacity_wrap, surface_uv).colour.x < 0.5) discard;
+#endif
+#if INTERPOLATED_NORMAL
+  vec3 normal = AT_FRAGMENT(carried_normal);
+#else
+  vec3 normal = face_normal;
+#endif
+#if RELIEF
+#if PARALLAX != PARALLAX_OFF
+  uv = relief_uv(surface_uv, normal, direction_to_eye(AT_FRAGMENT(carried_position)),
+                 footprint_on(height_layout, dx, dy));
+#endif
+#endif
+#if TEXTURE
+  TextureRead of_surface = READ(surface_picture, surface_layout, surface_wrap, uv);
+  colour *= of_surface.colour;
+  level = of_surface.level;
+#endif
+#if NORMAL_MAP
+  normal = mapped_normal(normal, READ(normal_picture, normal_layout, normal_wrap, uv).colour);
+#endif
+  vec3 unit_normal = unit_or_zero(normal);
+#if RENORMALISE
+  normal = unit_normal;
+#endif
+#if SHADING == PHONG
+  Tints tints = Tints(specular_colour, ambient_colour);
+#if SPECULAR_MAP
+  tints.specular.xyz *= READ(specular_picture, specular_layout, specular_wrap, uv).colour;
+#endif
+#if AMBIENT_MAP
+  tints.ambient.xyz *= READ(ambient_picture, ambient_layout, ambient_wrap, uv).colour;
+#endif
+  Lighting lighting = illuminate(AT_FRAGMENT(carried_position), normal, tints);
+#elif SHADING == GOURAUD
+  Lighting lighting = Lighting(AT_FRAGMENT(carried_light), AT_FRAGMENT(carried_extra));
+#elif SHADING == FLAT
+  Lighting lighting = Lighting(flat_light, flat_extra);
+#endif
+#if SHADING != UNLIT
+  colour = colour * lighting.light + lighting.extra;
+#endif
+  fragment_colour = vec4(colour, 1.0);
+#if CHANNELS
+  float z = PERSPECTIVE == 1 ? 1.0 / gl_FragCoord.w : carried_z.x;
+  fragment_ids =
+      ivec4(object_number, numbered == 1 ? triangle_number : 0, floatBitsToInt(z), floatBitsToInt(level));
+  vec3 ray = camera_forward;
+#if PERSPECTIVE
+  vec2 p = (gl_FragCoord.xy - view_centre) / view_scale;
+  ray = camera_right * p.x + camera_up * p.y + camera_forward;
+#endif
+  fragment_normal = vec4(NORMAL_CHANNEL == 1 ? unit_normal : vec3(0.0), -dot(ray, face_normal) / length(ray));
+  fragment_weights = vec4(numbered == 1 ? max(carried_weights.xy, 0.0) : vec2(-1.0), uv);
+#endif
+}

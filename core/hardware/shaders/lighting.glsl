@@ -1,0 +1,106 @@
+// The illumination equation of CGFS ch. 3 and 4, in the order of core/shade/illumination.h, under LIGHTS lights.
+#include "power.glsl"
+
+#if LIGHTS > 0
+// Of each light: colour and intensity; position or direction, and kind; attenuation, and whether it attenuates.
+layout(std140) uniform Lights {
+  vec4 lights[3 * LIGHTS];
+};
+#endif
+
+#if ONE_LIGHT
+uniform int light_number;  // that of this pass
+#endif
+uniform float exponent;        // of the highlight
+uniform vec4 specular_colour;  // w = 1: the highlight has this colour, 0: that of the surface
+uniform vec4 ambient_colour;   // the same of ambient light
+
+struct Tints {
+  vec4 specular, ambient;  // as the uniforms, after maps of light have changed them
+};
+
+const float pi = 3.14159265358979;
+
+// However near a light is, no more arrives.
+float spread(float intensity, float divisor) {
+  return min(intensity / max(divisor, 1.17549435e-38), 1e12);
+}
+
+#if LIGHTS > 0
+// What arrives of the light's intensity before the angle counts.
+float arriving(int i, vec3 to_light) {
+  float intensity = lights[3 * i].w;
+  if (int(lights[3 * i + 1].w) != POINT_LIGHT) return intensity;
+#if RADIOMETRIC
+  return spread(intensity, 4.0 * pi * dot(to_light, to_light));
+#elif ATTENUATION
+  vec4 attenuation = lights[3 * i + 2];
+  if (attenuation.w == 0.0) return intensity;
+  float square = dot(to_light, to_light);
+  return spread(intensity, attenuation.x + attenuation.y * sqrt(square) + attenuation.z * square);
+#else
+  return intensity;
+#endif
+}
+
+// The cosine that decides how bright the highlight is, or 0.
+float highlight_cosine(vec3 normal, vec3 to_light, vec3 to_eye) {
+#if BLINN_PHONG
+  vec3 a = normal;
+  vec3 b = to_light / length(to_light) + to_eye / length(to_eye);
+#else
+  vec3 a = normal * (2.0 * dot(normal, to_light)) - to_light;
+  vec3 b = to_eye;
+#endif
+  float product = dot(a, b);
+  return product > 0.0 ? product / (length(a) * length(b)) : 0.0;
+}
+
+void add_light(int i, vec3 position, vec3 normal, Tints tints, float visible, inout Lighting sum) {
+  vec3 colour = lights[3 * i].xyz;
+  int kind = int(lights[3 * i + 1].w);
+  if (kind == AMBIENT_LIGHT) {
+    if (tints.ambient.w > 0.0)
+      sum.extra += tints.ambient.xyz * colour * lights[3 * i].w;
+    else
+      sum.light += colour * lights[3 * i].w;
+    return;
+  }
+  vec3 vector = lights[3 * i + 1].xyz;
+  vec3 to_light = kind == POINT_LIGHT ? vector - position : vector;
+  if (!(visible > 0.0)) return;
+  float intensity = arriving(i, to_light) * visible;
+  float n_dot_l = dot(normal, to_light);
+  float cosine = n_dot_l / (length(normal) * length(to_light));
+  if (n_dot_l > 0.0) {
+    float diffuse = intensity * cosine;
+#if RADIOMETRIC
+    diffuse *= 1.0 / pi;
+#endif
+    sum.light += colour * diffuse;
+  }
+#if SPECULAR
+  float shine = highlight_cosine(normal, to_light, direction_to_eye(position));
+  if (shine > 0.0) {
+    float specular = intensity * power(shine, exponent);
+#if RADIOMETRIC
+    specular *= cosine > 0.0 ? (exponent + 8.0) / (8.0 * pi) * cosine : 0.0;
+#endif
+    if (tints.specular.w > 0.0)
+      sum.extra += tints.specular.xyz * colour * specular;
+    else
+      sum.light += colour * specular;
+  }
+#endif
+}
+#endif
+
+Lighting illuminate(vec3 position, vec3 normal, Tints tints) {
+  Lighting sum = Lighting(vec3(0.0), vec3(0.0));
+#if ONE_LIGHT
+  add_light(light_number, position, normal, tints, 1.0, sum);
+#elif LIGHTS > 0
+  for (int i = 0; i < LIGHTS; ++i) add_light(i, position, normal, tints, 1.0, sum);
+#endif
+  return sum;
+}

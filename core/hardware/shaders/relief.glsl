@@ -1,0 +1,82 @@
+// Normal mapping and parallax mapping, as in core/shade/normal_mapping.h and core/shade/parallax_mapping.h. A triangle's
+// frame is the directions in which u grows and v falls.
+
+#if NORMAL_MAP
+// A stored normal in the world; the surface's own where the map or the frame holds nothing usable.
+vec3 mapped_normal(vec3 surface_normal, vec3 texel) {
+  vec3 normal = normalize(surface_normal);
+  vec3 across = along_u - normal * dot(normal, along_u);
+  if (!(dot(across, across) > 0.0)) return surface_normal;
+  vec3 tangent = normalize(across);
+  vec3 side = cross(normal, tangent);
+  vec3 bitangent = dot(side, upwards) < 0.0 ? -side : side;
+  vec3 stored = texel * 2.0 - 1.0;
+  vec3 turned = tangent * stored.x + bitangent * stored.y + normal * stored.z;
+  float square = dot(turned, turned);
+  return square > 0.0 ? turned / sqrt(square) : normal;
+}
+#endif
+
+#if PARALLAX != PARALLAX_OFF
+uniform sampler2D height_picture;
+uniform ivec4 height_layout;
+uniform int height_wrap;
+uniform float relief_depth;  // of its bottom, in widths of the picture
+
+// How far u and v run along the line of sight from the top of the relief to its bottom; false where the surface is seen
+// edge-on or from behind.
+bool relief_shift(vec3 normal, vec3 to_eye, out vec2 shift) {
+  vec3 n = normalize(normal);
+  vec3 v = normalize(to_eye);
+  float cosine = dot(n, v);
+  shift = vec2(0.0);
+  if (!(cosine > 0.0)) return false;
+  vec3 along = n * cosine - v;
+#if PARALLAX != PARALLAX_LIMITED
+  along /= cosine;
+#endif
+  float uu = dot(along_u, along_u);
+  float uw = dot(along_u, upwards);
+  float ww = dot(upwards, upwards);
+  float area = uu * ww - uw * uw;
+  if (!(area > 0.0)) return false;
+  float scale = relief_depth * sqrt(uu) / area;
+  float a = dot(along, along_u);
+  float b = dot(along, upwards);
+  shift = vec2((a * ww - b * uw) * scale, -((b * uu - a * uw) * scale));
+  return true;
+}
+
+float depth_below(vec2 uv, Footprint footprint) {
+  return 1.0 - read_texture(height_picture, height_layout, height_wrap, uv, footprint).colour.x;
+}
+
+// Where the line of sight meets the relief: texture coordinates.
+vec2 relief_uv(vec2 uv, vec3 normal, vec3 to_eye, Footprint footprint) {
+  vec2 shift;
+  if (!relief_shift(normal, to_eye, shift)) return uv;
+  float below = depth_below(uv, footprint);
+#if PARALLAX == PARALLAX_OFFSET || PARALLAX == PARALLAX_LIMITED
+  return uv + shift * below;
+#else
+  float met = 0.0;
+  float ray = 0.0;
+  for (int i = 1; i <= PARALLAX_STEPS; ++i) {
+    if (!(below > ray)) break;
+    float before = below;
+    float ray_before = ray;
+    ray = float(i) / float(PARALLAX_STEPS);
+    below = depth_below(uv + shift * ray, footprint);
+    met = ray;
+#if PARALLAX == PARALLAX_OCCLUSION
+    if (!(below > ray)) {
+      float gap_before = before - ray_before;
+      float gap = ray - below;
+      met = ray_before + (ray - ray_before) * (gap_before / (gap_before + gap));
+    }
+#endif
+  }
+  return uv + shift * met;
+#endif
+}
+#endif

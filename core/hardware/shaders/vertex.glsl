@@ -1,0 +1,123 @@
+// Places one corner of a triangle on the canvas, and gives the values that are carried across the triangle. Corners are
+// drawn without indices: corner number gl_VertexID % 3 of triangle gl_VertexID / 3.
+#include "carried.glsl"
+#if SHADING == GOURAUD || SHADING == FLAT
+#include "lighting.glsl"
+#endif
+
+layout(location = 0) in vec3 corner_position;  // model space, relative to the centre of the mesh
+layout(location = 1) in vec4 corner_normal;    // model space; w = 0: the triangle's own, 1: the vertex's
+layout(location = 2) in vec2 corner_uv;
+layout(location = 3) in vec3 triangle_normal;  // model space
+#if SHADING == FLAT
+layout(location = 4) in vec3 triangle_centre;  // as corner_position
+layout(location = 5) in vec4 normal_0;         // those of the three corners, as corner_normal
+layout(location = 6) in vec4 normal_1;
+layout(location = 7) in vec4 normal_2;
+#endif
+#if SNAPPED
+layout(location = 8) in vec3 snapped;  // canvas position in pixels, and 1; or zeros where it has none
+#endif
+#if RELIEF
+layout(location = 9) in vec3 triangle_along_u;  // model space
+layout(location = 10) in vec3 triangle_upwards;
+#endif
+
+// The passes over the triangles that compare depths for equality must place them alike.
+invariant gl_Position;
+
+uniform mat3 to_world;
+uniform vec3 world_shift;
+uniform mat3 to_camera;       // from model space, or from the world where positions are not relative to the camera
+uniform vec3 camera_shift;
+uniform mat3 normal_matrix;   // of vertices' normals, as the option normal-transform asks
+uniform mat3 surface_matrix;  // of triangles' own normals
+uniform vec2 canvas_scale;    // from x / z to -1..1 across the canvas; y downwards, as the rows of the picture
+uniform vec2 canvas_shift;
+uniform vec2 canvas_size;     // pixels
+uniform float near_z;
+uniform float far_share;      // near / far, or 0 without a far limit
+uniform float far_z;          // of orthographic pictures
+
+vec3 unit_or_as_is(vec3 v) {
+  float size = length(v);
+  return size > 0.0 ? v / size : v;
+}
+
+vec3 world_normal(vec4 normal) {
+  return unit_or_as_is(normal.w > 0.0 ? normal_matrix * normal.xyz : surface_matrix * normal.xyz);
+}
+
+vec3 camera_position(vec3 world) {
+#if CAMERA_RELATIVE
+  return to_camera * corner_position + camera_shift;
+#else
+  return to_camera * (world - eye);
+#endif
+}
+
+// The depth that the driver interpolates and stores, times w. It is 1 / z in disguise, which is linear on the screen.
+float clip_depth(float z, float w) {
+#if PERSPECTIVE
+#if DEPTH_REVERSED
+  float depth = (near_z - far_share * z) / (1.0 - far_share);
+#else
+  float depth = (z - near_z) / (1.0 - far_share);
+#endif
+#else
+  float depth = (z - near_z) / (far_z - near_z);
+#endif
+#if CLIP_CONTROL
+  return depth;
+#else
+  return 2.0 * depth - w;
+#endif
+}
+
+void main() {
+  vec3 world = to_world * corner_position + world_shift;
+  vec3 camera = camera_position(world);
+#if PERSPECTIVE
+  float w = camera.z;
+#else
+  float w = 1.0;
+#endif
+  vec2 place = camera.xy * canvas_scale + canvas_shift * w;
+#if SNAPPED
+  if (snapped.z > 0.0) place = (2.0 * snapped.xy / canvas_size - 1.0) * w;
+#endif
+  gl_Position = vec4(place, clip_depth(camera.z, w), w);
+
+  vec3 own_normal = unit_or_as_is(surface_matrix * triangle_normal);
+#if CORNER_NORMALS
+  vec3 normal = world_normal(corner_normal);
+#else
+  vec3 normal = own_normal;
+#endif
+  float share = CARRIED_SHARE(w);
+  carried_position = world * share;
+  carried_normal = normal * share;
+  carried_uv = corner_uv * share;
+  carried_weights = vec3(equal(ivec3(gl_VertexID % 3), ivec3(0, 1, 2)));
+  carried_z = vec2(camera.z, camera.z * w);
+  face_normal = own_normal;
+  triangle_number = gl_VertexID / 3;
+#if RELIEF
+  along_u = to_world * triangle_along_u;
+  upwards = to_world * triangle_upwards;
+#endif
+#if SHADING == GOURAUD
+  Lighting lighting = illuminate(world, normal, Tints(specular_colour, ambient_colour));
+  carried_light = lighting.light * share;
+  carried_extra = lighting.extra * share;
+#elif SHADING == FLAT
+#if CORNER_NORMALS
+  vec3 mean = unit_or_as_is((world_normal(normal_0) + world_normal(normal_1) + world_normal(normal_2)) / 3.0);
+#else
+  vec3 mean = own_normal;
+#endif
+  Lighting lighting = illuminate(to_world * triangle_centre + world_shift, mean, Tints(specular_colour, ambient_colour));
+  flat_light = lighting.light;
+  flat_extra = lighting.extra;
+#endif
+}

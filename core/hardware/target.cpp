@@ -1,0 +1,141 @@
+#include "hardware/target.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <vector>
+
+#include "base/check.h"
+#include "hardware/context.h"
+
+namespace ps::hardware {
+namespace {
+
+constexpr std::array<GLenum, 4> formats{GL_RGBA32F, GL_RGBA32I, GL_RGBA32F, GL_RGBA32F};
+
+GLenum depth_format(const TargetShape& shape) {
+  switch (shape.depth) {
+  case DepthStore::float32:
+    return shape.stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
+  case DepthStore::unorm24:
+    return shape.stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24;
+  case DepthStore::unorm16:
+    return GL_DEPTH_COMPONENT16;
+  }
+  return GL_DEPTH_COMPONENT32F;
+}
+
+template <class Pixel>
+std::vector<Pixel> read_pixels(unsigned picture, const TargetShape& shape, GLenum format, GLenum type) {
+  std::vector<Pixel> pixels(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height));
+  glReadBuffer(GL_COLOR_ATTACHMENT0 + picture);
+  glReadPixels(0, 0, shape.width, shape.height, format, type, pixels.data());
+  return pixels;
+}
+
+}  // namespace
+
+Target::Target(const TargetShape& shape) : shape_(shape) {
+  make(drawn_, shape.samples);
+  if (shape.samples > 1) make(resolved_, 1);
+}
+
+void Target::make(Pictures& pictures, int samples) const {
+  glGenFramebuffers(1, &pictures.framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, pictures.framebuffer);
+  const auto attach = [&](unsigned& buffer, GLenum format, GLenum place) {
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, shape_.width, shape_.height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+    GLint given = 0;
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &given);
+    if (std::max(given, 1) != samples)
+      throw InputError(fmt::format("this graphics driver does not offer {} samples per pixel", samples));
+  };
+  std::array<GLenum, most_pictures> places{};
+  for (std::size_t i = 0; i < count(); ++i) {
+    places[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    attach(pictures.buffers[i], formats[i], places[i]);
+  }
+  attach(pictures.depth, depth_format(shape_), shape_.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT);
+  glDrawBuffers(static_cast<GLsizei>(count()), places.data());
+  check_gl("making a picture to draw into");
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw InputError("the graphics driver cannot draw into pictures of 32-bit floats");
+}
+
+Target::~Target() {
+  for (const Pictures* pictures : {&drawn_, &resolved_}) {
+    glDeleteFramebuffers(1, &pictures->framebuffer);
+    glDeleteRenderbuffers(1, &pictures->depth);
+    glDeleteRenderbuffers(static_cast<GLsizei>(pictures->buffers.size()), pictures->buffers.data());
+  }
+}
+
+void Target::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer);
+  glViewport(0, 0, shape_.width, shape_.height);
+}
+
+void Target::resolve() const {
+  if (shape_.samples == 1) return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
+  for (std::size_t i = 0; i < count(); ++i) {
+    const GLenum place = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    std::array<GLenum, most_pictures> only{GL_NONE, GL_NONE, GL_NONE, GL_NONE};
+    only[i] = place;
+    glReadBuffer(place);
+    glDrawBuffers(static_cast<GLsizei>(i + 1), only.data());
+    glBlitFramebuffer(0, 0, shape_.width, shape_.height, 0, 0, shape_.width, shape_.height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+  }
+  check_gl("resolving samples");
+}
+
+void Target::clear(const Vec3d& background, float depth) const {
+  const Vec3f colour(background);
+  const std::array<float, 4> rgba{colour.x, colour.y, colour.z, 1};
+  glClearBufferfv(GL_COLOR, 0, rgba.data());
+  if (shape_.stencil)
+    glClearBufferfi(GL_DEPTH_STENCIL, 0, depth, 0);
+  else
+    glClearBufferfv(GL_DEPTH, 0, &depth);
+  if (!shape_.channels) return;
+  const std::array<GLint, 4> nothing{-1, -1, std::bit_cast<GLint>(std::numeric_limits<float>::infinity()),
+                                     std::bit_cast<GLint>(-1.0f)};
+  const std::array<float, 4> zeros{};
+  glClearBufferiv(GL_COLOR, 1, nothing.data());
+  glClearBufferfv(GL_COLOR, 2, zeros.data());
+  glClearBufferfv(GL_COLOR, 3, zeros.data());
+}
+
+void Target::read(Frame& frame) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glReadPixels(0, 0, shape_.width, shape_.height, GL_RGB, GL_FLOAT, frame.colour.pixels().data());
+  check_gl("reading the picture");
+  if (!shape_.channels) return;
+  const auto ids = read_pixels<std::array<std::int32_t, 4>>(1, shape_, GL_RGBA_INTEGER, GL_INT);
+  const auto normals = read_pixels<Vec4f>(2, shape_, GL_RGBA, GL_FLOAT);
+  const auto weights = read_pixels<Vec4f>(3, shape_, GL_RGBA, GL_FLOAT);
+  check_gl("reading the picture");
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const bool seen = ids[i][0] >= 0;
+    if (!frame.ids.empty()) frame.ids.pixels()[i] = {ids[i][0], ids[i][1]};
+    if (!frame.depth.empty()) frame.depth.pixels()[i] = std::bit_cast<float>(ids[i][2]);
+    if (!frame.mip.empty()) frame.mip.pixels()[i] = std::bit_cast<float>(ids[i][3]);
+    if (!frame.normal.empty()) frame.normal.pixels()[i] = Vec3f(normals[i]);
+    if (!frame.facing.empty()) frame.facing.pixels()[i] = normals[i].w;
+    if (!frame.barycentric.empty() && seen && weights[i].x >= 0)
+      frame.barycentric.pixels()[i] = {weights[i].x, weights[i].y, 1 - weights[i].x - weights[i].y};
+    if (!frame.uv.empty()) frame.uv.pixels()[i] = {weights[i].z, weights[i].w};
+  }
+}
+
+}  // namespace ps::hardware

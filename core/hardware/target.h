@@ -1,0 +1,55 @@
+#pragma once
+#include <array>
+
+#include "frame/frame.h"
+#include "scene/scene.h"
+
+namespace ps::hardware {
+
+/// In what a target keeps depths.
+enum class DepthStore { float32, unorm24, unorm16 };
+
+/// What a target must have room for.
+struct TargetShape {
+  int width = 0, height = 0;
+  DepthStore depth = DepthStore::float32;
+  bool stencil = false;   ///< 8 bits, not beside a depth of 16 bits
+  bool channels = false;  ///< more than the colour
+  int samples = 1;        ///< of a pixel
+  bool operator==(const TargetShape&) const = default;
+};
+
+/// Pictures to draw into: linear colours as 32-bit floats, what fragment.glsl writes besides, and a depth buffer. Row 0
+/// is the top row of the picture, so that a driver gives samples on an edge to the same triangle as the rasterizer.
+class Target {
+ public:
+  explicit Target(const TargetShape& shape);
+  ~Target();
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+
+  const TargetShape& shape() const { return shape_; }
+  /// Draws go here from now on.
+  void bind() const;
+  /// Fills the colours with the background, the depth buffer with `depth`, and all else with "nothing is seen".
+  void clear(const Vec3d& background, float depth) const;
+  /// Makes each pixel the mean of its samples, or in the channels one of them. Nothing to do with one sample.
+  void resolve() const;
+  /// Copies what was drawn, and resolved, to the frame's channels.
+  void read(Frame& frame) const;
+
+ private:
+  static constexpr std::size_t most_pictures = 4;
+  struct Pictures {
+    unsigned framebuffer = 0, depth = 0;
+    std::array<unsigned, most_pictures> buffers{};
+  };
+  void make(Pictures& pictures, int samples) const;
+  std::size_t count() const { return shape_.channels ? most_pictures : 1; }
+
+  TargetShape shape_;
+  Pictures drawn_;     ///< what is drawn into
+  Pictures resolved_;  ///< what is read, where `drawn_` has several samples
+};
+
+}  // namespace ps::hardware

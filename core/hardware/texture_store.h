@@ -1,0 +1,36 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "image/mip_chain.h"
+#include "math/vec.h"
+#include "options/settings.h"
+
+namespace ps::hardware {
+
+/// Textures in the memory of the graphics driver, with the levels of our own chains as 32-bit floats.
+class TextureStore {
+ public:
+  TextureStore() = default;
+  ~TextureStore();
+  TextureStore(const TextureStore&) = delete;
+  TextureStore& operator=(const TextureStore&) = delete;
+
+  /// Binds the texture to a unit, uploaded if it is not there yet, for the reader that the settings ask for: a shader,
+  /// which reads all levels from one picture, or the driver. Gives the layout for texturing.glsl. Throws InputError for
+  /// a texture that needs more than `max_size` along a side.
+  Vec4<int> bind(const MipChain& chain, int unit, const Settings& settings, int max_size);
+  /// Drops what no scene holds any more. Between pictures.
+  void tidy();
+
+ private:
+  struct Entry {
+    std::weak_ptr<const Image<Vec3f>> base;
+    int levels = 0;
+    unsigned texture = 0;
+  };
+  std::map<std::pair<const Image<Vec3f>*, HardwareTexturing>, Entry> entries_;
+};
+
+}  // namespace ps::hardware

@@ -1,0 +1,75 @@
+#include "agreement/hardware/hardware_pair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "frame/display_frame.h"
+#include "hardware/gl_thread.h"
+#include "options/option.h"
+#include "options/renderer_kind.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps::test {
+
+std::optional<Renderer> hardware_here(std::string& reason) {
+  reason = hardware::availability().reason;
+  if (!hardware::availability().driver) return {};
+  Settings settings;
+  parse_assignment("renderer=hardware", settings);
+  return settings.renderer;
+}
+
+std::string PairDifference::text() const {
+  return fmt::format("{} of {} pixels seen; {} ids and {} colours differ, by {} levels at most", seen, pixels, ids,
+                     colours, largest);
+}
+
+PairDifference compare_with_rasterizer(const Scene& scene, const Settings& settings, Renderer hardware, int width,
+                                       int height) {
+  const View view{scene.camera, width, height};
+  RenderRequest request;
+  request.channels = Channel::ids;
+  Prepared prepared;
+  Progress progress;
+  Settings one = settings;
+  one.renderer = hardware;
+  Settings other = settings;
+  other.renderer = Renderer::rasterizer;
+  other.subpixel_bits = hardware::availability().driver->subpixel_bits;
+  const Frame drawn = render(scene, view, one, request, prepared, progress);
+  const Frame expected = render(scene, view, other, request, prepared, progress);
+  const Image<Rgb8> a = display_frame(drawn, one), b = display_frame(expected, other);
+  PairDifference difference;
+  difference.pixels = static_cast<long>(a.pixels().size());
+  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+    if (drawn.ids.pixels()[i] != expected.ids.pixels()[i]) {
+      ++difference.ids;
+      continue;
+    }
+    difference.seen += expected.ids.pixels()[i].object >= 0;
+    const Rgb8 p = a.pixels()[i], q = b.pixels()[i];
+    const int levels = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+    difference.colours += levels > 1;
+    difference.largest = std::max(difference.largest, levels);
+  }
+  return difference;
+}
+
+std::string PairCase::name() const {
+  std::string text = scene;
+  for (const std::string& assignment : assignments) text += " " + assignment;
+  return text;
+}
+
+PairDifference compare_with_rasterizer(const PairCase& one, Renderer hardware, int width, int height) {
+  const Scene scene = load_scene(one.scene);
+  Settings settings = settings_for(scene);
+  for (const std::string& assignment : one.assignments) parse_assignment(assignment, settings);
+  return compare_with_rasterizer(scene, settings, hardware, width, height);
+}
+
+}  // namespace ps::test

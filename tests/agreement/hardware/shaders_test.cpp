@@ -1,0 +1,82 @@
+// Every shader compiles as GLSL 3.30 and as GLSL ES 3.00, in all the variants that options and scenes ask for.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "agreement/hardware/hardware_pair.h"
+#include "base/check.h"
+#include "hardware/definitions.h"
+#include "hardware/gl_thread.h"
+#include "hardware/lacks.h"
+#include "options/scene_settings.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+/// The definitions of all surfaces of a picture.
+void add_definitions(const Scene& scene, const Settings& settings, std::set<std::string>& all) {
+  Prepared prepared;
+  for (const Channel channels : {Channel::none, Channel::ids | Channel::normal}) {
+    RenderRequest request;
+    request.channels = channels;
+    const hardware::PicturePlan plan = hardware::make_plan(scene, {scene.camera, 40, 30}, settings, request, prepared);
+    for (const auto& surface : plan.surfaces.list) all.insert(hardware::definitions(plan, surface, false));
+  }
+}
+
+/// With each value of each option by itself.
+std::set<std::string> all_definitions(Renderer hardware) {
+  std::set<std::string> all;
+  for (const char* name : {"cgfs/shading", "cgfs/crates", "cgfs/fence", "cgpp/teapot", "lab/mirror-room"}) {
+    const Scene scene = load_scene(name);
+    Settings settings = settings_for(scene);
+    settings.renderer = hardware;
+    add_definitions(scene, settings, all);
+    for (const Option& option : option_table()) {
+      if (option.key == "renderer" || hardware::lacks_option(option, settings)) continue;
+      const double before = option.get(settings);
+      for (const double value : {option.minimum, option.minimum + 1, option.minimum + 2, option.maximum}) {
+        if (option.kind == OptionKind::boolean && value > 1) continue;
+        if (option.kind != OptionKind::boolean && value > option.maximum) continue;
+        if (hardware::lacks_value(option, value, settings)) continue;
+        option.set(settings, option.kind == OptionKind::boolean ? 1 - before : value);
+        add_definitions(scene, settings, all);
+        option.set(settings, before);
+      }
+    }
+  }
+  return all;
+}
+
+TEST(HardwareShaders, CompileForOpenGlAndForOpenGlEs) {
+  PS_NEEDS_HARDWARE(hardware);
+  const std::set<std::string> all = all_definitions(hardware);
+  EXPECT_GT(all.size(), 30u);
+  hardware::on_gl_thread([&](hardware::Workshop&) {
+    for (const hardware::Api api : {hardware::Api::desktop, hardware::Api::embedded}) {
+      const hardware::Context context(api);
+      for (const std::string& definitions : all)
+        EXPECT_NO_THROW(hardware::Program("vertex.glsl", "fragment.glsl", api, definitions)) << definitions;
+    }
+  });
+}
+
+TEST(HardwareShaders, AMistakeIsReportedWithFileAndLine) {
+  PS_NEEDS_HARDWARE(hardware);
+  hardware::on_gl_thread([&](hardware::Workshop& shop) {
+    const std::string all = *all_definitions(hardware).begin();
+    try {
+      // A definition that turns "vec3 own_normal = ..." in vertex.glsl into a syntax error.
+      hardware::Program("vertex.glsl", "fragment.glsl", shop.context.api(), all + "#define own_normal 1 +\n");
+      FAIL() << "it compiles";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("a shader does not compile: "), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("vertex.glsl:"), std::string::npos) << error.what();
+    }
+  });
+}
+
+}  // namespace
+}  // namespace ps

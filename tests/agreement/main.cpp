@@ -1,0 +1,13 @@
+// main() of the agreement tests: as that of tests/support, with the renderers that programs add.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "added_renderers.h"
+
+int main(int argc, char** argv) {
+  std::filesystem::current_path(PIXELSCOPE_SOURCE_DIR);  // first: parameters of tests may come from files
+  ps::add_renderers();
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
