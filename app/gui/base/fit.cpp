@@ -31,12 +31,18 @@ bool part_of(std::string_view name, std::string_view whole) {
   return name.size() > whole.size() && name.substr(0, whole.size()) == whole && name[whole.size()] == '/';
 }
 
-/// What is there to have other things over it.
+/// What is there to have other things over it: pictures, plots, and lines whose parts have names of their own.
 bool is_ground(std::string_view name) {
-  constexpr std::array<std::string_view, 8> grounds{"view/a/picture", "view/b/picture",     "view/a/nan",
-                                                    "view/b/nan",     "difference/picture", "pictures/divider",
-                                                    "space/view",     "microscope/pixel"};
-  return std::find(grounds.begin(), grounds.end(), name) != grounds.end();
+  constexpr std::array<std::string_view, 13> ends{"/picture", "/nan",   "/divider", "/notice", "/view",
+                                                  "/pixel",   "/plot",  "/axis",    "/strip",  "/footer",
+                                                  "/time",    "/scale", "/left-out"};
+  return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
+}
+
+/// What lies where its value puts it: points of a plot, handles of what is in a picture.
+bool is_datum(std::string_view name) {
+  return name.find("/handle/") != std::string_view::npos || name.find("/point/") != std::string_view::npos ||
+         name.ends_with("/highlight");
 }
 
 void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : "; ") + item; }
@@ -68,7 +74,9 @@ void FitWatch::placed(const std::string& name, ImVec2 min, ImVec2 max, ImVec2 cl
   const ImGuiWindow& window = *ImGui::GetCurrentWindow();
   const ImVec2 seen_min{std::max(min.x, clip_min.x), std::max(min.y, clip_min.y)};
   const ImVec2 seen_max{std::min(max.x, clip_max.x), std::min(max.y, clip_max.y)};
-  const bool out_of_width = min.x < clip_min.x - slack || max.x > clip_max.x + slack;
+  // Rows that can be selected reach half a gap beyond what they show.
+  const float beside = std::max(slack, ImGui::GetStyle().ItemSpacing.x / 2 + 1);
+  const bool out_of_width = min.x < clip_min.x - beside || max.x > clip_max.x + beside;
   const bool out_of_height = min.y < clip_min.y - slack || max.y > clip_max.y + slack;
   const bool cut = out_of_width || (out_of_height && !scrolls(&window));
   now().controls.push_back({name, min, max, seen_min, seen_max, window.RootWindow, cut});
@@ -82,7 +90,7 @@ std::string FitWatch::cut() const {
   const Frame& frame = finished();
   std::string list;
   for (const Control& control : frame.controls)
-    if (control.cut && !is_ground(control.name)) add(list, control.name);
+    if (control.cut && !is_ground(control.name) && !is_datum(control.name)) add(list, control.name);
   for (const Text& text : frame.texts) {
     const auto owner = std::find_if(frame.controls.begin(), frame.controls.end(), [&](const Control& control) {
       return inside(text.min, text.max, control.min, control.max);
@@ -99,6 +107,7 @@ std::string FitWatch::overlap() const {
     for (std::size_t j = i + 1; j < controls.size(); ++j) {
       const Control &a = controls[i], &b = controls[j];
       if (a.layer != b.layer || is_ground(a.name) || is_ground(b.name)) continue;
+      if (is_datum(a.name) || is_datum(b.name)) continue;
       if (a.name == b.name || part_of(a.name, b.name) || part_of(b.name, a.name)) continue;
       if (same(a.min, b.min) && same(a.max, b.max)) continue;  // one thing with two names
       const float width = std::min(a.seen_max.x, b.seen_max.x) - std::max(a.seen_min.x, b.seen_min.x);

@@ -5,6 +5,7 @@
 
 #include "gui/widgets/draw.h"
 #include "gui/widgets/key_focus.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/tab_row.h"
 
 namespace ps::gui {
@@ -90,7 +91,8 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
     const FontScope font(look.face);
     const std::string_view text = style.shown.empty() ? choices[chosen].label : style.shown;
     if (text.find('\n') == std::string_view::npos)
-      draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, text, choice_colour(style, chosen), 0);
+      draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, whole_words(text, max.x - arrow - min.x - px(8)),
+                choice_colour(style, chosen), 0);
     else
       draw_lines({min.x + px(8), std::floor((min.y + max.y - text_height(text)) / 2)}, text,
                  choice_colour(style, chosen));

@@ -141,7 +141,8 @@ void buttons(Session& session, const Lesson& lesson, int index, const ReadPage& 
               .disabled = index + 1 == count ? "This is the last step." : ""}))
     target = index + 1;
   ImGui::SameLine();
-  if (button("again", "Again", Emphasis::quiet, {.tooltip = "Puts this step's settings back.", .disabled = {}}))
+  if (button("again", narrow ? "↺" : "Again", Emphasis::quiet,
+             {.tooltip = "Puts this step's settings back.", .disabled = {}}))
     go_to_step(session, lesson.name, index);
   ImGui::SameLine();
   const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});

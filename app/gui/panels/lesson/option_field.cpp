@@ -13,13 +13,13 @@ namespace {
 float letter_width() { return px(17); }
 
 float value_width(const Option& option) {
-  float width = px(110);
+  float width = px(90);
   switch (option.kind) {
   case OptionKind::boolean:
     return px(36);
   case OptionKind::choice:
-    for (const Choice& choice : option.choices) width = std::max(width, text_width(choice.label) + px(36));
-    return std::min(width, px(240));
+    for (const Choice& choice : option.choices) width = std::max(width, text_width(choice.label) + px(30));
+    return width;
   case OptionKind::integer:
   case OptionKind::real:
     return width + (option.unit.empty() ? 0 : text_width(option.unit));

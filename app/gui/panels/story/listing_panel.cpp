@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gui/base/values.h"
 #include "gui/widgets/draw.h"
 #include "image/display.h"
 #include "options/renderer_kind.h"
@@ -210,6 +211,8 @@ std::optional<Step> code(const std::vector<ListingRow>& rows, const ImVec4& ink,
   {
     const FontScope font(Face::mono);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(1)});
+    gui::values().publish("listing/lines",
+                          static_cast<int>(ImGui::GetWindowHeight() / ImGui::GetTextLineHeightWithSpacing()));
     const Columns columns = columns_for(rows, ImGui::GetContentRegionAvail().x);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (reveal && first != rows.end() && i == static_cast<std::size_t>(first - rows.begin()))

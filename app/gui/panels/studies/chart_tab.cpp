@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "gui/base/values.h"
 #include "gui/panels/studies/chart_hover.h"
 #include "gui/panels/studies/pause_and_stop.h"
 #include "gui/widgets/widgets.h"
@@ -170,7 +171,7 @@ void export_menu(const Session& session, const ChartTabState& state, const Chart
 bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled) {
   const bool wide = ImGui::GetWindowWidth() >= px(690);
   const float gap = px(wide ? 10 : 3);
-  sweep_choice(state, px(wide ? 220 : 116));
+  sweep_choice(state, std::min(px(220), ImGui::GetContentRegionAvail().x));
   same_line_if_room(button_width("Setup"), px(3));
   setup_popup(session, state, host);
   keep_estimate(session, state);
@@ -292,6 +293,7 @@ void plot(Session& session, ChartTabState& state, const Area& area) {
   const bool clicked = ImGui::InvisibleButton("plot", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
                                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   controls().record("plot", fmt::format("{:.0f}x{:.0f}", area.width(), area.height()));
+  gui::values().publish("chart/plot-height", static_cast<int>(area.height()));
   const bool over = ImGui::IsItemHovered();
   const bool any = std::any_of(state.chart.points.begin(), state.chart.points.end(),
                                [](const ChartPoint& p) { return p.measured(); });
