@@ -19,7 +19,7 @@ struct NumberGesture {
   double start_position = 0;
   float start_x = 0;
   std::string text = {};
-  std::optional<char> first = {};  ///< the key that began the typing, to be typed
+  std::string first = {};  ///< the keys that began the typing, to be typed
 };
 NumberGesture gesture;
 
@@ -63,8 +63,12 @@ Edit typed(std::string_view name, double& value, const NumberRange& range, float
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), std::floor((height - ImGui::GetFontSize()) / 2)});
   if (gesture.typing_began) ImGui::SetKeyboardFocusHere();
-  if (gesture.first && ImGui::GetActiveID() == ImGui::GetID("##typed"))
-    ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*std::exchange(gesture.first, std::nullopt)));
+  // Until the field is active, keys come here in place of it.
+  const bool is_active = ImGui::GetActiveID() == ImGui::GetID("##typed");
+  if (const auto digit = key_focus().digit(); digit && !is_active) gesture.first += *digit;
+  if (is_active)
+    for (const char key : std::exchange(gesture.first, {}))
+      ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(key));
   const bool enter = ImGui::InputText("##typed", &gesture.text,
                                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleVar();
@@ -169,9 +173,10 @@ Edit number(std::string_view name, double& value, const NumberRange& range, cons
       value = wanted;
       key_focus().use_steps();
     }
-    if (key_focus().pressed() || key_focus().digit())
-      gesture = {
-          .id = id, .typing = true, .typing_began = true, .text = full_number(value), .first = key_focus().digit()};
+    if (key_focus().pressed() || key_focus().digit()) {
+      gesture = {.id = id, .typing = true, .typing_began = true, .text = full_number(value)};
+      if (const auto digit = key_focus().digit()) gesture.first = *digit;
+    }
   }
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   draw_number(min, max, value, range, style);

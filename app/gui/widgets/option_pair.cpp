@@ -170,7 +170,7 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
     const float width = form.stacked ? room : columns.width;
     std::vector<std::string_view> idle;
     for (const Choice& choice : option.choices)
-      idle.push_back(inactive_choice_reason(choice, settings[i], traits).value_or(std::string_view{}));
+      idle.push_back(inactive_choice_reason(option, choice, settings[i], traits).value_or(std::string_view{}));
     ControlStyle style{.width = width, .idle = idle};
     style.disabled = inactive_reason(option, settings[i], traits).value_or(std::string_view{});
     style.quiet = i != picked;
