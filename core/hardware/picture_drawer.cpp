@@ -34,6 +34,13 @@ float depth_factor(const PicturePlan& plan) {
   return static_cast<float>(std::exp2(-std::floor(std::log2(longest)) - 1));
 }
 
+/// Where a vertex lies before the camera. Without camera-relative positions its place in the world and the camera's are
+/// rounded to float first, as vertex.glsl has them.
+Vec3d camera_position(const PicturePlan& plan, const Vec3d& world) {
+  if (plan.settings.camera_relative) return plan.camera_space.point(world);
+  return plan.camera_space.from_world * Vec3d(Vec3f(world) - Vec3f(plan.camera_space.position));
+}
+
 /// The middle of the canvas where samples lie at the centres of pixels, as a driver has them: pixels.
 Vec2d shifted_centre(const PicturePlan& plan) { return plan.projection.centre + Vec2d(0.5) - plan.viewport.sample; }
 
@@ -120,7 +127,7 @@ void PictureDrawer::snap_vertices(std::size_t object) {
   const Vec2d centre = shifted_centre(plan_);
   std::vector<Vec3f> places(draw.mesh->positions.size(), Vec3f(0));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vec3d camera = plan_.camera_space.point(draw.world(draw.mesh->positions[i]));
+    const Vec3d camera = camera_position(plan_, draw.world(draw.mesh->positions[i]));
     if (plan_.perspective() && !(camera.z > 0)) continue;
     const Vec2d at = plan_.projection.centred(camera);
     const Vec2d canvas(std::nearbyint((centre.x + at.x) * steps) / steps,
@@ -175,7 +182,7 @@ void PictureDrawer::make_sorted_runs() {
     std::vector<float> depth;
     depth.reserve(draw.mesh->positions.size());
     for (const Vec3d& p : draw.mesh->positions)
-      depth.push_back(static_cast<float>(plan_.camera_space.point(draw.world(p)).z));
+      depth.push_back(static_cast<float>(camera_position(plan_, draw.world(p)).z));
     for (std::size_t t = 0; t < draw.mesh->triangles.size(); ++t) {
       const auto& p = draw.mesh->triangles[t].position;
       order.push_back({(depth[p[0]] + depth[p[1]] + depth[p[2]]) / 3.0f, static_cast<std::uint32_t>(i),
@@ -385,7 +392,7 @@ void PictureDrawer::draw() {
     glEndQuery(GL_SAMPLES_PASSED);
     GLuint passed = 0;
     glGetQueryObjectuiv(query_, GL_QUERY_RESULT, &passed);
-    fragments_written_ += passed;
+    samples_written_ += passed;
   }
   shop_.target->resolve();
   glFinish();

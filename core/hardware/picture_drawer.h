@@ -28,8 +28,8 @@ class PictureDrawer {
   void upload();
   /// Draws everything; what it drew is complete when it returns.
   void draw();
-  /// Fragments that passed the depth test, as the driver counts them.
-  std::uint64_t fragments_written() const { return fragments_written_; }
+  /// Samples that were written, as the driver counts them.
+  std::uint64_t samples_written() const { return samples_written_; }
   std::uint64_t triangles() const { return triangles_; }
 
  private:
@@ -58,7 +58,7 @@ class PictureDrawer {
   std::vector<unsigned> snapped_;   ///< buffers of positions that the processor rounded, of each object
   unsigned sorted_ = 0;             ///< indices of the corners, where triangles are sorted
   unsigned query_ = 0;
-  std::uint64_t fragments_written_ = 0, triangles_ = 0;
+  std::uint64_t samples_written_ = 0, triangles_ = 0;
 };
 
 }  // namespace ps::hardware

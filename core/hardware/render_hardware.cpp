@@ -65,7 +65,10 @@ Frame render_hardware(const Scene& scene, const View& view, const Settings& sett
     shop.target->read(frame);
     stages.done("read back");
     frame.counters[Counter::triangles_in] += drawer.triangles();
-    frame.counters[Counter::pixels_written] += drawer.fragments_written();
+    if (sample_count(settings) == 1)
+      frame.counters[Counter::pixels_written] += drawer.samples_written();
+    else  // a driver counts samples and not pixels
+      frame.counters.given = {Counter::triangles_in, Counter::nan_pixels};
   });
   progress.check();
   fill_rest(view, settings, frame);
