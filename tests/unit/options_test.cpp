@@ -197,10 +197,12 @@ TEST(OptionTable, AValueThatCannotActSaysWhy) {
   SceneTraits traits;
   traits.triangles = true;
   Settings settings;
-  for (const Choice& choice : accelerator.choices) EXPECT_FALSE(inactive_choice_reason(accelerator, choice, settings, traits));
+  for (const Choice& choice : accelerator.choices)
+    EXPECT_FALSE(inactive_choice_reason(accelerator, choice, settings, traits));
   settings.precision = Precision::float64;
   for (const Choice& choice : accelerator.choices)
-    EXPECT_EQ(inactive_choice_reason(accelerator, choice, settings, traits).has_value(), choice.key == "embree") << choice.key;
+    EXPECT_EQ(inactive_choice_reason(accelerator, choice, settings, traits).has_value(), choice.key == "embree")
+        << choice.key;
   EXPECT_FALSE(inactive_value_reason(accelerator, settings, traits));
   settings.renderer = Renderer::textbook;
   EXPECT_TRUE(inactive_reason(accelerator, settings, traits));

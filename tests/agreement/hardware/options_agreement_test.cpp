@@ -144,7 +144,7 @@ PairDifference measured(const Scene& scene, const std::vector<std::string>& assi
   Settings settings = settings_for(scene);
   for (const char* plain : {"shadows=none", "reflection-depth=0"}) parse_assignment(plain, settings);
   for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
-  const PairDifference difference = compare_with_rasterizer(scene, settings, hardware, width, height);
+  const PairDifference difference = test::compare_with_rasterizer(scene, settings, hardware, width, height);
   fmt::print("{} {}: {}\n", scene.name, fmt::join(assignments, " "), difference.text());
   return difference;
 }
