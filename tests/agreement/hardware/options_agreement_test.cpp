@@ -70,8 +70,8 @@ const std::vector<std::string> option_scenes{"cgfs/shading", "cgfs/crates", "cgf
 
 /// Settings that are compared by a test of their own, or cannot be, with the reason.
 const std::map<std::string, std::string> compared_elsewhere{
-    {"draw=wireframe", "lines: see LinesLieWithinAPixel"},
-    {"draw=points", "points: see LinesLieWithinAPixel"},
+    {"draw=wireframe", "see lines_test.cpp"},
+    {"draw=points", "see lines_test.cpp"},
     {"hardware-texturing=driver", "see TheDriversOwnFilterIsCloseToTheFormula"},
     {"interpolation=affine", "see AffineInterpolationWhereNothingIsClipped"},
     {"depth-value=z", "see AffineInterpolationWhereNothingIsClipped"},
