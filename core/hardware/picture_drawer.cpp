@@ -16,7 +16,8 @@
 namespace ps::hardware {
 namespace {
 
-constexpr unsigned lights_binding = 0;
+constexpr unsigned lights_binding = 0, maps_binding = 1;
+constexpr int maps_unit = 7;
 constexpr std::size_t light_bytes = 3 * sizeof(Vec4f);
 
 /// The matrix of cofactors is the inverse transpose times the determinant: triangles' own normals.
@@ -150,6 +151,7 @@ Program& PictureDrawer::program_of(const raster::Surface<float>& surface) {
   if (!program) {
     program = std::make_unique<Program>("vertex.glsl", "fragment.glsl", shop_.context.api(), key);
     program->bind_block("Lights", lights_binding);
+    program->bind_block("ShadowMaps", maps_binding);
   }
   return *program;
 }
@@ -339,6 +341,7 @@ void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& 
   program.set("specular_colour", Vec4f(material.specular_colour.value_or(none), material.specular_colour ? 1 : 0));
   program.set("ambient_colour", Vec4f(material.ambient_colour.value_or(none), material.ambient_colour ? 1 : 0));
   program.set("relief_depth", material.relief_depth);
+  if (plan_.shadow_maps) set_shadows(program, surface);
   if (!plan_.textures) return;
   int unit = 0;
   for (const auto& [name, texture] : {std::pair{"surface", material.texture},
@@ -355,6 +358,18 @@ void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& 
     program.set(fmt::format("{}_wrap", name), static_cast<int>(raster::wrap_of(chain, plan_.settings)));
     ++unit;
   }
+}
+
+void PictureDrawer::set_shadows(Program& program, const raster::Surface<float>& surface) {
+  const Settings& s = plan_.settings;
+  const Vec2d& scale = plan_.projection.scale;
+  shop_.maps.bind(plan_.shadow_maps, maps_unit, maps_binding);
+  program.set("shadow_depths", maps_unit);
+  program.set("shadow_map_size", s.shadow_map_size);
+  program.set("shadow_bias", static_cast<float>(s.shadow_bias));
+  program.set("shadow_slope_bias", static_cast<float>(s.shadow_slope_bias));
+  const double error = surface.sphere ? s.tessellation / std::min(scale.x, scale.y) : 0;
+  program.set("surface_error_scale", static_cast<float>(error));
 }
 
 void PictureDrawer::draw_runs(const raster::DrawStep& step) {

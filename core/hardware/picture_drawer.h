@@ -47,6 +47,7 @@ class PictureDrawer {
   void set_view(Program& program);
   void set_depth(Program& program);
   void set_surface(Program& program, const raster::Surface<float>& surface);
+  void set_shadows(Program& program, const raster::Surface<float>& surface);
   Program& program_of(const raster::Surface<float>& surface);
   TargetShape target_shape() const;
 

@@ -52,8 +52,10 @@ Frame render_hardware(const Scene& scene, const View& view, const Settings& sett
   require_room(view, *availability().driver);
   Frame frame = empty_frame<float>(view, request);
   Stages stages(frame);
-  const PicturePlan plan = make_plan(scene, view, settings, request, prepared);
+  PicturePlan plan = make_plan(scene, view, settings, request, prepared);
   stages.done("prepare");
+  plan.shadow_maps = draw_maps(plan, prepared, request.priority, progress);
+  if (plan.shadow_maps) stages.done("shadow maps");
   on_gl_thread([&](Workshop& shop) {
     shop.meshes.tidy();
     shop.textures.tidy();
