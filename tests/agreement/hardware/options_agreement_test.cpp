@@ -11,6 +11,7 @@
 #include "hardware/lacks.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "render/render.h"
 #include "scene/load.h"
 
 namespace ps {
@@ -68,8 +69,13 @@ TEST(HardwareAgreement, TrianglesAndColoursWithVerticesRoundedByTheDriver) {
 /// In these scenes each option acts on something.
 const std::vector<std::string> option_scenes{"cgfs/shading", "cgfs/crates", "cgfs/fence", "cgfs/reflections"};
 
-/// Settings that are compared by a test of their own, or cannot be, with the reason.
-const std::map<std::string, std::string> compared_elsewhere{
+/// Settings, and options with all their values, that have a test of their own.
+const std::map<std::string, std::string, std::less<>> compared_elsewhere{
+    {"shadows=map", "see ShadowMapsExceptAtTheBordersOfTexels"},
+    {"shadow-map-size", "see ShadowMapsExceptAtTheBordersOfTexels"},
+    {"shadow-bias", "see ShadowMapsExceptAtTheBordersOfTexels"},
+    {"shadow-slope-bias", "see ShadowMapsExceptAtTheBordersOfTexels"},
+    {"shadow-filter", "see ShadowMapsExceptAtTheBordersOfTexels"},
     {"draw=wireframe", "see lines_test.cpp"},
     {"draw=points", "see lines_test.cpp"},
     {"hardware-texturing=driver", "see TheDriversOwnFilterIsCloseToTheFormula"},
@@ -120,6 +126,7 @@ TEST(HardwareAgreement, EveryHonouredValueOfEveryOption) {
   for (const Option& option : option_table()) {
     if (option.key == "renderer" || option.effect != OptionEffect::picture) continue;
     if (!acts_for(option.acts_for, PictureWay::fragments) || hardware::lacks_option(option, {})) continue;
+    if (compared_elsewhere.contains(option.key)) continue;
     for (const std::string& value : values_to_try(option)) {
       Settings changed;
       parse_option(option, value, changed);
@@ -174,6 +181,48 @@ TEST(HardwareAgreement, AnisotropyWhereNoRatioIsAWholeNumber) {
   const PairDifference difference = measured({"cgfs/fence", {"vertex-snapping=cpu", "anisotropy=16"}}, hardware);
   EXPECT_LE(difference.ids, most_ids);
   EXPECT_LE(difference.colours, most_ids) << "by " << difference.largest;
+}
+
+/// A point that lies on the border of two texels of a map, or as far from the light as its texel says, is lit or not by
+/// the last bit.
+TEST(HardwareAgreement, ShadowMapsExceptAtTheBordersOfTexels) {
+  PS_NEEDS_HARDWARE(hardware);
+  const std::vector<std::vector<std::string>> variants{
+      {},
+      {"shadow-map-size=64"},
+      {"shadow-filter=5"},
+      {"shadow-filter=2"},
+      {"shadow-bias=0.05", "shadow-slope-bias=0"},
+      {"shadow-bias=0.01", "shadow-slope-bias=2"},
+      {"light-passes=many"},
+      {"projection=orthographic"},
+  };
+  for (const char* scene : {"cgfs/shadows", "lab/cornell", "octree/attenuation"}) {
+    const PairDifference none = measured({scene, {"vertex-snapping=cpu"}}, hardware);
+    for (const std::vector<std::string>& variant : variants) {
+      std::vector<std::string> assignments{"vertex-snapping=cpu", "shadows=map"};
+      assignments.insert(assignments.end(), variant.begin(), variant.end());
+      const PairDifference difference = measured({scene, assignments}, hardware);
+      EXPECT_LE(difference.ids, most_ids) << scene;
+      EXPECT_LE(difference.colours, none.seen / 500) << scene;
+    }
+  }
+}
+
+/// The maps are drawn by the driver, and they shade: without them many pixels are brighter.
+TEST(HardwareAgreement, ShadowMapsDarken) {
+  PS_NEEDS_HARDWARE(hardware);
+  const Scene scene = load_scene("cgfs/shadows");
+  Settings settings = settings_for(scene);
+  settings.renderer = hardware;
+  settings.shadows = Shadows::map;
+  const View view{scene.camera, 300, 300};
+  const Image<Vec3f> dark = render(scene, view, settings).colour;
+  settings.shadows = Shadows::none;
+  const Image<Vec3f> bright = render(scene, view, settings).colour;
+  long darker = 0;
+  for (std::size_t i = 0; i < dark.pixels().size(); ++i) darker += dark.pixels()[i].x < bright.pixels()[i].x - 0.01f;
+  EXPECT_GT(darker, 1000);
 }
 
 /// Where a sample lies on the border between two texels, the last bit of its texture coordinate decides.
