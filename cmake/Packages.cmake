@@ -29,6 +29,12 @@ if(PIXELSCOPE_HARDWARE AND NOT PIXELSCOPE_HAS_EGL)
   message(FATAL_ERROR "PIXELSCOPE_HARDWARE needs libepoxy and EGL; on Debian they are in libepoxy-dev and libegl-dev.")
 endif()
 
+find_path(PIXELSCOPE_MD4C_INCLUDE md4c.h)
+find_library(PIXELSCOPE_MD4C md4c)
+if(NOT PIXELSCOPE_MD4C_INCLUDE OR NOT PIXELSCOPE_MD4C)
+  message(FATAL_ERROR "md4c was not found; on Debian it is in libmd4c-dev.")
+endif()
+
 if(PIXELSCOPE_GUI)
   find_package(PkgConfig REQUIRED)
   find_package(SDL2 CONFIG REQUIRED)

@@ -32,16 +32,33 @@ void print_state(const LessonState& state) {
   if (state.pixel) fmt::print("    pixel {},{}\n", state.pixel->x, state.pixel->y);
 }
 
+void print_blocks(const std::vector<TextBlock>& blocks) {
+  for (const TextBlock& block : blocks) {
+    switch (block.kind) {
+    case BlockKind::paragraph:
+    case BlockKind::heading:
+      fmt::print("\n{}\n", plain_text(block));
+      break;
+    case BlockKind::bullet:
+      fmt::print("\n- {}\n", plain_text(block));
+      break;
+    case BlockKind::numbered:
+      fmt::print("\n{}. {}\n", block.number, plain_text(block));
+      break;
+    }
+  }
+}
+
 int show_lesson(const std::string& name) {
   const Lesson lesson = load_lesson(name);
   fmt::print("{}\n{}\n", lesson.title, lesson.source);
-  for (const std::string& paragraph : lesson.paragraphs) fmt::print("\n{}\n", paragraph);
+  print_blocks(lesson.blocks);
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
     fmt::print("\n{}. {}\n", i + 1, step.title);
     print_state(step.state);
-    for (const std::string& paragraph : step.paragraphs) fmt::print("\n{}\n", paragraph);
-    for (const std::string& hint : step.hints) fmt::print("\nLook for: {}\n", hint);
+    print_blocks(step.blocks);
+    for (const TextBlock& hint : step.hints) fmt::print("\nLook for: {}\n", plain_text(hint));
     for (const Claim& claim : step.claims)
       fmt::print("\nClaim: {} ({} {} {}; does not hold with the default {})\n", claim.text, metric_key(claim.metric),
                  bound_text(claim.bound), number_text(claim.number), claim.mutation);

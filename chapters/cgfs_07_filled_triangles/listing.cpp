@@ -12,19 +12,6 @@ namespace ps {
 namespace cgfs_07_filled_triangles {
 namespace {
 
-// Paint covers what is there, light adds to it, a filter lets a share of it through (chapter 1).
-Vec3d blended(Blend blend, const Vec3d& below, const Vec3d& colour) {
-  switch (blend) {
-  case Blend::replace:
-    return colour;
-  case Blend::additive:
-    return below + colour;
-  case Blend::subtractive:
-    return below * colour / 255.0;
-  }
-  return colour;
-}
-
 void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blend blend) {
   const bool flat = std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y);
   if (flat ? p1.x < p0.x : p1.y < p0.y) std::swap(p0, p1);
@@ -43,7 +30,7 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blen
 
 // Row by row, from the left side to the right one, both ends included.
 void draw_filled_triangle(BookCanvas& canvas, const std::array<Vec2d, 3>& corners, const Vec3d& colour, Blend blend) {
-  // Sorted by height, the first side goes from the lowest corner to the highest; the two others share the way.
+  // Sorted by height, the first side goes from the lowest vertex to the highest; the two others share the way.
   const auto order = sorted_by_height(corners);
   const Vec2d p0 = corners[order[0]], p1 = corners[order[1]], p2 = corners[order[2]];
   PS_WATCH("lowest corner", p0);

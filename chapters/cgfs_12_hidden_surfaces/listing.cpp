@@ -23,7 +23,7 @@ Vec2d project(const BookScene& scene, const Vec3d& p) {
   return {std::trunc(x), std::trunc(y)};
 }
 
-// A back face turns its normal away from the camera, which stands at the origin.
+// A back face turns its normal away from the camera, which is at the origin.
 bool is_back_face(const std::array<Vec3d, 3>& seen) {
   const Vec3d normal = cross(seen[1] - seen[0], seen[2] - seen[0]);
   const double facing = dot(-seen[0], normal);

@@ -26,7 +26,7 @@ Vec2d project(const BookScene& scene, const Vec3d& p) {
   return {std::trunc(x), std::trunc(y)};
 }
 
-// The way back: the point of camera space that stands at a place of the canvas, at this 1/z.
+// The way back: the point of camera space that is at a place of the canvas, at this 1/z.
 Vec3d unproject(const BookScene& scene, double x, double y, double inverse_z) {
   const Camera& camera = scene.camera;
   const double z = 1 / inverse_z;
@@ -56,7 +56,7 @@ double compute_illumination(const BookScene& scene, const Vec3d& point, const Ve
 
     if (scene.settings.specular && specular != -1) {
       const Vec3d reflected = normal * (2 * dot(normal, to_light)) - to_light;
-      const Vec3d right_view = -point;  // the camera stands at the origin of its own space
+      const Vec3d right_view = -point;  // the camera is at the origin of its own space
       // The slip of the author's program: a place in the world less a point of camera space.
       // It is right only for a camera at the world's origin; elsewhere highlights move.
       const Vec3d mixed_view = scene.camera.position - point;
@@ -81,7 +81,7 @@ void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Seen& seen)
     inverse_z[k] = 1 / seen.vertex[order[k]].z;
   }
 
-  // What is interpolated: nothing, the intensity at the corners (as x), or the normal.
+  // What is interpolated: nothing, the intensity at the vertices (as x), or the normal.
   std::array<Vec3d, 3> corner{};
   const Shading shading = scene.settings.shading;
   if (shading == Shading::flat) {

@@ -54,7 +54,7 @@ double compute_illumination(const BookScene& scene, const Vec3d& point, const Ve
 
     if (scene.settings.specular && specular != -1) {
       const Vec3d reflected = normal * (2 * dot(normal, to_light)) - to_light;
-      const Vec3d right_view = -point;  // the camera stands at the origin of its own space
+      const Vec3d right_view = -point;  // the camera is at the origin of its own space
       // The slip of the author's program: a place in the world less a point of camera space.
       // It is right only for a camera at the world's origin; elsewhere highlights move.
       const Vec3d mixed_view = scene.camera.position - point;

@@ -8,11 +8,15 @@
 #include "base/check.h"
 #include "base/counters.h"
 #include "document/document.h"
+#include "engine/text.h"
 #include "inspect/predict.h"
 
 /// A lesson is a folder in chapters/ with a lesson.md; CONTRIBUTING.md describes its form.
 
 namespace ps {
+
+/// The stage of a step that needs no tool: its pictures have all the place.
+inline constexpr std::string_view pictures_stage = "pictures";
 
 /// What a step puts on the screen. Everything starts from the scene's own settings, so that each step can be shown
 /// without those before it.
@@ -20,13 +24,14 @@ struct LessonState {
   std::string scene;          ///< name or path as load_scene takes it; "./x" in a lesson is a file beside it
   std::optional<Vec2i> size;  ///< absent: the scene's canvas
   std::vector<std::string> set_a, set_b;  ///< "key=value", applied in order
-  std::optional<Vec2i> pixel;             ///< absent: the scene's telling pixel
+  std::optional<Vec2i> pixel;             ///< absent: the scene's start pixel
   Side picked = Side::a;
   ShownChannel show_a{}, show_b{};
   CompareMode compare = CompareMode::side_by_side;
-  std::string tab;         ///< below the pictures, one of bottom_tabs; empty: the one that is open
-  std::string sweep;       ///< of the chart, as sweep_text() writes it; empty: the one that is chosen
-  std::string experiment;  ///< of the stability tab; empty: the one that is shown
+  ScreenMode mode = ScreenMode::lesson;  ///< in which the step is shown, unless it is presented
+  std::string stage;                     ///< the tool that it is about: as Layout::stage has it
+  std::string sweep;                     ///< of the chart, as sweep_text() writes it; empty: the one that is chosen
+  std::string experiment;                ///< of the stability tab; empty: the one that is shown
 };
 
 /// A number that can be measured on the pictures A and B of a state.
@@ -72,8 +77,8 @@ struct Prediction {
 
 struct LessonStep {
   std::string title;
-  std::vector<std::string> paragraphs;
-  std::vector<std::string> hints;  ///< what to look for
+  std::vector<TextBlock> blocks;
+  std::vector<TextBlock> hints;  ///< what to look for
   LessonState state;
   std::vector<Claim> claims;
   std::optional<Prediction> prediction;
@@ -82,8 +87,8 @@ struct LessonStep {
 struct Lesson {
   std::string name;  ///< the folder
   std::string title;
-  std::string source;  ///< "CGFS chapter 4"
-  std::vector<std::string> paragraphs;
+  std::string source;             ///< "CGFS chapter 4"
+  std::vector<TextBlock> blocks;  ///< what introduces it
   std::vector<LessonStep> steps;
 };
 

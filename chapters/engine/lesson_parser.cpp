@@ -2,6 +2,7 @@
 
 #include "engine/block.h"
 #include "engine/lesson.h"
+#include "engine/markdown.h"
 
 namespace ps {
 namespace {
@@ -14,17 +15,53 @@ std::string_view trimmed(std::string_view text) {
 
 bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
-/// Reads a lesson line by line. Paragraphs are joined lines; "> " begins a hint, "## " a step, "```" a block.
+/// Reads a lesson line by line: "## " begins a step, "```" a block. All other lines are text; where they are not, the
+/// text has empty lines, so that its lines are those of the file.
 class LessonParser {
  public:
   LessonParser(const std::string& name, const std::string& file) : file_(file) { lesson_.name = name; }
 
   void read_line(std::string_view line) {
     ++line_;
-    if (!block_.empty()) return read_block_line(trimmed(line));
     const std::string_view text = trimmed(line);
+    if (is_text(text)) {
+      if (lesson_.steps.empty() && starts_with(text, ">"))
+        throw InputError(place(), "a hint before the first step", "hints inside steps");
+      text_ += line;
+    } else {
+      read_structure(text);
+    }
+    text_ += '\n';
+  }
+
+  Lesson finish() {
+    end_text();
+    if (!block_.empty()) throw InputError(block_place_, "a block that does not end", "a line ```");
+    const SourcePlace whole{file_, 0, 0};
+    if (lesson_.title.empty()) throw InputError(whole, "no title", "a line '# Title'");
+    if (lesson_.source.empty()) throw InputError(whole, "no source", "a line 'source: where it comes from'");
+    if (lesson_.steps.empty()) throw InputError(whole, "no steps", "lines '## Title of the step'");
+    for (const LessonStep& step : lesson_.steps)
+      if (step.state.scene.empty())
+        throw InputError(whole, fmt::format("no scene for the step '{}'", step.title), "a line 'scene NAME'");
+    for (const StepLink& link : step_links_)
+      if (link.step >= static_cast<int>(lesson_.steps.size()))
+        throw InputError(link.place, fmt::format("a link to step {}", link.step + 1),
+                         fmt::format("steps 1 to {}", lesson_.steps.size()));
+    return std::move(lesson_);
+  }
+
+ private:
+  SourcePlace place() const { return {file_, line_, 1}; }
+
+  bool is_text(std::string_view text) const {
+    return block_.empty() && !starts_with(text, "```") && !starts_with(text, "# ") && !starts_with(text, "## ") &&
+           !starts_with(text, "source:");
+  }
+
+  void read_structure(std::string_view text) {
+    if (!block_.empty()) return read_block_line(text);
     if (starts_with(text, "```")) {
-      end_paragraph();
       block_ = trimmed(text.substr(3));
       block_place_ = place();
       if (block_ != "settings" && block_ != "claim" && block_ != "predict")
@@ -36,52 +73,25 @@ class LessonParser {
       lesson_.title = trimmed(text.substr(2));
     } else if (starts_with(text, "source:")) {
       lesson_.source = trimmed(text.substr(7));
+    }
+  }
+
+  /// The text that was collected belongs to the step before, or to the lesson as a whole.
+  void end_text() {
+    StepText text = read_markdown(text_, file_, text_line_);
+    if (lesson_.steps.empty()) {
+      lesson_.blocks = std::move(text.blocks);
     } else {
-      read_text(text);
+      lesson_.steps.back().blocks = std::move(text.blocks);
+      lesson_.steps.back().hints = std::move(text.hints);
     }
-  }
-
-  Lesson finish() {
-    end_paragraph();
-    if (!block_.empty()) throw InputError(block_place_, "a block that does not end", "a line ```");
-    const SourcePlace whole{file_, 0, 0};
-    if (lesson_.title.empty()) throw InputError(whole, "no title", "a line '# Title'");
-    if (lesson_.source.empty()) throw InputError(whole, "no source", "a line 'source: where it comes from'");
-    if (lesson_.steps.empty()) throw InputError(whole, "no steps", "lines '## Title of the step'");
-    for (const LessonStep& step : lesson_.steps)
-      if (step.state.scene.empty())
-        throw InputError(whole, fmt::format("no scene for the step '{}'", step.title), "a line 'scene NAME'");
-    return std::move(lesson_);
-  }
-
- private:
-  SourcePlace place() const { return {file_, line_, 1}; }
-
-  void read_text(std::string_view text) {
-    const bool hint = starts_with(text, "> ");
-    if (text.empty() || hint != in_hint_) end_paragraph();
-    if (text.empty()) return;
-    in_hint_ = hint;
-    if (hint) text = trimmed(text.substr(2));
-    if (!paragraph_.empty()) paragraph_ += ' ';
-    paragraph_ += text;
-  }
-
-  void end_paragraph() {
-    if (!paragraph_.empty()) {
-      const bool in_step = !lesson_.steps.empty();
-      if (in_hint_ && !in_step) throw InputError(place(), "a hint before the first step", "hints inside steps");
-      auto& target = in_hint_  ? lesson_.steps.back().hints
-                     : in_step ? lesson_.steps.back().paragraphs
-                               : lesson_.paragraphs;
-      target.push_back(std::move(paragraph_));
-    }
-    paragraph_.clear();
-    in_hint_ = false;
+    step_links_.insert(step_links_.end(), text.step_links.begin(), text.step_links.end());
+    text_.clear();
+    text_line_ = line_;
   }
 
   void begin_step(std::string title) {
-    end_paragraph();
+    end_text();
     LessonStep step;
     step.title = std::move(title);
     step.state = common_;
@@ -110,9 +120,9 @@ class LessonParser {
       for (const BlockLine& line : lines_)
         at_place(line.place, [&] {
           if (!read_state_line(line, state))
-            throw InputError(
-                line.place, fmt::format("'{} {}'", line.word, line.rest),
-                "scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare, tab, sweep or experiment");
+            throw InputError(line.place, fmt::format("'{} {}'", line.word, line.rest),
+                             "scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare, mode, stage, "
+                             "sweep or experiment");
         });
     }
     block_.clear();
@@ -123,8 +133,9 @@ class LessonParser {
   Lesson lesson_;
   LessonState common_;  // of the block before the first step: where each step starts
   int line_ = 0;
-  bool in_hint_ = false;
-  std::string paragraph_;
+  std::vector<StepLink> step_links_;
+  std::string text_;   // of the step, as it stands in the file
+  int text_line_ = 1;  // where that begins
   std::string block_;  // name of the open block; empty outside
   SourcePlace block_place_;
   std::vector<BlockLine> lines_;

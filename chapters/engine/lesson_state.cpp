@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
+#include "base/spelling.h"
 #include "document/number_list.h"
 #include "document/permalink.h"
 #include "engine/block.h"
@@ -20,6 +23,23 @@ void add_setting(const std::string& assignment, std::vector<std::string>& settin
   Settings trial;
   parse_assignment(assignment, trial);
   settings.push_back(assignment);
+}
+
+/// Who presents chooses that mode, a step cannot.
+ScreenMode parse_step_mode(const std::string& text) {
+  const ScreenMode mode = parse_screen_mode(text);
+  if (mode == ScreenMode::presenter) throw InputError("mode: found 'presenter', expected lesson explore study");
+  return mode;
+}
+
+/// "story" is the stage that a step has if it names none.
+std::string parse_stage(const std::string& text) {
+  if (text == "story") return {};
+  std::vector<std::string_view> known(bottom_tabs.begin(), bottom_tabs.end());
+  known.insert(known.end(), {"story", pictures_stage});
+  if (std::find(known.begin(), known.end(), text) == known.end())
+    throw InputError(fmt::format("stage: found '{}', expected {}", text, expected_word(text, known)));
+  return text;
 }
 
 /// A scene that starts with "./" lies in the lesson's own folder.
@@ -53,14 +73,16 @@ bool read_state_line(const BlockLine& line, LessonState& state) {
     state.picked = rest == "a" ? Side::a : Side::b;
   else if (line.word == "compare")
     state.compare = parse_compare_mode(rest);
-  else if (line.word == "tab" && std::find(bottom_tabs.begin(), bottom_tabs.end(), rest) != bottom_tabs.end())
-    state.tab = rest;
+  else if (line.word == "mode")
+    state.mode = parse_step_mode(rest);
+  else if (line.word == "stage")
+    state.stage = parse_stage(rest);
   else if (line.word == "sweep") {
     state.sweep = sweep_text(parse_sweep_text(rest));
-    state.tab = "chart";
+    state.stage = "chart";
   } else if (line.word == "experiment") {
     state.experiment = find_stability_experiment(rest).key;
-    state.tab = "stability";
+    state.stage = "stability";
   } else
     return false;
   return true;
@@ -78,16 +100,17 @@ Document state_document(const LessonState& state, const Document& now) {
   if (state.size) {
     document.view.width = state.size->x;
     document.view.height = state.size->y;
-    document.pixel = {-1, -1};  // the telling pixel is one of the canvas size
+    document.pixel = {-1, -1};  // the start pixel is one of the canvas size
   }
   if (state.pixel) document.pixel = *state.pixel;
   document.picked = state.picked;
   document.compare = state.compare;
   document.layout = now.layout;
-  if (!state.tab.empty()) document.layout.bottom_tab = state.tab;
+  const bool tool = std::find(bottom_tabs.begin(), bottom_tabs.end(), state.stage) != bottom_tabs.end();
+  if (tool) document.layout.bottom_tab = state.stage;
   if (!state.sweep.empty()) document.layout.sweep = state.sweep;
   if (!state.experiment.empty()) document.layout.experiment = state.experiment;
-  if (!state.tab.empty() && document.layout.bottom <= 0) document.layout.bottom = opened_share;
+  if (tool && document.layout.bottom <= 0) document.layout.bottom = opened_share;
   document.story = carried_over(now.story, same_scene);
   return document;
 }
@@ -97,8 +120,9 @@ Document lesson_document(const Lesson& lesson, int step, const Document& now) {
   Document document = state_document(lesson.steps[static_cast<std::size_t>(step)].state, now);
   document.lesson = lesson.name;
   document.step = step;
-  document.mode = now.mode == ScreenMode::presenter ? ScreenMode::presenter : ScreenMode::lesson;
-  document.layout.stage = lesson.steps[static_cast<std::size_t>(step)].state.tab;
+  const LessonState& state = lesson.steps[static_cast<std::size_t>(step)].state;
+  document.mode = now.mode == ScreenMode::presenter ? ScreenMode::presenter : state.mode;
+  document.layout.stage = state.stage;
   return document;
 }
 

@@ -225,7 +225,7 @@ class BvhBuilder {
     for (const Range<Real>& child : children(subtree.nodes, range, split, centroids)) fill(subtree, child);
   }
 
-  /// Where areas overflow, no cut costs less than another. Neighbours in a mesh mostly stand together in its list, so
+  /// Where areas overflow, no cut costs less than another. Neighbours in a mesh mostly are together in its list, so
   /// that half of the list is better than a leaf of thousands.
   std::array<Range<Real>, 2> halves(Subtree& subtree, const Range<Real>& range) {
     const auto& references = references_[static_cast<std::size_t>(subtree.side)];

@@ -15,14 +15,14 @@ namespace ps {
 struct IntoModel {
   bool exists = false;  ///< false: the transform flattens the model, and there is no way back
   Mat3d matrix{1.0};    ///< inverse of rotation * scale
-  Vec3d origin{0};      ///< where the model's origin stands in the world
+  Vec3d origin{0};      ///< where the model's origin is in the world
   Vec3d spread{0};      ///< sums of the absolute values of the matrix's rows
   Vec3d reach{0};       ///< the model's largest absolute coordinates, by axis
-  double placed = 0;    ///< bound on the world coordinates of the model's corners, and on their sums on the way there
+  double placed = 0;    ///< bound on the world coordinates of the model's vertices, and on their sums on the way there
   double residual = 0;  ///< how far a step of 1 to the model and back misses: the inverse's own error
 };
 
-/// `corners` holds all of the model's corners.
+/// `corners` holds all of the model's vertices.
 inline IntoModel into_model(const Transform& transform, const Box<double>& corners) {
   IntoModel into;
   into.origin = transform.translation;
@@ -60,7 +60,8 @@ inline IntoModel into_model(const Transform& transform, const Box<double>& corne
 /// How far the boxes must be grown: let the ray pass within `pad` of a corner-to-corner placed triangle, on each axis
 /// of the world (CandidateRay). With u the half ulp of Real and v that of double, sizes of coordinates at most `placed`
 /// in the model and |o| at the ray's origin:
-///   - the triangle's corners in the world are those of the model within u placed (rounded to Real) + 16 v placed (made
+///   - the triangle's vertices in the world are those of the model within u placed (rounded to Real) + 16 v placed
+///   (made
 ///     in double); the ray's origin and direction come back within (16 v + residual) (placed + |o|). Going back into
 ///     the model, a step of e along each axis of the world becomes at most spread * e;
 ///   - there, rounding origin and direction to Real, adding the pad, and the slab test's own three operations move the

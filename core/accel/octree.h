@@ -29,7 +29,7 @@ Vec3<Real> middle_of(const Box<Real>& box) {
   return box.low * Real(0.5) + box.high * Real(0.5);
 }
 
-/// Space cut into eight equal parts, again and again. A primitive stands in every leaf that it touches, so it may be
+/// Space cut into eight equal parts, again and again. A primitive is in every leaf that it touches, so it may be
 /// visited more than once.
 template <class Real>
 struct Octree {

@@ -71,7 +71,7 @@ float least_shared(const WideCost& left, const WideCost& right, std::size_t chil
 
 std::vector<WideCost> wide_costs(const Bvh<float>& bvh) {
   std::vector<WideCost> costs(bvh.nodes.size());
-  for (std::size_t i = costs.size(); i-- > 0;) {  // children stand behind their parents
+  for (std::size_t i = costs.size(); i-- > 0;) {  // children are behind their parents
     const BvhNode<float>& node = bvh.nodes[i];
     const float area = node.box.half_area();
     WideCost& cost = costs[i];

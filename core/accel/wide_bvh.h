@@ -96,7 +96,7 @@ struct WideBvh {
 template <class TriangleOf>
 WideBvh widen(const Bvh<float>& bvh, TriangleOf&& triangle, int threads = 0);
 
-/// The two steps of widen(): nodes alone, with the range of bvh.order that each block takes, then the corners.
+/// The two steps of widen(): nodes alone, with the range of bvh.order that each block takes, then the vertices.
 struct BlockRange {
   std::uint32_t first = 0, count = 0;
 };

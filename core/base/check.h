@@ -18,7 +18,7 @@ struct SourcePlace {
 class InputError : public std::runtime_error {
  public:
   InputError(SourcePlace place, std::string found, std::string expected);
-  /// For input without a position, such as a command-line value; what() is the message as it stands.
+  /// For input without a position, such as a command-line value; what() is the message unchanged.
   explicit InputError(const std::string& message);
 
   const SourcePlace& place() const noexcept { return place_; }

@@ -47,7 +47,7 @@ enum class Counter {
   stencil_tests,     ///< covered samples of shadow volumes
   stencil_updates,   ///< those that changed a count
   environment_reads,
-  octree_entries,  ///< primitives that the leaves of an octree list: one that touches several stands in each
+  octree_entries,  ///< primitives that the leaves of an octree list: one that touches several is in each
   count_
 };
 

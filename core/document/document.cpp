@@ -36,7 +36,7 @@ Document open_document(const std::string& scene_name, Scene scene) {
     document.a.settings.renderer = renderer_for(flat ? PictureWay::fragments : PictureWay::rays);
     document.b.settings.renderer = renderer_for(PictureWay::fragments);
   }
-  document.pixel = scene.telling_pixel;
+  document.pixel = scene.start_pixel;
   document.scene = scene;
   document.base = std::move(scene);
   return document;

@@ -20,7 +20,7 @@ namespace ps {
 enum class Side { a, b };
 inline Side other_side(Side side) { return side == Side::a ? Side::b : Side::a; }
 
-/// How the two pictures stand to each other on the screen.
+/// How the two pictures are arranged on the screen.
 enum class CompareMode { side_by_side, split, difference, only_a, only_b };
 
 /// What one of the pictures is made with and shows.
@@ -71,14 +71,14 @@ struct Document {
   std::vector<SceneEdit> edits;  ///< in the order in which they are applied
   PictureView view;
   SideState a, b;
-  std::string picture_b;  ///< a picture file that stands in B's place, as the user gave it; empty = B is rendered
+  std::string picture_b;  ///< a picture file that is in B's place, as the user gave it; empty = B is rendered
   Vec2i pixel{-1, -1};    ///< the picked pixel, array position; (-1, -1) = none
   Side picked = Side::a;  ///< whose story is shown
   std::array<int, 2> events{-1, -1};  ///< the selected events of the stories of A and B; -1 = none
   StoryView story;                    ///< what its views show
   std::optional<Pin> pin;             ///< the pixel whose numbers of then are shown beside those of now
   CompareMode compare = CompareMode::side_by_side;
-  double split = 0.5;          ///< where the divider stands, share of the picture's width
+  double split = 0.5;          ///< where the divider is, share of the picture's width
   double difference_gain = 0;  ///< factor by which differences are shown; 0 = as large as shows something
   ScreenMode mode = ScreenMode::explore;
   Layout layout;
@@ -90,7 +90,7 @@ struct Document {
 bool operator==(const Document& x, const Document& y);
 
 /// A document that shows `scene` as its file asks: its settings on both sides; rays in A and triangles in B, unless the
-/// file names a renderer or all that there is lies on the canvas, where rays find nothing; its telling pixel picked.
+/// file names a renderer or all that there is lies on the canvas, where rays find nothing; its start pixel picked.
 /// Throws InputError for settings that do not exist.
 Document open_document(const std::string& scene_name, Scene scene);
 

@@ -20,7 +20,7 @@ struct LoadOptions {
 /// or corrupt file, an unknown extension and a size outside 1..most_pixels.
 Image<Vec3f> load_image(const std::filesystem::path& path, const LoadOptions& options = {});
 
-/// The same for the bytes of a file at hand; the name gives the format and stands in messages.
+/// The same for the bytes of a file at hand; the name gives the format and is in messages.
 Image<Vec3f> decode_image(std::string_view bytes, const std::filesystem::path& name, const LoadOptions& options = {});
 
 /// The opacity of each pixel of a picture that load_image can read, in all three channels: 1 where the file has none.

@@ -19,7 +19,7 @@ struct SvgStyle {
 
 enum class SvgAnchor { start, middle, end };
 
-/// A drawing in Scalable Vector Graphics 1.1 that stands by itself: white paper, pictures inside it. Coordinates are
+/// A drawing in Scalable Vector Graphics 1.1 that needs no other file: white paper, pictures inside it. Coordinates are
 /// user units (pixels) from the top left, y down; text is escaped.
 class SvgDrawing {
  public:

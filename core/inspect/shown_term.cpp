@@ -50,7 +50,7 @@ class Terms {
     const int mirrored = last_with_term<ReflectionEvent>(ray);
     return mirrored >= 0 ? mirrored : last_with_term<RefractionEvent>(ray);
   }
-  /// What a fragment wrote stands below it.
+  /// What a fragment wrote is below it.
   int of_fragment(int event) const {
     for (int above = event; above >= 0; above = events_[static_cast<std::size_t>(above)].parent) {
       if (!std::holds_alternative<FragmentEvent>(events_[static_cast<std::size_t>(above)].data)) continue;

@@ -93,7 +93,7 @@ class FragmentParts {
     const Vec3d across = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double length = std::sqrt(dot(across, across));
     if (!(length > 0)) return;
-    // Corners may stand on the canvas in either order; the front is the side that the renderer says is seen.
+    // Vertices may be on the canvas in either order; the front is the side that the renderer says is seen.
     const bool faces_eye = dot(across, inputs_.image.eye(sample_) - point_) > 0;
     const double sense = faces_eye == fragment.back_face ? -1 : 1;
     add_normal(SpaceKind::geometric_normal, point_, across * (sense / length), item, inputs_, model_);
@@ -111,7 +111,7 @@ class FragmentParts {
     const double length = std::sqrt(dot(light.to_light, light.to_light));
     if (light.kind == LightKind::ambient || !(length > 0)) return;
     SpaceItem item{SpaceKind::light_direction, SpaceShape::line, {}, index};
-    if (light.kind == LightKind::point) {  // lit where it says: with Gouraud shading that is a corner
+    if (light.kind == LightKind::point) {  // lit where it says: with Gouraud shading that is a vertex
       const auto& lights = *inputs_.scene.lights;
       if (light.light < 0 || static_cast<std::size_t>(light.light) >= lights.size()) return;  // the story is older
       const Vec3d& lamp = lights[static_cast<std::size_t>(light.light)].position;

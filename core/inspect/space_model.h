@@ -15,7 +15,7 @@ enum class SpaceKind {
   pixel_grid,          ///< a line between columns or rows of pixels (thinned)
   pixel_cell,          ///< the picked pixel on the projection plane
   clip_plane,          ///< a clipping plane's part inside the frustum
-  light,               ///< where a point light stands, or where a directional one comes from
+  light,               ///< where a point light is, or where a directional one comes from
   eye_ray,             ///< from the eye to what was hit
   sight_line,          ///< the same line for fragments: nothing travels along it
   reflection_ray,      ///< from a hit to the next
@@ -26,7 +26,7 @@ enum class SpaceKind {
   shading_normal,     ///< as the renderer used it, so that a wrong one shows
   geometric_normal,   ///< only where it differs from the shading normal
   triangle,           ///< the hit triangle, or a fragment's
-  barycentric_area,   ///< the part of a triangle opposite to a corner
+  barycentric_area,   ///< the part of a triangle opposite to a vertex
   triangle_on_image,  ///< a fragment's triangle on the projection plane
   rejected_triangle,  ///< never became a fragment
   node,               ///< box or sphere of the accelerator that a ray was tested against
@@ -51,7 +51,7 @@ struct SpaceItem {
   std::vector<Vec3d> points;
   int event = -1;           ///< index of the event it shows; -1 = part of the set-up
   double contribution = 1;  ///< share of the pixel's colour that comes through the ray it belongs to, 0..1
-  double weight = 0;        ///< barycentric areas: the corner's weight
+  double weight = 0;        ///< barycentric areas: the vertex's weight
   int level = 0;            ///< nodes: depth in the tree; rays: number of bounces before
   bool emphasised = true;   ///< false: did not win (fragment behind, node passed by)
   std::string label = {};   ///< a few words; may be empty

@@ -8,7 +8,7 @@ namespace ps {
 struct SpaceOrbit {
   Vec3d pivot{0, 0, 0};  ///< what is at the centre
   double yaw = 0;        ///< 0 = looking as the camera does, positive = turned to its right
-  double pitch = 0;      ///< how far above it the viewer stands
+  double pitch = 0;      ///< how far above it the viewer is
   double distance = 1;   ///< from the pivot, world units
   bool operator==(const SpaceOrbit&) const = default;
 };

@@ -48,7 +48,7 @@ void add_triangle(const std::array<Vec3d, 3>& corners, const std::array<double, 
                   SpaceModel& model);
 /// A way along three great circles of a sphere, one around each axis.
 std::vector<Vec3d> sphere_outline(const Vec3d& centre, double radius);
-/// World-space corners of a triangle that the scene holds; none for spheres and unknown ids.
+/// World-space vertices of a triangle that the scene holds; none for spheres and unknown ids.
 std::optional<std::array<Vec3d, 3>> world_triangle(const Scene& scene, const PixelId& id);
 
 }  // namespace ps

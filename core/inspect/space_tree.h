@@ -10,7 +10,7 @@ namespace ps {
 struct SpaceTree {
   std::size_t nodes = 0;       ///< of all levels; empty cells of an octree left out
   std::size_t primitives = 0;  ///< that it holds
-  std::size_t entries = 0;     ///< how often its leaves list them together: more where one stands in several cells
+  std::size_t entries = 0;     ///< how often its leaves list them together: more where one is in several cells
 };
 
 /// More nodes in one drawing show nothing.

@@ -13,7 +13,13 @@ inline Vec3<Real> unit(const Vec3<Real>& v) {
   return v / std::sqrt(dot(v, v));
 }
 
-/// The same; a vector whose square vanishes stays as it is.
+/// The same with one division in place of three, as the ray tracer computes it: the last bits differ.
+template <class Real>
+inline Vec3<Real> normalised(const Vec3<Real>& v) {
+  return v * (Real(1) / std::sqrt(dot(v, v)));
+}
+
+/// unit(); a vector whose square vanishes stays as it is.
 template <class Real>
 inline Vec3<Real> unit_or_zero(const Vec3<Real>& v) {
   const Real size = std::sqrt(dot(v, v));

@@ -3,6 +3,14 @@
 namespace ps::rows {
 
 std::vector<Option> camera_rows() {
+  Option far = real<&Settings::far>({.key = "far",
+                                     .label = "Far limit",
+                                     .help = {"Surfaces farther than this are not seen; measured as the near limit is.",
+                                              "CGFS ch. 2", "Too small: cuts off the horizon."},
+                                     .keywords = "far plane, clip plane, frustum, t max, z far, draw distance",
+                                     .truth = as_set()},
+                                    1e-3, 1e30, OptionScale::logarithmic, "d");
+  far.sweep_values = "10,100,1000,10000";  // evenly spread over the range, most values would cut nothing
   return {
       choice<&Settings::sample_position>(
           {.key = "sample-position",
@@ -61,13 +69,7 @@ std::vector<Option> camera_rows() {
            .keywords = "near plane, clip plane, frustum, t min, z near",
            .truth = as_set()},
           1e-4, 1e4, OptionScale::logarithmic, "d"),
-      real<&Settings::far>({.key = "far",
-                            .label = "Far limit",
-                            .help = {"Surfaces farther than this are not seen; measured as the near limit is.",
-                                     "CGFS ch. 2", "Too small: cuts off the horizon."},
-                            .keywords = "far plane, clip plane, frustum, t max, z far, draw distance",
-                            .truth = as_set()},
-                           1e-3, 1e30, OptionScale::logarithmic, "d"),
+      far,
   };
 }
 

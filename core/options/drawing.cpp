@@ -8,6 +8,15 @@ Reason needs_filling(const Settings& s, const SceneTraits&) {
   return {};
 }
 
+/// Filled row by row, a shape on the canvas has whole pixels for vertices, and all of its edge belongs to it. What lies
+/// in space has edge functions all the same.
+Reason needs_edges_of_fills(const Settings& s, const SceneTraits& t) {
+  if (const auto reason = needs_filling(s, t)) return reason;
+  const bool in_space = t.triangles || t.spheres || t.solids;
+  if (t.canvas_triangles && s.canvas_fill == CanvasFill::rows && !in_space) return "needs canvas-fill = edge-functions";
+  return {};
+}
+
 Reason needs_single_samples(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_filling(s, t)) return reason;
   if (s.multisampling > 1) return "needs multisampling = 1: sub-samples are tested with edge functions";
@@ -145,7 +154,7 @@ std::vector<Option> drawing_rows() {
            .keywords = "snapping, fixed point, vertex precision, wobble, jitter",
            .truth = exactly("subpixel-bits=12"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_filling},
+           .inactive = needs_edges_of_fills},
           0, 12, "bits"),
       choice<&Settings::fill_rule>(
           {.key = "fill-rule",
@@ -155,7 +164,7 @@ std::vector<Option> drawing_rows() {
            .keywords = "top-left rule, shared edge, double hit, tie, cracks, overlap",
            .truth = exactly("fill-rule=top-left"),
            .acts_for = ActsFor::fragments,
-           .inactive = needs_filling},
+           .inactive = needs_edges_of_fills},
           {{"top-left", "top-left", "The triangle for which it is a top or left edge: each pixel is drawn once."},
            {"inclusive", "inclusive", "Both triangles, as in the book's scanlines."},
            {"exclusive", "exclusive", "Neither."}}),

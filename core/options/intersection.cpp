@@ -15,8 +15,14 @@ Reason needs_traced_triangles(const Settings&, const SceneTraits& t) {
 
 Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
   if (const auto reason = needs_traced_triangles(s, t)) return reason;
-  if (s.triangle_test == TriangleTest::watertight) return "no effect: the watertight test has no epsilon";
+  if (!texts_of(s.triangle_test).has_epsilon) return "no effect: this triangle test has no epsilon";
   return {};
+}
+
+std::vector<Choice> triangle_test_choices() {
+  std::vector<Choice> choices;
+  for (const TriangleTestTexts& row : triangle_test_texts) choices.push_back({row.key, row.label, row.help});
+  return choices;
 }
 
 }  // namespace
@@ -55,12 +61,7 @@ std::vector<Option> intersection_rows() {
            .truth = exactly("triangle-test=watertight"),
            .acts_for = ActsFor::rays,
            .inactive = needs_traced_triangles},
-          {{"watertight", "watertight", "Sheared edge functions: neighbours agree on every edge."},
-           {"moeller-trumbore", "Moeller-Trumbore", "Cramer's rule on the barycentric equations."},
-           {"barycentric", "plane, then barycentrics",
-            "Intersects the plane, then solves for the barycentric weights."},
-           {"cross-products", "plane, then cross products",
-            "Intersects the plane, then tests on which side of each edge the point lies."}}),
+          triangle_test_choices()),
       real<&Settings::triangle_epsilon>({.key = "triangle-epsilon",
                                          .label = "Triangle epsilon",
                                          .help = {"Determinants up to this size count as parallel.", "CGPP 15.4.3",

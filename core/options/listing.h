@@ -8,7 +8,7 @@
 #include "scene/scene.h"
 
 /// A listing is a lesson's routine, written in the steps of its source: chapters/NAME/listing.cpp. The textbook
-/// renderer runs it as it stands, in double precision, and the window shows its lines with the values that they had for
+/// renderer runs it unchanged, in double precision, and the window shows its lines with the values that they had for
 /// a pixel.
 
 namespace ps {
@@ -28,6 +28,7 @@ struct ListingDraws {
   bool models = false;  ///< made of triangles
   bool canvas_lines = false;
   bool canvas_triangles = false;
+  bool canvas_intensities = false;  ///< the intensities h at their vertices
   bool light = false;
   bool shadows = false;
   bool reflections = false;

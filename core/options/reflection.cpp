@@ -55,7 +55,8 @@ std::vector<Option> reflection_rows() {
            .truth = exactly("self-hit=offset"),
            .acts_for = ActsFor::rays,
            .inactive = [](const Settings& s, const SceneTraits& t) -> Reason {
-             if ((!t.reflective && !t.transparent) || s.reflection_depth == 0) return "needs reflected rays";
+             if (const auto reason = needs_bouncing_rays(s, t)) return reason;
+             if (s.reflection_depth == 0) return "needs reflection-depth above 0";
              if (s.self_hit == SelfHit::offset) return "needs self-hit = epsilon or normal-bump";
              return {};
            }},

@@ -1,5 +1,6 @@
 #pragma once
-#include <initializer_list>
+#include <utility>
+#include <vector>
 
 #include "options/option.h"
 
@@ -67,9 +68,9 @@ Option toggle(const Names& names) {
 }
 
 template <auto Member>
-Option choice(const Names& names, std::initializer_list<Choice> choices) {
+Option choice(const Names& names, std::vector<Choice> choices) {
   Option option = row<Member>(names, OptionKind::choice);
-  option.choices = choices;
+  option.choices = std::move(choices);
   option.maximum = static_cast<double>(option.choices.size()) - 1;
   return option;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include "image/colour_depth.h"
 #include "image/texture_choices.h"
+#include "options/triangle_tests.h"
 #include "scene/normal_transform.h"
 
 namespace ps {
@@ -48,7 +49,6 @@ enum class SelfHit { offset, epsilon, normal_bump };
 enum class EpsilonUnit { ray_parameter, distance };
 enum class Accelerator { bvh, none, bounding_spheres, box, octree, two_level, embree };
 enum class SlabTest { robust, naive };
-enum class TriangleTest { watertight, moeller_trumbore, barycentric, cross_products };
 enum class SphereTest { robust, quadratic };
 enum class Precision { float32, float64 };
 enum class Simd { automatic, off, sse4, avx2, avx512 };

@@ -43,8 +43,10 @@ Reason needs_cut_volumes(const Settings& s, const SceneTraits& t) {
 }
 
 Reason needs_secondary_rays(const Settings& s, const SceneTraits& t) {
+  const bool bounces = t.reflective || t.transparent;
+  if (!t.casting_lights && !bounces) return "the scene has no light that casts shadows, and no mirror or glass";
   const bool shadows = s.lighting && t.casting_lights && s.shadows != Shadows::none;
-  const bool mirrors = t.reflective && s.reflection_depth > 0;
+  const bool mirrors = bounces && s.reflection_depth > 0;
   if (!shadows && !mirrors) return "needs shadows or reflections";
   return {};
 }

@@ -27,7 +27,7 @@ struct ClipPlane {
 template <class Real>
 std::vector<ClipPlane<Real>> make_clip_planes(const Settings& settings, const Viewport<double>& viewport);
 
-/// A corner of a triangle while it is being cut: where it is, and its weights with respect to the original corners,
+/// A vertex of a triangle while it is being cut: where it is, and its weights with respect to the original vertices,
 /// from which every attribute follows.
 template <class Real>
 struct ClipVertex {
@@ -46,8 +46,8 @@ struct ClipPolygon {
 
 enum class ClipOutcome { inside, outside, split };
 
-/// Cuts a polygon, keeping the part in front of the plane. New corners are computed from the inner end of an edge to
-/// the outer one, so two triangles that share an edge get the same new corner, bit for bit.
+/// Cuts a polygon, keeping the part in front of the plane. New vertices are computed from the inner end of an edge to
+/// the outer one, so two triangles that share an edge get the same new vertex, bit for bit.
 template <class Real>
 ClipOutcome clip_polygon(ClipPolygon<Real>& polygon, const ClipPlane<Real>& plane);
 

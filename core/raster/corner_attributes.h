@@ -7,14 +7,14 @@
 
 namespace ps::raster {
 
-/// Most scalars that one corner can carry: normal, position, uv, tangents, light and extra.
+/// Most scalars that one vertex can carry: normal, position, uv, tangents, light and extra.
 inline constexpr std::size_t max_attributes = 20;
 
-/// The scalars of one corner, in the order of its surface's layout.
+/// The scalars of one vertex, in the order of its surface's layout.
 template <class Real>
 using CornerAttributes = std::array<Real, max_attributes>;
 
-/// One triangle of a mesh with what the vertex stage made of its corners.
+/// One triangle of a mesh with what the vertex stage made of its vertices.
 template <class Real>
 struct CornerSource {
   const Mesh* mesh = nullptr;
@@ -22,7 +22,7 @@ struct CornerSource {
   const VertexBuffer<Real>* vertices = nullptr;
   Vec3<Real> face_normal{0, 0, 0};  ///< world space, length 1
 
-  /// Corner `k`'s normal as the option `normals` asks.
+  /// Vertex `k`'s normal as the option `normals` asks.
   Vec3<Real> normal(std::size_t k, Normals normals) const {
     const auto index = triangle->normal[k];
     if (normals == Normals::triangle || index < 0 || !vertices->has_normals()) return face_normal;
@@ -36,7 +36,7 @@ struct CornerSource {
   }
 };
 
-/// Whether anything that shades a triangle of the surface reads the triangle's own normal: where corners have none.
+/// Whether anything that shades a triangle of the surface reads the triangle's own normal: where vertices have none.
 template <class Real>
 inline bool reads_face_normal(const Pass<Real>& pass, const Surface<Real>& surface, const CornerSource<Real>& source) {
   const AttributeLayout& layout = surface.layout;

@@ -8,7 +8,7 @@ namespace ps::raster {
 /// one.
 bool shades_in_lanes(const Surface<float>& surface);
 
-/// What stands in the way of whole tiles besides settings, scene and channels.
+/// What is in the way of whole tiles besides settings, scene and channels.
 struct PictureLimits {
   bool part_only = false;       ///< a part of the picture is asked for
   bool large_textures = false;  ///< a texture does not fit the kernels' form

@@ -114,10 +114,10 @@ class PixelWalk {
     }
     story_.triangles_elsewhere += triangles - near_triangles.size();
     if (!filled()) return near;
-    std::set<std::uint32_t> told;
+    std::set<std::uint32_t> reported;
     std::erase_if(near, [&](const PrimitiveRef& ref) {
       if (covers(triangle(ref))) return false;
-      return covered.count(sequence(ref)) > 0 || !told.insert(sequence(ref)).second;
+      return covered.count(sequence(ref)) > 0 || !reported.insert(sequence(ref)).second;
     });
     return near;
   }
@@ -134,8 +134,8 @@ class PixelWalk {
            decide_sample<Real>(pass_.coverage, coverage_input(pass_, candidate, *edges), pixel_.x, pixel_.y).covered;
   }
   void report_rejected(PixelRecorder& recorder, std::uint32_t before) {
-    for (; told_ < rejected_.size() && rejected_[told_].sequence < before; ++told_)
-      recorder.event([&] { return rejected_[told_].event; });
+    for (; reported_ < rejected_.size() && rejected_[reported_].sequence < before; ++reported_)
+      recorder.event([&] { return rejected_[reported_].event; });
   }
 
   const Pass<Real>& pass_;
@@ -143,7 +143,7 @@ class PixelWalk {
   Vec2i pixel_;
   PixelStory& story_;
   std::vector<RejectedTriangle> rejected_;
-  std::size_t told_ = 0;
+  std::size_t reported_ = 0;
 };
 
 template <class Real>

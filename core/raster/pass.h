@@ -42,7 +42,7 @@ struct VertexBuffer {
   BlockVector<Vec4<Real>> lit;
 
   /// Where few triangles ask (while one pixel is inspected, and of the fast path's those that something cuts), their
-  /// corners' world positions and normals are made from these when they are asked for, where shading needs them.
+  /// vertices' world positions and normals are made from these when they are asked for, where shading needs them.
   const DrawObject* world_of = nullptr;
   const DrawObject* normals_of = nullptr;
 

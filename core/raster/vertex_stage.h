@@ -23,7 +23,7 @@ std::vector<VertexBuffer<Real>> run_vertex_stage(const Pass<Real>& pass, const s
 /// What the shading of an object's surfaces asks of its vertices besides their place.
 struct VertexNeeds {
   bool world = false;    ///< positions in world space
-  bool normals = false;  ///< the corners' own: for interpolation, at the corners, or for a triangle's mean normal
+  bool normals = false;  ///< the vertices' own: for interpolation, at the vertices, or for a triangle's mean normal
 };
 template <class Real>
 VertexNeeds vertex_needs(const Pass<Real>& pass, std::size_t object);

@@ -4,6 +4,7 @@
 #include "raytrace/accelerators.h"
 #include "raytrace/renderer.h"
 #include "raytrace/sampling/plan.h"
+#include "raytrace/triangle_tests.h"
 
 namespace ps {
 namespace {
@@ -45,8 +46,7 @@ std::string_view no_wide_triangles(const Settings& s, const SceneTraits& t, Chan
   if (!searched && s.accelerator == Accelerator::embree) return "Embree's kernels search, scalar code shades";
   if (!searched) return "SIMD searches need accelerator = bvh, octree or none";
   if (s.slab_test != SlabTest::robust) return "SIMD searches need slab-test = robust";
-  if (s.triangle_test != TriangleTest::watertight && s.triangle_test != TriangleTest::moeller_trumbore)
-    return "SIMD searches need triangle-test = watertight or moeller-trumbore";
+  if (!simd_triangle_test(s.triangle_test)) return "SIMD searches need triangle-test = watertight or moeller-trumbore";
   if (t.one_sided) return "SIMD searches do not support one-sided triangles";
   if (t.any_transparency) return "SIMD searches do not support transparency";
   return "";

@@ -105,7 +105,7 @@ struct TracedGeometry {
   std::vector<Box<Real>> solid_boxes;  ///< one for each of `solids`
   std::vector<CsgStep> steps;
   /// Unbounded primitives, such as planes. They stand outside of every accelerator, since no box around them would
-  /// keep a ray away; all others stand in `bounded`, in the same order. Empty `unbounded`: `bounded` is empty too.
+  /// keep a ray away; all others are in `bounded`, in the same order. Empty `unbounded`: `bounded` is empty too.
   std::vector<std::uint32_t> unbounded, bounded;
   bool one_sided_triangles = false;        ///< some primitives are triangles with front_only
   std::uint64_t degenerate_triangles = 0;  ///< left out, since nothing can hit them
@@ -150,7 +150,7 @@ inline Primitive primitive_of(const TracedGeometry<Real>& geometry, std::uint32_
   return placed_primitive(geometry, range.index, number - range.first);
 }
 
-/// A triangle's corners, and its attributes (for one that has some). Where meshes are shared they are made in
+/// A triangle's vertices, and its attributes (for one that has some). Where meshes are shared they are made in
 /// `scratch`.
 template <class Real>
 inline const TracedTriangle<Real>& triangle_of(const TracedGeometry<Real>& geometry, const Primitive& primitive,

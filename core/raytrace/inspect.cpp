@@ -52,7 +52,7 @@ class PixelInspection {
         if (!chosen_only || is_chosen(first, {x, y})) rays.pixel(x, y);
   }
 
-  /// The first rays of the tile and one pixel around it, as far as the picture goes: pixel (x, y) stands at
+  /// The first rays of the tile and one pixel around it, as far as the picture goes: pixel (x, y) is at
   /// (x - tile_.x0 + 1, y - tile_.y0 + 1).
   Image<FirstRay> first_rays_of_tile() const {
     Image<FirstRay> first(tile_.width() + 2, tile_.height() + 2);

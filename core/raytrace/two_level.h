@@ -9,7 +9,7 @@
 namespace ps {
 
 /// Two levels of trees: one over the triangles of each mesh, in the mesh's own space and kept once, and one over what
-/// stands in the world: instances, and everything that has no mesh.
+/// is in the world: instances, and everything that has no mesh.
 template <class Real>
 struct TwoLevel {
   std::vector<Bvh<Real>> models;  ///< for each of TracedGeometry::meshes; its order holds the mesh's triangles

@@ -123,7 +123,7 @@ struct LightEvent {
   double n_dot_l = 0;                ///< cosine after dividing by both lengths
   double r_dot_v = 0;                ///< cosine of the highlight's angle (R.V or N.H)
   double diffuse = 0, specular = 0;  ///< intensities added, before the light's colour
-  std::optional<PixelId> blocker;    ///< what stands between; then both intensities are 0
+  std::optional<PixelId> blocker;    ///< what is between; then both intensities are 0
   double visible = 1;          ///< share of the light that reaches the point; 0 with a blocker, or in a shadow map
   bool below_horizon = false;  ///< N.L <= 0: no diffuse light
 };

@@ -9,7 +9,7 @@ namespace ps {
 
 /// A number as people read it: four significant digits, infinity and NaN in words, never "-0".
 std::string number_text(double value);
-/// Numbers that stand in one row, four significant digits each, all of them with an exponent or none.
+/// Numbers that are in one row, four significant digits each, all of them with an exponent or none.
 std::vector<std::string> number_row(std::span<const double> values);
 /// The shortest text that reads back as the same double.
 std::string exact_number_text(double value);

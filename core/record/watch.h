@@ -27,7 +27,7 @@ std::string watch_text(const WatchValue& value);
 /// A value that a listing had on one of its lines.
 struct Watch {
   int line = 0;
-  std::string_view name;  ///< as it stands in the source
+  std::string_view name;  ///< as the source spells it
   WatchValue value;
   int instance = -1;  ///< index of the innermost open WatchInstance; -1 = none
   bool operator==(const Watch&) const = default;

@@ -54,9 +54,9 @@ void name_materials(const Geometry& geometry, std::vector<Material>& materials) 
 Scene finish_draft(SceneDraft draft) {
   Scene scene = std::move(draft.scene);
   if (scene.title.empty()) scene.title = scene.name;
-  if (scene.telling_pixel.x >= scene.canvas_width || scene.telling_pixel.y >= scene.canvas_height)
-    throw InputError({scene.name, draft.single_keys["telling_pixel"], 1},
-                     fmt::format("the pixel ({}, {})", scene.telling_pixel.x, scene.telling_pixel.y),
+  if (scene.start_pixel.x >= scene.canvas_width || scene.start_pixel.y >= scene.canvas_height)
+    throw InputError({scene.name, draft.single_keys["start_pixel"], 1},
+                     fmt::format("the pixel ({}, {})", scene.start_pixel.x, scene.start_pixel.y),
                      fmt::format("one inside the canvas of {} x {}", scene.canvas_width, scene.canvas_height));
   name_objects(draft.geometry);
   name_materials(draft.geometry, draft.materials);

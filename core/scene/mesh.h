@@ -9,7 +9,7 @@
 
 namespace ps {
 
-/// One corner list of a mesh triangle: indices into the mesh's arrays.
+/// One vertex list of a mesh triangle: indices into the mesh's arrays.
 struct MeshTriangle {
   std::array<std::uint32_t, 3> position{};
   std::array<std::int32_t, 3> normal{-1, -1, -1};  ///< -1 = no vertex normal

@@ -25,7 +25,7 @@ struct MtlTexture {
   ReflectionPart part = ReflectionPart::none;
 };
 
-/// Reads what follows the statement `map_Kd` and its like: options, then a name that may hold blanks or stand in double
+/// Reads what follows the statement `map_Kd` and its like: options, then a name that may hold blanks or be in double
 /// quotes, then perhaps more options, which some exporters write there. Throws InputError with line and column for an
 /// unknown option, a wrong value and a missing name.
 MtlTexture read_mtl_texture(ObjLine& line);

@@ -97,7 +97,7 @@ class ModelBuilder {
     ++faces_;
   }
 
-  /// Whether a `usemtl` without a name, which tinyobjloader does not report, stands before the face that is being read.
+  /// Whether a `usemtl` without a name, which tinyobjloader does not report, is before the face that is being read.
   bool material_ends() {
     const std::size_t before = next_end_;
     while (next_end_ < without_material_.size() && without_material_[next_end_] <= faces_) ++next_end_;

@@ -18,7 +18,7 @@ struct ObjModel {
 };
 
 /// Reads a Wavefront OBJ file with its MTL files and textures through tinyobjloader, after obj_check has read the text.
-/// Faces with more than three corners are cut into triangles. Texture coordinates are turned over, since OBJ counts v
+/// Faces with more than three vertices are cut into triangles. Texture coordinates are turned over, since OBJ counts v
 /// from the bottom and we from the top. Faces of a smoothing group without normals get the mean ones of their vertices.
 /// Kd becomes the colour, Ks and Ns the highlight, Ka the ambient colour, map_Kd the texture, d or Tr the transparency;
 /// illum says whether there is a highlight, a reflection (as strong as Ks) and refraction (Ni). Throws InputError.

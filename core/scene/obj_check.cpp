@@ -181,7 +181,7 @@ class ObjChecker {
     summary_.corners += static_cast<std::size_t>(corners);
   }
 
-  /// v, v/vt, v//vn or v/vt/vn. Slashes with nothing behind them go: tinyobjloader would take the next corner's number.
+  /// v, v/vt, v//vn or v/vt/vn. Slashes with nothing behind them go: tinyobjloader would take the next vertex's number.
   void corner(ObjLine& line, std::string_view word) {
     const auto last = word.find_last_not_of('/');
     if (last != std::string_view::npos && last + 1 < word.size()) {

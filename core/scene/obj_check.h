@@ -7,7 +7,7 @@
 
 namespace ps {
 
-/// A name in a model file and the line in which it stands first.
+/// A name in a model file and the line in which it is first.
 struct ObjReference {
   std::string name;
   int line = 0;
@@ -35,7 +35,7 @@ struct ObjSummary {
 
 /// Reads the text of a Wavefront OBJ file before tinyobjloader does, which takes "v nan" and "v 1 banana 0" without a
 /// word and only warns of indices out of range. After this the text is known to be good: every number is finite and
-/// at most 1e12, every index lies in its list, every face has 3 to 1000 corners, and there is at least one face.
+/// at most 1e12, every index lies in its list, every face has 3 to 1000 vertices, and there is at least one face.
 /// Joined lines (a backslash at the end), comments behind a statement and a byte-order mark are blanked out in place,
 /// since tinyobjloader does not know them. Free-form curves and surfaces are passed over, with a note, where there are
 /// faces as well. Throws InputError with line and column.

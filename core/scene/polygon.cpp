@@ -10,7 +10,7 @@ namespace {
 std::vector<Vec2d> flattened(const std::vector<Vec3d>& corners) {
   Vec3d normal{0, 0, 0};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    // Relative to the first corner, so that places far from the origin lose no digits.
+    // Relative to the first vertex, so that places far from the origin lose no digits.
     const Vec3d a = corners[i] - corners[0];
     const Vec3d b = corners[(i + 1) % corners.size()] - corners[0];
     normal += cross(a, b);
@@ -63,7 +63,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate_polygon(const std::vector<
     for (std::uint32_t i = 0; i < count; ++i)
       convex = convex && turn(flat[i], flat[(i + 1) % count], flat[(i + 2) % count]) >= 0;
     // A simple polygon has an ear in every round; one that crosses itself may not, and what is left becomes a fan. The
-    // number of attempts is bounded, since each looks at all corners.
+    // number of attempts is bounded, since each looks at all vertices.
     std::size_t attempts = 30 * left.size();
     for (std::size_t tip = 0, failures = 0; !convex && left.size() > 3 && failures < left.size() && attempts > 0;) {
       --attempts;

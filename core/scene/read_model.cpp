@@ -192,7 +192,7 @@ class ModelReader {
     values_.fail(term, fmt::format("a {} of the model, which has {}", what, names.size()));
   }
 
-  /// A corner's value: a name from the model's own list, or spelled out; equal ones are then stored once.
+  /// A vertex's value: a name from the model's own list, or spelled out; equal ones are then stored once.
   template <class Vec, class Read>
   std::int32_t corner(const SceneTerm& term, const Names& names, std::string_view what, std::vector<Vec>& stored,
                       std::map<std::array<double, 3>, std::int32_t>& given, Read read) {

@@ -31,7 +31,7 @@ Mat3d rotation_about(Axis axis, double degrees) {
 
 std::optional<AxisAngle> axis_angle_of(const Mat3d& rotation) {
   for (const Axis axis : {Axis::y, Axis::x, Axis::z}) {
-    // The cosine and sine stand in the same places of every rotation about this axis.
+    // The cosine and sine are in the same places of every rotation about this axis.
     const Vec3d row = row_of(rotation, axis == Axis::x ? 1 : 0);
     const double cosine = axis == Axis::x ? row.y : row.x;
     const double sine = axis == Axis::y ? -row.z : (axis == Axis::x ? row.z : row.y);

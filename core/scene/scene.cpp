@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -77,6 +78,13 @@ SceneTraits scene_traits(const Scene& scene) {
   traits.canvas_triangles =
       std::any_of(scene.canvas_items->begin(), scene.canvas_items->end(),
                   [](const CanvasItem& item) { return !std::holds_alternative<CanvasLine>(item); });
+  for (const CanvasItem& item : lines_and_triangles(*scene.canvas_items)) {
+    const auto* triangle = std::get_if<CanvasTriangle>(&item);
+    if (!triangle || !triangle->filled) continue;
+    const auto& [c0, c1, c2] = triangle->colours;
+    traits.canvas_intensities = traits.canvas_intensities || triangle->h != std::array<double, 3>{1, 1, 1};
+    traits.canvas_gradients = traits.canvas_gradients || c0 != c1 || c0 != c2;
+  }
   return traits;
 }
 

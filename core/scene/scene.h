@@ -56,8 +56,8 @@ struct Scene {
   Part<std::vector<CanvasItem>> canvas_items;
   /// Option settings that the scene file asks for, as key and value, in the file's order.
   std::vector<SceneSetting> settings;
-  /// The pixel worth a first click at the canvas size, or (-1, -1).
-  Vec2i telling_pixel{-1, -1};
+  /// The pixel that is picked at first, at the canvas size, or (-1, -1): the one that shows what the scene is about.
+  Vec2i start_pixel{-1, -1};
   /// The files that it was read from: the scene itself, then those it includes, models, materials and textures.
   std::vector<std::string> files;
   /// What the files ask for and could not be had, in whole sentences: the scene is shown without it.
@@ -92,11 +92,13 @@ struct SceneTraits {
   bool reflection_maps = false;  ///< on a surface that reflects
   bool canvas_items = false;
   bool canvas_triangles = false;
-  bool tinted = false;            ///< a surface whose ambient light or highlight has a colour of its own
-  bool odd_highlights = false;    ///< a highlight's exponent is not a positive finite number
-  bool any_transparency = false;  ///< a transparency above 0, even one that cannot be seen
-  bool one_sided = false;         ///< triangles that are seen from their front alone
-  bool dynamic = false;           ///< objects that are marked so
+  bool canvas_intensities = false;  ///< a filled shape on the canvas with an intensity h other than 1
+  bool canvas_gradients = false;    ///< a filled shape on the canvas with vertices of different colours
+  bool tinted = false;              ///< a surface whose ambient light or highlight has a colour of its own
+  bool odd_highlights = false;      ///< a highlight's exponent is not a positive finite number
+  bool any_transparency = false;    ///< a transparency above 0, even one that cannot be seen
+  bool one_sided = false;           ///< triangles that are seen from their front alone
+  bool dynamic = false;             ///< objects that are marked so
   std::size_t sphere_count = 0;
 };
 SceneTraits scene_traits(const Scene& scene);

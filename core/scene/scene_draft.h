@@ -21,8 +21,8 @@ struct SceneDraft {
   std::map<std::string, std::uint32_t> mesh_index;      ///< by the model's name
   std::map<std::string, std::uint32_t> material_index;  ///< named materials only
   std::map<std::string, int> texture_index;
-  std::map<std::string, int> object_lines;  ///< given names and the line in which each stands
-  std::map<std::string, int> single_keys;   ///< top-level keys that may stand once, and their lines
+  std::map<std::string, int> object_lines;  ///< given names and the line in which each is
+  std::map<std::string, int> single_keys;   ///< top-level keys that may be given once, and their lines
   PartPlace group;                          ///< of the groups around the block being read
   int group_depth = 0;
   std::vector<std::filesystem::path> including;  ///< the chain of files being read, outermost first

@@ -68,12 +68,12 @@ constexpr std::array<AssignmentReader, 8> assignments{{
     {"projection_plane_d",
      [](const SceneValues& v, const SceneTerm& t, Scene& s) { s.camera.projection_plane_d = v.positive(t); }},
     {"background", [](const SceneValues& v, const SceneTerm& t, Scene& s) { s.background = v.colour(t); }},
-    {"telling_pixel",
+    {"start_pixel",
      [](const SceneValues& v, const SceneTerm& t, Scene& s) {
        const bool pair =
            (t.kind == SceneTerm::Kind::tuple || t.kind == SceneTerm::Kind::sequence) && t.items.size() == 2;
        if (!pair) v.fail(t, "a column and a row, such as (312, 204)");
-       s.telling_pixel = {v.whole(t.items[0], 0, 65535), v.whole(t.items[1], 0, 65535)};
+       s.start_pixel = {v.whole(t.items[0], 0, 65535), v.whole(t.items[1], 0, 65535)};
      }},
 }};
 

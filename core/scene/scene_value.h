@@ -10,7 +10,7 @@
 namespace ps {
 
 /// Turns terms of one scene file into numbers, vectors, colours and rotations. Every function throws InputError naming
-/// the file, line and column of the term, what stands there and what was expected.
+/// the file, line and column of the term, what was found and what was expected.
 class SceneValues {
  public:
   explicit SceneValues(std::string file) : file_(std::move(file)) {}
@@ -28,7 +28,7 @@ class SceneValues {
   /// A word or a quoted text, not empty.
   std::string name(const SceneTerm& term, std::string_view expected = "a name") const;
 
-  /// The three terms of a list, one for each corner of a triangle.
+  /// The three terms of a list, one for each vertex of a triangle.
   const std::vector<SceneTerm>& corners(const SceneTerm& term) const;
   Vec2d vec2(const SceneTerm& term) const;
   Vec3d vec3(const SceneTerm& term) const;

@@ -79,8 +79,8 @@ class SceneWriter {
          scene_number(scene_.camera.viewport_height));
     line("projection_plane_d = {}", scene_number(scene_.camera.projection_plane_d));
     line("background = {}", scene_colour(scene_.background));
-    if (scene_.telling_pixel.x >= 0 && scene_.telling_pixel.y >= 0)
-      line("telling_pixel = ({}, {})", scene_.telling_pixel.x, scene_.telling_pixel.y);
+    if (scene_.start_pixel.x >= 0 && scene_.start_pixel.y >= 0)
+      line("start_pixel = ({}, {})", scene_.start_pixel.x, scene_.start_pixel.y);
     if (scene_.settings.empty()) return;
     line("\nsettings {{");
     for (const SceneSetting& setting : scene_.settings) line("    {} = {}", setting.key, setting.value);
@@ -148,7 +148,7 @@ class SceneWriter {
     }
   }
 
-  /// Materials stand in the file in the order of their indices; a sphere's own stands in the sphere, as in the book.
+  /// Materials are in the file in the order of their indices; a sphere's own is in the sphere, as in the book.
   void materials_up_to(std::size_t end) {
     for (; next_material_ < end; ++next_material_) {
       line("\nmaterial {{\n    name = {}", scene_name(materials_[next_material_]));

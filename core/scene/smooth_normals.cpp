@@ -8,7 +8,7 @@
 namespace ps {
 namespace {
 
-/// The triangle's normal times its angle at corner i; zero where the triangle has no area.
+/// The triangle's normal times its angle at vertex i; zero where the triangle has no area.
 Vec3d weighted_normal(const Mesh& mesh, const MeshTriangle& triangle, std::size_t i) {
   const Vec3d& tip = mesh.positions[triangle.position[i]];
   Vec3d a = mesh.positions[triangle.position[(i + 1) % 3]] - tip;

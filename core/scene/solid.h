@@ -93,7 +93,7 @@ struct Csg {
 
 inline constexpr std::size_t max_csg_parts = 32;
 
-/// The parts of a tree from left to right; in pictures their index stands where others have the triangle's.
+/// The parts of a tree from left to right; in pictures their index is where others have the triangle's.
 std::vector<const Solid*> csg_parts(const CsgNode& root);
 std::vector<Solid*> csg_parts(CsgNode& root);
 

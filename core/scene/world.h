@@ -6,12 +6,12 @@
 
 namespace ps {
 
-/// Model to world for positions: scale, rotate, translate (CGFS ch. 10). Both renderers place corners with it.
+/// Model to world for positions: scale, rotate, translate (CGFS ch. 10). Both renderers place vertices with it.
 inline Vec3d to_world(const Transform& transform, const Vec3d& position) {
   return transform.rotation * (transform.scale * position) + transform.translation;
 }
 
-/// Does the transform turn left into right (its determinant is negative)? Then corners that ran anticlockwise around a
+/// Does the transform turn left into right (its determinant is negative)? Then vertices that ran anticlockwise around a
 /// triangle's front run clockwise.
 inline bool mirrors(const Transform& transform) {
   const Vec3d& s = transform.scale;

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "math/power.h"
-#include "math/vec.h"
+#include "math/unit.h"
 #include "options/settings.h"
 #include "record/events.h"
 #include "record/recorder.h"
@@ -116,14 +116,14 @@ inline HighlightAngle<Real> highlight_angle(const LitPoint<Real>& point, const V
     break;
   case Highlight::blinn_phong:
     angle.a = point.normal;
-    angle.b = to_light / length(to_light) + point.to_eye / length(point.to_eye);
+    angle.b = unit(to_light) + unit(point.to_eye);
     break;
   }
   angle.dot_product = dot(angle.a, angle.b);
   return angle;
 }
 
-/// Whether a casting light that nothing blocks adds anything to the point: only then it matters what stands between.
+/// Whether a casting light that nothing blocks adds anything to the point: only then it matters what is between.
 template <class Real>
 inline bool adds_light(const LitPoint<Real>& point, const ShadingMaterial<Real>& material, const Vec3<Real>& to_light,
                        const IlluminationOptions& options) {
@@ -132,7 +132,7 @@ inline bool adds_light(const LitPoint<Real>& point, const ShadingMaterial<Real>&
   return highlight_angle(point, to_light, options.highlight).dot_product > 0;
 }
 
-/// What stands between a point and a light. A blocked light gives nothing; where a shadow map's taps disagree, a share.
+/// What is between a point and a light. A blocked light gives nothing; where a shadow map's taps disagree, a share.
 template <class Real>
 struct Blocking {
   std::optional<PixelId> by;

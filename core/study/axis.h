@@ -13,7 +13,7 @@ struct Tick {
   std::string text;  ///< empty for a small tick between labelled ones
 };
 
-/// One axis of a chart: maps values to [0, 1]. On a logarithmic axis, values that are zero or negative stand on a place
+/// One axis of a chart: maps values to [0, 1]. On a logarithmic axis, values that are zero or negative are on a place
 /// of their own at the lower end, labelled "0" (an error of 0 is a result, and often the best).
 struct PlotAxis {
   AxisScale scale = AxisScale::linear;

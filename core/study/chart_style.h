@@ -19,7 +19,7 @@ ChartAxes chart_axes(const Chart& chart);
 
 /// The names of all points, in their order, and what they have in common: "Samples per pixel", and "1", "4", "16".
 SweepNames chart_names(const Chart& chart);
-/// What stands beside the mark of a point: its part of chart_names(), and whether it is a tie.
+/// What is beside the mark of a point: its part of chart_names(), and whether it is a tie.
 std::string mark_label(const ChartPoint& point, const std::string& name);
 
 /// Points on the front, the cheapest first.

@@ -24,7 +24,7 @@ constexpr double paper_width = 1000, paper_height = 700;
 constexpr Vec2d plot_corner{92, 92}, plot_size{880, 448};
 constexpr int title_size = 20, axis_size = 15, tick_size = 14, label_size = 14, conclusion_size = 15, note_size = 11;
 
-/// About how wide a text stands in a sans-serif face of that size: a file cannot measure the face it is shown in.
+/// About how wide a text is in a sans-serif face of that size: a file cannot measure the face it is shown in.
 double estimated_width(std::string_view text, double size) {
   double width = 0;
   for (const char c : text) {

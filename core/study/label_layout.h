@@ -28,7 +28,7 @@ using LabelLine = std::pair<Vec2d, Vec2d>;
 std::vector<LabelPlace> place_labels(const std::vector<LabelWish>& wishes, const Vec2d& box, double radius,
                                      const std::vector<LabelLine>& lines = {});
 
-/// The line from a mark's rim to its label, if that stands so far away that it could be another's.
+/// The line from a mark's rim to its label, if that is so far away that it could be another's.
 std::optional<LabelLine> label_leader(const LabelWish& wish, const LabelPlace& place, double radius);
 
 }  // namespace ps

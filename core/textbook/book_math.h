@@ -6,6 +6,7 @@
 
 #include "math/power.h"  // IWYU pragma: export
 #include "scene/camera.h"
+#include "scene/canvas_item.h"
 #include "scene/mesh.h"
 #include "scene/object.h"
 
@@ -62,7 +63,21 @@ std::vector<Value> interpolate(double i0, const Value& d0, double i1, const Valu
   return values;
 }
 
-/// Along both sides of a triangle whose corners stand at whole heights y0 <= y1 <= y2: the long side, and the two short
+/// What a canvas pixel becomes where `colour` meets what is `below`, both from 0 to 255: paint covers, light adds, and
+/// a filter transmits a share of what is below (CGFS ch. 1).
+inline Vec3d blended(Blend blend, const Vec3d& below, const Vec3d& colour) {
+  switch (blend) {
+  case Blend::replace:
+    return colour;
+  case Blend::additive:
+    return below + colour;
+  case Blend::subtractive:
+    return below * colour / 255.0;
+  }
+  return colour;
+}
+
+/// Along both sides of a triangle whose vertices are at whole heights y0 <= y1 <= y2: the long side, and the two short
 /// ones joined (CGFS ch. 7).
 template <class Value>
 struct TriangleSides {
@@ -79,7 +94,7 @@ TriangleSides<Value> interpolate_sides(const std::array<double, 3>& y, const std
   return sides;
 }
 
-/// Indices of three corners by height, from below. Equal heights keep their order.
+/// Indices of three vertices by height, from below. Equal heights keep their order.
 inline std::array<std::size_t, 3> sorted_by_height(const std::array<Vec2d, 3>& p) {
   std::array<std::size_t, 3> order{0, 1, 2};
   const auto lower = [&](std::size_t a, std::size_t b) { return p[order[a]].y < p[order[b]].y; };

@@ -32,7 +32,7 @@ struct BookInstance {
   const std::vector<std::uint32_t>* numbers =
       nullptr;  ///< where `model` is a part: index of its triangles in the whole
 
-  /// Where a triangle of `model` stands in the whole model.
+  /// Where a triangle of `model` is in the whole model.
   std::int64_t number_of(const MeshTriangle& triangle) const {
     const std::ptrdiff_t index = &triangle - model->triangles.data();
     return numbers ? std::int64_t{(*numbers)[static_cast<std::size_t>(index)]} : index;

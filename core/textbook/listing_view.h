@@ -7,13 +7,13 @@
 
 namespace ps {
 
-/// A line of a listing as it is shown: without the watches, which stand behind the line that they belong to.
+/// A line of a listing as it is shown: without the watches, which are behind the line that they belong to.
 struct ListingLine {
   int number = 0;  ///< in the file
   std::string text;
 };
 
-/// The routine in a listing's source: what stands in its unnamed namespace.
+/// The routine in a listing's source: what is in its unnamed namespace.
 struct ListingText {
   std::vector<ListingLine> lines;
   /// Index into `lines` to which line n of the file belongs; -1 outside the routine.
@@ -36,7 +36,7 @@ struct ListingRow {
   std::vector<ListingValue> values;
   bool loops = false;        ///< instances begin here, and can be stepped through
   std::string instance;      ///< the chosen one: "sphere green"; empty if none of them is on the way to what is shown
-  int place = 0, count = 0;  ///< the chosen one counted from 1 among those that it stands beside
+  int place = 0, count = 0;  ///< the chosen one counted from 1 among those that it is beside
 };
 
 /// Which instance of each loop is shown. There is always one of each that fits the others as well as can be.

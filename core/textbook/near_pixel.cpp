@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pixels_around = 2;
 
-/// Where the corners stand on the canvas, in pixels from the picked one; no numbers for those behind the camera.
+/// Where the vertices are on the canvas, in pixels from the picked one; no numbers for those behind the camera.
 std::vector<Vec2d> places_from_pixel(const BookScene& scene, const BookInstance& instance, Vec2i pixel) {
   const Transform& t = instance.instance->transform;
   const Mat4d model = translation_matrix(t.translation) * (rotation_matrix(t.rotation) * scale_matrix(t.scale));

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <set>
 
 #include "base/timer.h"
@@ -8,6 +7,7 @@
 #include "frame/empty_frame.h"
 #include "frame/region.h"
 #include "image/display.h"
+#include "math/has_nan.h"
 #include "textbook/book_canvas.h"
 #include "textbook/book_scene.h"
 #include "textbook/listing_events.h"
@@ -19,8 +19,6 @@ namespace {
 
 constexpr int tile_size = 64;
 
-bool is_nan(const Vec3d& colour) { return std::isnan(colour.x) || std::isnan(colour.y) || std::isnan(colour.z); }
-
 /// Copies a finished canvas into the frame and counts colours that are NaN.
 std::uint64_t store(const BookCanvas& canvas, Frame& frame) {
   std::uint64_t nan = 0;
@@ -30,7 +28,7 @@ std::uint64_t store(const BookCanvas& canvas, Frame& frame) {
       const Vec3d colour = canvas.at(x, y) / 255.0;
       frame.colour_double.at(x, y) = colour;
       frame.colour.at(x, y) = Vec3f(colour);
-      nan += is_nan(colour) ? 1 : 0;
+      nan += has_nan(colour) ? 1 : 0;
     }
   return nan;
 }
@@ -72,7 +70,7 @@ PixelStory inspect_textbook(const Scene& scene, const View& view, const Settings
   story.pixel = pixel;
   story.renderer = Renderer::textbook;
   story.linear = trace->linear;
-  story.counters[Counter::nan_pixels] = is_nan(story.linear) ? 1 : 0;
+  story.counters[Counter::nan_pixels] = has_nan(story.linear) ? 1 : 0;
   const Rgb8 display = display_pixel(story.linear, display_transform(settings));
   story.display = {display.r, display.g, display.b};
   std::set<int> lines;

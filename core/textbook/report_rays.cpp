@@ -46,7 +46,7 @@ class RayReporter {
     return reader_.last<double>(instance, name).value_or(otherwise);
   }
 
-  /// The tests of all spheres that stand right inside an instance, and the nearest of what they met.
+  /// The tests of all spheres that are right inside an instance, and the nearest of what they met.
   Found report_tests(int instance, double t_min, double t_max) {
     Found nearest;
     const auto tests = reader_.below(instance, "sphere");

@@ -12,7 +12,7 @@ struct Unmirrored {
   Instance instance;
 };
 
-/// Without negative scale factors: for the listings, which find fronts by the order of the corners as the camera sees
+/// Without negative scale factors: for the listings, which find fronts by the order of the vertices as the camera sees
 /// them, and only turn their normals. The model is mirrored instead. Nothing for an instance that mirrors no axis.
 std::optional<Unmirrored> unmirrored(const Mesh& mesh, const Instance& instance);
 

@@ -86,7 +86,7 @@ TEST(CoveragePictures, ChannelOfTestsAddsUpToTheCounter) {
 
 TEST(CoveragePictures, StoriesShowHowTheStrategyDecided) {
   Pictures pictures("cgfs/cubes", 600, 600);
-  const Vec2i pixel = pictures.scene.telling_pixel;
+  const Vec2i pixel = pictures.scene.start_pixel;
   for (const Coverage strategy : all) {
     pictures.settings.coverage = strategy;
     Prepared prepared;

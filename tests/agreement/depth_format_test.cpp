@@ -149,7 +149,7 @@ TEST(ZFighting, InspectorShowsTheStoredSteps) {
   settings.depth_bits = 8;
   Prepared prepared;
   Progress progress;
-  const PixelStory story = inspect(scene, {scene.camera, 600, 600}, settings, scene.telling_pixel, prepared, progress);
+  const PixelStory story = inspect(scene, {scene.camera, 600, 600}, settings, scene.start_pixel, prepared, progress);
   int failed = 0;
   for (const Event& event : story.events)
     if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {

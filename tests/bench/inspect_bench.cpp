@@ -1,4 +1,4 @@
-// How long a click waits: the story of a built-in scene's telling pixel by each renderer, its listing and its
+// How long a click waits: the story of a built-in scene's start pixel by each renderer, its listing and its
 // microscope, and the same on a million triangles. What is kept between renders is there, as it is in the window.
 
 #include <fmt/core.h>
@@ -63,7 +63,7 @@ std::shared_ptr<Inspected> builtin_scene(const std::string& name) {
   inspected->view = {scene.camera, scene.canvas_width, scene.canvas_height};
   inspected->settings = settings_for(scene);
   inspected->pixel =
-      scene.telling_pixel.x < 0 ? Vec2i{scene.canvas_width / 2, scene.canvas_height / 2} : scene.telling_pixel;
+      scene.start_pixel.x < 0 ? Vec2i{scene.canvas_width / 2, scene.canvas_height / 2} : scene.start_pixel;
   return inspected;
 }
 

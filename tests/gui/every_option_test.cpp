@@ -33,12 +33,12 @@ std::string hash(const Image<Rgb8>& picture) {
 std::string use_control(const Option& option, const std::string& value) {
   switch (option.kind) {
   case OptionKind::boolean:
-    return fmt::format("click options/{}\n", option.key);
+    return fmt::format("click options/a/{}\n", option.key);
   case OptionKind::choice:
-    return fmt::format("choose options/{} {}\n", option.key, value);
+    return fmt::format("choose options/a/{} {}\n", option.key, value);
   case OptionKind::integer:
   case OptionKind::real:
-    return fmt::format("click options/{} ctrl\ntype {}\nkey Enter\n", option.key, value);
+    return fmt::format("click options/a/{} ctrl\ntype {}\nkey Enter\n", option.key, value);
   }
   return {};
 }

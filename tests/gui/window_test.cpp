@@ -175,7 +175,7 @@ TEST(Window, OffersAFirstLookOnce) {
 TEST(Window, WorksSmallAndAtDoubleScale) {
   const std::string script =
       "wait idle\nexpect step 1\nclick lesson/next\nwait idle\nexpect step 2\nkey F3\nwait idle\n"
-      "choose options/renderer rasterizer\nclick pixel/open\nwait idle\n"
+      "choose options/a/renderer rasterizer\nclick pixel/open\nwait idle\n"
       "click pixel/side/b\nclick menu/view\nkey Esc\nkey ?\nexpect help/open on\nkey Esc\nkey X\nwait idle\n"
       "keep split BEFORE\ndrag pictures/divider 30,0\nexpect split > $BEFORE\nexpect messages 0\n";
   struct Case {

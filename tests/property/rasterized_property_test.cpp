@@ -225,7 +225,7 @@ TEST(Rasterized, StoryAccountsForEveryTriangle) {
   Prepared prepared;
   Progress progress;
   const View view{scene.camera, 600, 600};
-  for (const Vec2i pixel : {scene.telling_pixel, Vec2i{300, 300}, Vec2i{0, 0}, Vec2i{150, 330}}) {
+  for (const Vec2i pixel : {scene.start_pixel, Vec2i{300, 300}, Vec2i{0, 0}, Vec2i{150, 330}}) {
     const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
     std::uint64_t reported = 0;
     for (const Event& event : story.events)

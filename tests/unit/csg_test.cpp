@@ -135,7 +135,7 @@ TEST(Csg, DeathStarsDishIsConcave) {
   const View view{scene.camera, 600, 600};
   const auto inputs = make_trace_inputs<double>(scene, view, {}, prepared);
   Silent silent;
-  const auto pixel = Tracer<double, Silent>(inputs, silent).trace_pixel(scene.telling_pixel.x, scene.telling_pixel.y);
+  const auto pixel = Tracer<double, Silent>(inputs, silent).trace_pixel(scene.start_pixel.x, scene.start_pixel.y);
   ASSERT_TRUE(pixel.hit.found());
   EXPECT_EQ(detail_part(pixel.hit.detail), 1u);
   const Vec3d centre{0.75, 0.7, 2.5};

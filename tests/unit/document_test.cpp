@@ -16,7 +16,7 @@ namespace {
 TEST(Document, OpensAsTheSceneAsks) {
   Scene scene = test::book_spheres();
   scene.settings = {{"reflection-depth", "1"}, {"self-hit", "epsilon"}};
-  scene.telling_pixel = {5, 6};
+  scene.start_pixel = {5, 6};
   scene.canvas_width = 40;
   const Document document = open_document("test/spheres", scene);
   EXPECT_EQ(document.a.settings.reflection_depth, 1);

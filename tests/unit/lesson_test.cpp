@@ -61,11 +61,14 @@ TEST(Lesson, ReadsTextStepsAndClaims) {
   EXPECT_EQ(lesson.name, "demo");
   EXPECT_EQ(lesson.title, "Light and shade");
   EXPECT_EQ(lesson.source, "a book, chapter 4");
-  EXPECT_EQ(lesson.paragraphs, std::vector<std::string>{"First line second line."});
+  ASSERT_EQ(lesson.blocks.size(), 1u);
+  EXPECT_EQ(plain_text(lesson.blocks[0]), "First line second line.");
   ASSERT_EQ(lesson.steps.size(), 2u);
   const LessonStep& one = lesson.steps[0];
   EXPECT_EQ(one.title, "One");
-  EXPECT_EQ(one.hints, (std::vector<std::string>{"Look here, and here.", "Look there."}));
+  ASSERT_EQ(one.hints.size(), 2u);
+  EXPECT_EQ(plain_text(one.hints[0]), "Look here, and here.");
+  EXPECT_EQ(plain_text(one.hints[1]), "Look there.");
   EXPECT_EQ(one.state.scene, "cgfs/shadows");
   EXPECT_EQ(one.state.set_a, (std::vector<std::string>{"self-hit=epsilon", "shadow-epsilon=0"}));
   EXPECT_EQ(one.state.set_b, (std::vector<std::string>{"self-hit=epsilon", "renderer=rasterizer"}));
@@ -96,20 +99,59 @@ TEST(Lesson, ClaimsAddToTheirStep) {
   EXPECT_EQ(lesson.steps[1].claims.at(0).metric, ClaimMetric::counter_b);
 }
 
-TEST(Lesson, AStepChoosesASweepOrAnExperimentAndOpensItsTab) {
+TEST(Lesson, AStepChoosesASweepOrAnExperimentAndItsStage) {
   const auto state_with = [](const std::string& line) {
     std::string text = good;
     text.replace(text.find("pixel 3,4"), 9, line);
     return parse_lesson(text, "demo", "lesson.md").steps[0].state;
   };
   const LessonState chart = state_with("sweep shading=phong,flat;textures");
-  EXPECT_EQ(chart.tab, "chart");
+  EXPECT_EQ(chart.stage, "chart");
   EXPECT_EQ(chart.sweep, "shading=phong,flat;textures=off,on");
   EXPECT_EQ(state_with("sweep reflection-depths").sweep, "reflection-depths");
   const LessonState laboratory = state_with("experiment bvh-holes");
-  EXPECT_EQ(laboratory.tab, "stability");
+  EXPECT_EQ(laboratory.stage, "stability");
   EXPECT_EQ(laboratory.experiment, "bvh-holes");
-  EXPECT_EQ(state_with("tab chart").sweep, "");
+  EXPECT_EQ(state_with("stage chart").sweep, "");
+}
+
+TEST(Lesson, AStepChoosesItsModeAndItsStage) {
+  const auto document_of = [](const std::string& lines, ScreenMode now) {
+    std::string text = good;
+    text.replace(text.find("pixel 3,4"), 9, lines);
+    Document document;
+    document.mode = now;
+    document.layout.bottom = 0;
+    return lesson_document(parse_lesson(text, "demo", "lesson.md"), 0, document);
+  };
+  EXPECT_EQ(document_of("pixel 3,4", ScreenMode::explore).mode, ScreenMode::lesson);
+  EXPECT_EQ(document_of("pixel 3,4", ScreenMode::explore).layout.stage, "");
+  EXPECT_EQ(document_of("mode study", ScreenMode::lesson).mode, ScreenMode::study);
+  EXPECT_EQ(document_of("mode explore", ScreenMode::presenter).mode, ScreenMode::presenter);
+  const Document listing = document_of("stage listing", ScreenMode::lesson);
+  EXPECT_EQ(listing.layout.stage, "listing");
+  EXPECT_EQ(listing.layout.bottom_tab, "listing");
+  EXPECT_GT(listing.layout.bottom, 0);
+  const Document alone = document_of("stage pictures", ScreenMode::lesson);
+  EXPECT_EQ(alone.layout.stage, pictures_stage);
+  EXPECT_EQ(alone.layout.bottom_tab, Layout{}.bottom_tab);
+  EXPECT_EQ(alone.layout.bottom, 0);
+}
+
+TEST(Lesson, TextIsNamedWithItsPlaceInTheFile) {
+  const auto error_with = [](const std::string& words) -> std::string {
+    std::string text = good;
+    text.replace(text.find("Text of one."), 12, words);
+    try {
+      parse_lesson(text, "demo", "lesson.md");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(error_with("Text of **one.").substr(0, 17), "lesson.md:14:9: f");
+  EXPECT_EQ(error_with("Text of [one](step:3)."), "lesson.md:14:9: found a link to step 3, expected steps 1 to 2");
+  EXPECT_EQ(error_with("Text of [one](step:2)."), "no error");
 }
 
 /// The lesson with `from` replaced must be refused with a message that holds `message`.
@@ -137,6 +179,8 @@ TEST(Lesson, FaultsAreNamedWithTheirLine) {
   expect_refused("size 60x50", "size 0x50", "lesson.md:25: picture size");
   expect_refused("show-b depth", "show-b dept", "lesson.md:26");
   expect_refused("compare split", "compare both", "lesson.md:27");
+  expect_refused("compare split", "mode presenter", "lesson.md:27: mode: found 'presenter'");
+  expect_refused("compare split", "stage chrat", "lesson.md:27: stage: found 'chrat', expected 'chart'");
   expect_refused("picked b", "picked c", "lesson.md:28");
   expect_refused("metric differing-pixels", "metric pixels", "lesson.md:33: 'pixels' is not a metric");
   expect_refused("bound >= 1000", "bound > 1000", "lesson.md:34");
@@ -170,11 +214,18 @@ TEST(Lessons, EveryFolderIsReadAndHasWhatALessonNeeds) {
     std::size_t claims = 0;
     for (const LessonStep& step : lesson.steps) {
       claims += step.claims.size();
-      EXPECT_FALSE(step.paragraphs.empty()) << name << ": " << step.title;
+      EXPECT_FALSE(step.blocks.empty()) << name << ": " << step.title;
       EXPECT_FALSE(step.hints.empty()) << name << ": " << step.title;
       EXPECT_NO_THROW(state_document(step.state, Document{})) << name << ": " << step.title;
     }
     EXPECT_GE(claims, 3u) << name;
+    for (const LessonStep& step : lesson.steps)
+      for (const auto* blocks : {&step.blocks, &step.hints})
+        for (const TextBlock& block : *blocks)
+          for (const TextSpan& span : block.spans)
+            if (span.link.kind == LinkKind::lesson) {
+              EXPECT_LT(span.link.step, std::ssize(load_lesson(span.link.target).steps)) << name << ": " << span.text;
+            }
   }
 }
 

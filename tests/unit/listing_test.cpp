@@ -72,12 +72,12 @@ TEST(Listing, TextLeavesTheWatchesOut) {
   EXPECT_EQ(text.shown_at.at(13), -1);
 }
 
-/// Every listing shows some code, and every value that it has for its scene's telling pixel stands beside a line of it.
+/// Every listing shows some code, and every value that it has for its scene's start pixel stands beside a line of it.
 TEST(Listing, EveryValueHasALine) {
   for (const char* name : {"cgfs/spheres", "cgfs/lights", "cgfs/reflections", "cgfs/lines", "cgfs/triangles",
                            "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
     const Scene scene = load_scene(name);
-    const ListingTrace traced = trace(scene, textbook(scene), scene.telling_pixel);
+    const ListingTrace traced = trace(scene, textbook(scene), scene.start_pixel);
     const ListingText text = load_listing_text(traced.listing.folder);
     EXPECT_GT(text.lines.size(), 15u) << name;
     EXPECT_GT(traced.watches.size(), 3u) << name;

@@ -73,7 +73,7 @@ TEST(Microscope, RayThroughTheMiddleIsThePixelsOwn) {
 // merely a crop.
 TEST(Microscope, EnlargedPixelLooksTheSameToBothRenderers) {
   Bench traced("cgfs/crates", Renderer::ray_tracer), drawn("cgfs/crates", Renderer::rasterizer);
-  const Vec2i pixel = traced.scene.telling_pixel / 3;  // of 600 x 600
+  const Vec2i pixel = traced.scene.start_pixel / 3;  // of 600 x 600
   RenderRequest request;
   request.channels = Channel::ids;
   const auto ids = [&](Bench& setup) {

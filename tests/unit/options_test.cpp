@@ -60,7 +60,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
       {"epsilon-unit", up_to(EpsilonUnit::distance)},
       {"accelerator", has_embree() ? up_to(Accelerator::embree) : up_to(Accelerator::two_level)},
       {"slab-test", up_to(SlabTest::naive)},
-      {"triangle-test", up_to(TriangleTest::cross_products)},
+      {"triangle-test", up_to(triangle_test_texts.back().test)},
       {"sphere-test", up_to(SphereTest::quadratic)},
       {"illumination", up_to(Illumination::radiometric)},
       {"transparency", up_to(TransparencyShare::fresnel)},

@@ -59,9 +59,9 @@ TEST(SceneLoad, EveryBuiltInSceneLoads) {
     EXPECT_EQ(scene.title, listed.title);
     EXPECT_EQ(scene.description, listed.description);
     EXPECT_FALSE(scene.description.empty());
-    EXPECT_GE(scene.telling_pixel.x, 0);
-    EXPECT_LT(scene.telling_pixel.x, scene.canvas_width);
-    EXPECT_LT(scene.telling_pixel.y, scene.canvas_height);
+    EXPECT_GE(scene.start_pixel.x, 0);
+    EXPECT_LT(scene.start_pixel.x, scene.canvas_width);
+    EXPECT_LT(scene.start_pixel.y, scene.canvas_height);
     ASSERT_FALSE(ps::files_of(scene).empty());
   }
 }

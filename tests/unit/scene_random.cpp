@@ -131,7 +131,7 @@ Scene scene_with_everything(std::mt19937_64& random) {
   scene.keywords = "z-buffer, \"AA\"";
   scene.canvas_width = 1 + dice.below(2000);
   scene.canvas_height = 1 + dice.below(2000);
-  scene.telling_pixel =
+  scene.start_pixel =
       dice.coin() ? Vec2i{dice.below(scene.canvas_width), dice.below(scene.canvas_height)} : Vec2i{-1, -1};
   scene.background = dice.colour();
   const Mat3d frame = dice.coin() ? dice.rotation() : Mat3d(dice.vec(), dice.vec(), dice.vec());
@@ -214,7 +214,7 @@ void expect_equal_scenes(const Scene& a, const Scene& b) {
   EXPECT_TRUE(a.camera == b.camera);
   EXPECT_EQ(a.background, b.background);
   EXPECT_EQ(a.settings, b.settings);
-  EXPECT_EQ(a.telling_pixel, b.telling_pixel);
+  EXPECT_EQ(a.start_pixel, b.start_pixel);
   EXPECT_TRUE(*a.lights == *b.lights);
   EXPECT_TRUE(*a.materials == *b.materials);
   EXPECT_TRUE(*a.canvas_items == *b.canvas_items);

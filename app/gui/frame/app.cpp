@@ -13,6 +13,7 @@
 #include "gui/frame/about.h"
 #include "gui/frame/drop.h"
 #include "gui/frame/file_dialog.h"
+#include "gui/frame/follow_link.h"
 #include "gui/frame/menu_bar.h"
 #include "gui/frame/palette_entries.h"
 #include "gui/frame/regions.h"
@@ -26,6 +27,8 @@
 #include "gui/platform/state_file.h"
 #include "gui/session/session_values.h"
 #include "gui/shell/shell.h"
+#include "gui/widgets/flash.h"
+#include "gui/widgets/key_focus.h"
 #include "options/option.h"
 
 namespace ps::gui {
@@ -143,6 +146,9 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
 void App::Parts::add_actions() {
   Actions& actions = shell.actions();
   add_window_actions(actions, session, my.pictures, host);
+  actions.add({.name = "scenes", .label = "Gallery of scenes", .group = "Scene", .keys = "Ctrl+Shift+O", .run = [this] {
+                 open_scene_gallery(my.scenes);
+               }});
   add_picture_actions(actions, session, my.pictures);
   for (const Panel& panel : panels) {
     if (panel.actions) panel.actions(actions);
@@ -153,6 +159,7 @@ void App::Parts::add_actions() {
                    .run = [this, name = panel.name, use = panel.use] { open_tool(name, use); },
                    .enabled = [this] { return session.has_scene(); }});
   }
+  add_drawer_actions(actions, session, panels, my.drawer);
   actions.offer_more([this] { return palette_entries(session, my.options, [this] { show_options(); }); });
 }
 
@@ -168,6 +175,8 @@ void App::Parts::offer_values() {
   offer_unsafe_values(values(), my.unsafe);
   for (const Panel& panel : panels)
     if (panel.publish) panel.publish(values());
+  values().offer("scenes/open", [this] { return my.scenes.open; });
+  offer_drawer_values(values(), session, panels);
   values().offer("first-look/offered", [this] { return offers_first_look; });
 }
 
@@ -178,13 +187,13 @@ void App::Parts::show_options() {
 
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
 void App::Parts::close_on_escape() {
-  if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false)) return;
+  if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false) || key_focus().left_by_escape()) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     ImGui::ClosePopupToLevel(0, true);
     return;
   }
-  if (about.open) {
-    about.open = false;
+  if (about.open || my.scenes.open) {
+    about.open = my.scenes.open = false;
     return;
   }
   if (!dropped.file.empty()) {
@@ -233,7 +242,7 @@ bool App::Parts::unsafe_busy() const {
 
 bool App::Parts::busy() const {
   return session.busy() || session.has_news() || my.pictures.meter->busy() || my.pictures.meter->has_news() ||
-         unsafe_busy() ||
+         unsafe_busy() || (my.scenes.open && my.scenes.thumbnails.busy()) ||
          std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.busy && panel.busy(); });
 }
 
@@ -283,7 +292,11 @@ void App::Parts::draw() {
   }
   files.draw();
   about.draw();
+  scene_gallery(session, my.scenes);
   dropped_picture(session, dropped);
+  if (const auto followed = std::exchange(my.lessons.followed, {}))
+    follow_link(session, my, *followed, [this] { show_options(); });
+  draw_flash();
 }
 
 App::App(Shell& shell, const AppOptions& options, Document document)

@@ -36,7 +36,7 @@ Document first_document(const AppOptions& options) {
   const View before = view_of(document);
   if (options.width > 0) document.view.width = options.width;
   if (options.height > 0) document.view.height = options.height;
-  // The telling pixel is meant for the scene's own size.
+  // The start pixel is meant for the scene's own size.
   const View after = view_of(document);
   if (document.pixel.x >= 0)
     document.pixel = {document.pixel.x * after.width / before.width, document.pixel.y * after.height / before.height};

@@ -117,7 +117,7 @@ float MenuBar::compare_buttons_width() const {
   return width + px(12);
 }
 
-/// How the pictures stand to each other, always in sight: it is what the window is about.
+/// How the pictures are arranged, always in sight: it is what the window is about.
 void MenuBar::compare_buttons(float left) {
   ImGui::SetCursorPosX(left);
   const NameScope scope("compare");

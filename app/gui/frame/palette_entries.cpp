@@ -6,6 +6,7 @@
 #include "gui/frame/show_panel.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/options/value_entries.h"
+#include "gui/widgets/key_focus.h"
 #include "options/option.h"
 #include "scene/load.h"
 #include "study/stability/experiment.h"
@@ -26,9 +27,11 @@ std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& o
   for (const Option& option : option_table())
     entries.push_back({fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label),
                        "option",
-                       [&option, &options, show_options] {
+                       [&session, &option, &options, show_options] {
                          point_at_option(options, option);
                          show_options();
+                         key_focus().go_to(fmt::format("options/{}/{}",
+                                                       session.document().picked == Side::a ? "a" : "b", option.key));
                        },
                        fmt::format("{}, {}", option.key, option.keywords)});
   for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));

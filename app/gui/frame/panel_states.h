@@ -1,12 +1,14 @@
 #pragma once
 #include <functional>
 
+#include "gui/frame/drawer.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/microscope/microscope_panel.h"
 #include "gui/panels/options/history_panel.h"
 #include "gui/panels/options/options_panel.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/panels/pictures/pixels_panel.h"
+#include "gui/panels/scenes/scene_gallery.h"
 #include "gui/panels/space/space_panel.h"
 #include "gui/panels/story/listing_panel.h"
 #include "gui/panels/story/pixel_panel.h"
@@ -28,6 +30,7 @@ struct PanelStates {
   PanelStates(const std::function<void()>& wake, bool remember);
 
   PicturesState pictures;
+  SceneGallery scenes;
   LessonShelf lessons;
   OptionsPanelState options;
   HistoryPanelState history;
@@ -45,6 +48,7 @@ struct PanelStates {
   WhyTabState why;
   TimingsState timings;
   UnsafeState unsafe;
+  DrawerState drawer;
 };
 
 }  // namespace ps::gui

@@ -15,6 +15,7 @@
 #include "gui/panels/pictures/picture_values.h"
 #include "gui/panels/space/story_actions.h"
 #include "gui/panels/studies/timings_panel.h"
+#include "gui/widgets/flash.h"
 #include "gui/widgets/widgets.h"
 #include "scene/load.h"
 
@@ -48,14 +49,20 @@ Panel lesson(Session& session, PanelStates& my) {
                 return false;
               },
           .actions = [&](Actions& actions) { add_lesson_actions(actions, session, my.lessons); },
-          .publish = [&](Values& out) { out.offer("lesson/pages", [&] { return pages_of(my.lessons.text); }); }};
+          .publish =
+              [&](Values& out) {
+                out.offer("lesson/pages", [&] { return my.lessons.text.pages; });
+                out.offer("lesson/page", [&] { return my.lessons.text.page + 1; });
+                out.offer("lesson/line-length", [&] { return my.lessons.text.line_length; });
+                out.offer_below("flash/", [](std::string_view name) { return script_text(flashes(name)); });
+              }};
 }
 
 /// What the row of an option asks the chart for.
 void take_sweep(Session& session, PanelStates& my) {
   const Option* swept = std::exchange(my.options.sweep, nullptr);
   if (!swept) return;
-  sweep_option(my.chart, *swept, my.options.side);
+  sweep_option(my.chart, *swept, session.document().picked);
   show_panel(session, "chart");
 }
 
@@ -228,6 +235,7 @@ Panel microscope(Session& session, PanelStates& my, const PanelHost& host) {
 Panel pixels(Session& session, PanelStates& my) {
   return {.name = "pixels",
           .use = PanelUse::study,
+          .group = ToolGroup::pixels,
           .height = PanelHeight::tall,
           .heading = "PIXELS",
           .brief = "Pixels",
@@ -328,6 +336,7 @@ std::string chart_status(const ChartTabState& chart) {
 Panel chart(Session& session, PanelStates& my, const PanelHost& host) {
   return {.name = "chart",
           .use = PanelUse::study,
+          .group = ToolGroup::measure,
           .height = PanelHeight::tall,
           .heading = "CHART",
           .brief = "Chart",
@@ -355,6 +364,7 @@ std::string stability_status(const StabilityTabState& stability) {
 Panel stability(Session& session, PanelStates& my) {
   return {.name = "stability",
           .use = PanelUse::study,
+          .group = ToolGroup::stability,
           .height = PanelHeight::tall,
           .heading = "STABILITY",
           .brief = "Stable",
@@ -374,6 +384,7 @@ Panel stability(Session& session, PanelStates& my) {
 Panel needs(Session& session, PanelStates& my) {
   return {.name = "needs",
           .use = PanelUse::study,
+          .group = ToolGroup::measure,
           .height = PanelHeight::tall,
           .heading = "NEEDS",
           .brief = "Needs",
@@ -404,6 +415,7 @@ std::string why_status(const WhyTabState& why) {
 Panel why(Session& session, PanelStates& my) {
   return {.name = "why",
           .use = PanelUse::study,
+          .group = ToolGroup::measure,
           .height = PanelHeight::tall,
           .heading = "WHY",
           .brief = "Why",
@@ -423,6 +435,7 @@ Panel why(Session& session, PanelStates& my) {
 Panel timings(Session& session, PanelStates& my) {
   return {.name = "timings",
           .use = PanelUse::study,
+          .group = ToolGroup::measure,
           .height = PanelHeight::tall,
           .heading = "TIMINGS",
           .brief = "Times",
@@ -459,8 +472,8 @@ bool rows_match_names(const std::vector<Panel>& panels) {
 }  // namespace
 
 PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
-    : history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake), folder(remember),
-      chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
+    : scenes(wake), history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake),
+      folder(remember), chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
   pictures.meter = std::make_unique<DifferenceMeter>(wake);
   stability.folder = folder.of("stability");
 }

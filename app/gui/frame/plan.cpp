@@ -6,68 +6,82 @@
 namespace ps::gui {
 namespace {
 
-constexpr float gap = 10;              // between two pictures, and around them, at scale 1
-constexpr float grip = 6;              // between regions
+constexpr float grip = 6;              // between regions, at scale 1
 constexpr float least_text = 400;      // at scale 1; below it one picture takes the place of two
 constexpr float narrowest_text = 290;  // at scale 1
 constexpr float least_stage = 4.2f;    // headlines; a lower stage would show no line of its tool
-constexpr double spare = 0.01;         // of the window: what rounding and margins may take of the pictures' share
+constexpr double spare = 0.001;        // of the window: what rounding may take of the pictures' share
+constexpr float beside_text = 0.315f, beside_stage = 0.32f;  // of the width, where a tool stands beside one picture
 
 struct Size {
   float width = 0, height = 0;
 };
+
+/// What of a width is not picture.
+float between_pictures(const PlanInput& in, int count) {
+  return in.scale * (picture_gap * static_cast<float>(count - 1) + 2 * picture_margin);
+}
 
 /// The place that `count` pictures side by side need to take `share` of the window.
 Size room_for(const PlanInput& in, int count, double share) {
   const double aspect = static_cast<double>(in.picture.x) / std::max(in.picture.y, 1);
   const double pixels = share * in.window.x * in.window.y / count;
   const double height = std::sqrt(pixels / aspect), width = height * aspect;
-  const float space = gap * in.scale;
-  return {static_cast<float>(width) * static_cast<float>(count) + space * static_cast<float>(count + 1),
-          static_cast<float>(height) + in.captions + space};
+  return {static_cast<float>(width) * static_cast<float>(count) + between_pictures(in, count),
+          static_cast<float>(height) + in.captions + picture_gap * in.scale};
 }
 
 /// The height that pictures fill in this width, with their captions.
 float filled_height(const PlanInput& in, int count, float width) {
-  const float space = gap * in.scale;
-  const float each = (width - space * static_cast<float>(count + 1)) / static_cast<float>(count);
-  return each * static_cast<float>(in.picture.y) / static_cast<float>(std::max(in.picture.x, 1)) + in.captions + space;
+  const float each = (width - between_pictures(in, count)) / static_cast<float>(count);
+  return each * static_cast<float>(in.picture.y) / static_cast<float>(std::max(in.picture.x, 1)) + in.captions +
+         picture_gap * in.scale;
 }
 
 }  // namespace
 
-LessonPlan plan_lesson(const PlanInput& in, PanelHeight stage) {
+namespace {
+
+/// Text, one picture and a tool, each as high as the area.
+LessonPlan plan_beside(const PlanInput& in) {
+  const Area& area = in.area;
+  const float between = grip * in.scale;
+  const float text_end = std::round(area.min.x + std::min(in.text_width, area.width() * beside_text));
+  const float stage_begin = std::round(area.max.x - area.width() * beside_stage);
+  return {.text = {area.min, {text_end, area.max.y}},
+          .pictures = {{text_end, area.min.y}, {stage_begin - between, area.max.y}},
+          .stage = {{stage_begin, area.min.y}, area.max}};
+}
+
+}  // namespace
+
+LessonPlan plan_lesson(const PlanInput& in, StagePlace stage) {
+  if (stage == StagePlace::beside) return plan_beside(in);
   const Area& area = in.area;
   const float between = grip * in.scale;
   const float height = area.height();
-  const Size two = room_for(in, 2, lesson_share + spare), one = room_for(in, 1, lesson_share + 4 * spare);
+  const Size two = room_for(in, 2, lesson_share + spare), one = room_for(in, 1, lesson_share + 40 * spare);
   // Two pictures beside a readable text; beside a narrow one only where the height leaves one picture too small.
-  const float beside_two = area.width() - two.width - between;
-  const bool one_fits = one.height + in.headline + between <= height;
+  const float below = stage == StagePlace::below ? in.headline + between : 0;
+  const float beside_two = area.width() - two.width;
+  const bool one_fits = one.height + below <= height;
   const float wanted_text = std::min((one_fits ? least_text : narrowest_text) * in.scale, in.text_width);
-  const bool beside =
-      stage == PanelHeight::strip && beside_two >= wanted_text && two.height + in.headline + between <= height;
-  const float pictures = stage == PanelHeight::tall ? area.width() * 0.64f : beside ? two.width : one.width;
-  float text = std::min(in.text_width, area.width() - pictures - between);
-  text = std::round(std::max(text, std::min(narrowest_text * in.scale, area.width() * 0.4f)));
+  const bool side_by_side = !in.one_picture && beside_two >= wanted_text && two.height + below <= height;
+  float text = std::min(in.text_width, area.width() - (side_by_side ? two.width : one.width));
+  text = std::floor(std::max(text, std::min(narrowest_text * in.scale, area.width() * 0.4f)));
 
   LessonPlan plan;
   plan.text = {area.min, {area.min.x + text, area.max.y}};
-  const Area rest{{area.min.x + text + between, area.min.y}, area.max};
-  if (stage == PanelHeight::tall) {
-    const float middle = std::round((rest.min.x + rest.max.x) / 2);
-    plan.pictures = {rest.min, {middle - between / 2, rest.max.y}};
-    plan.stage = {{middle + between / 2, rest.min.y}, rest.max};
-    return plan;
-  }
-  const float wanted = filled_height(in, beside ? 2 : 1, rest.width());
-  const float most = height - in.headline - between;
-  const float bottom = std::round(rest.min.y + std::min(wanted, most));
-  plan.pictures = {rest.min, {rest.max.x, bottom}};
-  plan.stage = {{rest.min.x, bottom + between}, rest.max};
+  const Area rest{{area.min.x + text, area.min.y}, area.max};
+  plan.pictures = rest;
+  plan.stage = {{rest.min.x, rest.max.y}, rest.max};
+  if (stage == StagePlace::none) return plan;
+  const float wanted = filled_height(in, side_by_side ? 2 : 1, rest.width());
+  plan.pictures.max.y = std::round(rest.min.y + std::min(wanted, height - below));
+  plan.stage.min.y = plan.pictures.max.y + between;
   plan.folded = plan.stage.height() < least_stage * in.headline;
   if (plan.folded) {  // the pictures may as well have what a stage cannot use
-    plan.pictures.max.y = std::round(rest.max.y - in.headline - between);
+    plan.pictures.max.y = std::round(rest.max.y - below);
     plan.stage.min.y = plan.pictures.max.y + between;
   }
   return plan;
@@ -77,7 +91,7 @@ ExplorePlan plan_explore(const PlanInput& in, const ExploreShares& shares) {
   const float width = in.area.width(), height = in.area.height();
   const float least = 180 * in.scale;
   // They grow with the window only so far that the pictures keep their share.
-  const float own_left = std::clamp(width * 0.17f, std::min(220 * in.scale, width * 0.24f), 300 * in.scale);
+  const float own_left = std::clamp(width * 0.183f, std::min(220 * in.scale, width * 0.24f), 300 * in.scale);
   const float own_right = std::clamp(width * 0.2f, std::min(236 * in.scale, width * 0.26f), 380 * in.scale);
   ExplorePlan plan;
   plan.left = shares.left > 0 ? static_cast<float>(shares.left) * width : own_left;

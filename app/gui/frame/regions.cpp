@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/frame/drawer.h"
 #include "gui/frame/region.h"
 #include "gui/frame/show_panel.h"
 #include "gui/panels/lesson/caption_strip.h"
@@ -23,14 +24,16 @@ float folded_height() { return ImGui::GetFrameHeight() + px(6); }
 
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
-constexpr double picture_margin = 6;
 constexpr double question_height = 270;          // of a lesson's question with its answers, at scale 1
 constexpr std::string_view story_key = "story";  // of the stage, for the panel on the right
+
+// The lesson's text ends so far from its region's right end, which lies between it and the pictures.
+constexpr double text_margin = 12, text_overlap = 8;
 
 /// The width at which a text in the body's type has 62 characters to the line, with the column's margins.
 float reading_width() {
   constexpr std::string_view measure = "The light of a point is the sum of all that reaches it, and on";  // 62
-  return text_width(measure) + px(24) + ImGui::GetStyle().ScrollbarSize;
+  return text_width(measure) + px(2 * text_margin - text_overlap);
 }
 
 /// Above and below a picture that is not narrow.
@@ -91,6 +94,7 @@ PlanInput Regions::plan_input(const Area& area, PictureCaptions captions) const 
   input.area = area;
   input.window = ImGui::GetIO().DisplaySize;
   if (view.width > 0 && view.height > 0) input.picture = {view.width, view.height};
+  input.one_picture = session_.document().compare != CompareMode::side_by_side;
   input.scale = px(1);
   input.captions = captions_height(captions);
   input.text_width = reading_width();
@@ -105,40 +109,50 @@ void Regions::pictures(const Area& area, double least_share, PictureCaptions cap
                  {.captions = captions, .least_pixels = least_share * window.x * window.y});
 }
 
+StagePlace Regions::stage_place() const {
+  if (session_.document().layout.stage == pictures_stage) return StagePlace::none;
+  return staged().height == PanelHeight::tall ? StagePlace::beside : StagePlace::below;
+}
+
 const Panel& Regions::staged() const {
   const std::string& stage = session_.document().layout.stage;
-  return panel(stage.empty() ? "right" : stage);
+  return panel(stage.empty() || stage == pictures_stage ? "right" : stage);
 }
 
 void Regions::lesson_text(const Area& area) {
-  if (my_.lessons.open(session_)) {
-    Area text = area;
-    if (session_.pixel() && prediction_pending(session_, my_.predict)) {  // the step asks before it shows
-      text.max.y = std::round(area.max.y - std::min(px(question_height), area.height() / 2));
-      begin_region(session_, "question", {{area.min.x, text.max.y}, area.max});
-      predict_panel(session_, my_.predict);
-      ImGui::EndChild();
-    }
-    return panel_in(panel("lesson"), "lesson", text);
+  const Lesson* lesson = my_.lessons.open(session_);
+  if (!lesson) {
+    begin_region(session_, "lesson", area, "LESSONS");
+    lesson_list(session_);
+    ImGui::EndChild();
+    return;
   }
-  begin_region(session_, "lesson", area, "LESSONS");
-  lesson_list(session_);
+  Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
+  if (session_.pixel() && prediction_pending(session_, my_.predict)) {  // the step asks before it shows
+    text.max.y = std::round(area.max.y - std::min(px(question_height), area.height() / 2));
+    begin_region(session_, "question", {{area.min.x, text.max.y}, area.max});
+    predict_panel(session_, my_.predict);
+    ImGui::EndChild();
+  }
+  begin_region(session_, "lesson", text, lesson->title);
+  panel("lesson").draw({.filled = session_.document().layout.filled == "lesson"});
   ImGui::EndChild();
 }
 
 void Regions::lesson(const Area& area) {
   // Where type is large beside the window, the lines around the pictures are what gives way.
-  const bool small = area.width() < px(1200) || area.height() < px(600);
+  const bool one = session_.document().compare != CompareMode::side_by_side;
+  const bool small = area.width() < px(1200) || area.height() < px(one ? 850 : 600);
   const PictureCaptions captions = small ? PictureCaptions::brief : PictureCaptions::full;
   const PlanInput input = plan_input(area, captions);
-  const LessonPlan plan = plan_lesson(input, staged().height);
+  const LessonPlan plan = plan_lesson(input, stage_place());
   lesson_text(plan.text);
   if (!session_.document().layout.panels) {
     pictures({plan.pictures.min, area.max}, lesson_share, captions);
     return;
   }
-  stage(plan.stage, plan.folded);
-  pictures(plan.pictures, staged().height == PanelHeight::tall ? 1 : lesson_share, captions);
+  if (stage_place() != StagePlace::none) stage(plan.stage, plan.folded);
+  pictures(plan.pictures, stage_place() == StagePlace::beside ? 1 : lesson_share, captions);
 }
 
 /// The tool that the step is about; another one can be chosen.
@@ -200,7 +214,7 @@ void Regions::explore(const Area& area) {
 }
 
 void Regions::presenter(const Area& area) {
-  if (my_.lessons.caption.blank) {
+  if (my_.lessons.blank) {
     ImGui::GetWindowDrawList()->AddRectFilled(area.min, area.max, IM_COL32(0, 0, 0, 255));
     my_.pictures.areas = {};
     my_.pictures.notes = {};
@@ -215,8 +229,12 @@ void Regions::presenter(const Area& area) {
 }
 
 void Regions::study(const Area& area) {
-  const float width = std::round(std::clamp(area.width() * 0.26f, px(200), px(460))), grip = px(6);
-  const Area tools{area.min, {area.max.x - width - grip, area.max.y}};
+  const bool reads = my_.lessons.open(session_) && session_.document().layout.panels;
+  const float text = reads ? std::round(std::min(area.width() * 0.3f, reading_width())) : 0;
+  if (reads) lesson_text({area.min, {area.min.x + text, area.max.y}});
+  const float share = reads ? 0.2f : 0.26f;  // of the pictures
+  const float width = std::round(std::clamp(area.width() * share, px(200), px(460))), grip = px(6);
+  const Area tools{{area.min.x + text, area.min.y}, {area.max.x - width - grip, area.max.y}};
   begin_region(session_, "study", tools);
   std::vector<Choice> tabs;
   std::vector<std::string_view> brief;
@@ -297,27 +315,7 @@ void Regions::right(const Area& area, bool open) {
 void Regions::drawer(const Area& area) {
   const bool open = bottom_is_open(session_.document());
   begin_region(session_, "bottom", area, {}, open ? RegionPadding::normal : RegionPadding::tight);
-  std::vector<Choice> tabs;
-  std::vector<std::string_view> brief;
-  int tab = -1;
-  const Panel& shown = panel(session_.document().layout.bottom_tab);
-  for (const Panel& each : panels_) {
-    if (each.place != PanelPlace::below) continue;
-    if (open && &each == &shown) tab = static_cast<int>(tabs.size());
-    tabs.push_back({each.name, each.heading, each.help});
-    brief.push_back(each.brief);
-  }
-  if (open) {
-    tabs.push_back({"fold", "↓", "Folds the drawer, so that the pictures have its place."});
-    brief.push_back("↓");
-  }
-  if (tab_row("bottom", tabs, brief, tab)) {
-    const std::string_view chosen = tabs[static_cast<std::size_t>(tab)].key;
-    if (chosen == "fold")
-      open_bottom(session_, false);
-    else
-      show_panel(session_, chosen);
-  }
+  drawer_tabs(session_, panels_, my_.drawer);
   if (open) {
     const bool filled = session_.document().layout.filled == "bottom";
     if (panel(session_.document().layout.bottom_tab).draw({.filled = filled}))

@@ -17,7 +17,7 @@ class Regions {
   Regions(Session& session, PanelStates& states, const std::vector<Panel>& panels)
       : session_(session), my_(states), panels_(panels) {}
 
-  /// Draws all of it. `offers_first_look`: the offer to lead a newcomer round stands above the options.
+  /// Draws all of it. `offers_first_look`: the offer to lead a newcomer round is above the options.
   void draw(const Area& area, bool offers_first_look);
   /// How the offer was answered in this frame.
   bool first_look_answered() const { return answered_; }
@@ -40,6 +40,7 @@ class Regions {
   const Panel& panel(std::string_view name) const { return find_panel(panels_, name); }
   /// The tool of a lesson's stage.
   const Panel& staged() const;
+  StagePlace stage_place() const;
   PlanInput plan_input(const Area& area, PictureCaptions captions) const;
 
   Session& session_;

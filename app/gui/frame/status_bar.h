@@ -20,7 +20,7 @@ struct StatusBarState {
 void status_bar(Session& session, const PicturesState& pictures, StatusBarState& state, const std::string& hint);
 
 /// Warnings and errors, which stay until they are read, one below the other, ending at `bottom` (window pixels). What
-/// room they take stands in `state`, so that they cover nothing.
+/// room they take is in `state`, so that they cover nothing.
 void message_bars(Session& session, StatusBarState& state, float left, float right, float bottom);
 
 }  // namespace ps::gui

@@ -37,6 +37,7 @@ void Actions::add(Action action) {
     PS_ASSERT(!bound_to(chord), "two actions must not share a key");
     bindings_.push_back({chord, actions_.size()});
   }
+  for (const Chord& chord : parse_chords(action.borrowed_keys)) borrowed_.push_back({chord, actions_.size()});
   actions_.push_back(std::move(action));
 }
 
@@ -47,8 +48,9 @@ const Action* Actions::find(std::string_view name) const {
 
 std::vector<Chord> Actions::chords(std::string_view name) const {
   std::vector<Chord> result;
-  for (const Binding& binding : bindings_)
-    if (actions_[binding.action].name == name) result.push_back(binding.chord);
+  for (const auto* bindings : {&bindings_, &borrowed_})
+    for (const Binding& binding : *bindings)
+      if (actions_[binding.action].name == name) result.push_back(binding.chord);
   return result;
 }
 
@@ -61,6 +63,13 @@ const Action* Actions::bound_to(const Chord& chord) const {
   for (const Binding& binding : bindings_)
     if (binding.chord == chord) return &actions_[binding.action];
   return nullptr;
+}
+
+/// The action that a key press goes to.
+const Action* Actions::taker_of(const Chord& chord) const {
+  for (const Binding& binding : borrowed_)
+    if (binding.chord == chord && enabled(actions_[binding.action])) return &actions_[binding.action];
+  return bound_to(chord);
 }
 
 bool Actions::run(std::string_view name) const {
@@ -104,7 +113,7 @@ void Actions::rebind(const std::string& text, const std::string& file) {
 
 bool Actions::key_down(const Chord& chord, bool repeat, bool typing) {
   if (typing && left_to_text_field(chord)) return false;
-  const Action* action = bound_to(chord);
+  const Action* action = taker_of(chord);
   if (!action || !enabled(*action)) return false;
   switch (action->kind) {
   case ActionKind::press:

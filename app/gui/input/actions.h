@@ -34,6 +34,8 @@ struct Action {
   std::string label;      ///< for people: "Nudge the pixel left"
   std::string group;      ///< heading in the help sheet: "Pixel"
   std::string keys = {};  ///< default chords separated by spaces: "Enter PageDown"; may be empty
+  /// Chords of other actions that are this one's while it is enabled: a remote control has few keys.
+  std::string borrowed_keys = {};
   ActionKind kind = ActionKind::press;
   std::function<void()> run = {};           ///< press and repeat
   std::function<void(bool)> run_hold = {};  ///< hold
@@ -70,7 +72,7 @@ class Actions {
   const Action* find(std::string_view name) const;
   /// The first chord bound to the action as text for menus; "" if none.
   std::string key_text(std::string_view name) const;
-  /// All chords bound to it.
+  /// All chords bound to it, the borrowed ones last.
   std::vector<Chord> chords(std::string_view name) const;
   const Action* bound_to(const Chord& chord) const;
   /// Runs the action unless it is disabled; answers whether it ran. Hold actions are not run this way.
@@ -95,7 +97,8 @@ class Actions {
   std::vector<Action> actions_;
   std::vector<Gesture> gestures_;
   std::function<std::vector<PaletteEntry>()> more_;
-  std::vector<Binding> bindings_;
+  const Action* taker_of(const Chord& chord) const;
+  std::vector<Binding> bindings_, borrowed_;
   std::vector<std::pair<Key, std::size_t>> held_;  // key, action
 };
 

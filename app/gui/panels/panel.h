@@ -27,6 +27,9 @@ enum class PanelHeight { strip, tall };
 /// What a tool looks at: the picked pixel, or all of the pictures, for which it may work long.
 enum class PanelUse { pixel, study };
 
+/// Under which tab a tool stands below the pictures.
+enum class ToolGroup { pixel, pixels, measure, stability };
+
 /// Where a panel has its place.
 enum class PanelPlace { left, right, below };
 
@@ -36,6 +39,7 @@ struct Panel {
   std::string_view name;  ///< stable: of the document's layout, of scripts
   PanelPlace place = PanelPlace::below;
   PanelUse use = PanelUse::pixel;
+  ToolGroup group = ToolGroup::pixel;
   PanelHeight height = PanelHeight::strip;
   std::string_view heading, brief;  ///< brief where there is little room
   std::string_view command;         ///< in menus and the palette

@@ -145,7 +145,10 @@ void Session::edit(const std::string& what, const std::string& drag, const std::
   }
   if (changed == document_) return;
   const Document before = std::exchange(document_, changed);
+  const auto newest = [&] { return std::pair(history_->place(), history_->entries().front().id); };
+  const auto old = newest();
   history_->push(std::move(changed), what, drag);
+  if (newest() != old) ++change_;  // else one more step of a drag
   settle(before);
   document_changed();
 }
@@ -246,6 +249,7 @@ void Session::say_step(const std::string& did, const std::string& step) {
 void Session::go_to_entry(std::size_t place) {
   if (!history_ || place >= history_->entries().size()) return;
   history_->go_to(place);
+  ++change_;
   const Document before = std::exchange(document_, history_->current());
   keep_place(before, document_);
   fit_region(document_);
@@ -377,6 +381,7 @@ void Session::take_up(Document document, Reason reason) {
     history_.emplace(std::move(document), "start");
   else
     history_->push(std::move(document), reason == Reason::reload ? "reload" : "open " + document_.scene_name);
+  ++change_;
   watched_.clear();  // a reload may have brought other files
   document_changed();
 }

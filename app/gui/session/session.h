@@ -29,7 +29,7 @@ struct Message {
   double since = -1;  ///< seconds on the window's clock when it was first seen; negative before
 };
 
-/// A picture from a file that stands in B's place.
+/// A picture from a file that is in B's place.
 struct PictureFile {
   std::string path;
   Image<Rgb8> levels;
@@ -133,6 +133,9 @@ class Session {
   /// the number that it was made for.
   std::uint64_t revision() const { return revision_; }
 
+  /// Counts the changes that are steps of the history: edits, undo and redo, new scenes. All steps of one drag are one.
+  std::uint64_t change() const { return change_; }
+
   // --- messages ---
   const std::vector<Message>& messages() const { return messages_; }
   void say(Message::Kind kind, std::string text);
@@ -182,7 +185,7 @@ class Session {
   std::string loading_name_;
   bool loading_cancelled_ = false;
   bool changed_ = false;  // since work was last asked for
-  std::uint64_t revision_ = 0;
+  std::uint64_t revision_ = 0, change_ = 0;
   mutable std::optional<std::uint64_t> linked_revision_;  // that link_ was made for
   mutable std::string link_;
   std::array<std::shared_ptr<const PixelStory>, 2> followed_;  // the stories that the selected events belong to

@@ -25,6 +25,7 @@
 #include "gui/shell/help_sheet.h"
 #include "gui/shell/palette.h"
 #include "gui/theme/theme.h"
+#include "gui/widgets/key_focus.h"
 #include "gui/widgets/redraw.h"
 
 namespace ps::gui {
@@ -147,6 +148,7 @@ void Shell::Impl::offer_values() {
   values().offer("window/fullscreen", [=, this] { return on_off(window.fullscreen()); });
   values().offer("window/visible", [=, this] { return on_off(window.visible()); });
   values().offer("window/turns", [this] { return std::to_string(turns); });
+  values().offer("keyboard/at", [] { return key_focus().place(); });
   values().offer("clipboard", [this] { return window.clipboard(); });
   values().offer("window/seconds", [=] { return in_seconds(seconds_since_start()); });
   values().offer("window/cpu-seconds",
@@ -209,6 +211,15 @@ void Shell::Impl::add_actions(Shell& shell) {
                .keys = "F11",
                .run = [&shell] { shell.set_fullscreen(!shell.fullscreen()); },
                .checked = [&shell] { return shell.fullscreen(); }});
+  actions.add(
+      {.name = "focus-next", .label = "Keyboard into the panels, and on", .group = "Window", .keys = "F6", .run = [] {
+         key_focus().go_to_region(1);
+       }});
+  actions.add({.name = "focus-before",
+               .label = "Keyboard to the panel before",
+               .group = "Window",
+               .keys = "Shift+F6",
+               .run = [] { key_focus().go_to_region(-1); }});
   actions.add({.name = "quit", .label = "Quit", .group = "Window", .keys = "Ctrl+Q", .run = [this] {
                  if (content->may_close()) ended = true;
                }});
@@ -271,7 +282,8 @@ void Shell::Impl::dispatch_keys() {
   for (const KeyChange& key : input.keys()) {
     if (!key.down)
       actions.key_up(key.chord.key);
-    else if (!help.take_key(key.chord) && !palette.is_open())
+    else if (!help.take_key(key.chord) && !palette.is_open() &&
+             (typing || !key_focus().take_key(key.chord, key.repeat)))
       actions.key_down(key.chord, key.repeat, typing);
   }
 }
@@ -284,6 +296,7 @@ void Shell::Impl::draw_frame() {
   ImGui::NewFrame();
   dispatch_keys();
   content->draw();
+  key_focus().end_frame();
   help.draw(actions);
   palette.draw(actions);
   ImGui::Render();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gui/widgets/draw.h"
+#include "gui/widgets/key_focus.h"
 #include "gui/widgets/tab_row.h"
 
 namespace ps::gui {
@@ -74,18 +75,27 @@ bool segments(std::string_view name, std::span<const Choice> choices, int& index
 }  // namespace
 
 bool drop_down(std::string_view name, std::span<const Choice> choices, int& index, float width,
-               const ControlStyle& style) {
+               const ControlStyle& style, const FieldLook& look) {
   const Palette& p = palette();
   const std::string popup = full_name(part_name(name, "##list"));
-  if (hit_area(name, {width, ImGui::GetFrameHeight()}, style)) ImGui::OpenPopup(popup.c_str());
+  const float height = std::max(look.height, ImGui::GetFrameHeight());
+  if (hit_area(name, {width, height}, style)) ImGui::OpenPopup(popup.c_str());
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, max, colour_u32(state_colour(p.field, style)), ImGui::GetStyle().FrameRounding);
   outline(min, max, p.line);
-  const float arrow = px(18);
+  const float arrow = px(16);
   const auto chosen = static_cast<std::size_t>(std::clamp<int>(index, 0, static_cast<int>(choices.size()) - 1));
-  draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, choices[chosen].label, choice_colour(style, chosen), 0);
-  const float x = max.x - arrow / 2 - px(2), y = (min.y + max.y) / 2;
+  {
+    const FontScope font(look.face);
+    const std::string_view text = style.shown.empty() ? choices[chosen].label : style.shown;
+    if (text.find('\n') == std::string_view::npos)
+      draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, text, choice_colour(style, chosen), 0);
+    else
+      draw_lines({min.x + px(8), std::floor((min.y + max.y - text_height(text)) / 2)}, text,
+                 choice_colour(style, chosen));
+  }
+  const float x = max.x - arrow / 2, y = (min.y + max.y) / 2;
   const ImU32 ink = colour_u32(style.disabled.empty() ? p.text_quiet : p.text_disabled);
   draw.AddLine({x - px(4), y - px(2)}, {x, y + px(2)}, ink, px(1.5));
   draw.AddLine({x, y + px(2)}, {x + px(4), y - px(2)}, ink, px(1.5));
@@ -95,6 +105,12 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   style_tooltip(own);
 
   bool changed = false;
+  const int last = static_cast<int>(choices.size()) - 1;
+  if (const int steps = key_focus().steps(); key_focus().is_at(full_name(name)) && style.disabled.empty()) {
+    changed = steps != 0 && std::clamp(index + steps, 0, last) != index;
+    index = std::clamp(index + steps, 0, last);
+    key_focus().use_steps();
+  }
   // Below the field, or above it where there is no room below.
   const float list_height = static_cast<float>(choices.size()) * ImGui::GetTextLineHeightWithSpacing() +
                             2 * ImGui::GetStyle().WindowPadding.y;
@@ -104,7 +120,14 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   else
     ImGui::SetNextWindowPos({min.x, min.y - px(2)}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSizeConstraints({max.x - min.x, 0}, {px(700), px(700)});
-  if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return false;
+  if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return changed;
+  if (key_focus().is_at(full_name(name)) && !ImGui::IsWindowAppearing()) {
+    const int wanted = std::clamp(index + key_focus().lines(), 0, last);
+    changed = changed || wanted != index;
+    index = wanted;
+    key_focus().use_lines();
+    if (key_focus().pressed()) ImGui::CloseCurrentPopup();
+  }
   for (std::size_t i = 0; i < choices.size(); ++i) {
     const std::string label(choices[i].label);
     ImGui::PushStyleColor(ImGuiCol_Text, choice_colour({.idle = style.idle}, i));

@@ -1,5 +1,7 @@
 #include "gui/widgets/draw.h"
 
+#include "gui/widgets/key_focus.h"
+
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -53,7 +55,10 @@ bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style) {
   ImGui::PushID(full_name(name).c_str());
   const bool clicked = ImGui::InvisibleButton("##hit", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
   ImGui::PopID();
-  return clicked;
+  if (name.starts_with("##")) return clicked;  // a part of a control that asks for the keyboard itself
+  const bool has_keys =
+      key_focus().item(full_name(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), style.disabled.empty());
+  return clicked || (has_keys && key_focus().pressed());
 }
 
 void style_tooltip(const ControlStyle& style) {
@@ -69,7 +74,8 @@ void style_tooltip(const ControlStyle& style) {
 ImVec4 state_colour(const ImVec4& idle, const ControlStyle& style) {
   if (!style.disabled.empty()) return palette().panel;
   if (ImGui::IsItemActive()) return palette().field_active;
-  return ImGui::IsItemHovered() ? palette().field_hover : idle;
+  if (ImGui::IsItemHovered()) return palette().field_hover;
+  return style.quiet ? palette().panel : idle;
 }
 
 void outline(ImVec2 min, ImVec2 max, const ImVec4& colour) {

@@ -39,8 +39,15 @@ inline const ImVec4& text_colour(const ControlStyle& style) {
 }
 /// Whether choice() has no room for its words side by side in this width, and drops a list down instead.
 bool choices_drop_down(std::span<const Choice> choices, float width);
-/// A list that drops down from a field of this width and shows `shown`. Answers whether `index` changed.
+/// A field that is higher than one line, for texts that are broken into lines already.
+struct FieldLook {
+  float height = 0;  ///< 0 = one line
+  Face face = Face::body;
+};
+/// The room that drop_down() leaves for its text.
+inline float drop_down_text_width(float width) { return width - px(24); }
+/// A list that drops down from a field of this width. Answers whether `index` changed.
 bool drop_down(std::string_view name, std::span<const Choice> choices, int& index, float width,
-               const ControlStyle& style);
+               const ControlStyle& style, const FieldLook& look = {});
 
 }  // namespace ps::gui

@@ -3,8 +3,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "gui/widgets/draw.h"
+#include "gui/widgets/key_focus.h"
 #include "gui/widgets/number_scale.h"
 
 namespace ps::gui {
@@ -17,6 +19,7 @@ struct NumberGesture {
   double start_position = 0;
   float start_x = 0;
   std::string text = {};
+  std::string first = {};  ///< the keys that began the typing, to be typed
 };
 NumberGesture gesture;
 
@@ -60,9 +63,16 @@ Edit typed(std::string_view name, double& value, const NumberRange& range, float
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), std::floor((height - ImGui::GetFontSize()) / 2)});
   if (gesture.typing_began) ImGui::SetKeyboardFocusHere();
+  // Until the field is active, keys come here in place of it.
+  const bool is_active = ImGui::GetActiveID() == ImGui::GetID("##typed");
+  if (const auto digit = key_focus().digit(); digit && !is_active) gesture.first += *digit;
+  if (is_active)
+    for (const char key : std::exchange(gesture.first, {}))
+      ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(key));
   const bool enter = ImGui::InputText("##typed", &gesture.text,
                                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopStyleVar();
+  key_focus().item(full_name(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), true);
   const bool left = !gesture.typing_began && !ImGui::IsItemActive();
   gesture.typing_began = false;
   controls().record(name, gesture.text);
@@ -105,8 +115,8 @@ void draw_number(const ImVec2& min, const ImVec2& max, double value, const Numbe
               dead ? p.text_disabled : p.text_quiet, 1);
   }
   const FontScope mono(Face::mono);
-  draw_text({min.x + px(6), min.y}, {max.x - px(6) - unit_width, max.y - px(3)}, short_number(value),
-            text_colour(style), 1);
+  draw_text({min.x + px(6), min.y}, {max.x - px(6) - unit_width, max.y - px(3)},
+            style.shown.empty() ? short_number(value) : std::string(style.shown), text_colour(style), 1);
 }
 
 }  // namespace
@@ -155,6 +165,18 @@ Edit number(std::string_view name, double& value, const NumberRange& range, cons
     const double wanted = stepped_value(value, steps, range);
     edit.changed = edit.finished = wanted != value;
     value = wanted;
+  }
+  if (key_focus().item(full_name(name), min, max, !dead)) {
+    if (const int steps = key_focus().steps(); steps != 0) {
+      const double wanted = stepped_value(value, steps, range);
+      edit.changed = edit.finished = wanted != value;
+      value = wanted;
+      key_focus().use_steps();
+    }
+    if (key_focus().pressed() || key_focus().digit()) {
+      gesture = {.id = id, .typing = true, .typing_began = true, .text = full_number(value)};
+      if (const auto digit = key_focus().digit()) gesture.first = *digit;
+    }
   }
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   draw_number(min, max, value, range, style);

@@ -2,14 +2,24 @@
 #include <imgui_stdlib.h>
 
 #include "gui/widgets/draw.h"
+#include "gui/widgets/key_focus.h"
 
 namespace ps::gui {
+namespace {
+
+std::string begun_by_key;  ///< the field that Enter was pressed on: typing begins in the next frame
+
+}  // namespace
 
 bool search_box(std::string_view name, std::string& text, std::string_view hint, const ControlStyle& style) {
   const Palette& p = palette();
   const float width = full_width(style), clear = ImGui::GetFrameHeight();
   const std::string id = "##" + full_name(name), shown_hint(hint);
   const ImVec2 start = ImGui::GetCursorScreenPos();
+  if (begun_by_key == full_name(name)) {
+    ImGui::SetKeyboardFocusHere();
+    begun_by_key.clear();
+  }
   ImGui::SetNextItemWidth(width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(28), ImGui::GetStyle().FramePadding.y});
   ImGui::PushStyleColor(ImGuiCol_TextDisabled, p.text_quiet);
@@ -17,6 +27,7 @@ bool search_box(std::string_view name, std::string& text, std::string_view hint,
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  if (key_focus().item(full_name(name), min, max, true) && key_focus().pressed()) begun_by_key = full_name(name);
   outline(min, max, ImGui::IsItemActive() ? p.text_quiet : p.line);
   controls().record(name, text);
   style_tooltip(style);

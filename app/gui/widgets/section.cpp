@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "gui/widgets/draw.h"
+#include "gui/widgets/key_focus.h"
 
 namespace ps::gui {
 namespace {
@@ -28,7 +29,8 @@ bool section(std::string_view name, std::string_view label, bool& open, std::str
   draw_arrow({min.x + px(8), (min.y + max.y) / 2}, open, colour_u32(p.text_quiet));
   float label_end = 0;
   {
-    const FontScope bold(Face::bold);
+    const bool is_small = ImGui::GetFont() == theme().font(Face::small);
+    const FontScope bold(is_small ? Face::small_bold : Face::bold);
     draw_text({min.x + px(20), min.y}, max, label, p.text, 0);
     label_end = min.x + px(20) + text_width(label);
   }
@@ -66,6 +68,13 @@ TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bo
   TreeRow row;
   row.open = open && kind == TreeKind::branch;
   row.clicked = ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen();
+  if (key_focus().item(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), true)) {
+    row.clicked = row.clicked || key_focus().pressed();
+    if (kind == TreeKind::branch && key_focus().steps() != 0) {
+      ImGui::GetStateStorage()->SetInt(ImGui::GetID(id.c_str()), key_focus().steps() > 0 ? 1 : 0);
+      key_focus().use_steps();
+    }
+  }
   controls().record(name, label);
   return row;
 }
@@ -75,8 +84,10 @@ bool table_row(std::string_view name, std::string_view text, bool selected) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const ImVec2 place = ImGui::GetCursorPos();
-  const bool clicked = ImGui::Selectable(id.c_str(), selected,
-                                         ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+  bool clicked = ImGui::Selectable(id.c_str(), selected,
+                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+  if (key_focus().item(full_name(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), true))
+    clicked = clicked || key_focus().pressed();
   controls().record(name, std::string(text));
   ImGui::SetCursorPos(place);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());

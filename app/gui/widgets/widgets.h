@@ -9,6 +9,7 @@
 #include "gui/base/record.h"
 #include "gui/theme/theme.h"
 #include "options/option.h"
+#include "options/waking.h"
 
 /// Controls of the window. Each has a name (a stable path, prefixed by the NameScopes around it) under which scripts
 /// find it, records what it shows, and fills the width given to it. None keeps state of the document.
@@ -23,6 +24,8 @@ struct ControlStyle {
   std::string_view disabled = {};  ///< not empty: greyed, and this reason is shown in the tooltip
   float width = 0;                 ///< 0 = as wide as its text (buttons) or the space that is left (others)
   std::span<const std::string_view> idle = {};  ///< of choices, one for each: why it cannot act now, or nothing
+  std::string_view shown = {};                  ///< not empty: written in place of the value
+  bool quiet = false;                           ///< without a field behind it: what comes second in its row
 };
 
 // --- buttons.cpp ---
@@ -75,10 +78,11 @@ void number_text(double value, float width = 0);
 void number_text(std::string_view digits, float width, std::string_view full);
 
 // --- option_row.cpp ---
-enum class OptionRequest { none, send_to_other, only_difference, sweep };
+enum class OptionRequest { none, send_to_other, only_difference, sweep, wake };
 struct OptionRowResult {
   Edit edit;
-  OptionRequest request = OptionRequest::none;  ///< chosen from the right-click menu
+  OptionRequest request = OptionRequest::none;  ///< chosen from the right-click menu, or the button of a grey row
+  Waking waking;                                ///< what a grey row needs
 };
 struct OptionRowContext {
   Side side = Side::a;
@@ -86,7 +90,8 @@ struct OptionRowContext {
   bool highlight = false;           ///< a lesson or a search points at it
 };
 /// One row made from the option table: label, control, mark if A and B differ, reset, tooltip with what, source and
-/// failure, greyed with the reason when it cannot act. Named by the option's key.
+/// failure. One that cannot act is grey and says below what it needs, with a button that sets it. Named by the option's
+/// key.
 OptionRowResult option_row(const Option& option, Settings& settings, const SceneTraits& traits,
                            const OptionRowContext& context = {});
 
@@ -121,10 +126,6 @@ bool message_bar(std::string_view name, MessageKind kind, std::string_view text)
 enum class SplitterAxis { left_right, up_down };
 /// A draggable line of length `length` at the cursor. Adds the movement in pixels to `position`, kept in the range.
 Edit splitter(std::string_view name, SplitterAxis axis, float length, float& position, float minimum, float maximum);
-
-// --- rich_text.cpp ---
-/// Wrapped lesson text: "# heading", "## heading", "**bold**", "`code`", "- bullet", blank lines part paragraphs.
-void rich_text(std::string_view markdown);
 
 /// Keeps what is drawn inside it greyed and dead.
 class DisabledScope {

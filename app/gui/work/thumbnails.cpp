@@ -52,16 +52,58 @@ Image<Rgb8> thumbnail(const Document& document, int width, int height, Prepared&
   return picture;
 }
 
+namespace {
+
+/// Each pixel is the mean of the levels of those that it covers, or nearly covers.
+Image<Rgb8> shrunk_to(const Image<Rgb8>& large, int width, int height) {
+  Image<Rgb8> small(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int x0 = x * large.width() / width, x1 = std::max(x0 + 1, (x + 1) * large.width() / width);
+      const int y0 = y * large.height() / height, y1 = std::max(y0 + 1, (y + 1) * large.height() / height);
+      int sum[3] = {};
+      for (int row = y0; row < y1; ++row)
+        for (int column = x0; column < x1; ++column) {
+          const Rgb8 level = large.at(column, row);
+          sum[0] += level.r;
+          sum[1] += level.g;
+          sum[2] += level.b;
+        }
+      const int count = (x1 - x0) * (y1 - y0);
+      const auto mean = [&](int channel) { return static_cast<std::uint8_t>((sum[channel] + count / 2) / count); };
+      small.at(x, y) = {mean(0), mean(1), mean(2)};
+    }
+  return small;
+}
+
+}  // namespace
+
+// What lies on the canvas is measured in its pixels: it is drawn in full size and shrunk. So is a picture of twice the
+// size, whose edges are smoother for it.
+Image<Rgb8> thumbnail_of_a(const Document& document, int width, int height, Prepared& prepared, Progress& progress) {
+  try {
+    const View small = small_view(document, width, height);
+    View large = view_of(document);
+    if (document.scene.canvas_items->empty()) {
+      large.width = std::min(large.width, 2 * small.width);
+      large.height = std::min(large.height, 2 * small.height);
+    }
+    return shrunk_to(side_picture(document, Side::a, large, prepared, progress), small.width, small.height);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 Thumbnails::Thumbnails(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-const Texture* Thumbnails::find(std::uint64_t id, const Document& document, int width, int height) {
+const Texture* Thumbnails::find(std::uint64_t id, int width, int height, Make make) {
   if (width != width_ || height != height_) {
     made_.clear();
     width_ = width;
     height_ = height;
   }
   if (const auto found = made_.find(id); found != made_.end()) return &found->second;
-  wanted_.emplace_back(id, document);
+  wanted_.emplace_back(id, std::move(make));
   return nullptr;
 }
 
@@ -72,7 +114,10 @@ void Thumbnails::update(const std::set<std::uint64_t>& ids) {
     const std::lock_guard lock(mutex_);
     arrived = std::exchange(arrived_, std::nullopt);
   }
-  if (arrived) made_[arrived->id].upload(arrived->picture);
+  if (arrived) {
+    Texture& made = made_[arrived->id];
+    if (arrived->picture.width() > 0) made.upload(arrived->picture);
+  }
   std::erase_if(made_, [&](const auto& entry) { return ids.count(entry.first) == 0; });
   {
     const std::lock_guard lock(mutex_);
@@ -81,9 +126,13 @@ void Thumbnails::update(const std::set<std::uint64_t>& ids) {
                                    [&](const auto& one) { return !arrived || one.first != arrived->id; });
     if (next == wanted.end()) return;
     running_ = true;
-    job_.start([this, id = next->first, document = next->second, width = width_, height = height_](Progress& progress) {
+    job_.start([this, id = next->first, make = next->second](Progress& progress) {
       Made made{id, {}};
-      made.picture = thumbnail(document, width, height, *prepared_, progress);
+      try {
+        made.picture = make(*prepared_, progress);
+      } catch (const InputError&) {
+        // Stays empty.
+      }
       {
         const std::lock_guard made_lock(mutex_);
         running_ = false;

@@ -16,7 +16,7 @@ enum class MicroKind {
   edge_owned,      ///< edge of a triangle to which the fill rule gives the points on it
   edge_not_owned,  ///< the same for an edge whose points belong to the other side
   owner_mark,      ///< short line from an owned edge into its triangle
-  corner,          ///< where a triangle's corner was rounded to
+  corner,          ///< where a triangle's vertex was rounded to
   sample_lit,
   sample_unlit,
   point,          ///< the movable sample point

@@ -26,7 +26,7 @@ using namespace raster;
 template <class Real>
 struct NearTriangle {
   ScreenTriangle<Real> triangle;
-  std::vector<Real> attributes;  ///< of its corners, and what follows them (fragment.h)
+  std::vector<Real> attributes;  ///< of its vertices, and what follows them (fragment.h)
 };
 
 /// A filled triangle on the canvas, which is drawn after the scene.
@@ -96,7 +96,7 @@ class FragmentsIn final : public Microscope::Fragments {
   bool near_canvas() const override { return !on_canvas_.empty(); }
 
  private:
-  /// Corners, constants of flat shading, and the corners' weights of a piece that was cut.
+  /// Vertices, constants of flat shading, and the vertices' weights of a piece that was cut.
   static constexpr std::ptrdiff_t most_scalars = 3 * static_cast<std::ptrdiff_t>(max_attributes) + 6 + 9;
 
   void find_canvas_triangles(const std::vector<CanvasItem>& items) {
@@ -209,7 +209,7 @@ class FragmentsIn final : public Microscope::Fragments {
   }
 
   /// The triangle that is seen where several cover a point: the nearest, or with no depth buffer the last one drawn.
-  /// Those of the canvas, which stand last, lie over all others.
+  /// Those of the canvas, which are last, lie over all others.
   int front_of(const std::vector<ps::MicroTriangle>& triangles) const {
     const bool nearest = pass_.settings.visibility == Visibility::depth_buffer;
     int front = -1;

@@ -31,7 +31,7 @@ struct MicroTriangle {
   std::array<double, 3> weights_2d{};  ///< barycentric, on the screen
   std::array<double, 3> weights{};     ///< perspective-correct
   double z = 0;                        ///< camera space, as the kernel has it
-  double z_2d = 0;                     ///< the corners' z by the weights of the screen: not where the surface is
+  double z_2d = 0;                     ///< the vertices' z by the weights of the screen: not where the surface is
   std::optional<Vec2d> uv, uv_2d;      ///< perspective-correct, and by the weights of the screen
   bool covered = false;
   bool back_face = false;
@@ -60,7 +60,7 @@ struct MicroTexture {
 
 /// What there is at one sample point.
 struct MicroReading {
-  Vec2d point{0.5, 0.5};  ///< on the grid that corners and samples lie on (rasterizer), or anywhere (ray tracer)
+  Vec2d point{0.5, 0.5};  ///< on the grid that vertices and samples lie on (rasterizer), or anywhere (ray tracer)
   std::vector<MicroTriangle> triangles;  ///< in drawing order
   int front = -1;                        ///< of them, the one that would be seen at the point; -1 = none
   std::optional<PixelStory> ray;         ///< of the ray through the point (ray tracer)

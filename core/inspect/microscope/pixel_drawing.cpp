@@ -50,7 +50,7 @@ void add_owner_marks(MicroDrawing& drawing, const std::array<Vec2d, 2>& part, co
 }
 
 void add_triangle(MicroDrawing& drawing, const MicroTriangle& triangle, int index, bool emphasised) {
-  for (std::size_t i = 0; i < 3; ++i) {  // edge i lies opposite corner i
+  for (std::size_t i = 0; i < 3; ++i) {  // edge i lies opposite vertex i
     const auto part = clip_segment(triangle.corners[(i + 1) % 3], triangle.corners[(i + 2) % 3], shown_part);
     if (!part) continue;
     const MicroKind kind = triangle.owns[i] ? MicroKind::edge_owned : MicroKind::edge_not_owned;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int least_reach = 2, most_reach = 8;  // texels shown to each side of the lookup
 
-/// The texel that stands at a place beyond the borders.
+/// The texel that is at a place beyond the borders.
 int texel_at(int x, int size, TextureWrap wrap) {
   const auto modulo = [](int value, int by) { return ((value % by) + by) % by; };
   switch (wrap) {

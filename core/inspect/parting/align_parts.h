@@ -7,7 +7,7 @@
 
 namespace ps::parting {
 
-/// The events of a story by what stands right below what.
+/// The events of a story by what is right below what.
 class EventTree {
  public:
   explicit EventTree(const PixelStory& story);

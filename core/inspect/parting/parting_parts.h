@@ -22,7 +22,7 @@ struct Comparison {
   bool both_fragments() const { return draws_fragments(a.story.renderer) && draws_fragments(b.story.renderer); }
   /// Relative difference below which two numbers count as the same. Renderers that share their arithmetic must agree to
   /// the last bit; other arithmetic, or a ray that starts a little elsewhere, moves all that follows in the last
-  /// digits; a ray and a fragment see a point through other roundings, and snapped corners move it a little more.
+  /// digits; a ray and a fragment see a point through other roundings, and snapped vertices move it a little more.
   double tolerance() const;
   bool same(double x, double y) const;
   bool same(const Vec3d& x, const Vec3d& y) const;

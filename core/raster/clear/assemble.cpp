@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t triangles_per_run = 2048;
 
-/// One corner on the canvas. `depth` is what is linear there: 1 / z, or z in orthographic pictures; `weights` are those
-/// of the whole triangle's corners, not divided by anything.
+/// One vertex on the canvas. `depth` is what is linear there: 1 / z, or z in orthographic pictures; `weights` are those
+/// of the whole triangle's vertices, not divided by anything.
 template <class Real>
 struct CanvasCorner {
   Vec2<Real> position{0, 0};  ///< pixels from the top left, y down
@@ -70,7 +70,7 @@ class Assembler {
       outline();
   }
 
-  /// Whether the triangle is far from the inspected pixel, and where its corners lie if nothing cuts it.
+  /// Whether the triangle is far from the inspected pixel, and where its vertices lie if nothing cuts it.
   void look_at_places() {
     outside_ = 0;
     std::uint32_t all_behind = ~VertexPlace::no_place;
@@ -80,13 +80,13 @@ class Assembler {
       all_behind &= place.outside;
       place_[k] = {place.column, place.row};
     }
-    // The planes before the first that any corner is behind cut nothing.
+    // The planes before the first that any vertex is behind cut nothing.
     const std::uint32_t first_plane = outside_ & (~outside_ + 1);
     clipped_away_ = (first_plane & all_behind) != 0;
     far_ = (outside_ & VertexPlace::no_place) == 0 && lies_far(place_, *inspected_, pass_.grid.subpixel_bits);
   }
 
-  /// Whether light falls on corners or on the triangle as a whole, which counts as work.
+  /// Whether light falls on vertices or on the triangle as a whole, which counts as work.
   bool lights_corners() const {
     const AttributeLayout& layout = surface().layout;
     return layout.light != AttributeLayout::absent || layout.flat_light;
@@ -103,7 +103,7 @@ class Assembler {
       recorder_.count(Counter::triangles_drawn);
   }
 
-  /// How many of the corners lie in front of every plane; -1 if all are behind one plane.
+  /// How many of the vertices lie in front of every plane; -1 if all are behind one plane.
   int corners_in_view() const {
     std::array<bool, 3> in_view{true, true, true};
     for (const auto& plane : pass_.planes) {
@@ -166,7 +166,7 @@ class Assembler {
     emit(canvas.data(), size, split);
   }
 
-  /// False if a corner has no finite place on the canvas, which only happens without a near plane.
+  /// False if a vertex has no finite place on the canvas, which only happens without a near plane.
   bool project(const ClipPolygon<Real>& polygon, std::array<CanvasCorner<Real>, 16>& canvas) const {
     for (int i = 0; i < polygon.size; ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -253,7 +253,7 @@ class Assembler {
     }
   }
 
-  /// The scalars of a corner, carried as value / z where interpolation is perspective-correct.
+  /// The scalars of a vertex, carried as value / z where interpolation is perspective-correct.
   void store_attributes(const std::array<CornerAttributes<Real>, 3>& attributes, const CanvasCorner<Real>& corner,
                         bool split) {
     const Real share = pass_.divides() ? corner.depth : Real(1);
@@ -275,7 +275,7 @@ class Assembler {
     return light_at(pass_, surface(), point.position, point.normal, recorder_);
   }
 
-  /// The edges of the whole triangle, each cut to the clipping volume by itself; or its corners as points.
+  /// The edges of the whole triangle, each cut to the clipping volume by itself; or its vertices as points.
   void outline() {
     bool any = false;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -361,7 +361,7 @@ class Assembler {
   bool back_face_ = false;
   // Of an inspected pixel.
   std::array<FixedPoint, 3> place_{};
-  std::uint32_t outside_ = 0;  ///< the corners' VertexPlace::outside together
+  std::uint32_t outside_ = 0;  ///< the vertices' VertexPlace::outside together
   bool clipped_away_ = false;  ///< all of them lie behind the first plane that cuts
   bool far_ = false;
 };

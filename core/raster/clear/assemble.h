@@ -18,7 +18,7 @@ struct TriangleRun {
 template <class Real>
 std::vector<TriangleRun> make_runs(const Pass<Real>& pass, const std::vector<bool>& culled);
 
-/// Primitive assembly for one run: facing, clipping, projection, and the attributes of the corners. `inspected` is the
+/// Primitive assembly for one run: facing, clipping, projection, and the attributes of the vertices. `inspected` is the
 /// pixel (array position) whose story is recorded; without it nothing is kept of rejected triangles.
 template <class Real>
 Batch<Real> assemble(const Pass<Real>& pass, const VertexBuffer<Real>& vertices, const TriangleRun& run,

@@ -8,12 +8,12 @@
 namespace ps::raster {
 
 /// The plane of a triangle in camera space, in which depth-value = ray-plane looks up the depth of each sample (OCT,
-/// "Rasterization with Depth Buffer"). It is made from the corners before they are rounded to sub-pixels.
+/// "Rasterization with Depth Buffer"). It is made from the vertices before they are rounded to sub-pixels.
 template <class Real>
 struct DepthPlane {
   Vec3<Real> normal{0, 0, 0};  ///< of any length
   Real offset = 0;             ///< dot(normal, P) for each point P of the plane
-  /// The z between which the drawn piece of the triangle lies. Where rounding of corners lets a sample in whose ray
+  /// The z between which the drawn piece of the triangle lies. Where rounding of vertices lets a sample in whose ray
   /// passes the triangle by, or a ray runs along the plane, the intersection is far off or nowhere.
   Real nearest = 0, farthest = 0;
 
@@ -36,7 +36,7 @@ Vec3<Real> scaled_edge(const Vec3<Real>& edge) {
   return {std::ldexp(edge.x, -exponent), std::ldexp(edge.y, -exponent), std::ldexp(edge.z, -exponent)};
 }
 
-/// Of the triangle with these corners (camera space), where `z` are those of the piece that is drawn.
+/// Of the triangle with these vertices (camera space), where `z` are those of the piece that is drawn.
 template <class Real>
 DepthPlane<Real> make_depth_plane(const std::array<Vec3<Real>, 3>& corners, const std::array<Real, 3>& z) {
   DepthPlane<Real> plane;

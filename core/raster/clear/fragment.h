@@ -13,7 +13,7 @@ template <class Real>
 struct TriangleSetup {
   const ScreenTriangle<Real>* triangle = nullptr;
   const Surface<Real>* surface = nullptr;
-  const Real* attributes = nullptr;  ///< of corner 0; corners follow each other
+  const Real* attributes = nullptr;  ///< of vertex 0; vertices follow each other
   TriangleEdges edges;
   Real inverse_area = 1;
   DepthPlane<Real> plane;  ///< only where depth is found by ray and plane
@@ -50,7 +50,7 @@ inline Fragment<Real> make_fragment(const Pass<Real>& pass, const TriangleSetup<
   return fragment;
 }
 
-/// Weights in space: of the point that is seen, in terms of the corners.
+/// Weights in space: of the point that is seen, in terms of the vertices.
 template <class Real>
 inline std::array<Real, 3> space_weights(const Pass<Real>& pass, const TriangleSetup<Real>& setup,
                                          const Fragment<Real>& fragment) {
@@ -77,14 +77,14 @@ inline Vec3<Real> interpolate3(const Pass<Real>& pass, const TriangleSetup<Real>
           interpolate(pass, setup, fragment, slot + 2)};
 }
 
-/// The three scalars of constant number `index` (0 light, 1 extra) that flat shading stored after the corners.
+/// The three scalars of constant number `index` (0 light, 1 extra) that flat shading stored after the vertices.
 template <class Real>
 inline Vec3<Real> flat_constant(const TriangleSetup<Real>& setup, int index) {
   const Real* a = setup.attributes + 3 * setup.surface->layout.count + 3 * index;
   return {a[0], a[1], a[2]};
 }
 
-/// Weights of the whole triangle's corners, where `weights` are those of the piece that clipping made of it.
+/// Weights of the whole triangle's vertices, where `weights` are those of the piece that clipping made of it.
 template <class Real>
 inline Vec3<Real> whole_weights(const TriangleSetup<Real>& setup, const std::array<Real, 3>& weights) {
   if (!setup.triangle->cut) return {weights[0], weights[1], weights[2]};

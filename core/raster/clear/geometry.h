@@ -32,7 +32,7 @@ inline CornerSource<Real> corner_source(const Pass<Real>& pass, const ScreenGeom
           triangle.face_normal};
 }
 
-/// Its corners in camera space, before they were rounded to the canvas and before clipping.
+/// Its vertices in camera space, before they were rounded to the canvas and before clipping.
 template <class Real>
 inline std::array<Vec3<Real>, 3> camera_corners(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
                                                 const ScreenTriangle<Real>& triangle) {

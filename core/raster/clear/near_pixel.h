@@ -37,7 +37,7 @@ bool near_pixel(const Pass<Real>& pass, const std::array<Vec3<Real>, 3>& corner,
 /// the pixel with its surroundings look less far.
 inline constexpr int far_from_pixel = 3;
 
-/// A quick answer for triangles whose corners have a place: whether it is far from the pixel.
+/// A quick answer for triangles whose vertices have a place: whether it is far from the pixel.
 inline bool lies_far(const std::array<FixedPoint, 3>& corner, Vec2i pixel, int subpixel_bits) {
   const auto beyond = [&](int a, int b, int c, int at) {
     const std::int64_t unit = fixed_unit(subpixel_bits);

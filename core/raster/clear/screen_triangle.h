@@ -19,15 +19,15 @@ struct ScreenTriangle {
   Real sort_depth = 0;              ///< mean z of the whole triangle, for the painter
   Vec3<Real> face_normal{0, 0, 0};  ///< world space, length 1
   std::uint32_t surface = 0;        ///< index into Pass::surfaces
-  std::uint32_t attributes = 0;     ///< index of the first scalar in Batch::attributes, corner after corner
+  std::uint32_t attributes = 0;     ///< index of the first scalar in Batch::attributes, vertex after vertex
   std::uint32_t sequence = 0;       ///< number of the whole triangle in drawing order
   std::int32_t triangle = 0;        ///< number of the whole triangle in its object
   std::uint8_t pieces = 1;          ///< number of pieces that clipping made of the whole triangle
-  bool cut = false;                 ///< a piece: its corners' weights in the whole triangle follow its attributes
+  bool cut = false;                 ///< a piece: its vertices' weights in the whole triangle follow its attributes
   bool back_face = false;
 };
 
-/// A line to be walked: an edge of a wireframe, or a corner drawn as a point (both ends equal).
+/// A line to be walked: an edge of a wireframe, or a vertex drawn as a point (both ends equal).
 template <class Real>
 struct ScreenLine {
   Vec2<Real> from{0, 0}, to{0, 0};  ///< centred canvas coordinates, y up (lines/walk_line.h)

@@ -154,8 +154,8 @@ Vec2<Real> relief_uv(const Pass<Real>& pass, const TriangleSetup<Real>& setup, c
   return parallax_uv(material.height_map, uv, *shift, pass.settings, depth_at, recorder);
 }
 
-/// Light on the fragment: computed here (Phong), or carried over from the corners (Gouraud) or the triangle (flat); the
-/// inspector then hears how it was computed there.
+/// Light on the fragment: computed here (Phong), or carried over from the vertices (Gouraud) or the triangle (flat);
+/// the inspector then hears how it was computed there.
 template <class Real, class Recorder>
 Lighting<Real> light_fragment(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
                               const TriangleSetup<Real>& setup, const Fragment<Real>& fragment,

@@ -56,7 +56,7 @@ struct TriangleBlock {
 };
 
 /// What is the same for all triangles of an object. Lengths are in units of 2^-unit_bits pixels: those of FixedPoint,
-/// or twice as long where corners and samples are even. Edge values and area are then a quarter as large, and their
+/// or twice as long where vertices and samples are even. Edge values and area are then a quarter as large, and their
 /// quotients the same to the last bit.
 struct AssemblyRules {
   float handedness = 1;

@@ -43,7 +43,7 @@ HWY_INLINE VI zero() { return hn::Zero(DI()); }
 /// The bits of VertexPlace::outside that are planes.
 HWY_INLINE VI planes() { return number(static_cast<std::int32_t>(VertexPlace::no_place - 1)); }
 
-/// The vertices of the triangles from number `first` on, one array for each corner; lanes beyond the last get the last.
+/// The vertices of the triangles from number `first` on, one array for each vertex; lanes beyond the last get the last.
 using Vertices = std::array<std::uint32_t, most_lanes>;
 HWY_INLINE std::array<Vertices, 3> vertices_of(const TriangleBlock& block, std::size_t first) {
   const auto all = static_cast<std::size_t>(block.count);
@@ -59,7 +59,7 @@ HWY_INLINE std::array<Vertices, 3> vertices_of(const TriangleBlock& block, std::
   return vertices;
 }
 
-/// Corners without their places on the canvas.
+/// Vertices without their places on the canvas.
 HWY_INLINE Corner load_points(const TriangleBlock& block, const Vertices& vertices) {
   const hn::FixedTag<float, 4> four;
   const auto point = ps::HWY_NAMESPACE::four_vectors(
@@ -180,7 +180,7 @@ HWY_INLINE void assemble_vector(const AssemblyRules& rules, const TriangleBlock&
   // Of back faces, which mostly come in rows, nothing more is read.
   if (hn::AllFalse(di, rest)) return;
   for (std::size_t k = 0; k < 3; ++k) load_places(rules, block, vertices[k], c[k]);
-  // Clipping goes from plane to plane. Where the first that any corner is behind has all of them behind it, it leaves
+  // Clipping goes from plane to plane. Where the first that any vertex is behind has all of them behind it, it leaves
   // nothing, and those before it cut nothing.
   const VI any_behind = hn::Or(hn::Or(c[0].outside, c[1].outside), c[2].outside);
   const VI all_behind = hn::And(hn::And(c[0].outside, c[1].outside), c[2].outside);

@@ -209,7 +209,7 @@ void AttributeRows::fill_piece(const TileTriangle& triangle, const FastSurface& 
   }
 }
 
-/// The vertex stage has made the numbers of a corner as they stand in the row.
+/// The vertex stage has made the numbers of a vertex as they are in the row.
 void AttributeRows::fill_lit(const TileTriangle& triangle, const FastSurface& how, float* row) const {
   const FastTriangle& origin = *triangle.triangle;
   const Vec4f* const lit = vertices_[origin.object].lit.data();

@@ -7,11 +7,11 @@
 
 namespace ps::raster {
 
-/// How the fragments of one surface are shaded, and where a triangle's numbers lie in its row: three corners one after
+/// How the fragments of one surface are shaded, and where a triangle's numbers lie in its row: three vertices one after
 /// the other, then what the triangle has once. Every slot begins at a multiple of 4.
 struct FastSurface {
   BatchShading shading;  ///< its attributes are the row
-  int corner_size = 0;   ///< scalars of a corner
+  int corner_size = 0;   ///< scalars of a vertex
   int row_size = 0;      ///< scalars in all
   bool textured = false;
 };

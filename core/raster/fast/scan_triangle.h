@@ -14,7 +14,7 @@ struct TriangleScan {
   TileRect box;  ///< inside the tile, not empty
   float inverse_area = 1;
   std::array<float, 3> inverse_z{};
-  std::array<float, 3> stored_depth{};             ///< of the corners: 1 / z or z, as `depth_value` says
+  std::array<float, 3> stored_depth{};             ///< of the vertices: 1 / z or z, as `depth_value` says
   DepthValue depth_value = DepthValue::inverse_z;  ///< others are left to the clear path
   float* depth = nullptr;  ///< the depth buffer at the box's first pixel; nullptr = no depth test
   int depth_stride = 0;    ///< from one row to the next

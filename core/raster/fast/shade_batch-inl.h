@@ -27,7 +27,7 @@ HWY_INLINE V splat(float value) { return hn::Set(D(), value); }
 HWY_INLINE V3 splat3(const Vec3f& value) { return ps::HWY_NAMESPACE::same_in_lanes<D>(value); }
 
 // A Source gives what the fragments' triangles carry: vector(slot) and pair(slot) interpolate three or two scalars of
-// the corners, constant(at) reads three of the triangle's own.
+// the vertices, constant(at) reads three of the triangle's own.
 
 /// Adds a vector of fragments to those whose texture will be read.
 template <class Source>

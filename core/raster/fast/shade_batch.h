@@ -31,13 +31,13 @@ enum class BatchLight { none, equation, corners, constant };
 
 /// What the fragments of a batch share.
 struct BatchShading {
-  const float* attributes = nullptr;  ///< of corner 0, carried as value / z; corners follow each other
-  int stride = 0;                     ///< scalars of a corner
-  // What differs from triangle to triangle may stand behind its corners.
+  const float* attributes = nullptr;  ///< of vertex 0, carried as value / z; vertices follow each other
+  int stride = 0;                     ///< scalars of a vertex
+  // What differs from triangle to triangle may be behind its vertices.
   int face_normal_at = -1;         ///< -1 = face_normal
   int steps_at = -1;               ///< BatchTexture::steps, each followed by a number without meaning; -1 = those
   int normal = -1, position = -1;  ///< first scalar of each; -1 = face_normal, and the origin
-  int light = -1;                  ///< first scalar of the corners' light (Gouraud)
+  int light = -1;                  ///< first scalar of the vertices' light (Gouraud)
   BatchLight source = BatchLight::equation;
   Vec3f constant{0, 0, 0};  ///< the light of the whole triangle (flat)
   Vec3f face_normal{0, 0, 1};

@@ -9,14 +9,14 @@
 
 namespace ps::raster {
 
-/// Which values are carried across the triangles of one surface, and where each starts in a corner's list of scalars;
+/// Which values are carried across the triangles of one surface, and where each starts in a vertex's list of scalars;
 /// absent = not needed, so not interpolated. Constants of a triangle (flat light, triangle normal) are not among them.
 struct AttributeLayout {
   static constexpr int absent = -1;
   int normal = absent;    ///< 3 scalars, world space
   int position = absent;  ///< 3 scalars, world space
   int uv = absent;        ///< 2 scalars
-  int tangents = absent;  ///< 6 scalars, the same at each corner: TangentFrame, world space
+  int tangents = absent;  ///< 6 scalars, the same at each vertex: TangentFrame, world space
   int light = absent;     ///< 3 scalars: light from the vertices (Gouraud)
   int extra = absent;     ///< 3 scalars: light with a colour of its own (Gouraud)
   int count = 0;          ///< scalars in all

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "math/portable.h"
+#include "math/unit.h"
 
 namespace ps::raster {
 namespace {
@@ -49,7 +50,7 @@ Outlook look_at(const Sphere& sphere, const TessellationView& view) {
   outlook.eye_distance = std::sqrt(dot(to_eye, to_eye));
   const bool orthographic = view.projection == Projection::orthographic;
   const Vec3d axis = orthographic || outlook.eye_distance == 0 ? -view.forward : to_eye;
-  outlook.axis = axis / std::sqrt(dot(axis, axis));
+  outlook.axis = unit(axis);
   if (!orthographic && !outlook.eye_inside()) outlook.horizon = portable::acos(sphere.radius / outlook.eye_distance);
   if (orthographic) outlook.eye_distance = INFINITY;
   return outlook;

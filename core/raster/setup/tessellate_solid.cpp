@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "math/portable.h"
+#include "math/unit.h"
 #include "scene/form_frame.h"
 #include "scene/uv_maps.h"
 
@@ -37,7 +38,7 @@ class Builder {
     for (std::size_t k = 0; k < 3; ++k) t.normal[k] = t.uv[k] = static_cast<std::int32_t>(t.position[k]);
     mesh_.triangles.push_back(t);
   }
-  /// Corners in order around the front.
+  /// Vertices in order around the front.
   void quad(const std::array<Corner, 4>& corners) {
     const auto a = corner(corners[0]), b = corner(corners[1]), c = corner(corners[2]), d = corner(corners[3]);
     triangle(a, b, c);
@@ -112,7 +113,7 @@ void build_brick(const FormFrame& f, Builder& builder) {
     const auto corner = [&](double a, double b) {
       Vec3d p(0);
       p[axis] = side;
-      p[u] = a * side;  // keeps the order of corners around the outside
+      p[u] = a * side;  // keeps the order of vertices around the outside
       p[v] = b;
       const Vec3d world =
           f.centre + f.axes[0] * (p.x * f.half.x) + f.axes[1] * (p.y * f.half.y) + f.axes[2] * (p.z * f.half.z);
@@ -206,7 +207,7 @@ void add_world_map_uvs(Mesh& mesh, const Vec3d& centre) {
     double highest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3d offset = mesh.positions[triangle.position[k]] - centre;
-      uvs[k] = world_map_uv(offset / std::sqrt(dot(offset, offset)));
+      uvs[k] = world_map_uv(unit(offset));
       highest = std::max(highest, uvs[k].x);
     }
     for (std::size_t k = 0; k < 3; ++k) {

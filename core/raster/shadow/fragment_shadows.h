@@ -36,8 +36,8 @@ class FragmentShadows {
     }
     const Stencil& stencil = *pass_.stencil;
     if constexpr (Recorder::records)
-      for (const StencilEvent& told : stencil.events)
-        if (told.light == light) recorder_.event([&] { return told; });
+      for (const StencilEvent& event : stencil.events)
+        if (event.light == light) recorder_.event([&] { return event; });
     return stencil.at(light, column_, row_) == 0 ? Real(1) : Real(0);
   }
 

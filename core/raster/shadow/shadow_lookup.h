@@ -130,14 +130,14 @@ Real look_up_shadow(const ShadowMap& map, int light, const Vec3<Real>& position,
   };
   const int column = first(point.position.x), row = first(point.position.y);
   int lit = 0, taps = 0;
-  std::vector<ShadowTap> told;
+  std::vector<ShadowTap> read;
   for (int y = row; y < row + how.filter; ++y) {
     for (int x = column; x < column + how.filter; ++x) {
       const MapTexel<Real> texel = read_texel(map, point, from_light, x, y);
       const bool sees = !(static_cast<Real>(texel.stored) < texel.depth - bias);
       ++taps;
       if (sees) ++lit;
-      if constexpr (Recorder::records) told.push_back({texel.x, texel.y, static_cast<double>(texel.stored), sees});
+      if constexpr (Recorder::records) read.push_back({texel.x, texel.y, static_cast<double>(texel.stored), sees});
     }
   }
   recorder.count(Counter::shadow_map_taps, static_cast<std::uint64_t>(taps));
@@ -150,7 +150,7 @@ Real look_up_shadow(const ShadowMap& map, int light, const Vec3<Real>& position,
     event.position = Vec2d(point.position);
     event.depth = static_cast<double>(point.depth);
     event.bias = static_cast<double>(bias);
-    event.taps = std::move(told);
+    event.taps = std::move(read);
     event.visible = static_cast<double>(visible);
     return event;
   });

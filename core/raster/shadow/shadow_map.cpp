@@ -63,7 +63,7 @@ ShadowMap frame_around(const ShadowCasters& casters, const Light& light, int siz
   const Vec3d& forward = map.frame.forward;
   const Vec3d other = std::abs(forward.y) < 0.9 ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
   const Vec3d right = cross(other, forward);
-  map.frame.right = right / std::sqrt(dot(right, right));
+  map.frame.right = unit(right);
   map.frame.up = cross(forward, map.frame.right);
   // The square around them as the light sees them. Spheres are rounder than their triangles here.
   Vec3d low(1e300), high(-1e300);

@@ -36,7 +36,7 @@ using ShadowMaps = std::vector<ShadowMap>;
 /// beside.
 std::uint64_t shadow_map_bytes(const std::vector<Light>& lights, int size);
 
-/// Does the object stand in the way of light? Not if it is transparent (as for rays), or has no triangles (CSG).
+/// Is the object in the way of light? Not if it is transparent (as for rays), or has no triangles (CSG).
 bool throws_shadow(const Scene& scene, const Object& object);
 
 /// Is the option on, and is there light to block?

@@ -16,7 +16,7 @@ namespace {
 using CornerIndex = std::uint32_t;
 using Corners = std::array<CornerIndex, 3>;
 
-/// World-space corners in which equal positions are one corner, so that edges are shared wherever triangles meet.
+/// World-space vertices in which equal positions are one vertex, so that edges are shared wherever triangles meet.
 struct Welded {
   std::vector<Vec3d> positions;
   std::vector<Corners> triangles;  ///< without those of zero area
@@ -42,7 +42,7 @@ Welded weld(const DrawObject& object) {
   return welded;
 }
 
-/// An edge, and how often it is run through from its lower to its higher corner, less how often the other way.
+/// An edge, and how often it is run through from its lower to its higher vertex, less how often the other way.
 struct BalancedEdge {
   CornerIndex low = 0, high = 0;
   int count = 0;
@@ -55,7 +55,7 @@ void add_edges(const Corners& triangle, std::vector<BalancedEdge>& edges) {
   }
 }
 
-/// Each edge once, in the order of its corners, with the sum of its counts: 0 for all edges of a closed surface. A
+/// Each edge once, in the order of its vertices, with the sum of its counts: 0 for all edges of a closed surface. A
 /// sphere seen from nearby has two hundred thousand of them, for each light; a tree of edges would take several times
 /// as long as sorting.
 std::vector<BalancedEdge> balanced(std::vector<BalancedEdge> edges) {
@@ -104,7 +104,7 @@ std::vector<Corners> lit_triangles(const Welded& welded, const Light& light) {
   return lit;
 }
 
-/// Where a corner ends up at the far end: away from the light. Without end all move by the same factor, so that flat
+/// Where a vertex ends up at the far end: away from the light. Without end all move by the same factor, so that flat
 /// stays flat.
 class Extrusion {
  public:

@@ -9,7 +9,7 @@
 namespace ps::raster {
 
 /// An edge of the outline that an object shows to a light, in world space. The side of the shadow volume that starts
-/// there has the lit triangle's corner order reversed: it runs from `to` to `from`.
+/// there has the lit triangle's vertex order reversed: it runs from `to` to `from`.
 struct SilhouetteEdge {
   Vec3d from{0, 0, 0}, to{0, 0, 0};
 };
@@ -32,7 +32,7 @@ inline constexpr double volume_reach = 1e4;
 
 /// What volumes are made like.
 struct ShadowVolumeOptions {
-  /// World units: how far each corner is moved away from the light, or nothing for a volume without end.
+  /// World units: how far each vertex is moved away from the light, or nothing for a volume without end.
   std::optional<double> length{};
   double reach = 1;  ///< length of the sides of a volume without end, world units; large beside the scene
   bool caps = true;  ///< lit triangles and far end; without, the surface is open at both ends

@@ -1,3 +1,5 @@
+// Definitions of intersector.h for callers with a recorder of their own; intersector.cpp instantiates those of the
+// program.
 #pragma once
 #include "raytrace/clear/intersector.h"
 
@@ -5,8 +7,7 @@
 
 #include "base/overloaded.h"
 #include "raytrace/clear/sphere_quadratic.h"
-#include "raytrace/clear/triangle_moeller_trumbore.h"
-#include "raytrace/clear/triangle_plane.h"
+#include "raytrace/triangle_tests.h"
 
 namespace ps {
 
@@ -64,16 +65,15 @@ Hit<Real> Intersector<Real, Recorder>::search(const Ray<Real>& ray, Find find) c
     for (const std::uint32_t primitive : geometry_.unbounded)
       if (visit(primitive)) return best;
 
-  const CandidateRay<Real> boxes = candidate(ray);
-  std::visit(Overloaded{[&](const NoAccelerator& all) { for_each_candidate(all, boxes, best.t, visit, recorder_); },
-                        [&](const std::shared_ptr<const EmbreeGeometry<Real>>& embree) {
-                          search_embree(*embree, query, find, best);
-                        },
-                        [&](const std::shared_ptr<const TwoLevel<Real>>& trees) {
-                          for_each_candidate(*trees, geometry_, boxes, best.t, visit_known, recorder_);
-                        },
-                        [&](const auto& tree) { for_each_candidate(*tree, boxes, best.t, visit, recorder_); }},
-             inputs_.accelerator);
+  std::visit(
+      Overloaded{
+          [&](const NoAccelerator& all) { for_each_candidate(all, CandidateRay<Real>(), best.t, visit, recorder_); },
+          [&](const std::shared_ptr<const EmbreeGeometry<Real>>& embree) { search_embree(*embree, query, find, best); },
+          [&](const std::shared_ptr<const TwoLevel<Real>>& trees) {
+            for_each_candidate(*trees, geometry_, candidate(ray), best.t, visit_known, recorder_);
+          },
+          [&](const auto& tree) { for_each_candidate(*tree, candidate(ray), best.t, visit, recorder_); }},
+      inputs_.accelerator);
   return best;
 }
 
@@ -179,24 +179,13 @@ SphereRoots<Real> Intersector<Real, Recorder>::sphere_roots(const Query& query, 
 template <class Real, class Recorder>
 TriangleResult<Real> Intersector<Real, Recorder>::triangle_result(const Query& query, std::uint32_t index,
                                                                   const TracedTriangle<Real>& triangle) const {
-  const Ray<Real>& ray = query.ray;
-  TriangleResult<Real> result;
-  if (index == ray.start) {  // a plane is met once: t = 0
+  if (index == query.ray.start) {  // a plane is met once: t = 0
+    TriangleResult<Real> result;
     result.verdict = TriangleVerdict::guarded;
     return result;
   }
-  switch (inputs_.settings.triangle_test) {
-  case TriangleTest::watertight:
-    return triangle_watertight(ray.origin, query.shear, triangle,
-                               ray.start == no_primitive ? TriangleGuard::none : TriangleGuard::rounding_of_t);
-  case TriangleTest::moeller_trumbore:
-    return triangle_moeller_trumbore(ray.origin, ray.direction, triangle, inputs_.triangle_epsilon);
-  case TriangleTest::barycentric:
-    return triangle_barycentric(ray.origin, ray.direction, triangle, inputs_.triangle_epsilon);
-  case TriangleTest::cross_products:
-    return triangle_cross_products(ray.origin, ray.direction, triangle, inputs_.triangle_epsilon);
-  }
-  return result;
+  return ps::triangle_result<Real>(inputs_.settings.triangle_test, {query.ray, query.shear, inputs_.triangle_epsilon},
+                                   triangle);
 }
 
 template <class Real, class Recorder>

@@ -37,7 +37,7 @@ inline TangentFrame<Real> form_tangents(const TracedForm<Real>& form, int face, 
   return {};
 }
 
-/// The same with true lengths, so that dP/du and -dP/dv stand in the right proportion; the common factor of a ball's
+/// The same with true lengths, so that dP/du and -dP/dv have the right proportion; the common factor of a ball's
 /// radius is left out.
 template <class Real>
 inline TangentFrame<Real> form_relief_tangents(const TracedForm<Real>& form, int face, const Vec3<Real>& p) {

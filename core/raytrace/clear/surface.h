@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 
+#include "math/unit.h"
 #include "raytrace/clear/csg.h"
 #include "raytrace/clear/triangle_watertight.h"
 #include "raytrace/ray.h"
@@ -25,11 +26,6 @@ struct Surface {
   bool back_face = false;
 };
 
-template <class Real>
-inline Vec3<Real> normalised(const Vec3<Real>& v) {
-  return v * (Real(1) / length(v));
-}
-
 /// A point of a sphere: the ray's point, and the direction from the centre (CGFS ch. 3).
 template <class Real>
 inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, const TracedSphere<Real>& sphere) {
@@ -45,7 +41,7 @@ inline Surface<Real> sphere_surface(const Ray<Real>& ray, const Hit<Real>& hit, 
   return surface;
 }
 
-/// The sum of three corner values by their weights, from left to right.
+/// The sum of three vertex values by their weights, from left to right.
 template <class Real, class Value>
 inline Value blend(const std::array<Real, 3>& weights, const Value& a, const Value& b, const Value& c) {
   return a * weights[0] + b * weights[1] + c * weights[2];
@@ -146,7 +142,7 @@ inline Surface<Real> solid_surface(const Ray<Real>& ray, const Hit<Real>& hit, c
   return surface;
 }
 
-/// What a hit shows: of CSG objects the part stands where others have the triangle.
+/// What a hit shows: of CSG objects the part is where others have the triangle.
 template <class Real>
 inline PixelId id_of(const TracedGeometry<Real>& geometry, const Hit<Real>& hit) {
   const Primitive primitive = primitive_of(geometry, hit.primitive);

@@ -1,3 +1,4 @@
+// Definitions of tracer.h for callers with a recorder of their own; tracer.cpp instantiates those of the program.
 #pragma once
 #include "raytrace/clear/tracer.h"
 

@@ -65,7 +65,7 @@ class Tracer {
   TracedPixel<Real> trace_between(const Ray<Real>& ray, std::span<const std::uint32_t> primitives,
                                   ReuseEvent around) const;
 
-  /// What stands between a surface and a light that lies in the direction `to_light`, up to t_max of it.
+  /// What is between a surface and a light that lies in the direction `to_light`, up to t_max of it.
   std::optional<PixelId> find_blocker(const Surface<Real>& surface, int light, const Vec3<Real>& to_light,
                                       Real t_max) const;
 

@@ -7,7 +7,7 @@ namespace ps {
 
 enum class TriangleVerdict {
   inside,
-  outside,   ///< the line passes by; `corner` names a corner with a negative weight
+  outside,   ///< the line passes by; `corner` names a vertex with a negative weight
   parallel,  ///< the line runs in the plane, or the determinant is too small
   guarded    ///< t is within its own rounding error of 0
 };

@@ -1,5 +1,8 @@
 #include "raytrace/fast/wide_inputs.h"
 
+#include "base/check.h"
+#include "raytrace/triangle_tests.h"
+
 namespace ps {
 
 std::optional<WideInputs> wide_inputs(const Scene& scene, const TraceInputs<float>& inputs, Prepared& prepared) {
@@ -7,10 +10,12 @@ std::optional<WideInputs> wide_inputs(const Scene& scene, const TraceInputs<floa
   const Settings& settings = inputs.settings;
   // Triangles without area are left out: there may be none to search.
   if (inputs.path.machinery != Machinery::wide_triangles || geometry.triangles.empty()) return {};
+  const std::optional<SimdTriangleTest> test = simd_triangle_test(settings.triangle_test);
+  PS_ASSERT(test.has_value(), "traced_fast_path() lets no other test through");
   WideInputs wide;
   wide.only_triangles = geometry.triangles.size() == geometry.primitives.size();
-  wide.searches = wide_searches(settings.simd, settings.triangle_test);
-  wide.packets = packet_searches(settings.simd, settings.triangle_test);
+  wide.searches = wide_searches(settings.simd, *test);
+  wide.packets = packet_searches(settings.simd, *test);
   if (!wide.searches.nearest) return {};
   if (std::holds_alternative<NoAccelerator>(inputs.accelerator))
     wide.list = list_geometry(scene, geometry, prepared);

@@ -64,7 +64,7 @@ struct BoxRay {
     z = hn::Set(d, hn::GetLane(hn::Broadcast<2>(axes)));
   }
   Boxes8 inverse_x, inverse_y, inverse_z, near_x, near_y, near_z, far_x, far_y, far_z;
-  std::size_t plane_x, plane_y, plane_z;  ///< where in WideNode::planes the planes stand that the ray meets first
+  std::size_t plane_x, plane_y, plane_z;  ///< where in WideNode::planes the planes are that the ray meets first
   int octant_shift;                       ///< to the octant's bits of WideNode::order
 };
 
@@ -93,7 +93,7 @@ struct Waiting {
   std::array<WideChild, WideBvh::most_waiting + wide_width> child;
 };
 
-/// For each set of places, bit i meaning place i: its places, the last first. What stands behind them means nothing.
+/// For each set of places, bit i meaning place i: its places, the last first. What is behind them means nothing.
 struct PlacesOfBits {
   std::array<std::array<std::uint8_t, wide_width>, 256> places{};
   constexpr PlacesOfBits() {

@@ -53,12 +53,12 @@ Vec3f corner(const TriangleBlock<wide_block_width>& block, int corner, std::uint
   return {axes[0][lane], axes[1][lane], axes[2][lane]};
 }
 
-template <TriangleTest test>
+template <SimdTriangleTest test>
 struct Triangles;
 
 /// triangle_moeller_trumbore.h for eight rays and one triangle.
 template <>
-struct Triangles<TriangleTest::moeller_trumbore> {
+struct Triangles<SimdTriangleTest::moeller_trumbore> {
   explicit Triangles(const WidePacket& packet) : epsilon(all(packet.triangle_epsilon)) {
     const D d;
     origin = {hn::Load(d, packet.origin[0].data()), hn::Load(d, packet.origin[1].data()),
@@ -97,7 +97,7 @@ struct Triangles<TriangleTest::moeller_trumbore> {
 
 /// triangle_watertight.h for eight rays and one triangle.
 template <>
-struct Triangles<TriangleTest::watertight> {
+struct Triangles<SimdTriangleTest::watertight> {
   explicit Triangles(const WidePacket& rays)
       : packet(rays), first(Vec3f(rays.direction[0][0], rays.direction[1][0], rays.direction[2][0])) {
     const D d;
@@ -271,7 +271,7 @@ unsigned meets(const Box<float>& box, const WidePacket& packet) {
   return bytes[0];
 }
 
-template <TriangleTest test>
+template <SimdTriangleTest test>
 void search(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, WideCount& count) {
   const D d;
   const I i;
@@ -334,15 +334,12 @@ void search(const WideBvh& bvh, const WidePacket& packet, WidePacketHits& hits, 
 
 }  // namespace
 
-PacketSearches packet_searches(TriangleTest test) {
+PacketSearches packet_searches(SimdTriangleTest test) {
   switch (test) {
-  case TriangleTest::watertight:
-    return {search<TriangleTest::watertight>, meets};
-  case TriangleTest::moeller_trumbore:
-    return {search<TriangleTest::moeller_trumbore>, meets};
-  case TriangleTest::barycentric:
-  case TriangleTest::cross_products:
-    return {};
+  case SimdTriangleTest::watertight:
+    return {search<SimdTriangleTest::watertight>, meets};
+  case SimdTriangleTest::moeller_trumbore:
+    return {search<SimdTriangleTest::moeller_trumbore>, meets};
   }
   return {};
 }
@@ -365,7 +362,7 @@ bool suits_packet(const Ray<float>* rays, std::size_t count) {
   return true;
 }
 
-PacketSearches packet_searches(Simd simd, TriangleTest test) {
+PacketSearches packet_searches(Simd simd, SimdTriangleTest test) {
 #if HWY_ARCH_X86
   const std::int64_t have = processor_targets();
   if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::packet_searches(test);

@@ -41,6 +41,6 @@ struct PacketSearches {
 };
 
 /// The functions for this test on this processor, or none.
-PacketSearches packet_searches(Simd simd, TriangleTest test);
+PacketSearches packet_searches(Simd simd, SimdTriangleTest test);
 
 }  // namespace ps

@@ -22,7 +22,7 @@ namespace {
 
 enum class Find { nearest, any };
 
-template <TriangleTest test, Find find>
+template <SimdTriangleTest test, Find find>
 void search(const WideBvh& bvh, const WideQuery& query, Hit<float>& best, WideCount& count) {
   const BoxRay boxes(query);
   const BlockRay<test, wide_block_width> triangles(query);
@@ -63,7 +63,7 @@ done:
   count.triangles += wide_block_width * block_tests;
 }
 
-template <TriangleTest test, Find find>
+template <SimdTriangleTest test, Find find>
 void search_list(const TriangleList& list, const WideQuery& query, Hit<float>& best, WideCount& count) {
   const BlockRay<test, list_block_width> triangles(query);
   for (const TriangleBlock<list_block_width>& block : list.blocks) {
@@ -78,7 +78,7 @@ BlockRays block_rays(std::span<const WideQuery> queries, std::index_sequence<ind
   return {typename BlockRays::value_type(queries[std::min(index, queries.size() - 1)])...};
 }
 
-template <TriangleTest test>
+template <SimdTriangleTest test>
 void search_list_for_many(const TriangleList& list, std::span<const WideQuery> queries, std::span<Hit<float>> best,
                           WideCount& count) {
   using Ray = BlockRay<test, list_block_width>;
@@ -91,7 +91,7 @@ void search_list_for_many(const TriangleList& list, std::span<const WideQuery> q
   count.triangles += queries.size() * list_block_width * list.blocks.size();
 }
 
-template <TriangleTest test>
+template <SimdTriangleTest test>
 constexpr WideSearches searches_with() {
   return {search<test, Find::nearest>, search<test, Find::any>, search_list<test, Find::nearest>,
           search_list<test, Find::any>, search_list_for_many<test>};
@@ -99,15 +99,12 @@ constexpr WideSearches searches_with() {
 
 }  // namespace
 
-WideSearches wide_searches(TriangleTest test) {
+WideSearches wide_searches(SimdTriangleTest test) {
   switch (test) {
-  case TriangleTest::watertight:
-    return searches_with<TriangleTest::watertight>();
-  case TriangleTest::moeller_trumbore:
-    return searches_with<TriangleTest::moeller_trumbore>();
-  case TriangleTest::barycentric:
-  case TriangleTest::cross_products:
-    return {};
+  case SimdTriangleTest::watertight:
+    return searches_with<SimdTriangleTest::watertight>();
+  case SimdTriangleTest::moeller_trumbore:
+    return searches_with<SimdTriangleTest::moeller_trumbore>();
   }
   return {};
 }
@@ -119,7 +116,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ps {
 
-WideSearches wide_searches(Simd simd, TriangleTest test) {
+WideSearches wide_searches(Simd simd, SimdTriangleTest test) {
 #if HWY_ARCH_X86
   const std::int64_t have = processor_targets();
   if (may_use(simd, Simd::avx512, have, HWY_AVX3)) return N_AVX3::wide_searches(test);

@@ -3,6 +3,7 @@
 
 #include "accel/wide_bvh.h"
 #include "options/settings.h"
+#include "raytrace/fast/simd_triangle_test.h"
 #include "raytrace/ray.h"
 
 namespace ps {
@@ -41,6 +42,6 @@ struct WideSearches {
 };
 
 /// The functions for this test on this processor, or none (simd = off, or a processor that is not covered).
-WideSearches wide_searches(Simd simd, TriangleTest test);
+WideSearches wide_searches(Simd simd, SimdTriangleTest test);
 
 }  // namespace ps

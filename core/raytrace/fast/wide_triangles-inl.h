@@ -61,11 +61,11 @@ HWY_INLINE bool take_best(const std::uint32_t* primitives, unsigned bits, const 
   return taken;
 }
 
-template <TriangleTest test, int width>
+template <SimdTriangleTest test, int width>
 struct BlockRay;
 
 template <int width>
-struct BlockRay<TriangleTest::moeller_trumbore, width> {
+struct BlockRay<SimdTriangleTest::moeller_trumbore, width> {
   using My = Block<width>;
   using D = typename My::D;
   using V = typename My::V;
@@ -116,7 +116,7 @@ struct BlockRay<TriangleTest::moeller_trumbore, width> {
 };
 
 template <int width>
-struct BlockRay<TriangleTest::watertight, width> {
+struct BlockRay<SimdTriangleTest::watertight, width> {
   using My = Block<width>;
   using D = typename My::D;
   using V = typename My::V;

@@ -55,14 +55,14 @@ std::string samples_verdict(const PixelStory& story, const Scene& scene, const s
       const auto hits = events_of_ray<HitEvent>(events, ray);
       ++seen[hits.empty() ? -1 : event_as<HitEvent>(events, hits.back()).id.object];
     }
-  std::size_t told = 0;
+  std::size_t shown = 0;
   std::string text;
   for (const auto& [object, count] : seen) {
-    told += count;
+    shown += count;
     text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", count,
                         object < 0 ? "background" : object_name(scene, object));
   }
-  const std::string which = told < samples.size() ? fmt::format(", of which the first {} are shown", told) : "";
+  const std::string which = shown < samples.size() ? fmt::format(", of which the first {} are shown", shown) : "";
   const bool subdivided = !events_of_ray<CompareEvent>(events, -1).empty();
   return fmt::format("mean of {}{}: {}{}", plural(samples.size(), "sample", "samples"), which, text,
                      subdivided ? "; subdivided, since a neighbour differs" : "");

@@ -8,7 +8,7 @@
 namespace ps {
 namespace {
 
-/// Index of a corner's position (and normal) and of its texture coordinate.
+/// Index of a vertex's position (and normal) and of its texture coordinate.
 struct Corner {
   std::uint32_t position;
   std::int32_t uv;

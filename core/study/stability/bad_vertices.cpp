@@ -22,7 +22,7 @@ Escaping escaping(std::size_t bad_vertices, const StabilityRun& run) {
   run.check();
   ClosedSphere mesh = small_sphere();
   Random random(run.seed);
-  // The first bad one stands at a third of the list: what was taken in before it is lost.
+  // The first bad one is at a third of the list: what was taken in before it is lost.
   for (std::size_t i = 0; i < bad_vertices; ++i)
     mesh.vertices[mesh.vertices.size() * (3 + i) / 10] = Vec3f(std::numeric_limits<float>::quiet_NaN());
   const HalfTree new_first(mesh, MinForm::new_first), accumulated_first(mesh, MinForm::accumulated_first);

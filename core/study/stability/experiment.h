@@ -74,7 +74,7 @@ std::string_view set_up_text(SetUp set_up);
 /// What an experiment is about; the experiments are listed in this order.
 enum class Subject { rays, boxes, coverage, depth, shadows, shading, sampling, numbers };
 
-/// Where an experiment stands in the list. No two have the same place; ranks leave room between neighbours.
+/// Where an experiment is in the list. No two have the same place; ranks leave room between neighbours.
 struct Place {
   Subject subject = Subject::numbers;
   int rank = 0;

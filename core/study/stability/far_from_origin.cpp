@@ -61,7 +61,7 @@ struct Errors {
   Error relative, rounded_first, matrix;
 };
 
-/// The ball seen by cameras that stand around it and look at its centre. The truth is computed from the ball's own
+/// The ball seen by cameras that are around it and look at its centre. The truth is computed from the ball's own
 /// coordinates, which no distance makes larger.
 Errors errors_at(double distance, const StabilityRun& run) {
   run.check();

@@ -48,7 +48,7 @@ ExperimentFigure curve_of(const SeriesRows& series) {
   return figure;
 }
 
-/// All bars of a quantity. `alone`: it has a single series, whose name need not stand at each of them.
+/// All bars of a quantity. `alone`: it has a single series, whose name need not be at each of them.
 ExperimentFigure bars_of(const std::vector<const SeriesRows*>& parts) {
   const StabilitySeries& quantity = *parts.front()->quantity;
   ExperimentFigure figure{

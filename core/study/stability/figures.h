@@ -45,7 +45,7 @@ std::string_view robust_name(const StabilityExperiment& experiment, const Stabil
 std::optional<ExperimentFigure::Row> worst_row(const ExperimentFigure& figure);
 
 /// A result for people: three digits, or "rounding only" where it is not 0 but less than a billionth of `scale`, the
-/// size of what it stands beside.
+/// size of what it is beside.
 std::string result_text(double value, double scale);
 
 /// "The first figure shows radius 5000, float: lit pixels in their own shadow, in %; lower is better."

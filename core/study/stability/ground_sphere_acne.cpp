@@ -40,7 +40,7 @@ struct Series {
   Precision precision;
   std::vector<double> epsilons;
   int side = 600;  ///< of the picture, px: the book's, or more where few pixels fail
-  /// Where the light grazes the ball, rounding decides whether it stands above the horizon: pixels that are not lit by
+  /// Where the light grazes the ball, rounding decides whether it is above the horizon: pixels that are not lit by
   /// a light so much lower do not count.
   double grazing = 0;
 };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int canvas = 600, middle = canvas / 2;  ///< px, the book's
 
-/// A wall that stands on edge: as seen from above a line from a to b, x and z. It is a triangle with two vertices at a,
+/// A wall seen edge-on: as seen from above a line from a to b, x and z. It is a triangle with two vertices at a,
 /// above and below the line of sight, and one at b.
 struct Wall {
   double a_x, a_z, b_x, b_z;

@@ -7,7 +7,7 @@
 
 namespace ps::stability {
 
-/// In which cells of an octree a primitive stands. The program's is in all that it touches; these are written here, to
+/// In which cells of an octree a primitive is. The program's is in all that it touches; these are written here, to
 /// be wrong.
 enum class Stands {
   with_its_centre,  ///< in the cell that holds the centre of its box
@@ -37,7 +37,7 @@ inline Octree<double> octree_with(Stands stands, const TracedGeometry<double>& g
 enum class Shortcut {
   first_hit_wins,  ///< the first cell with a hit ends the search
   reject_beyond,   ///< a hit counts only if it lies inside the cell that found it
-  mailbox          ///< likewise, and each primitive is tested once, in the first cell where it stands
+  mailbox          ///< likewise, and each primitive is tested once, in the first cell where it is
 };
 
 /// Searches an octree cell by cell from near to far, with a short cut.

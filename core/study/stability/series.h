@@ -46,7 +46,7 @@ struct StabilityExperiment;
 
 /// The declaration that a series belongs to. Every series of a table has one.
 const StabilitySeries& quantity_of(const StabilityExperiment& experiment, std::string_view series);
-/// Where a series stands among those of its experiment: the declarations in their order, in each its alternatives.
+/// Where a series is among those of its experiment: the declarations in their order, in each its alternatives.
 int series_order(const StabilityExperiment& experiment, std::string_view series);
 /// The name of a knob's value, or nothing if it is a quantity.
 std::string_view case_name(const StabilitySeries& quantity, double knob);

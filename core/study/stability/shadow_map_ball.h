@@ -4,7 +4,7 @@
 
 namespace ps::stability {
 
-/// A ball of radius 0.5 that stands on a floor of 8 x 8 around the origin, under a directional light ("sun") along z.
+/// A ball of radius 0.5 that is on a floor of 8 x 8 around the origin, under a directional light ("sun") along z.
 struct BallOnFloor {
   static constexpr double radius = 0.5;
   static inline const Vec3d up{0, 1, 0};

@@ -7,7 +7,5 @@ namespace ps::gui {
 float caption_height();
 /// The step's text, a few lines at a time, in letters that are read from the last row. Draws nothing without a lesson.
 void caption_strip(Session& session, LessonShelf& shelf);
-/// One page on or back; behind the last one the next step begins, before the first one the previous step.
-void turn_caption(Session& session, LessonShelf& shelf, int by);
 
 }  // namespace ps::gui

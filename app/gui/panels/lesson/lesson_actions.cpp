@@ -2,21 +2,7 @@
 
 #include <utility>
 
-#include "gui/panels/lesson/caption_strip.h"
-
 namespace ps::gui {
-namespace {
-
-/// The presenter's text is read page by page.
-void step_by(Session& session, LessonShelf& shelf, int by) {
-  if (session.document().mode == ScreenMode::presenter)
-    turn_caption(session, shelf, by);
-  else
-    move_step(session, shelf, by);
-}
-
-}  // namespace
-
 void add_lesson_actions(Actions& actions, Session& session, LessonShelf& shelf) {
   const auto in_lesson = [&session] { return !session.document().lesson.empty(); };
   const auto add = [&](const char* name, const char* label, const char* keys, std::function<void()> run,
@@ -29,22 +15,24 @@ void add_lesson_actions(Actions& actions, Session& session, LessonShelf& shelf) 
                  .enabled = std::move(enabled)});
   };
   add(
-      "step-next", "Next step", "Enter PageDown", [&session, &shelf] { step_by(session, shelf, 1); }, in_lesson);
+      "step-next", "Next step", "Enter Shift+PageDown", [&session, &shelf] { move_step(session, shelf, 1); },
+      in_lesson);
   add(
-      "step-before", "Previous step", "PageUp", [&session, &shelf] { step_by(session, shelf, -1); }, in_lesson);
+      "step-before", "Previous step", "Shift+PageUp", [&session, &shelf] { move_step(session, shelf, -1); }, in_lesson);
   add(
-      "lesson-read-on", "Read on, then the next step", "Shift+PageDown",
+      "lesson-read-on", "Read on, then the next step", "PageDown",
       [&session, &shelf] { read_lesson(session, shelf, 1); }, in_lesson);
   add(
-      "lesson-read-back", "Read back, then the previous step", "Shift+PageUp",
+      "lesson-read-back", "Read back, then the previous step", "PageUp",
       [&session, &shelf] { read_lesson(session, shelf, -1); }, in_lesson);
   actions.add({.name = "blank",
                .label = "Blank the presenter's screen",
                .group = "Lesson",
                .keys = "B",
-               .run = [&shelf] { shelf.caption.blank = !shelf.caption.blank; },
+               .borrowed_keys = ".",
+               .run = [&shelf] { shelf.blank = !shelf.blank; },
                .enabled = [&session] { return session.document().mode == ScreenMode::presenter; },
-               .checked = [&shelf] { return shelf.caption.blank; }});
+               .checked = [&shelf] { return shelf.blank; }});
   add("lesson-after", "Next lesson", "]", [&session] { move_lesson(session, 1); }, {});
   add("lesson-before", "Previous lesson", "[", [&session] { move_lesson(session, -1); }, {});
   add(

@@ -1,121 +1,152 @@
 #include "gui/panels/lesson/lesson_panel.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>  // whether a control has the wheel
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
+#include <utility>
+#include <vector>
 
-#include "gui/panels/lesson/step_controls.h"
+#include "gui/panels/lesson/step_options.h"
+#include "gui/panels/lesson/text_pages.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
 
-/// rich_text knows bold and code; *emphasis* reads as well without its marks.
-std::string without_emphasis(const std::string& text) {
-  static const std::regex mark(R"((^|[^*])\*([^*\s](?:[^*]*[^*\s])?)\*(?!\*))");
-  return std::regex_replace(text, mark, "$1$2");
+TextBlock block_of(BlockKind kind, const std::string& text) {
+  TextBlock block;
+  block.kind = kind;
+  block.spans.push_back({text, TextStyle::plain, {}});
+  return block;
 }
 
-void quiet_line(const char* name, const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  value_paragraph(name, text);
-  ImGui::PopStyleColor();
+/// The blocks that only this file makes; they live as long as the lines that point into them.
+struct OwnBlocks {
+  TextBlock source, title;
+  std::vector<TextBlock> options;  ///< what the step is about, with controls
+};
+
+OwnBlocks own_blocks(const Session& session, const Lesson& lesson, const LessonStep& step) {
+  OwnBlocks own{block_of(BlockKind::paragraph, lesson.source), block_of(BlockKind::paragraph, step.title), {}};
+  if (session.document().mode == ScreenMode::explore) return own;  // they stand below in the options panel
+  for (const Option* option : step_options(step)) {
+    TextBlock& block = own.options.emplace_back(block_of(BlockKind::paragraph, std::string(option->label) + " "));
+    block.spans.push_back({{}, TextStyle::plain, {LinkKind::control, std::string(option->key), 0, {}}});
+  }
+  return own;
 }
 
-}  // namespace
+/// What stands in the column from top to bottom.
+std::vector<TextLine> column_of(const Lesson& lesson, int index, const OwnBlocks& own) {
+  const LessonStep& step = lesson.steps[static_cast<std::size_t>(index)];
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::vector<TextLine> lines;
+  if (index == 0) {
+    lay_out(own.source, {}, Face::small, width, lines);
+    for (const TextBlock& block : lesson.blocks) lay_out(block, mark_of(block), Face::body, width, lines);
+  }
+  lay_out(own.title, {}, Face::heading, width, lines);
+  for (const TextBlock& block : step.blocks) lay_out(block, mark_of(block), Face::body, width, lines);
+  for (const TextBlock& hint : step.hints) lay_out(hint, "→", Face::body, width, lines);
+  for (const TextBlock& option : own.options) lay_out(option, {}, Face::body, width, lines);
+  return lines;
+}
 
-const Lesson* LessonShelf::open(Session& session) {
-  const std::string& wanted = session.document().lesson;
-  if (wanted.empty()) return nullptr;
-  if (wanted != name_) {
-    name_ = wanted;
-    lesson_.reset();
-    try {
-      lesson_ = load_lesson(wanted);
-    } catch (const InputError& error) {
-      session.say(Message::Kind::error, error.what());
+/// How many characters a full line of the text holds, after the mean width of those that are there.
+double line_length(const std::vector<TextLine>& lines) {
+  double characters = 0, width = 0;
+  for (const TextLine& line : lines)
+    for (std::size_t i = 0; i < line.pieces.size(); ++i) {
+      const TextPiece& piece = line.pieces[i];
+      if (piece.control || piece.face == Face::heading || piece.face == Face::small) continue;
+      for (const char c : piece.text) characters += (static_cast<unsigned char>(c) & 0xC0u) != 0x80u ? 1 : 0;
+      width += piece.width;
+      if (i + 1 < line.pieces.size() && line.pieces[i + 1].x > piece.x + piece.width) {
+        characters += 1;
+        width += line.pieces[i + 1].x - piece.x - piece.width;
+      }
     }
-  }
-  return lesson_ ? &*lesson_ : nullptr;
+  return width > 0 ? ImGui::GetContentRegionAvail().x * characters / width : 0;
 }
 
-void go_to_step(Session& session, const std::string& name, int step) {
-  try {
-    const Lesson lesson = load_lesson(name);
-    if (lesson.steps.empty()) return;
-    const int last = static_cast<int>(lesson.steps.size()) - 1;
-    const int target = std::clamp(step, 0, last);
-    session.edit(fmt::format("{}, step {}", lesson.title, target + 1),
-                 [&](Document& document) { document = lesson_document(lesson, target, document); });
-  } catch (const InputError& error) {
-    session.say(Message::Kind::error, error.what());
-  }
-}
-
-void move_step(Session& session, LessonShelf& shelf, int by) {
-  const Lesson* lesson = shelf.open(session);
-  if (!lesson) return;
-  const int step = session.document().step + by;
-  if (step >= 0 && step < static_cast<int>(lesson->steps.size())) go_to_step(session, lesson->name, step);
-}
-
-void read_lesson(Session& session, LessonShelf& shelf, int by) {
-  LessonText& text = shelf.text;
-  const bool in_sight = text.frame + 1 >= ImGui::GetFrameCount();
-  if (in_sight && (by > 0 ? text.below : text.above) > 1)
-    text.turn += by;
-  else
-    move_step(session, shelf, by);
-}
-
-void move_lesson(Session& session, int by) {
-  const auto names = lesson_names();
-  if (names.empty()) return;
-  const auto here = std::find(names.begin(), names.end(), session.document().lesson);
-  if (here == names.end()) {
-    go_to_step(session, names.front(), 0);
-    return;
-  }
-  const auto place = std::distance(names.begin(), here) + by;
-  if (place >= 0 && place < std::ssize(names)) go_to_step(session, names[static_cast<std::size_t>(place)], 0);
-}
-
-int pages_of(const LessonText& text) {
-  const float hidden = text.above + text.below;
-  return hidden > 1 ? 1 + static_cast<int>(std::ceil(hidden / text.page)) : 1;
-}
-
-void close_lesson(Session& session) {
-  session.navigate([](Document& document) { document.mode = ScreenMode::explore; });
-  session.edit("close the lesson", [](Document& document) {
-    document.lesson.clear();
-    document.step = 0;
+void turn_to_option(const std::vector<TextLine>& lines, const std::vector<std::size_t>& starts, LessonShelf& shelf) {
+  const std::string key = std::exchange(shelf.shown_option, {});
+  if (key.empty()) return;
+  const auto line = std::find_if(lines.begin(), lines.end(), [&](const TextLine& each) {
+    return std::any_of(each.pieces.begin(), each.pieces.end(),
+                       [&](const TextPiece& piece) { return piece.control && piece.span->link.target == key; });
   });
+  if (line == lines.end()) return;
+  const auto place = static_cast<std::size_t>(line - lines.begin());
+  shelf.text.page = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), place) - starts.begin()) - 1;
 }
 
-namespace {
+/// The wheel turns pages, unless it belongs to a control under the pointer.
+void turn_by_wheel(ReadPage& read) {
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (wheel == 0 || !ImGui::IsWindowHovered() || ImGui::GetCurrentContext()->HoveredIdUsingMouseWheel) return;
+  read.page = std::clamp(read.page + (wheel < 0 ? 1 : -1), 0, read.pages - 1);
+}
 
-/// Turns the pages that were asked for in the child window that holds the text, and notes what is in sight. A new step
-/// begins at the top.
-void turn_pages(LessonText& text, const std::string& lesson, int step) {
-  if (text.lesson != lesson || text.step != step) {
-    text = {};
-    text.lesson = lesson;
-    text.step = step;
-    ImGui::SetScrollY(0);
-  } else if (text.turn != 0) {
-    ImGui::SetScrollY(
-        std::clamp(ImGui::GetScrollY() + static_cast<float>(text.turn) * text.page, 0.f, ImGui::GetScrollMaxY()));
-    text.turn = 0;
+void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>& lines) {
+  std::vector<PagePart> parts;
+  for (const TextLine& line : lines) parts.push_back({line.gap, line.height, line.begins_block, line.stays_with_next});
+  const auto starts = page_starts(parts, ImGui::GetContentRegionAvail().y);
+  ReadPage& read = shelf.text;
+  read.frame = ImGui::GetFrameCount();
+  read.line_length = line_length(lines);
+  read.pages = static_cast<int>(starts.size());
+  turn_to_option(lines, starts, shelf);
+  read.page = std::clamp(read.page, 0, read.pages - 1);
+  const auto page = static_cast<std::size_t>(read.page);
+  const std::size_t end = page + 1 < starts.size() ? starts[page + 1] : lines.size();
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  for (std::size_t i = starts[page]; i < end; ++i) {
+    if (i > starts[page]) at.y += lines[i].gap;
+    ImGui::SetCursorScreenPos(at);
+    if (auto clicked = draw_line(session, lines[i])) shelf.followed = std::move(clicked);
+    at.y += lines[i].height;
   }
-  const float line = ImGui::GetTextLineHeight();
-  text.page = std::max(ImGui::GetWindowHeight() - 2 * line, line);  // two lines stay in sight
-  text.above = ImGui::GetScrollY();
-  text.below = ImGui::GetScrollMaxY() - ImGui::GetScrollY();
-  text.frame = ImGui::GetFrameCount();
+}
+
+/// Back, Next and the rest, and where one is.
+void buttons(Session& session, const Lesson& lesson, int index, const ReadPage& read) {
+  const int count = static_cast<int>(lesson.steps.size());
+  int target = index;
+  if (button("before", "Back", Emphasis::plain,
+             {.tooltip = "The previous step (Shift Page Up). Page Up reads back.",
+              .disabled = index == 0 ? "This is the first step." : ""}))
+    target = index - 1;
+  ImGui::SameLine();
+  if (button("next", "Next", Emphasis::primary,
+             {.tooltip = "The next step (Enter or Shift Page Down). Page Down reads on.",
+              .disabled = index + 1 == count ? "This is the last step." : ""}))
+    target = index + 1;
+  ImGui::SameLine();
+  if (button("again", "Again", Emphasis::quiet, {.tooltip = "Puts this step's settings back.", .disabled = {}}))
+    go_to_step(session, lesson.name, index);
+  ImGui::SameLine();
+  const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
+  const std::string step = fmt::format("step {} of {}", index + 1, count);
+  const std::string place = read.pages > 1 ? fmt::format("{}, page {} of {}", step, read.page + 1, read.pages) : step;
+  ImGui::SameLine(0, px(10));
+  const float body = ImGui::GetFontSize();
+  const FontScope font(Face::small);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(
+      {at.x, std::floor(at.y + ImGui::GetStyle().FramePadding.y + (body - ImGui::GetFontSize()) / 2)});
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool narrow = text_width(place) > room;
+  const std::string brief = fmt::format("{}/{}, {}/{}", index + 1, count, read.page + 1, read.pages);
+  ImGui::TextUnformatted((narrow ? brief : place).c_str());
+  controls().record("place", place);
+  ImGui::PopStyleColor();
+  if (target != index) go_to_step(session, lesson.name, target);
+  if (close) close_lesson(session);
 }
 
 }  // namespace
@@ -124,49 +155,15 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
   const NameScope scope("lesson");
   const Lesson* lesson = shelf.open(session);
   if (!lesson || lesson->steps.empty()) return;
-  const int count = static_cast<int>(lesson->steps.size());
-  const int index = std::clamp(session.document().step, 0, count - 1);
-  const auto& step = lesson->steps[static_cast<std::size_t>(index)];
-  {
-    const FontScope font(Face::heading);
-    ImGui::TextWrapped("%s", lesson->title.c_str());
-  }
-  quiet_line("place", fmt::format("step {} of {}", index + 1, count));
-
-  const float buttons = ImGui::GetFrameHeightWithSpacing() + px(4);
-  ImGui::BeginChild("text", {0, -buttons});
-  // Where the panel is small, each line that does not scroll is one less to read.
-  if (index == 0) quiet_line("source", lesson->source);
-  std::string text;
-  if (index == 0)
-    for (const auto& paragraph : lesson->paragraphs) text += paragraph + "\n\n";
-  text += "## " + step.title + "\n\n";
-  for (const auto& paragraph : step.paragraphs) text += paragraph + "\n\n";
-  for (const auto& hint : step.hints) text += "- " + hint + "\n";
-  rich_text(without_emphasis(text));
-  if (session.document().mode == ScreenMode::lesson) step_controls(session, step);
-  turn_pages(shelf.text, lesson->name, index);
-  const bool above = shelf.text.above > 1, below = shelf.text.below > 1;
-  controls().record("hidden", above && below ? "both" : above ? "above" : below ? "below" : "none");
+  const int index = std::clamp(session.document().step, 0, static_cast<int>(lesson->steps.size()) - 1);
+  follow_step(session, shelf.text);
+  const OwnBlocks own = own_blocks(session, *lesson, lesson->steps[static_cast<std::size_t>(index)]);
+  ImGui::BeginChild("text", {0, -(ImGui::GetFrameHeightWithSpacing() + px(2))}, false,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  turn_by_wheel(shelf.text);
+  draw_page(session, shelf, column_of(*lesson, index, own));
   ImGui::EndChild();
-
-  int target = index;
-  if (button("before", "Back", Emphasis::plain,
-             {.tooltip = "The previous step (Page Up). Shift Page Up reads back.",
-              .disabled = index == 0 ? "This is the first step." : ""}))
-    target = index - 1;
-  ImGui::SameLine();
-  if (button("next", "Next", Emphasis::primary,
-             {.tooltip = "The next step (Enter or Page Down). Shift Page Down reads on.",
-              .disabled = index + 1 == count ? "This is the last step." : ""}))
-    target = index + 1;
-  ImGui::SameLine();
-  if (button("again", "Again", Emphasis::quiet, {.tooltip = "Puts this step's settings back.", .disabled = {}}))
-    go_to_step(session, lesson->name, index);
-  ImGui::SameLine();
-  const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
-  if (target != index) go_to_step(session, lesson->name, target);
-  if (close) close_lesson(session);
+  buttons(session, *lesson, index, shelf.text);
 }
 
 }  // namespace ps::gui

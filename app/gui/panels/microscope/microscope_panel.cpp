@@ -169,7 +169,7 @@ void triangle_list(Session& session, const MicroscopePanelState& state, const Mi
   }
 }
 
-/// Where there is no room for columns the numbers stand below their name.
+/// Where there is no room for columns the numbers are below their name.
 void numbers_list(const MicroTable& table) {
   std::string columns;
   for (const std::string& column : table.columns) columns += (columns.empty() ? "" : ", ") + column;

@@ -87,9 +87,12 @@ void history_panel(Session& session, HistoryPanelState& state) {
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const auto place = static_cast<std::size_t>(i);
-      const Texture* picture =
-          state.thumbnails.find(entries[place].id, entries[place].document, static_cast<int>(px(picture_width)),
-                                static_cast<int>(px(picture_height)));
+      const int width_of_side = static_cast<int>(px(picture_width)), most_high = static_cast<int>(px(picture_height));
+      const Texture* picture = state.thumbnails.find(
+          entries[place].id, width_of_side, most_high,
+          [document = entries[place].document, width_of_side, most_high](Prepared& prepared, Progress& progress) {
+            return thumbnail(document, width_of_side, most_high, prepared, progress);
+          });
       if (step_row(entries[place], place, now, picture, height)) chosen = place;
     }
   clipper.End();

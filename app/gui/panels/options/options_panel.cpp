@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "gui/panels/options/lights_panel.h"
-#include "gui/widgets/widgets.h"
+#include "gui/panels/options/row_results.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/option_pair.h"
 #include "options/option_search.h"
 
 namespace ps::gui {
@@ -19,79 +21,165 @@ bool differs(const Option& option, const Session& session) {
 /// Groups that show most of what changes a picture are open at the first start.
 bool open_at_first(std::string_view group) { return group == option_table().front().group || group == "Shading"; }
 
-/// Whether a script looks for the option's control, which is out of sight while its group is closed.
-bool wanted_by_script(const Option* option) { return controls().reveals(full_name(option->key)); }
-
-void header(Session& session, OptionsPanelState& state) {
-  static constexpr std::array tabs{Choice{"a", "A", "Options of the left picture."},
-                                   Choice{"b", "B", "Options of the right picture."}};
-  int tab = static_cast<int>(index_of(state.side));
-  {
-    const ImVec4 accent = state.side == Side::a ? palette().a_text : palette().b_text;
-    ImGui::PushStyleColor(ImGuiCol_CheckMark, accent);
-    if (tab_row("side", tabs, tab)) state.side = both_sides[static_cast<std::size_t>(tab)];
-    ImGui::PopStyleColor();
+/// Whether a script looks for something in the option's row, which is out of sight while its group is closed.
+bool wanted_by_script(const Option* option) {
+  const std::string_view wanted = controls().revealing();
+  for (const char* side : {"a/", "b/"}) {
+    const std::string row = full_name(side + std::string(option->key));
+    if (wanted == row || wanted.starts_with(row + "/")) return true;
   }
-  if (search_box("search", state.search, "Find an option")) state.pointed = nullptr;
-  toggle("only-differences", "Only differences", state.only_differences,
-         {.tooltip = "Shows only options that differ between A and B.", .disabled = {}});
+  return false;
+}
 
-  const Side other = other_side(state.side);
-  const char here = letter_of(state.side), there = letter_of(other);
+void pick(Session& session, Side side) {
+  session.navigate([&](Document& document) { document.picked = side; });
+}
+
+/// The heads of the two columns: each picture's letter and renderer. A click picks the picture, as one in it does.
+void column_heads(Session& session) {
+  const Side picked = session.document().picked;
+  const Palette& p = palette();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const OptionColumns columns = option_columns(ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize);
+  const float height = ImGui::GetFrameHeight() + px(4);
+  const NameScope scope("side");
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (const Side side : both_sides) {
+    const bool is_picked = side == picked;
+    ImGui::SetCursorScreenPos({at.x + (side == Side::a ? columns.a : columns.b), at.y});
+    const std::string letter(1, letter_of(side));
+    if (hit_area(side == Side::a ? "a" : "b", {columns.width, height}, {})) pick(session, side);
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    if (is_picked || ImGui::IsItemHovered())
+      draw.AddRectFilled(min, max, colour_u32(is_picked ? p.field : p.field_hover), ImGui::GetStyle().FrameRounding);
+    draw.AddRectFilled({min.x, max.y - px(is_picked ? 4 : 2)}, max, colour_u32(side == Side::a ? p.a : p.b));
+    {
+      const FontScope bold(Face::bold);
+      draw_text({min.x + px(8), min.y}, {max.x, max.y - px(3)}, letter, p.text, 0);
+    }
+    const FontScope small(Face::small);
+    draw_text({min.x + px(26), min.y}, {max.x - px(2), max.y - px(3)}, renderer_label(session.settings(side).renderer),
+              p.text, 0);
+    controls().record(side == Side::a ? "a" : "b", is_picked ? "on" : "off");
+    tooltip(is_picked ? "The picked picture: its story is shown, and commands act on it."
+                      : fmt::format("Picks {}, as a click in the picture does.", letter));
+  }
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy({columns.b + columns.width, height});
+}
+
+/// Commands on all options at once.
+void commands(Session& session) {
+  const Side picked = session.document().picked, other = other_side(picked);
+  const char here = letter_of(picked), there = letter_of(other);
+  if (button("more", "…", Emphasis::quiet, {.tooltip = "Copy, swap or reset all options."})) ImGui::OpenPopup("##more");
+  if (!ImGui::BeginPopup("##more")) return;
   const bool equal = session.settings(Side::a) == session.settings(Side::b);
-  const std::string same = equal ? "A and B have the same options." : "";
-  const std::string copy = fmt::format("Copy to {}", there);
-  if (button("copy-to-other", copy, Emphasis::plain,
-             {.tooltip = "Copies all options of this picture to the other one.", .disabled = same}))
-    session.set_settings(other, session.settings(state.side), fmt::format("copy options of {} to {}", here, there));
-  same_line_if_room(button_width("Swap"));
-  if (button("swap", "Swap", Emphasis::plain, {.tooltip = "Swaps the options of A and B.", .disabled = same}))
+  const std::string_view same = equal ? "A and B have the same options." : "";
+  if (menu_item("copy-to-other", fmt::format("Copy all options of {} to {}", here, there), {}, false, same))
+    session.set_settings(other, session.settings(picked), fmt::format("copy options of {} to {}", here, there));
+  if (menu_item("swap", "Swap the options of A and B", {}, false, same))
     session.edit("swap A and B", [](Document& document) { std::swap(document.a.settings, document.b.settings); });
-  same_line_if_room(button_width("Reset all"));
   // Which renderer a side uses is what it is for; resetting the rest keeps the comparison.
   Settings defaults;
-  defaults.renderer = session.settings(state.side).renderer;
-  if (button("reset-all", "Reset all", Emphasis::plain,
-             {.tooltip = "Sets all options of this picture but the renderer to their defaults.",
-              .disabled = defaults == session.settings(state.side) ? "All options have their defaults." : ""}))
-    session.set_settings(state.side, defaults, fmt::format("reset options of {}", here));
+  defaults.renderer = session.settings(picked).renderer;
+  if (menu_item("reset-all", fmt::format("Reset all options of {} but the renderer", here), {}, false,
+                defaults == session.settings(picked) ? "All options have their defaults." : ""))
+    session.set_settings(picked, defaults, fmt::format("reset options of {}", here));
+  ImGui::EndPopup();
+}
+
+void header(Session& session, OptionsPanelState& state) {
+  const float room = ImGui::GetContentRegionAvail().x, more = button_width("…"), between = px(4);
+  if (search_box("search", state.search, "Find an option", {.width = room - more - between})) state.pointed = nullptr;
+  ImGui::SameLine(0, between);
+  commands(session);
+  const bool wide = text_width("Only differences") + px(44) <= room;
+  toggle("only-differences", wide ? "Only differences" : "Differences", state.only_differences,
+         {.tooltip = "Shows only options that differ between A and B."});
+  column_heads(session);
+  controls().record("side", std::string(1, static_cast<char>(letter_of(session.document().picked) - 'A' + 'a')));
+}
+
+/// What a side needs for an option to act; nullptr if it acts. Kept until the document changes.
+const Waking* waking_for(const Session& session, OptionsPanelState& state, const Option& option, Side side) {
+  if (state.waking_revision != session.revision()) state.waking.clear();
+  state.waking_revision = session.revision();
+  const auto [found, fresh] = state.waking.try_emplace({&option, side});
+  Waking& waking = found->second;
+  if (fresh) waking = waking_of(option, session.settings(side), session.traits());
+  return waking.settings.empty() && waking.missing.empty() ? nullptr : &waking;
 }
 
 void row(Session& session, OptionsPanelState& state, const Option& option) {
-  Settings settings = session.settings(state.side);
-  const Side other = other_side(state.side);
-  OptionRowContext context;
-  context.side = state.side;
-  context.other = &session.settings(other);
+  std::array<Settings, 2> settings{session.settings(Side::a), session.settings(Side::b)};
+  OptionPairContext context;
+  context.picked = session.document().picked;
   context.highlight = state.pointed == &option;
+  for (const Side side : both_sides) context.waking[index_of(side)] = waking_for(session, state, option, side);
   const bool come = context.highlight && std::exchange(state.come_to_pointed, false);
-  const auto result = option_row(option, settings, session.traits(), context);
+  const auto results = option_pair(option, settings, session.traits(), context);
   if (come) ImGui::SetScrollHereY();
-  if (result.edit.finished && state.pointed == &option) state.pointed = nullptr;
-  if (result.edit.changed)
-    session.set_settings(state.side, settings,
-                         fmt::format("{}: {} = {}", letter_of(state.side), option.key, option_text(option, settings)),
-                         fmt::format("{}/{}", letter_of(state.side), option.key));
-  if (result.edit.finished) session.end_drag();
-  switch (result.request) {
-  case OptionRequest::none:
-    break;
-  case OptionRequest::sweep:
-    state.sweep = &option;
-    break;
-  case OptionRequest::send_to_other: {
-    Settings changed = session.settings(other);
-    option.set(changed, option.get(session.settings(state.side)));
-    session.set_settings(other, changed, fmt::format("copy {}", option.label));
-    break;
+  for (const Side side : both_sides) {
+    const OptionRowResult& result = results[index_of(side)];
+    if (result.edit.finished && state.pointed == &option) state.pointed = nullptr;
+    if (result.request == OptionRequest::sweep) {
+      state.sweep = &option;
+      pick(session, side);
+    }
+    take_row_result(session, side, option, settings[index_of(side)], result);
   }
-  case OptionRequest::only_difference: {
-    Settings changed = session.settings(state.side);
-    option.set(changed, option.get(session.settings(other)));
-    session.set_settings(other, changed, fmt::format("differ in {} only", option.label));
-    break;
+}
+
+/// The rows of one group that the filters leave: first those that act somewhere.
+struct GroupRows {
+  std::string name;
+  std::vector<const Option*> acting, resting;
+  int different = 0;
+};
+
+/// The group that begins at `first`, which is moved behind it.
+GroupRows group_rows(const Session& session, OptionsPanelState& state, std::size_t& first) {
+  const auto table = option_table();
+  GroupRows group{.name = std::string(table[first].group), .acting = {}, .resting = {}};
+  for (; first < table.size() && table[first].group == group.name; ++first) {
+    const Option& option = table[first];
+    const bool differ = differs(option, session);
+    group.different += differ ? 1 : 0;
+    if (!option_matches(option, state.search) || (state.only_differences && !differ)) continue;
+    // A row that differs, or that something points at, keeps its place.
+    const bool rests = !differ && state.pointed != &option && waking_for(session, state, option, Side::a) &&
+                       waking_for(session, state, option, Side::b);
+    (rests ? group.resting : group.acting).push_back(&option);
   }
+  return group;
+}
+
+void draw_group(Session& session, OptionsPanelState& state, const GroupRows& group) {
+  const bool filtered = !state.search.empty() || state.only_differences;
+  auto& open = state.open.try_emplace(group.name, open_at_first(group.name)).first->second;
+  auto& resting_open = state.open.try_emplace(group.name + "/resting", false).first->second;
+  // A filter shows what it finds; how the groups stand without it is not lost.
+  bool filtered_open = true, resting_filtered = true;
+  bool& shown_open = filtered ? filtered_open : open;
+  bool& shown_resting = filtered ? resting_filtered : resting_open;
+  if (state.come_to_pointed && state.pointed->group == group.name) shown_open = true;
+  const bool wants_resting = std::any_of(group.resting.begin(), group.resting.end(), wanted_by_script);
+  shown_resting = shown_resting || wants_resting;
+  shown_open = shown_open || wants_resting || std::any_of(group.acting.begin(), group.acting.end(), wanted_by_script);
+  const std::string note = group.different > 0 ? fmt::format("{} differ", group.different) : "";
+  if (!section("group/" + group.name, group.name, shown_open, note)) return;
+  for (const Option* option : group.acting) row(session, state, *option);
+  if (group.resting.empty()) return;
+  if (!filtered) {
+    const FontScope small(Face::small);
+    ImGui::Indent(px(16));
+    const std::string label = fmt::format("Not used here ({})", group.resting.size());
+    const bool rest_open = section("resting/" + group.name, label, shown_resting);
+    ImGui::Unindent(px(16));
+    if (!rest_open) return;
   }
+  for (const Option* option : group.resting) row(session, state, *option);
 }
 
 }  // namespace
@@ -107,30 +195,12 @@ void options_panel(Session& session, OptionsPanelState& state) {
   const NameScope scope("options");
   header(session, state);
   ImGui::BeginChild("rows");
-  const auto table = option_table();
   bool any = false;
-  for (std::size_t first = 0; first < table.size();) {
-    std::size_t end = first;
-    std::vector<const Option*> shown;
-    int different = 0;
-    for (; end < table.size() && table[end].group == table[first].group; ++end) {
-      const bool differ = differs(table[end], session);
-      different += differ ? 1 : 0;
-      if (option_matches(table[end], state.search) && (differ || !state.only_differences)) shown.push_back(&table[end]);
-    }
-    const std::string group(table[first].group);
-    first = end;
-    if (shown.empty()) continue;
+  for (std::size_t first = 0; first < option_table().size();) {
+    const GroupRows group = group_rows(session, state, first);
+    if (group.acting.empty() && group.resting.empty()) continue;
     any = true;
-    auto& open = state.open.try_emplace(group, open_at_first(group)).first->second;
-    // A filter shows what it finds; how the groups stand without it is not lost.
-    bool filtered_open = true;
-    bool& shown_open = state.search.empty() && !state.only_differences ? open : filtered_open;
-    if (state.come_to_pointed && state.pointed->group == group) shown_open = true;
-    shown_open = shown_open || std::any_of(shown.begin(), shown.end(), wanted_by_script);
-    const std::string note = different > 0 ? fmt::format("{} differ", different) : "";
-    if (section("group/" + group, group, shown_open, note))
-      for (const Option* option : shown) row(session, state, *option);
+    draw_group(session, state, group);
   }
   if (any && state.search.empty() && !state.only_differences)
     lights_panel(session, state.selected_light, state.lights_open);

@@ -3,13 +3,12 @@
 #include <string>
 
 #include "gui/session/session.h"
-#include "options/option.h"
+#include "options/waking.h"
 
 namespace ps::gui {
 
 /// What the options panel remembers of itself.
 struct OptionsPanelState {
-  Side side = Side::a;
   std::string search;
   bool only_differences = false;
   int selected_light = 0;
@@ -18,10 +17,14 @@ struct OptionsPanelState {
   bool come_to_pointed = false;                   ///< its row is still to be scrolled into sight
   const Option* sweep = nullptr;                  ///< asked for from a row's menu, until whoever draws charts takes it
   std::map<std::string, bool, std::less<>> open;  ///< groups; those that are missing are as at the first start
+  /// What grey rows need, for the document of this revision.
+  std::map<std::pair<const Option*, Side>, Waking> waking;
+  std::uint64_t waking_revision = 0;
 };
 
-/// All rows of the option table for one side at a time, in their groups, with search and comparison with the other
-/// side.
+/// The option table with the values of A and of B side by side, in groups, with search. It follows the picked picture:
+/// its values are fields, it is what "Copy" copies and what Enter in the palette sets first. Rows that act in neither
+/// picture stand at the end of their group, folded.
 void options_panel(Session& session, OptionsPanelState& state);
 
 /// Brings an option's row into sight and highlights it.

@@ -33,10 +33,10 @@ std::string effect(const Session& session, const Option& option, Side side, cons
 }  // namespace
 
 std::vector<PaletteEntry> value_entries(Session& session) {
-  std::vector<PaletteEntry> entries;
+  std::vector<PaletteEntry> entries;  // of the picked picture first: Enter takes the first
   for (const Option& option : option_table())
     for (const Value& value : values_of(option))
-      for (const Side side : both_sides) {
+      for (const Side side : {session.document().picked, other_side(session.document().picked)}) {
         const auto set = [&session, &option, side, number = value.number] {
           Settings settings = session.settings(side);
           option.set(settings, number);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/theme/theme.h"
@@ -25,7 +24,7 @@ float width_of_buttons(const LeftOut& one, std::size_t count) {
   return width;
 }
 
-/// The notice with room for all buttons, or what stands before its reason with room for one at least; else nothing.
+/// The notice with room for all buttons, or what is before its reason with room for one at least; else nothing.
 std::string text_that_fits(const LeftOut& one, float room) {
   const std::string brief = one.notice.substr(0, one.notice.find(':'));
   const auto fits = [&](const std::string& text, std::size_t buttons) {
@@ -60,6 +59,15 @@ std::optional<float> notice(Session& session, Side side, const LeftOut& one, ImV
 
 }  // namespace
 
+LeftOutTexts left_out_texts(const std::vector<LeftOut>& all) {
+  LeftOutTexts texts;
+  for (const LeftOut& one : all) {
+    texts.names += (texts.names.empty() ? "" : ", ") + one.brief;
+    texts.sentences += (texts.sentences.empty() ? "" : "\n") + one.sentence;
+  }
+  return texts;
+}
+
 Area left_out_line(Session& session, Side side, const Area& row) {
   if (side == Side::b && session.picture_b()) return row;
   const std::vector<LeftOut> all = left_out(session.traits(), session.settings(side));
@@ -67,11 +75,7 @@ Area left_out_line(Session& session, Side side, const Area& row) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   const FontScope font(Face::small);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
-  std::string names, sentences;
-  for (const LeftOut& one : all) {
-    names += (names.empty() ? "" : ", ") + one.brief;
-    sentences += (sentences.empty() ? "" : "\n") + one.sentence;
-  }
+  const LeftOutTexts texts = left_out_texts(all);
   const float right = std::max(row.min.x, row.max.x - px(room_for_others));
   float x = row.min.x;
   std::size_t shown = 0;
@@ -91,8 +95,8 @@ Area left_out_line(Session& session, Side side, const Area& row) {
   const bool on_a_button = ImGui::IsAnyItemHovered();
   ImGui::SetCursorScreenPos(row.min);
   ImGui::Dummy({std::max(std::min(x, right) - row.min.x, 1.f), row.height()});
-  controls().record("left-out", names);
-  if (!on_a_button) tooltip(sentences);
+  controls().record("left-out", texts.names);
+  if (!on_a_button) tooltip(texts.sentences);
   ImGui::PopStyleVar();
   return {{std::min(x, row.max.x), row.min.y}, row.max};
 }

@@ -26,7 +26,7 @@ void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area
   if (legend.heat) width = std::max({width, heat_width, width_of(low) + width_of(high) + margin});
   for (const auto& entry : legend.entries) width = std::max(width, swatch + margin + width_of(entry.meaning));
   const auto rows = static_cast<float>(1 + (legend.heat ? 2 : 0) + static_cast<int>(legend.entries.size()));
-  const ImVec2 min{area.min.x + margin, area.min.y + margin};  // along the lower edge stand notices
+  const ImVec2 min{area.min.x + margin, area.min.y + margin};  // the lower edge has notices
   const ImVec2 max{area.min.x + margin * 3 + width, min.y + rows * line + margin};
   if (max.y > area.max.y) return;
 

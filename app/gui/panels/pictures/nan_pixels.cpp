@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gui/theme/theme.h"
+#include "math/has_nan.h"
 
 namespace ps::gui {
 namespace {
@@ -13,8 +14,6 @@ constexpr double least_size = 5;           // window pixels at scale 1
 constexpr double thin = 3;                 // the same: lower runs have no room for slanting lines
 const ImU32 magenta = IM_COL32(255, 0, 255, 255);
 const ImU32 black = IM_COL32(0, 0, 0, 255);
-
-bool is_nan(const Vec3f& colour) { return std::isnan(colour.x) || std::isnan(colour.y) || std::isnan(colour.z); }
 
 /// The part of the hatch in a run that is about a window pixel high: a dash wherever a line of the hatch crosses it.
 void dashes(ImDrawList& list, ImVec2 low, ImVec2 high) {
@@ -48,9 +47,9 @@ void NanPixels::find(const std::shared_ptr<const RenderResult>& result) {
   const auto& colour = result->frame.colour;
   for (int y = 0; y < colour.height() && runs_.size() < most_runs; ++y)
     for (int x = 0; x < colour.width(); ++x) {
-      if (!is_nan(colour.at(x, y))) continue;
+      if (!has_nan(colour.at(x, y))) continue;
       const int first = x;
-      while (x < colour.width() && is_nan(colour.at(x, y))) ++x;
+      while (x < colour.width() && has_nan(colour.at(x, y))) ++x;
       runs_.push_back({first, y, x, y + 1});
     }
 }

@@ -91,6 +91,13 @@ void add_view_actions(Actions& actions, Session& session, PicturesState& picture
                .kind = ActionKind::hold,
                .run_hold = [&pictures](bool on) { pictures.flip = on; },
                .enabled = not_flying});
+  actions.add({.name = "before",
+               .label = "Before the last change, while held",
+               .group = "Compare",
+               .keys = "Backspace",
+               .kind = ActionKind::hold,
+               .run_hold = [&pictures](bool on) { pictures.was = on; },
+               .enabled = not_flying});
   actions.add({.name = "loupe",
                .label = "Loupe while held",
                .group = "View",

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gui/panels/pictures/clipped_text.h"
+#include "gui/panels/pictures/left_out_line.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/widgets/draw.h"
@@ -27,12 +28,8 @@ using Voice = FooterItem::Voice;
 constexpr const char* time_name = "time";
 
 FooterItem left_out_item(Session& session, Side side) {
-  FooterItem item{"left-out", {}, {}, Voice::attention};
-  for (const LeftOut& one : left_out(session.traits(), session.settings(side))) {
-    item.text += (item.text.empty() ? "" : ", ") + one.brief;
-    item.tooltip += (item.tooltip.empty() ? "" : "\n") + one.sentence;
-  }
-  return item;
+  const LeftOutTexts texts = left_out_texts(left_out(session.traits(), session.settings(side)));
+  return {"left-out", texts.names, texts.sentences, Voice::attention};
 }
 
 /// The picture on the other side, if it is seen and rendered.

@@ -65,7 +65,7 @@ void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
                colour_u32(palette().on_accent), text);
 }
 
-void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions) {
+void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions, std::string_view instead) {
   const NameScope scope(side == Side::a ? "view/a" : "view/b");
   auto& list = *ImGui::GetWindowDrawList();
   const bool is_narrow = row.width() < px(narrow), two_lines = is_narrow && captions == PictureCaptions::full;
@@ -79,8 +79,9 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const CompareMode compare = session.document().compare;
   const bool single = compare == CompareMode::only_a || compare == CompareMode::only_b;
   const Settings* other = single || session.picture_b() ? nullptr : &session.settings(other_side(side));
-  const std::string text = file ? "file " + std::filesystem::path(file->path).filename().string()
-                                : title_text(session.settings(side), session.traits(), other);
+  const std::string text = !instead.empty() ? std::string(instead)
+                           : file           ? "file " + std::filesystem::path(file->path).filename().string()
+                                            : title_text(session.settings(side), session.traits(), other);
   const ImU32 colour = colour_u32(side == Side::a ? palette().a_text : palette().b_text);
   const float text_left = row.min.x + size + space;
   const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;

@@ -30,8 +30,9 @@ void attention_mark(ImDrawList& list, ImVec2 corner, float size);
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side);
 
 /// The line above a picture: letter, what it is made with, and which channel is shown. `row` has the height of
-/// picture_margins().
-void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions = PictureCaptions::full);
+/// picture_margins(). `instead`, where it is not empty, replaces what the picture is made with.
+void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions = PictureCaptions::full,
+                   std::string_view instead = {});
 
 /// The lines below a picture, under its note: the counted work, with what it was before the last change; how long it
 /// took; a thin bar while it is being made. Brief ones name here what the renderer cannot show of the scene. `lead`

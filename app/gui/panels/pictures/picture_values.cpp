@@ -40,6 +40,10 @@ void offer_picture_values(Values& out, Session& session, PicturesState& pictures
     const std::string name = side == Side::a ? "a/" : "b/";
     out.offer(name + "picture",
               [&session, &pictures, side] { return fmt::format("{:016x}", hash_of(session, pictures, side)); });
+    out.offer(name + "picture-before", [&session, &pictures, side] {
+      const ShownPicture* before = pictures.before[index_of(side)].before(session.change());
+      return before ? fmt::format("{:016x}", picture_hash(before->levels)) : "none";
+    });
     out.offer(name + "size", [&pictures, side] {
       const auto& levels = pictures.pictures[index_of(side)].levels;
       return fmt::format("{}x{}", levels.width(), levels.height());

@@ -36,7 +36,7 @@ void picture_handles(Session& session, PicturesState& state, Side side, const Ar
 
 namespace {
 
-constexpr double gap = 10;         // between two pictures
+constexpr double gap = 8;          // between two pictures
 constexpr double long_wait = 500;  // milliseconds without a new pixel until that is said
 
 PictureTransform fitted_as(PictureFit fit, Vec2i size, const Area& area) {
@@ -67,6 +67,19 @@ void nothing_drawn(Session& session, Side side, const Area& area) {
   }
   if (!session.renderer(side).result() || !leaves_out_all(session.traits(), session.settings(side))) return;
   draw_notice(*ImGui::GetWindowDrawList(), area, left_out(session.traits(), session.settings(side)).front().sentence);
+}
+
+/// What a side shows: its picture, or while that is asked for the one before the last change.
+const ShownPicture& shown_picture(const Session& session, PicturesState& state, Side side) {
+  if (state.was)
+    if (const ShownPicture* before = state.before[index_of(side)].before(session.change())) return *before;
+  return state.pictures[index_of(side)];
+}
+
+/// The line above what a side shows.
+void title(Session& session, PicturesState& state, Side side, const Area& row) {
+  const bool is_before = &shown_picture(session, state, side) != &state.pictures[index_of(side)];
+  picture_title(session, side, row, state.captions, is_before ? "before the last change" : "");
 }
 
 /// The picture of one side in its area, with what lies over it.
@@ -120,14 +133,14 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
                         fmt::format("{} pixels are not a number", *pixels));
   };
   list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
-  draw_picture(list, state.pictures[index_of(shown_side)], state.transform, area, style_of(shown_side));
+  draw_picture(list, shown_picture(session, state, shown_side), state.transform, area, style_of(shown_side));
   draw_nan(shown_side);
   cover(shown_side);
   list.PopClipRect();
   if (split) {
     const Side right = other_side(shown_side);
     list.PushClipRect({split->at, area.min.y}, area.max, true);
-    draw_picture(list, state.pictures[index_of(right)], state.transform, area, style_of(right));
+    draw_picture(list, shown_picture(session, state, right), state.transform, area, style_of(right));
     draw_nan(right);
     cover(right);
     list.PopClipRect();
@@ -175,7 +188,7 @@ void divider(const Area& area, float at, double share) {
 struct Framed {
   Area title, picture, footer;
 };
-/// `columns`: how many titles stand side by side over the picture.
+/// `columns`: how many titles are side by side over the picture.
 Framed framed(const Area& area, PictureCaptions captions, int columns = 1) {
   const PictureMargins margins = picture_margins(area.width() / static_cast<float>(columns), captions);
   const float top = area.min.y + margins.title, bottom = area.max.y - margins.footer;
@@ -211,24 +224,24 @@ void below(Session& session, PicturesState& state, Side side, const Area& footer
 }
 
 void one_side(Session& session, PicturesState& state, Side side, const Area& area) {
-  const auto [title, inner, footer] = framed(area, state.captions);
+  const auto [title_row, inner, footer] = framed(area, state.captions);
   state.transform = current_transform(session.document(), state.pictures[index_of(side)].size(), inner, state.fit);
   const Side shown = state.flip ? other_side(side) : side;
-  picture_title(session, shown, title, state.captions);
+  title(session, state, shown, title_row);
   picture(session, state, side, inner, {});
   below(session, state, shown, footer);
 }
 
 void split_view(Session& session, PicturesState& state, const Area& area) {
-  const auto [title, inner, footer] = framed(area, state.captions, 2);
+  const auto [title_row, inner, footer] = framed(area, state.captions, 2);
   state.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.fit);
   const Area whole = state.transform.picture_area(state.pictures[0].size(), inner);
   const float low = std::max(whole.min.x, inner.min.x), high = std::min(whole.max.x, inner.max.x);
   const float at = std::round(low + (high - low) * static_cast<float>(session.document().split));
   const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
   const Side left = state.flip ? Side::b : Side::a;
-  picture_title(session, left, {title.min, {middle - space, title.max.y}}, state.captions);
-  picture_title(session, other_side(left), {{middle + space, title.min.y}, title.max}, state.captions);
+  title(session, state, left, {title_row.min, {middle - space, title_row.max.y}});
+  title(session, state, other_side(left), {{middle + space, title_row.min.y}, title_row.max});
   state.split_at = at;
   picture(session, state, Side::a, inner, Split{at});
   state.areas[1] = inner;
@@ -270,11 +283,17 @@ void collect_pictures(Session& session, PicturesState& state) {
       changed = session.renderer(side).collect(picture.levels);
     }
     if (side == Side::b) state.file = session.picture_b();
-    if (changed.empty()) continue;
-    picture.upload(changed);
-    ++state.versions[index_of(side)];
-    state.fresh[index_of(side)] = true;
-    state.difference_stale = true;
+    const std::size_t index = index_of(side);
+    if (!changed.empty()) {
+      picture.upload(changed);
+      ++state.versions[index];
+      state.fresh[index] = true;
+      state.difference_stale = true;
+    }
+    if (state.taken[index] == state.versions[index] || session.renderer(side).status().state != RenderState::done)
+      continue;
+    state.taken[index] = state.versions[index];
+    state.before[index].take(picture.levels, session.shown(side), session.change());
   }
 }
 

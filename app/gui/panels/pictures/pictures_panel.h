@@ -5,6 +5,7 @@
 
 #include "gui/panels/pictures/caption.h"
 #include "gui/panels/pictures/nan_pixels.h"
+#include "gui/panels/pictures/picture_before.h"
 #include "gui/panels/pictures/picture_captions.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/panels/pictures/picture_view.h"
@@ -36,10 +37,12 @@ enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle, reg
 struct PicturesState {
   std::array<ShownPicture, 2> pictures;
   std::array<std::uint64_t, 2> versions{};  ///< one more with each change
-  std::shared_ptr<const PictureFile> file;  ///< that stands in B's place
+  std::shared_ptr<const PictureFile> file;  ///< that is in B's place
   std::array<bool, 2> fresh{};              ///< changed since their hash was taken
   std::array<std::uint64_t, 2> hashes{};    ///< of the pictures' levels, for tests
   std::array<NanPixels, 2> nan_pixels;
+  std::array<PictureBefore, 2> before;   ///< the last change
+  std::array<std::uint64_t, 2> taken{};  ///< the versions that `before` knows of
   std::array<CaptionChange, 2> changes;  ///< of the counts below the pictures
   ShownPicture difference;
   bool difference_stale = true;
@@ -58,6 +61,7 @@ struct PicturesState {
   bool grid = true;
   bool flip = false;   ///< held: each picture gives way to the other
   bool loupe = false;  ///< held
+  bool was = false;    ///< held: pictures as they were before the last change
   bool fly = false;    ///< letters move the camera
 
   PictureCaptions captions = PictureCaptions::full;  ///< as they were drawn last
@@ -67,7 +71,7 @@ struct PicturesState {
   std::array<std::optional<Area>, 2> notes;  ///< the row for a note below each of them
   PictureTransform transform;                ///< shared by all views
   std::optional<Hover> hover;
-  std::optional<Hover> asked;  ///< the pixel about which a question stands: its surroundings are covered
+  std::optional<Hover> asked;  ///< the pixel that an open question is about: its surroundings are covered
   PictureDrag drag = PictureDrag::none;
   ImVec2 drag_from{0, 0};
   bool handles = true;            ///< lights and spheres can be dragged

@@ -27,7 +27,7 @@ std::optional<std::vector<double>> numbers_of(const FieldValue& value) {
   return {};
 }
 
-/// Four digits after the point, so that points stand below each other; whole and very small or large numbers as such.
+/// Four digits after the point, so that points are below each other; whole and very small or large numbers as such.
 std::string column_text(double value) {
   const double size = std::abs(value);
   if (value == std::round(value) && size < 1e7) return fmt::format("{:.0f}", value);
@@ -129,7 +129,7 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
       ImGui::PopStyleColor();
       name_width = ImGui::CalcTextSize(texts[i].name.c_str()).x;
     }
-    // Where a name leaves no room beside it, its value stands below.
+    // Where a name leaves no room beside it, its value is below.
     bool first = true;
     const auto place = [&](float at) {
       if (std::exchange(first, false) && left + name_width > at - px(4))

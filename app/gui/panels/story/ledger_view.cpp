@@ -32,7 +32,7 @@ bool tells_only(const PixelStory& story, const LedgerLine& line) {
 /// Where the parts of a line go.
 struct Columns {
   float left = 0, right = 0;  // window pixels
-  bool one_line = true;       // words and numbers side by side; else the numbers stand below the words
+  bool one_line = true;       // words and numbers side by side; else the numbers are below the words
   float number = 0;           // width of one number with the space before it
   Face digits = Face::mono;   // that fit there
   bool brief = false;         // or not even the smallest do: fewer digits

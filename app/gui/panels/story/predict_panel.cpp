@@ -42,7 +42,7 @@ void ask_colour(Guess& guess) {
 
 constexpr Choice nothing_chosen{"none", "choose ...", ""}, background{"background", "the background", ""};
 
-/// A list that stands at no answer until one is picked.
+/// A list without an answer until one is picked.
 bool ask_one_of(const char* name, const std::vector<Choice>& choices, int& index) {
   const int before = index;
   drop_down(name, choices, index, std::min(px(260), ImGui::GetContentRegionAvail().x), {});

@@ -13,17 +13,17 @@ struct PredictState {
   Question question = Question::colour;
   Guess guess;
   bool chosen = false;        ///< an answer was picked from the list, where there is one
-  Vec2i asked_pixel{-1, -1};  ///< about which the question stands or was answered
+  Vec2i asked_pixel{-1, -1};  ///< that the question is about
   Settings asked_settings;    ///< of the side whose story is shown, then
   bool answered = false;
   Judgement judgement;
   int asked = 0;  ///< questions answered so far
   double points = 0;
-  std::string lesson;  ///< the step whose question stands: "name/2"; empty = none
+  std::string lesson;  ///< the step whose question is open: "name/2"; empty = none
   std::string words;   ///< of the lesson's question
 };
 
-/// Whether a question stands that hides the story. Takes up the lesson's question, and a newly picked pixel.
+/// Whether an open question hides the story. Takes up the lesson's question, and a newly picked pixel.
 bool prediction_pending(Session& session, PredictState& state);
 
 /// Asks, with a control for the answer.

@@ -7,7 +7,7 @@
 
 namespace ps::gui {
 
-/// For each event the index after its last descendant. Parents stand before their children.
+/// For each event the index after its last descendant. Parents are before their children.
 std::vector<int> subtree_ends(const std::vector<Event>& events);
 
 /// A row of the story: one event with all below it, or a run of siblings in one row because each by itself says little.

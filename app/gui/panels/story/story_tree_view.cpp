@@ -91,7 +91,7 @@ struct TreeDrawing {
     return narrow ? Face::small : Face::body;
   }
 
-  /// A page begins in the middle of a tree: what stands above it is drawn again, with the part that belongs here.
+  /// A page begins in the middle of a tree: what is above it is drawn again, with the part that belongs here.
   void roots(int count) {
     int root = 0;
     while (root < count && end(root) <= first) root = end(root);

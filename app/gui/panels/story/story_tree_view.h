@@ -26,7 +26,7 @@ struct StoryTreeState {
 struct PinnedStory;
 
 /// The events as a tree with their numbers; `name` goes before the names of its rows. After StoryTreeState::follow().
-/// With `pinned`, what an event was then stands below its row, and its old numbers above the new ones. Answers the
+/// With `pinned`, what an event was then is below its row, and its old numbers above the new ones. Answers the
 /// event that a click selects, -1 where it takes the selection back.
 std::optional<int> story_tree_view(const std::string& name, const PixelStory& story, const Scene& scene,
                                    StoryTreeState& state, const PinnedStory* pinned = nullptr);

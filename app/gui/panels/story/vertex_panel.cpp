@@ -64,7 +64,7 @@ void result(std::string_view name, const Place& now, const Place& plain) {
   }
 }
 
-/// One step in a frame of its own; cards stand side by side as far as there is room.
+/// One step in a frame of its own; cards are side by side as far as there is room.
 template <class Body>
 void card(int number, const char* title, const char* says, Body&& body) {
   if (number > 1) {

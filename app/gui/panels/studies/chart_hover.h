@@ -4,7 +4,7 @@
 namespace ps::gui {
 
 /// The tooltip of a point: its numbers, its picture and how that differs from the reference.
-/// `hint` stands below.
+/// `hint` is below.
 void chart_hover(const ChartTabState& state, const ChartPoint& point, ChartPreview& preview, const char* hint);
 
 }  // namespace ps::gui

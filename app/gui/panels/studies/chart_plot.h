@@ -11,7 +11,7 @@
 
 namespace ps::gui {
 
-/// Where the labels of a plot stand. Finding places takes a while, so they are kept until something moves.
+/// Where the labels of a plot are. Finding places takes a while, so they are kept until something moves.
 struct ChartLabels {
   std::string key;  ///< what the places were found for
   std::vector<LabelWish> wishes;

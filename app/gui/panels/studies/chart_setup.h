@@ -15,8 +15,8 @@ enum class ChartPart { whole, rectangle };
 /// What the user has asked a chart to measure.
 struct ChartSetup {
   std::vector<SweepAxis> axes;
-  std::vector<std::string> typed;  ///< for each axis its values as they stand in the field, "0,1,2"
-  Side side = Side::a;             ///< whose settings stand under the sweep
+  std::vector<std::string> typed;  ///< for each axis its values as they are in the field, "0,1,2"
+  Side side = Side::a;             ///< whose settings are under the sweep
   ErrorValues values = ErrorValues::display;
   ChartPart part = ChartPart::whole;
   MachineryRule machinery = MachineryRule::same;
@@ -36,7 +36,7 @@ struct ChartPlan {
   std::vector<std::string> notes;  ///< swept options that change nothing here
   std::string truth;               ///< what errors are measured against
   std::string error;               ///< why it cannot be measured
-  Settings base;                   ///< what stands under the sweep
+  Settings base;                   ///< what is under the sweep
 };
 /// While the settings change in swept options alone, as when a point is loaded, the plan stays.
 void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& session);

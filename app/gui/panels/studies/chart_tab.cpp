@@ -10,6 +10,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "gui/panels/studies/chart_hover.h"
+#include "gui/panels/studies/pause_and_stop.h"
 #include "gui/widgets/widgets.h"
 #include "study/chart_conclusion.h"
 #include "study/chart_files.h"
@@ -137,13 +138,7 @@ std::string measure_label(const ChartTabState& state, const std::string& word) {
 
 void run_buttons(Session& session, ChartTabState& state, const StudyFolder& folder, const std::string& label) {
   if (state.study.running()) {
-    const bool paused = state.study.state() == StudyState::paused;
-    if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(64)}))
-      state.study.set_paused(!paused);
-    ImGui::SameLine(0, px(3));
-    if (button("cancel", "Stop", Emphasis::plain,
-               {.tooltip = "Measured points are kept; the study can be resumed.", .width = px(50)}))
-      state.study.cancel();
+    pause_and_stop(state.study, "Measured points are kept; the study can be resumed.");
     return;
   }
   const std::string word = measure_word(state);
@@ -250,7 +245,7 @@ void progress_line(const ChartTabState& state) {
                      colour_u32(palette().text_quiet));
 }
 
-/// What stands in place of a chart that is not there yet.
+/// What is in place of a chart that is not there yet.
 void invitation(const ChartTabState& state, const Area& area) {
   auto& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(area.min, area.max, colour_u32(palette().field));

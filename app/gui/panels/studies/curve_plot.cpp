@@ -29,7 +29,7 @@ PlotAxis axis_for(const std::vector<double>& values) {
   return fit_axis(values, logarithmic ? AxisScale::logarithmic : AxisScale::linear);
 }
 
-/// A lone knob stands in the middle.
+/// A lone knob is in the middle.
 PlotAxis knob_axis(const std::vector<double>& knobs) {
   PlotAxis axis = axis_for(knobs);
   const auto [low, high] = std::minmax_element(knobs.begin(), knobs.end());

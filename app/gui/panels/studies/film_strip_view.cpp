@@ -41,7 +41,7 @@ FrameLayout layout_of(float width, int frames, float shape) {
   return layout;
 }
 
-/// Which frame of the strip stands in each column: from left to right as on the axis above.
+/// Which frame of the strip is in each column: from left to right as on the axis above.
 std::vector<int> columns_of(const StabilityExperiment& experiment, const PlotFrame* above) {
   std::vector<int> frames(experiment.frames.size());
   std::iota(frames.begin(), frames.end(), 0);

@@ -9,6 +9,7 @@
 #include "document/number_list.h"
 #include "gui/panels/pictures/picture_text.h"
 #include "gui/panels/studies/needs_view.h"
+#include "gui/panels/studies/pause_and_stop.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -85,10 +86,7 @@ void run_buttons(Session& session, NeedsTabState& state, const std::string& labe
       measure(session, state);
     return;
   }
-  const bool paused = state.study.state() == StudyState::paused;
-  if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(70)})) state.study.set_paused(!paused);
-  ImGui::SameLine(0, px(4));
-  if (button("cancel", "Cancel")) state.study.cancel();
+  pause_and_stop(state.study, "What is found so far stays in the table.");
 }
 
 /// Answers whether to fill the window, or no longer.

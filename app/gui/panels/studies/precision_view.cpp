@@ -185,7 +185,7 @@ void precision_view(Session& session, WhyTabState& state) {
   ImGui::SameLine(0, px(14));
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float line = ImGui::GetTextLineHeightWithSpacing();
-  // The second map's legend stands at its right, or below it where that would make the maps smaller.
+  // The second map's legend is at its right, or below it where that would make the maps smaller.
   const float gap = px(12), legend = px(gap_legend_width), tall = std::max(room.y - 2 * line, px(60));
   const float aspect = static_cast<float>(found.map.faults.width()) / static_cast<float>(found.map.faults.height());
   const bool beside = 2 * tall * aspect + 2 * gap + legend <= room.x;

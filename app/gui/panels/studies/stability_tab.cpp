@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "gui/panels/studies/bar_plot.h"
+#include "gui/panels/studies/pause_and_stop.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
@@ -117,13 +118,7 @@ std::vector<std::string> left_over(const StabilityTabState& state) {
 
 void run_buttons(StabilityTabState& state) {
   if (state.study.running()) {
-    const bool paused = state.study.state() == StudyState::paused;
-    if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(64)}))
-      state.study.set_paused(!paused);
-    ImGui::SameLine(0, px(3));
-    if (button("cancel", "Stop", Emphasis::plain,
-               {.tooltip = "Measured rows are kept; the study can be resumed.", .width = px(50)}))
-      state.study.cancel();
+    pause_and_stop(state.study, "Measured rows are kept; the study can be resumed.");
     return;
   }
   const StabilityExperiment& experiment = selected(state);
@@ -251,7 +246,7 @@ void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool 
   ImGui::PopStyleVar();
 }
 
-/// What stands in place of a figure that is not there yet.
+/// What is in place of a figure that is not there yet.
 void no_figure(const StabilityTabState& state, const StabilityExperiment& experiment, const Area& area) {
   ImGui::GetWindowDrawList()->AddRectFilled(area.min, area.max, colour_u32(palette().field));
   const bool now = state.taken && state.taken->now == experiment.key;

@@ -12,7 +12,7 @@ inline bool inside_edge(Number value, std::int64_t threshold) {
   return value > 0 || (value == 0 && threshold < 0);
 }
 
-/// The edges in pixels, as float. Each starts at the corner that comes first in the triangle's own order, so two
+/// The edges in pixels, as float. Each starts at the vertex that comes first in the triangle's own order, so two
 /// triangles measure their shared edge from different ends and may round to different sides.
 struct FloatEdges {
   struct Edge {
@@ -82,7 +82,7 @@ void walk_stepped_edges(const CoverageInput& input, const TileRect& box, Sink& s
   }
 }
 
-/// The value that is left of an edge's when it is computed in 32 bits: the low ones. Corners and samples are multiples
+/// The value that is left of an edge's when it is computed in 32 bits: the low ones. Vertices and samples are multiples
 /// of two units (except samples with 0 sub-pixel bits), so values are multiples of four, which 32-bit code would leave
 /// out.
 inline std::int32_t wrapped(std::int64_t value, int subpixel_bits) {

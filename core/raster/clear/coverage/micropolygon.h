@@ -4,7 +4,7 @@
 namespace ps::raster {
 
 /// A piece of a triangle that is cut into four similar ones until a piece is about a pixel (CGPP 15.6.6.4, after
-/// Reyes). Corners are in units of 2^-levels of FixedPoint's, so that every midpoint of an edge is a whole number.
+/// Reyes). Vertices are in units of 2^-levels of FixedPoint's, so that every midpoint of an edge is a whole number.
 struct Micropolygon {
   struct Point {
     std::int64_t x = 0, y = 0;
@@ -16,7 +16,7 @@ inline Micropolygon::Point middle(const Micropolygon::Point& a, const Micropolyg
   return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
 
-/// Corner 0's, 1's and 2's piece, then the one at the centre, which is upside down.
+/// Vertex 0's, 1's and 2's piece, then the one at the centre, which is upside down.
 inline std::array<Micropolygon, 4> cut_in_four(const Micropolygon& t) {
   const auto& p = t.corner;
   const Micropolygon::Point m0 = middle(p[1], p[2]), m1 = middle(p[2], p[0]), m2 = middle(p[0], p[1]);
@@ -90,7 +90,7 @@ class Micropolygons {
       ++outer;
       moved_out = !is_top_left(input_.edges.step_y[i], -input_.edges.step_x[i]);
     }
-    if (outer > 1) return true;  // a corner, which only one piece has
+    if (outer > 1) return true;  // a vertex, which only one piece has
     for (std::size_t i = 0; i < 3; ++i)
       if (tied[i] && top_left[i] == moved_out) return false;
     return true;

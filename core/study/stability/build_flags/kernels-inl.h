@@ -16,7 +16,7 @@ inline V crossed(V a, V b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.
 inline V vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 inline float size(float v) { return v < 0 ? -v : v; }
 
-/// The corners as the ray sees them: it runs along z through x = y = 0.
+/// The vertices as the ray sees them: it runs along z through x = y = 0.
 struct Sheared {
   float x[3], y[3];
 };

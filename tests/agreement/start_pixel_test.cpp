@@ -16,7 +16,7 @@ PixelStory story_of(const Scene& scene, Renderer renderer) {
   const View view{scene.camera, scene.canvas_width, scene.canvas_height};
   Prepared prepared;
   Progress progress;
-  return inspect(scene, view, settings, scene.telling_pixel, prepared, progress);
+  return inspect(scene, view, settings, scene.start_pixel, prepared, progress);
 }
 
 template <class Event>
@@ -25,7 +25,7 @@ bool tells_of(const PixelStory& story) {
                      [](const auto& event) { return std::holds_alternative<Event>(event.data); });
 }
 
-TEST(TellingPixel, ShowsSomethingInBothRenderers) {
+TEST(StartPixel, ShowsSomethingInBothRenderers) {
   for (const auto& listed : builtin_scenes()) {
     SCOPED_TRACE(listed.name);
     const Scene scene = load_scene(listed.name);

@@ -1,0 +1,26 @@
+#pragma once
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "gui/base/values.h"
+#include "gui/panels/panel.h"
+#include "gui/session/session.h"
+
+namespace ps::gui {
+
+/// What the tools below the pictures remember beside the document: of each group the tool that was open last.
+struct DrawerState {
+  std::array<std::string_view, 4> last{};
+};
+
+/// The tabs of the drawer: four groups, and beside them the tools of the open one. They act on the document.
+void drawer_tabs(Session& session, const std::vector<Panel>& panels, DrawerState& state);
+
+/// A key for each group, which opens it, and pressed again its next tool.
+void add_drawer_actions(Actions& actions, Session& session, const std::vector<Panel>& panels, DrawerState& state);
+
+/// bottom/TOOL: whether the tool is in sight, also while the tabs of other groups are.
+void offer_drawer_values(Values& out, Session& session, const std::vector<Panel>& panels);
+
+}  // namespace ps::gui

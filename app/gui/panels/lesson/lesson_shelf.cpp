@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "gui/panels/lesson/lesson_panel.h"
+
+namespace ps::gui {
+
+const Lesson* LessonShelf::open(Session& session) {
+  const std::string& wanted = session.document().lesson;
+  if (wanted.empty()) return nullptr;
+  if (wanted != name_) {
+    name_ = wanted;
+    lesson_.reset();
+    try {
+      lesson_ = load_lesson(wanted);
+    } catch (const InputError& error) {
+      session.say(Message::Kind::error, error.what());
+    }
+  }
+  return lesson_ ? &*lesson_ : nullptr;
+}
+
+void go_to_step(Session& session, const std::string& name, int step) {
+  try {
+    const Lesson lesson = load_lesson(name);
+    if (lesson.steps.empty()) return;
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    const int target = std::clamp(step, 0, last);
+    session.edit(fmt::format("{}, step {}", lesson.title, target + 1),
+                 [&](Document& document) { document = lesson_document(lesson, target, document); });
+  } catch (const InputError& error) {
+    session.say(Message::Kind::error, error.what());
+  }
+}
+
+void move_step(Session& session, LessonShelf& shelf, int by) {
+  const Lesson* lesson = shelf.open(session);
+  if (!lesson) return;
+  const int step = session.document().step + by;
+  if (step >= 0 && step < static_cast<int>(lesson->steps.size())) go_to_step(session, lesson->name, step);
+}
+
+void follow_step(const Session& session, ReadPage& read) {
+  const Document& document = session.document();
+  if (read.lesson == document.lesson && read.step == document.step) return;
+  const bool went_back = read.lesson == document.lesson && document.step == read.step - 1;
+  read.page = went_back && read.turned_back ? std::numeric_limits<int>::max() : 0;
+  read.turned_back = false;
+  read.lesson = document.lesson;
+  read.step = document.step;
+}
+
+void read_lesson(Session& session, LessonShelf& shelf, int by) {
+  ReadPage& read = session.document().mode == ScreenMode::presenter ? shelf.caption : shelf.text;
+  const bool in_sight = read.frame + 1 >= ImGui::GetFrameCount();
+  const int page = read.page + by;
+  if (in_sight && page >= 0 && page < read.pages) {
+    read.page = page;
+    return;
+  }
+  read.turned_back = by < 0;
+  move_step(session, shelf, by);
+}
+
+void move_lesson(Session& session, int by) {
+  const auto names = lesson_names();
+  if (names.empty()) return;
+  const auto here = std::find(names.begin(), names.end(), session.document().lesson);
+  if (here == names.end()) {
+    go_to_step(session, names.front(), 0);
+    return;
+  }
+  const auto place = std::distance(names.begin(), here) + by;
+  if (place >= 0 && place < std::ssize(names)) go_to_step(session, names[static_cast<std::size_t>(place)], 0);
+}
+
+void close_lesson(Session& session) {
+  session.navigate([](Document& document) { document.mode = ScreenMode::explore; });
+  session.edit("close the lesson", [](Document& document) {
+    document.lesson.clear();
+    document.step = 0;
+  });
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,151 @@
+#include "gui/panels/lesson/text_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/panels/lesson/option_field.h"
+#include "gui/widgets/draw.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr float line_spacing = 1.2f;   // of the font's own line
+constexpr float most_of_line = 0.41f;  // for a control
+constexpr double block_gap = 7, item_gap = 3;
+
+/// Pieces between which no line may end: a name in bold and the full stop behind it.
+struct Word {
+  std::vector<TextPiece> pieces;  ///< x from the word's left end
+  float width = 0;
+
+  void add(TextPiece piece) {
+    piece.x = width;
+    width += piece.width;
+    pieces.push_back(piece);
+  }
+};
+
+Face face_of(TextStyle style, Face plain) {
+  if (plain != Face::body) return plain;
+  switch (style) {
+  case TextStyle::plain:
+    return plain;
+  case TextStyle::emphasis:
+    return Face::italic;
+  case TextStyle::strong:
+    return Face::bold;
+  case TextStyle::code:
+    return Face::mono;
+  }
+  return plain;
+}
+
+float width_in(Face face, std::string_view text) {
+  const FontScope font(face);
+  return text_width(text);
+}
+
+/// The controls of an option, side by side, as one word each: two of them and a word have room in one line.
+void add_controls(const TextSpan& span, float line_width, std::vector<Word>& words) {
+  const Option* option = find_option(span.link.target);
+  for (const Side side : control_sides(span.link)) {
+    TextPiece piece;
+    piece.width = std::floor(std::min(option_field_width(*option), line_width * most_of_line));
+    piece.span = &span;
+    piece.control = side;
+    words.emplace_back().add(piece);
+  }
+}
+
+std::vector<Word> words_of(const TextBlock& block, Face plain, float line_width) {
+  std::vector<Word> words;
+  bool open = false;  // what comes next belongs to the last word
+  for (const TextSpan& span : block.spans) {
+    if (span.link.kind == LinkKind::control) {
+      add_controls(span, line_width, words);
+      open = true;
+      continue;
+    }
+    const Face face = face_of(span.style, plain);
+    const std::string_view text = span.text;
+    for (std::size_t at = 0; at <= text.size();) {
+      const std::size_t end = std::min(text.find(' ', at), text.size());
+      if (end > at) {
+        if (!open) words.emplace_back();
+        const std::string_view part = text.substr(at, end - at);
+        words.back().add({0, width_in(face, part), part, face, &span, {}});
+      }
+      open = end == text.size() && (end > at || (open && at == 0));
+      at = end + 1;
+    }
+  }
+  return words;
+}
+
+float line_height(const TextLine& line, float text_height) {
+  const bool control = std::any_of(line.pieces.begin(), line.pieces.end(),
+                                   [](const TextPiece& piece) { return piece.control.has_value(); });
+  return control ? std::max(text_height, ImGui::GetFrameHeight() + px(4)) : text_height;
+}
+
+float gap_before(BlockKind kind, bool first_of_list) {
+  const bool item = kind == BlockKind::bullet || kind == BlockKind::numbered;
+  return px(item && !first_of_list ? item_gap : block_gap);
+}
+
+}  // namespace
+
+std::string mark_of(const TextBlock& block) {
+  switch (block.kind) {
+  case BlockKind::paragraph:
+  case BlockKind::heading:
+    return {};
+  case BlockKind::bullet:
+    return "•";
+  case BlockKind::numbered:
+    return fmt::format("{}.", block.number);
+  }
+  return {};
+}
+
+std::vector<Side> control_sides(const TextLink& link) {
+  return link.side ? std::vector{*link.side} : std::vector(both_sides.begin(), both_sides.end());
+}
+
+void lay_out(const TextBlock& block, std::string_view mark, Face face, float width, std::vector<TextLine>& lines) {
+  if (block.kind == BlockKind::heading) face = Face::bold;
+  float height = 0, space = 0;
+  {
+    const FontScope font(face);
+    height = std::floor(ImGui::GetFontSize() * line_spacing);
+    space = text_width(" ");
+  }
+  const float indent = mark.empty() ? 0 : std::max(px(22), width_in(face, mark) + px(8));
+  const bool follows_item = !lines.empty() && !lines.back().mark.empty();
+  TextLine line;
+  line.begins_block = true;
+  line.mark = mark;
+  line.gap = lines.empty() ? 0 : gap_before(block.kind, !follows_item);
+  float x = indent;
+  const auto end_line = [&] {
+    line.height = line_height(line, height);
+    line.stays_with_next = block.kind == BlockKind::heading || face == Face::heading;
+    lines.push_back(std::move(line));
+    line = {};
+    x = indent;
+  };
+  for (const Word& word : words_of(block, face, width - indent)) {
+    if (x > indent && x + space + word.width > width) end_line();
+    if (x > indent) x += space;
+    for (TextPiece piece : word.pieces) {
+      piece.x += x;
+      line.pieces.push_back(piece);
+    }
+    x += word.width;
+  }
+  if (!line.pieces.empty()) end_line();
+}
+
+}  // namespace ps::gui

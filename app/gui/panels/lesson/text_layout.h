@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/text.h"
+#include "gui/theme/theme.h"
+
+namespace ps::gui {
+
+/// What stands at one place of a line: a word or a part of one in one face, or a live control of one side.
+struct TextPiece {
+  float x = 0, width = 0;  ///< from the left end of the line, window pixels
+  std::string_view text;
+  Face face = Face::body;
+  const TextSpan* span = nullptr;  ///< from which it is
+  std::optional<Side> control;     ///< whose option is changed here
+};
+
+struct TextLine {
+  float gap = 0, height = 0;  ///< free space above it, and its own height
+  std::vector<TextPiece> pieces;
+  std::string mark;  ///< in front of the first line of an item: "•", "1."
+  bool begins_block = false;
+  bool stays_with_next = false;  ///< of a heading
+};
+
+/// Adds the lines of a block in lines of at most this width, which end between words. `mark` stands in front of the
+/// first; the others are indented as it is. The block must outlive the lines.
+void lay_out(const TextBlock& block, std::string_view mark, Face face, float width, std::vector<TextLine>& lines);
+
+/// The mark of a block in the text: a bullet, a number, or nothing.
+std::string mark_of(const TextBlock& block);
+
+/// The sides for which a control is shown where the text has one.
+std::vector<Side> control_sides(const TextLink& link);
+
+}  // namespace ps::gui

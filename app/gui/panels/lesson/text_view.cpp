@@ -1,0 +1,124 @@
+#include "gui/panels/lesson/text_view.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "gui/panels/lesson/option_field.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+/// Buttons and menus as the lessons name them.
+struct NamedControl {
+  std::string_view word, control;
+};
+constexpr std::array named_controls{NamedControl{"Measure", "chart/measure"}, NamedControl{"Find out", "needs/measure"},
+                                    NamedControl{"Pin", "pixel/pin"}, NamedControl{"Lessons", "menu/lesson"},
+                                    NamedControl{"Scene", "menu/scene"}};
+
+std::string name_of(const LinkTarget& target) {
+  switch (target.link.kind) {
+  case LinkKind::none:
+    return "control:" + target.control;
+  case LinkKind::option:
+  case LinkKind::control:
+    return "option:" + target.link.target;
+  case LinkKind::panel:
+    return "panel:" + target.link.target;
+  case LinkKind::step:
+    return fmt::format("step:{}", target.link.step + 1);
+  case LinkKind::lesson:
+    return fmt::format("lesson:{}/{}", target.link.target, target.link.step + 1);
+  }
+  return {};
+}
+
+std::string_view help_of(LinkKind kind) {
+  switch (kind) {
+  case LinkKind::none:
+  case LinkKind::option:
+  case LinkKind::control:
+    return "Shows where this is.";
+  case LinkKind::panel:
+    return "Opens this panel.";
+  case LinkKind::step:
+    return "Goes to this step.";
+  case LinkKind::lesson:
+    return "Opens this lesson.";
+  }
+  return {};
+}
+
+/// The end of a piece: up to the next one if both are of the same span, so that a line below them is not broken.
+float end_of(const TextLine& line, std::size_t i) {
+  const TextPiece& piece = line.pieces[i];
+  const bool goes_on = i + 1 < line.pieces.size() && line.pieces[i + 1].span == piece.span;
+  return goes_on ? line.pieces[i + 1].x : piece.x + piece.width;
+}
+
+bool link_button(const TextPiece& piece, ImVec2 min, ImVec2 max, const LinkTarget& target) {
+  const ImVec2 back = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(min);
+  ImGui::PushID(static_cast<const void*>(piece.text.data()));  // the same name may be there twice
+  const std::string name = "link/" + name_of(target);
+  const bool clicked = hit_area(name, {max.x - min.x, max.y - min.y}, {});
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  controls().record(name, std::string(piece.span->text));
+  tooltip(help_of(target.link.kind));
+  ImGui::PopID();
+  const Palette& p = palette();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (hovered) draw.AddRectFilled(min, max, colour_u32(p.field_hover), px(3));
+  draw.AddLine({min.x, max.y - px(2)}, {max.x, max.y - px(2)}, colour_u32(hovered ? p.text : p.text_quiet), px(1.2));
+  ImGui::SetCursorScreenPos(back);
+  return clicked;
+}
+
+}  // namespace
+
+std::optional<LinkTarget> target_of(const TextSpan& span) {
+  if (span.link.kind == LinkKind::control) return {};
+  if (span.link.kind != LinkKind::none) return LinkTarget{span.link, {}};
+  if (span.style != TextStyle::strong) return {};
+  for (const NamedControl& each : named_controls)
+    if (each.word == span.text) return LinkTarget{{}, std::string(each.control)};
+  return {};
+}
+
+std::optional<LinkTarget> draw_line(Session& session, const TextLine& line) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  std::optional<LinkTarget> clicked;
+  const float middle = at.y + line.height / 2;
+  if (!line.mark.empty()) {
+    const float top = std::floor(middle - ImGui::GetFontSize() / 2);
+    draw_lines({at.x + px(4), top}, line.mark, palette().text_quiet);
+  }
+  for (std::size_t i = 0; i < line.pieces.size(); ++i) {
+    const TextPiece& piece = line.pieces[i];
+    const float x = std::floor(at.x + piece.x);
+    if (piece.control) {
+      ImGui::SetCursorScreenPos({x, std::floor(middle - ImGui::GetFrameHeight() / 2)});
+      ImGui::PushID(piece.span);
+      option_field(session, *piece.control, *find_option(piece.span->link.target), piece.width);
+      ImGui::PopID();
+      continue;
+    }
+    const FontScope font(piece.face);
+    const ImVec2 min{x, at.y}, max{std::floor(at.x + end_of(line, i)), at.y + line.height};
+    if (const auto target = target_of(*piece.span); target && link_button(piece, min, max, *target)) clicked = target;
+    if (piece.face == Face::mono && piece.span->style == TextStyle::code)
+      draw.AddRectFilled({min.x - px(2), min.y + px(1)}, {max.x + px(2), max.y - px(2)},
+                         colour_u32(palette().field_active), px(3));
+    draw_lines({x, std::floor(middle - ImGui::GetFontSize() / 2)}, piece.text, palette().text);
+  }
+  ImGui::SetCursorScreenPos({at.x, at.y + line.height});
+  return clicked;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "gui/panels/lesson/text_layout.h"
+#include "gui/session/session.h"
+
+namespace ps::gui {
+
+/// What a click in the text asks for.
+struct LinkTarget {
+  TextLink link;        ///< or, if that is none,
+  std::string control;  ///< the control of this name
+};
+
+/// Where a span of the text leads: its link, or for a name in bold the control of that name. Nothing for other text.
+std::optional<LinkTarget> target_of(const TextSpan& span);
+
+/// Draws a line at the cursor, with its controls, and moves on below it. Answers the link that was clicked. Links have
+/// the names "link/" and where they lead: "link/option:shading", "link/panel:chart", "link/step:2".
+std::optional<LinkTarget> draw_line(Session& session, const TextLine& line);
+
+}  // namespace ps::gui

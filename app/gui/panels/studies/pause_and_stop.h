@@ -1,0 +1,18 @@
+#pragma once
+#include <string_view>
+
+#include "gui/panels/studies/background_study.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+
+/// The buttons `pause` and `cancel` of a study that runs. `kept` says what remains when it is stopped.
+template <class Found>
+void pause_and_stop(BackgroundStudy<Found>& study, std::string_view kept) {
+  const bool paused = study.state() == StudyState::paused;
+  if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(64)})) study.set_paused(!paused);
+  ImGui::SameLine(0, px(3));
+  if (button("cancel", "Stop", Emphasis::plain, {.tooltip = kept, .width = px(50)})) study.cancel();
+}
+
+}  // namespace ps::gui

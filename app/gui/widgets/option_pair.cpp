@@ -1,0 +1,207 @@
+#include "gui/widgets/option_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gui/widgets/option_parts.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr std::array sides{Side::a, Side::b};
+constexpr std::array<const char*, 2> menus{"##menu-a", "##menu-b"};
+constexpr double gap = 8;            // between columns, at scale 1
+constexpr double wide_enough = 480;  // at scale 1, for labels and values in one line
+
+std::size_t place_of(Side side) { return side == Side::a ? 0 : 1; }
+std::string_view name_of(Side side) { return side == Side::a ? "a" : "b"; }
+
+/// How the values of a row fit its cells.
+struct CellForm {
+  Face face = Face::body;
+  bool stacked = false;  ///< B below A, as not even small print has room side by side
+  float height = 0;      ///< of a cell
+};
+
+/// A word may also be broken behind its hyphen.
+std::string value_lines(std::string_view words, float width) {
+  std::string breakable;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    breakable += words[i];
+    if (words[i] == '-' && i + 1 < words.size() && i > 0 && words[i - 1] != ' ') breakable += ' ';
+  }
+  if (text_width(words) <= width) return std::string(words);
+  return in_lines(breakable, width);
+}
+
+bool fit(std::span<const std::string_view> values, float width) {
+  return std::all_of(values.begin(), values.end(),
+                     [&](std::string_view value) { return text_width(value_lines(value, width)) <= width; });
+}
+
+CellForm form_of(std::span<const std::string_view> values, float cell, float whole) {
+  CellForm form{.height = ImGui::GetFrameHeight()};
+  float room = drop_down_text_width(cell);
+  if (!fit(values, room)) {
+    const FontScope small(Face::small);
+    if (fit(values, room))
+      form.face = Face::small;
+    else
+      form.stacked = true;
+  }
+  if (form.stacked) room = drop_down_text_width(whole);
+  const FontScope font(form.face);
+  for (const std::string_view value : values)
+    form.height = std::max(form.height, text_height(value_lines(value, room)) + px(6));
+  return form;
+}
+
+/// The words that choices show; none for other kinds.
+std::vector<std::string_view> words_of(const Option& option, const std::array<Settings, 2>& settings) {
+  if (option.kind != OptionKind::choice) return {};
+  return {chosen(option, settings[0]).label, chosen(option, settings[1]).label};
+}
+
+/// One picture's value.
+Edit cell(const Option& option, Settings& settings, const ControlStyle& style, const CellForm& form) {
+  const OptionNumber before = option.get(settings);
+  if (option.kind == OptionKind::boolean) {
+    bool on = before != 0;
+    const std::string_view words = style.shown.empty() ? on ? "on" : "off" : style.shown;
+    if (!toggle(option.key, words, on, style)) return {};
+    option.set(settings, on ? 1 : 0);
+    return {true, true};
+  }
+  if (option.kind != OptionKind::choice) {  // the unit is beside the label
+    double value = before;
+    const NumberRange range{option.minimum, option.maximum, option.scale, option.kind == OptionKind::integer, {}};
+    const Edit edit = number(option.key, value, range, style);
+    if (edit.changed) option.set(settings, value);
+    return edit;
+  }
+  int index = static_cast<int>(before);
+  ControlStyle own = style;
+  std::string lines;
+  if (style.shown.empty()) {
+    const FontScope font(form.face);
+    lines = value_lines(option.choices[static_cast<std::size_t>(index)].label, drop_down_text_width(style.width));
+    own.shown = lines;
+  }
+  if (!drop_down(option.key, option.choices, index, style.width, own, {form.height, form.face})) return {};
+  option.set(settings, index);
+  return {true, true};
+}
+
+}  // namespace
+
+OptionColumns option_columns(float room) {
+  OptionColumns columns;
+  columns.beside_label = room >= px(wide_enough);
+  columns.a = columns.beside_label ? std::floor(room * 0.42f) : 0;
+  columns.width = std::floor((room - columns.a - px(gap)) / 2);
+  columns.b = columns.a + columns.width + px(gap);
+  return columns;
+}
+
+std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Settings, 2>& settings,
+                                           const SceneTraits& traits, const OptionPairContext& context) {
+  const Palette& p = palette();
+  std::array<OptionRowResult, 2> results;
+  ImGui::PushID(full_name(option.key).c_str());
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight(), reset = px(20);
+  const OptionColumns columns = option_columns(room);
+  const CellForm form = form_of(words_of(option, settings), columns.width, room);
+  const bool differ = option.get(settings[0]) != option.get(settings[1]);
+  const bool both_rest = context.waking[0] && context.waking[1];
+  const float label_height = columns.beside_label ? form.height : height;
+  const float cells_top = columns.beside_label ? start.y : start.y + label_height;
+  const float end = cells_top + form.height * (form.stacked ? 2 : 1);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (context.highlight) {
+    const ImVec2 low{start.x - px(6), start.y - px(2)}, high{start.x + room + px(2), end + px(4)};
+    draw.AddRect(low, high, colour_u32(p.text), ImGui::GetStyle().FrameRounding, 0, px(4));
+    draw.AddRect(low, high, colour_u32(p.attention), ImGui::GetStyle().FrameRounding, 0, px(2));
+  }
+  if (differ)
+    draw.AddRectFilled({start.x - px(5), start.y + px(3)}, {start.x - px(2), end - px(1)}, colour_u32(p.text));
+
+  const std::size_t picked = place_of(context.picked);
+  std::array<OptionRowContext, 2> contexts;
+  std::array<std::string_view, 2> reasons;
+  for (std::size_t i = 0; i < 2; ++i) {
+    contexts[i] = {.side = sides[i], .other = &settings[1 - i]};
+    if (context.waking[i])
+      reasons[i] = inactive_reason(option, settings[i], traits)
+                       .value_or(inactive_value_reason(option, settings[i], traits).value_or(std::string_view{}));
+  }
+  // The label, with the unit of numbers.
+  const float label_end = columns.beside_label ? columns.a - px(gap) : room;
+  const bool has_reset = option.get(settings[picked]) != option.default_value();
+  const float label_room = label_end - (has_reset ? reset : 0);
+  ImGui::Dummy({label_room, label_height});
+  option_tooltip(option, settings[picked], contexts[picked], reasons[picked]);
+  const ImVec2 label_max{start.x + label_room, start.y + label_height};
+  float unit_from = start.x + px(gap);
+  {
+    const FontScope face(differ ? Face::bold : Face::body);
+    const std::string label = differ ? "≠ " + std::string(option.label) : std::string(option.label);
+    draw_text(start, label_max, label, both_rest ? p.text_quiet : p.text, 0);
+    unit_from += text_width(label);
+  }
+  {
+    const FontScope small(Face::small);
+    if (unit_from + text_width(option.unit) <= label_max.x)
+      draw_text({unit_from, start.y}, label_max, option.unit, p.text_quiet, 1);
+  }
+  if (has_reset) {
+    const NameScope scope(name_of(context.picked));
+    ImGui::SetCursorScreenPos({start.x + label_end - reset, start.y + (label_height - height) / 2});
+    if (reset_button(option, reset)) {
+      option.set(settings[picked], option.default_value());
+      results[picked].edit = {true, true};
+    }
+  }
+
+  for (std::size_t i = 0; i < 2; ++i) {
+    const NameScope scope(name_of(sides[i]));
+    const ImVec2 at = form.stacked ? ImVec2{start.x, cells_top + form.height * static_cast<float>(i)}
+                                   : ImVec2{start.x + (i == 0 ? columns.a : columns.b), cells_top};
+    const float width = form.stacked ? room : columns.width;
+    std::vector<std::string_view> idle;
+    for (const Choice& choice : option.choices)
+      idle.push_back(inactive_choice_reason(option, choice, settings[i], traits).value_or(std::string_view{}));
+    ControlStyle style{.width = width, .idle = idle};
+    style.disabled = inactive_reason(option, settings[i], traits).value_or(std::string_view{});
+    style.quiet = i != picked;
+    if (style.quiet && !differ) style.shown = "=";
+    ImGui::SetCursorScreenPos(at);
+    const Edit edit = cell(option, settings[i], style, form);
+    if (edit.changed || edit.finished) results[i].edit = edit;
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
+        ImGui::IsMouseHoveringRect(at, {at.x + width, at.y + form.height}))
+      ImGui::OpenPopup(menus[i]);
+    results[i].request = option_menu(menus[i], option, settings[i], contexts[i], results[i].edit);
+  }
+  ImGui::SetCursorScreenPos(start);
+  ImGui::Dummy({room, end - start.y});
+
+  const bool same_need = both_rest && waking_text(*context.waking[0]) == waking_text(*context.waking[1]);
+  const auto take = [&](std::optional<Side> clicked) {
+    if (!clicked) return;
+    const std::size_t i = place_of(*clicked);
+    results[i].request = OptionRequest::wake;
+    results[i].waking = *context.waking[i];
+  };
+  if (same_need)
+    take(need_lines(option, *context.waking[0], sides, {}, room));
+  else
+    for (std::size_t i = 0; i < 2; ++i)
+      if (context.waking[i])
+        take(need_lines(option, *context.waking[i], std::array{sides[i]}, i == 0 ? "A " : "B ", room));
+  ImGui::Dummy({room, px(2)});
+  ImGui::PopID();
+  return results;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,25 @@
+#pragma once
+#include <string_view>
+
+#include "gui/widgets/draw.h"
+#include "options/waking.h"
+
+/// What the rows of one picture's options and of both pictures' options are made of.
+namespace ps::gui {
+
+/// The option's help, its value and why it cannot act, for the last item.
+void option_tooltip(const Option& option, const Settings& settings, const OptionRowContext& context,
+                    std::string_view reason);
+/// The menu of a right click, if `popup` is open. Its entries are named below KEY/menu.
+OptionRequest option_menu(const char* popup, const Option& option, Settings& settings, const OptionRowContext& context,
+                          Edit& edit);
+/// The control for an option's kind, named by its key.
+Edit option_control(const Option& option, Settings& settings, const ControlStyle& style);
+/// A round arrow, for a row that is not at its default. Answers whether it was clicked.
+bool reset_button(const Option& option, float size);
+/// Lines in small print: what an option that cannot act needs, and a button for each of `sides` that sets it, named
+/// KEY/wake in its side's scope. Answers the side whose button was clicked.
+std::optional<Side> need_lines(const Option& option, const Waking& waking, std::span<const Side> sides,
+                               std::string_view prefix, float width);
+
+}  // namespace ps::gui

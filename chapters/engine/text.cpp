@@ -1,0 +1,105 @@
+#include "engine/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "base/check.h"
+#include "base/spelling.h"
+#include "engine/lesson.h"
+#include "options/option.h"
+
+namespace ps {
+namespace {
+
+constexpr int most_steps = 1000;
+
+std::vector<std::string_view> linked_panels() {
+  std::vector<std::string_view> names(bottom_tabs.begin(), bottom_tabs.end());
+  names.insert(names.end(), {options_panel_name, story_panel_name, parting_panel_name});
+  return names;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+const Option& option_of_text(std::string_view key) {
+  if (const Option* option = find_option(key)) return *option;
+  std::vector<std::string_view> keys;
+  for (const Option& option : option_table()) keys.push_back(option.key);
+  throw InputError(fmt::format("unknown option '{}'{}", key, did_you_mean(std::string(key), keys, "")));
+}
+
+/// A step's number as people count, from 1; from 0 in the result.
+int parse_step(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most_steps)
+    throw InputError(fmt::format("found the step '{}', expected a whole number from 1", text));
+  return number - 1;
+}
+
+TextLink lesson_link(std::string_view text) {
+  const auto slash = text.find('/');
+  const std::string folder(text.substr(0, slash));
+  const std::vector<std::string> names = lesson_names();
+  if (std::find(names.begin(), names.end(), folder) == names.end()) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw InputError(fmt::format("unknown lesson '{}'{}", folder, did_you_mean(folder, known, "")));
+  }
+  const int step = slash == std::string_view::npos ? 0 : parse_step(text.substr(slash + 1));
+  return {LinkKind::lesson, folder, step, {}};
+}
+
+}  // namespace
+
+std::string plain_text(const TextBlock& block) {
+  std::string text;
+  for (const TextSpan& span : block.spans) text += span.text;
+  return text;
+}
+
+TextLink parse_link(std::string_view target) {
+  const auto colon = target.find(':');
+  const std::string_view kind = target.substr(0, colon);
+  const std::string_view name = colon == std::string_view::npos ? std::string_view{} : target.substr(colon + 1);
+  if (kind == "option") return {LinkKind::option, std::string(option_of_text(name).key), 0, {}};
+  if (kind == "step") return {LinkKind::step, {}, parse_step(name), {}};
+  if (kind == "lesson") return lesson_link(name);
+  if (kind == "panel") {
+    const auto panels = linked_panels();
+    if (std::find(panels.begin(), panels.end(), name) == panels.end())
+      throw InputError(fmt::format("unknown panel '{}'{}", name, did_you_mean(std::string(name), panels, "")));
+    return {LinkKind::panel, std::string(name), 0, {}};
+  }
+  throw InputError(
+      fmt::format("found the link '{}', expected option:KEY, panel:NAME, step:N or lesson:FOLDER/N", target));
+}
+
+TextLink parse_control(std::string_view target) {
+  TextLink link{LinkKind::control, {}, 0, {}};
+  if (target.substr(0, 2) == "a.") link.side = Side::a;
+  if (target.substr(0, 2) == "b.") link.side = Side::b;
+  link.target = option_of_text(link.side ? target.substr(2) : target).key;
+  return link;
+}
+
+TextLink link_of_name(std::string_view name) {
+  const std::string wanted = lower_case(name);
+  for (const Option& option : option_table())
+    if (lower_case(option.label) == wanted || option.key == wanted)
+      return {LinkKind::option, std::string(option.key), 0, {}};
+  for (const Option& option : option_table())
+    if (lower_case(option.group) == wanted) return {LinkKind::option, std::string(option.key), 0, {}};
+  if (wanted == "pixel") return {LinkKind::panel, std::string(story_panel_name), 0, {}};
+  const auto panels = linked_panels();
+  if (std::find(panels.begin(), panels.end(), wanted) != panels.end()) return {LinkKind::panel, wanted, 0, {}};
+  return {};
+}
+
+}  // namespace ps

@@ -1,0 +1,128 @@
+// An option that cannot act says what it needs, and setting that makes it act: for every row of the table, under many
+// settings and in scenes of every kind.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "options/scene_settings.h"
+#include "options/waking.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+bool acts(const Option& option, const Settings& settings, const SceneTraits& traits) {
+  return !inactive_reason(option, settings, traits) && !inactive_value_reason(option, settings, traits);
+}
+
+Settings with(std::vector<std::string> assignments) {
+  Settings settings;
+  for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
+  return settings;
+}
+
+/// Settings that switch much off.
+const std::vector<std::vector<std::string>>& starts() {
+  static const std::vector<std::vector<std::string>> all{
+      {"renderer=ray-tracer"},
+      {"renderer=rasterizer"},
+      {"renderer=textbook"},
+      {"renderer=rasterizer", "draw=wireframe"},
+      {"renderer=rasterizer", "visibility=painter", "shading=flat", "lighting=off"},
+      {"renderer=rasterizer", "coverage=scanline", "multisampling=4", "canvas-fill=rows"},
+      {"renderer=rasterizer", "depth-value=z", "deferred-shading=on", "light-passes=many"},
+      {"renderer=ray-tracer", "shadows=none", "reflection-depth=0", "refraction=off"},
+      {"renderer=ray-tracer", "accelerator=none", "triangle-test=watertight", "textures=off"},
+      {"renderer=ray-tracer", "samples-per-pixel=16", "sample-pattern=random", "specular=off"},
+  };
+  return all;
+}
+
+TEST(Waking, WhatIsOfferedMakesTheOptionAct) {
+  int offered = 0;
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    const SceneTraits traits = scene_traits(load_scene(builtin.name));
+    for (const auto& start : starts()) {
+      const Settings settings = with(start);
+      for (const Option& option : option_table()) {
+        const Waking waking = waking_of(option, settings, traits);
+        if (acts(option, settings, traits)) {
+          EXPECT_TRUE(waking.settings.empty() && waking.missing.empty()) << option.key;
+          continue;
+        }
+        if (waking.settings.empty()) {
+          EXPECT_FALSE(waking.missing.empty()) << option.key;
+          continue;
+        }
+        ++offered;
+        Settings woken = settings;
+        wake(waking, woken);
+        EXPECT_TRUE(acts(option, woken, traits))
+            << builtin.name << ": " << option.key << " still cannot act after " << waking_text(waking);
+        EXPECT_EQ(option.get(woken), option.get(settings)) << option.key << " itself was changed";
+        for (const OptionValue& set : waking.settings) EXPECT_NE(set.option, &option);
+      }
+    }
+  }
+  EXPECT_GT(offered, 1000);
+}
+
+/// Without a switch only what the scene has not got: no combination of settings would help.
+TEST(Waking, OnlyTheSceneCanLackMore) {
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    const SceneTraits traits = scene_traits(load_scene(builtin.name));
+    for (const auto& start : starts())
+      for (const Option& option : option_table()) {
+        const Waking waking = waking_of(option, with(start), traits);
+        if (waking.missing.empty()) continue;
+        const bool of_scene = waking.missing.find("scene") != std::string_view::npos ||
+                              waking.missing.find("no light casts shadows") != std::string_view::npos;
+        EXPECT_TRUE(of_scene) << builtin.name << ' ' << fmt::format("{}", fmt::join(start, " ")) << ": " << option.key
+                              << " has no switch: " << waking.missing;
+      }
+  }
+}
+
+std::string text_of(std::string_view key, const std::vector<std::string>& settings, const std::string& scene) {
+  return waking_text(waking_of(*find_option(key), with(settings), scene_traits(load_scene(scene))));
+}
+
+TEST(Waking, AsksForWhatTheReasonNames) {
+  EXPECT_EQ(text_of("shadow-epsilon", {}, "cgfs/shadows"), "acts with Self-hit guard = epsilon");
+  EXPECT_EQ(text_of("backface-culling", {}, "cgfs/cubes"), "acts with Renderer = rasterizer");
+  EXPECT_EQ(text_of("renormalise", {"renderer=rasterizer", "shading=gouraud"}, "cgfs/shading"),
+            "acts with Shading = Phong");
+  EXPECT_EQ(text_of("specular", {"renderer=rasterizer", "draw=wireframe"}, "cgfs/crates"), "acts with Draw = filled");
+  EXPECT_EQ(text_of("sample-pattern", {"renderer=rasterizer"}, "cgfs/shadows"), "acts with Renderer = ray tracer");
+  EXPECT_EQ(text_of("adaptive-threshold", {}, "cgfs/shadows"), "acts with Samples per pixel = 4, Adaptive sampling on");
+  EXPECT_EQ(text_of("shadow-epsilon", {"renderer=rasterizer"}, "cgfs/shadows"),
+            "acts with Renderer = ray tracer, Self-hit guard = epsilon");
+  EXPECT_EQ(text_of("texture-filter", {}, "cgfs/spheres"), "the scene has no texture");
+  EXPECT_EQ(text_of("shading", {"renderer=rasterizer"}, "cgfs/shading"), "");
+}
+
+/// Shapes that are filled by rows have no edge functions; with others beside them in space, or with fills by edge
+/// functions, there are some.
+TEST(Waking, FillRuleAndSubPixelBitsRestWhileAllIsFilledByRows) {
+  const SceneTraits canvas = scene_traits(load_scene("lab/polygons"));
+  ASSERT_TRUE(canvas.canvas_triangles && !canvas.triangles && !canvas.spheres && !canvas.solids);
+  SceneTraits with_models = canvas, lines_alone = canvas;
+  with_models.triangles = true;
+  lines_alone.canvas_triangles = false;
+  const Settings rows = with({"renderer=rasterizer", "canvas-fill=rows"});
+  const Settings edges = with({"renderer=rasterizer", "canvas-fill=edge-functions"});
+  for (const char* key : {"fill-rule", "subpixel-bits"}) {
+    const Option& option = *find_option(key);
+    EXPECT_EQ(inactive_reason(option, rows, canvas), "needs canvas-fill = edge-functions") << key;
+    EXPECT_EQ(waking_text(waking_of(option, rows, canvas)), "acts with Fill of canvas shapes = edge functions") << key;
+    EXPECT_FALSE(inactive_reason(option, edges, canvas)) << key;
+    EXPECT_FALSE(inactive_reason(option, rows, with_models)) << key;
+    EXPECT_FALSE(inactive_reason(option, rows, lines_alone)) << key;
+    EXPECT_FALSE(inactive_reason(option, rows, scene_traits(load_scene("cgfs/cubes")))) << key;
+  }
+}
+
+}  // namespace
+}  // namespace ps
