@@ -55,7 +55,8 @@ PixelStory inspect(const Scene& scene, const View& view, const Settings& setting
   const RendererRow& row = renderer_row(settings.renderer);
   PixelStory story = row.inspect(scene, view, settings, pixel, prepared, progress);
   take_counts(row, story.counters);
-  if (!story.listing) finish_story(story, scene, settings);  // a listing gives its own verdict and sum
+  // A listing gives its own verdict and sum, and so does a renderer that reports no steps.
+  if (!story.listing && story.verdict.empty()) finish_story(story, scene, settings);
   story.verdict += left_out_words(prepared_traits(scene, prepared), settings);
   return story;
 }

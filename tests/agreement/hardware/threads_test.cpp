@@ -63,14 +63,19 @@ TEST(HardwareStory, ShowsTheColourOfThePicture) {
   const Scene scene = load_scene("cgfs/crates");
   const View view{scene.camera, 120, 90};
   const Settings settings = hardware_settings(scene, hardware);
-  const Frame frame = render(scene, view, settings);
   Prepared prepared;
   Progress progress;
+  RenderRequest request;
+  request.channels = Channel::ids;
+  const Frame frame = render(scene, view, settings, request, prepared, progress);
   for (int y = 5; y < view.height; y += 20)
     for (int x = 5; x < view.width; x += 20) {
       const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
       EXPECT_EQ(Vec3f(story.linear), frame.colour.at(x, y)) << x << " " << y;
-      EXPECT_FALSE(story.verdict.empty());
+      const bool seen = story.verdict.find("is seen at z = ") != std::string::npos;
+      EXPECT_EQ(seen, frame.ids.at(x, y).object >= 0) << story.verdict;
+      ASSERT_EQ(story.ledger.size(), 1u);
+      EXPECT_EQ(story.ledger.front().value, story.linear);
     }
 }
 
