@@ -93,8 +93,6 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
   return fill;
 }
 
-const ImVec4& ink_of(Side side) { return side == Side::a ? palette().a_text : palette().b_text; }
-
 /// The instance of a loop, with arrows to go to its neighbours.
 int stepper(const ListingRow& row, std::size_t index) {
   int by = 0;
@@ -116,7 +114,6 @@ int stepper(const ListingRow& row, std::size_t index) {
   arrow("previous", "‹", -1, false);
   ImGui::SameLine(0, 0);
   {
-    const FontScope font(Face::bold);
     value_text(fmt::format("line-{}/instance", row.number),
                fmt::format("{} {}/{}", row.instance, row.place, row.count));
   }
@@ -125,7 +122,7 @@ int stepper(const ListingRow& row, std::size_t index) {
   return by;
 }
 
-void values(const ListingRow& row, const ImVec4& ink) {
+void values(const ListingRow& row) {
   std::string all;
   bool first = true;
   for (const ListingValue& value : row.values) {
@@ -135,10 +132,7 @@ void values(const ListingRow& row, const ImVec4& ink) {
     ImGui::TextUnformatted((value.name + " = ").c_str());
     ImGui::PopStyleColor();
     ImGui::SameLine(0, 0);
-    const FontScope font(Face::mono_bold);
-    ImGui::PushStyleColor(ImGuiCol_Text, ink);
     ImGui::TextUnformatted(value.value.c_str());
-    ImGui::PopStyleColor();
     all += (all.empty() ? "" : ", ") + value.name + " = " + value.value;
   }
   if (!row.values.empty()) controls().record(fmt::format("line-{}", row.number), all);
@@ -165,7 +159,7 @@ Columns columns_for(const std::vector<ListingRow>& rows, float room) {
 }
 
 /// One line of code with what it had. Answers by how much its loop was stepped.
-int draw_row(const ListingRow& row, std::size_t index, const Columns& columns, const ImVec4& ink) {
+int draw_row(const ListingRow& row, std::size_t index, const Columns& columns) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
   const bool valued = has_values(row);
@@ -193,8 +187,17 @@ int draw_row(const ListingRow& row, std::size_t index, const Columns& columns, c
     by = stepper(row, index);
     if (!row.values.empty()) ImGui::SameLine(0, px(14));
   }
-  values(row, ink);
+  values(row);
   return by;
+}
+
+/// Small print where a line would be cut otherwise.
+Face code_face(const std::vector<ListingRow>& rows, float room) {
+  const FontScope font(Face::mono);
+  std::size_t longest = 0;
+  for (const ListingRow& row : rows) longest = std::max(longest, row.text.size());
+  const float wanted = px(number_room) + text_width("0") * static_cast<float>(longest);
+  return wanted <= room ? Face::mono : Face::mono_small;
 }
 
 /// A loop whose arrow was clicked.
@@ -204,12 +207,12 @@ struct Step {
 };
 
 /// `reveal`: scrolls to the first line that has values.
-std::optional<Step> code(const std::vector<ListingRow>& rows, const ImVec4& ink, bool reveal) {
+std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal) {
   std::optional<Step> step;
   const auto first = std::find_if(rows.begin(), rows.end(), has_values);
   ImGui::BeginChild("code");
   {
-    const FontScope font(Face::mono);
+    const FontScope font(code_face(rows, ImGui::GetContentRegionAvail().x));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(1)});
     gui::values().publish("listing/lines",
                           static_cast<int>(ImGui::GetWindowHeight() / ImGui::GetTextLineHeightWithSpacing()));
@@ -217,7 +220,7 @@ std::optional<Step> code(const std::vector<ListingRow>& rows, const ImVec4& ink,
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (reveal && first != rows.end() && i == static_cast<std::size_t>(first - rows.begin()))
         ImGui::SetScrollHereY(0.15f);
-      if (const int by = draw_row(rows[i], i, columns, ink); by != 0) step = Step{i, by};
+      if (const int by = draw_row(rows[i], i, columns); by != 0) step = Step{i, by};
     }
     ImGui::PopStyleVar();
   }
@@ -262,7 +265,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   if (state.shown_story->listing->watches.empty())
     quiet("No line of this routine reached the pixel: it draws nothing here.");
   ImGui::Spacing();
-  const auto stepped = code(state.rows, ink_of(side), std::exchange(state.reveal, false));
+  const auto stepped = code(state.rows, std::exchange(state.reveal, false));
   if (stepped) {
     state.view->step(stepped->row, stepped->by);
     state.instance = state.view->focus();
