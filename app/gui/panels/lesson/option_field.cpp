@@ -12,7 +12,7 @@
 namespace ps::gui {
 namespace {
 
-float letter_width() { return px(17); }
+float letter_width() { return px(22); }
 
 float value_width(const Option& option) {
   float width = px(90);
@@ -38,7 +38,9 @@ void option_field(Session& session, Side side, const Option& option, float width
   const ImVec2 at = ImGui::GetCursorScreenPos();
   {
     const FontScope font(Face::bold);
-    draw_text(at, {at.x + letter_width(), at.y + ImGui::GetFrameHeight()}, std::string(1, letter_of(side)),
+    const float height = ImGui::GetFrameHeight();
+    side_bar(*ImGui::GetWindowDrawList(), {at.x, at.y + px(4)}, {at.x + px(3), at.y + height - px(4)}, side);
+    draw_text({at.x + px(6), at.y}, {at.x + letter_width(), at.y + height}, std::string(1, letter_of(side)),
               palette().text, 0);
   }
   Settings settings = session.settings(side);
