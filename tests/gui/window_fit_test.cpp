@@ -46,7 +46,7 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
     places.push_back(place);
   };
   look_at("exploring", "");
-  look_at("exploring with a pixel's story", "click-pixel A 200,300\n");
+  look_at("exploring with a pixel's story", "click-pixel A 20,30\n");
   for (const std::string tool :
        {"space", "microscope", "listing", "vertex", "pixels", "chart", "stability", "needs", "why", "timings"})
     look_at("drawer: " + tool, "click menu/study\nclick study-" + tool + "\n");
