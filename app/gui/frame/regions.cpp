@@ -219,8 +219,9 @@ void Regions::explore(const Area& area) {
                                    right_begin, width * 0.5f, width - least))
     session_.navigate([&](Document& document) { document.layout.right = 1 - right_begin / width; });
   const float most_bottom = std::max(height - grip - folded, height * 0.3f);
-  if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip, at.y + bottom},
-              right_begin - left_end - grip, bottom, height * 0.3f, most_bottom)) {
+  const float corner = px(3);  // belongs to the dividers that stand
+  if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip + corner, at.y + bottom},
+              right_begin - left_end - grip - 2 * corner, bottom, height * 0.3f, most_bottom)) {
     const bool shut = bottom >= most_bottom - 1;
     session_.navigate([&](Document& document) { document.layout.bottom = shut ? 0 : 1 - (bottom + grip) / height; });
   }

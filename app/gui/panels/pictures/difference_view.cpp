@@ -155,7 +155,7 @@ void difference_view(Session& session, PicturesState& state, const Area& title, 
   const NameScope scope("difference");
   make_difference(session, state);
   // Where the pictures are narrow there are two lines for titles, here for the number above the tools.
-  const float line = px(34);
+  const float line = std::min(px(34), title.max.y - title.min.y);
   const bool two_lines = title.max.y - title.min.y >= px(60);
   const bool has_number = two_lines || title.width() >= px(number_room) + px(tools_room);
   const float number_left = two_lines ? title.min.x : title.max.x - (has_number ? px(number_room) : 0);
