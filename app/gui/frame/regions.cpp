@@ -22,7 +22,7 @@ namespace ps::gui {
 namespace {
 
 /// One line: the title that opens it.
-float folded_height() { return ImGui::GetFrameHeight() + px(6); }
+float folded_height() { return ImGui::GetFrameHeight() + px(4); }
 
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;

@@ -58,6 +58,26 @@ void value_paragraph(std::string_view name, std::string_view text) {
   controls().record(name, std::string(text));
 }
 
+void side_bar(ImDrawList& list, ImVec2 min, ImVec2 max, Side side) {
+  list.AddRectFilled(min, max, colour_u32(side == Side::a ? palette().a : palette().b));
+}
+
+void side_letter(Side side) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight(), bar = px(4), gap = px(4);
+  const std::string_view letter = side == Side::a ? "A" : "B";
+  // In a line with controls, text keeps their base line.
+  const float y = at.y + ImGui::GetCurrentWindow()->DC.CurrLineTextBaseOffset;
+  side_bar(*ImGui::GetWindowDrawList(), {at.x, y + px(1)}, {at.x + bar, y + line - px(1)}, side);
+  ImGui::SetCursorScreenPos({at.x + bar + gap, at.y});
+  ImGui::TextUnformatted(letter.data(), letter.data() + letter.size());
+}
+
+void attention_bar(ImDrawList& list, ImVec2 min, ImVec2 max) {
+  list.AddRectFilled(min, max, colour_u32(palette().attention));
+  list.AddRect(min, max, colour_u32(palette().text_quiet));
+}
+
 bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style) {
   const DisabledScope disabled(!style.disabled.empty());
   ImGui::PushID(full_name(name).c_str());

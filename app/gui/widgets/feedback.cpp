@@ -53,7 +53,7 @@ float tooltip_width() { return ImGui::GetFontSize() * 38; }
 bool begin_tooltip() {
   if (!rested_on_last_item()) return false;
   place_beside_last_item();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
   ImGui::PushTextWrapPos(tooltip_width());
@@ -100,7 +100,7 @@ bool progress_bar(std::string_view name, std::string_view label, double fraction
 bool message_bar(std::string_view name, MessageKind kind, std::string_view text) {
   const Palette& p = palette();
   const NameScope names(name);
-  const ImVec4 accent = kind == MessageKind::error     ? p.wrong
+  const ImVec4 accent = kind == MessageKind::error     ? p.wrong_mark
                         : kind == MessageKind::warning ? p.attention
                                                        : p.line_strong;
   const std::string_view mark = kind == MessageKind::error ? "Error" : kind == MessageKind::warning ? "Note" : "";
@@ -119,6 +119,7 @@ bool message_bar(std::string_view name, MessageKind kind, std::string_view text)
   const ImVec2 end{start.x + room, start.y + height};
   draw.AddRectFilled(start, end, colour_u32(p.field));
   draw.AddRectFilled(start, {start.x + px(5), end.y}, colour_u32(accent));
+  if (kind == MessageKind::warning) attention_bar(draw, start, {start.x + px(5), end.y});
   const float y = start.y + (height - size.y) / 2;
   if (!mark.empty()) {
     const FontScope bold(Face::bold);

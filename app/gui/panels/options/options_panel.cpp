@@ -197,7 +197,7 @@ void point_at_option(OptionsPanelState& state, const Option& option) {
 void options_panel(Session& session, OptionsPanelState& state) {
   const NameScope scope("options");
   header(session, state);
-  ImGui::BeginChild("rows");
+  ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);  // columns keep their width
   bool any = false;
   for (std::size_t first = 0; first < option_table().size();) {
     const GroupRows group = group_rows(session, state, first);

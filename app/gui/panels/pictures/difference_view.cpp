@@ -151,7 +151,8 @@ void difference_number(Session& session, PicturesState& state, const Area& row) 
 
 }  // namespace
 
-void difference_view(Session& session, PicturesState& state, const Area& title, const Area& area) {
+void difference_view(Session& session, PicturesState& state, const Area& title, const DifferencePlaces& places) {
+  const Area& area = places.picture;
   const NameScope scope("difference");
   make_difference(session, state);
   // Where the pictures are narrow there are two lines for titles, here for the number above the tools.
@@ -181,7 +182,9 @@ void difference_view(Session& session, PicturesState& state, const Area& title, 
   draw_picture(list, state.flip ? state.pictures[1] : state.difference, state.transform, area, style);
   if (!state.flip) {
     largest_ring(list, state, area);
-    draw_difference_scale(list, {state.difference_gain, state.difference_mode}, state.difference_numbers, area);
+    if (places.scale)
+      draw_difference_scale(list, {state.difference_gain, state.difference_mode}, state.difference_numbers,
+                            *places.scale);
   }
   picture_handles(session, state, Side::a, area, area, "picture", hovered);
   if (state.difference_stale && state.difference_mode == DifferenceMode::flip && state.meter->busy())

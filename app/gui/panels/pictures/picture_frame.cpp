@@ -37,7 +37,7 @@ std::string take_line(Face face, std::string& text, float width) {
 }  // namespace
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
-  if (captions == PictureCaptions::brief) return {px(23), px(18)};
+  if (captions == PictureCaptions::brief) return {px(22), px(17)};
   const float notes = px(note_height);
   return width < px(narrow) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }
@@ -55,14 +55,15 @@ void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
 }
 
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
-  const ImVec4 colour = side == Side::a ? palette().a : palette().b;
-  list.AddRectFilled(corner, {corner.x + size, corner.y + size}, colour_u32(colour), px(3));
+  const ImVec2 end{corner.x + size, corner.y + size};
+  list.AddRectFilled(corner, end, colour_u32(palette().field), px(3));
+  side_bar(list, {corner.x, end.y - px(4)}, end, side);
   const char text[2] = {letter_of(side), 0};
   ImFont* font = theme().font(Face::bold);
   const float height = font->FontSize;
   const ImVec2 extent = font->CalcTextSizeA(height, FLT_MAX, 0, text);
-  list.AddText(font, height, {corner.x + (size - extent.x) / 2, corner.y + (size - extent.y) / 2},
-               colour_u32(palette().on_accent), text);
+  list.AddText(font, height, {corner.x + (size - extent.x) / 2, corner.y + (size - px(4) - extent.y) / 2},
+               colour_u32(palette().text), text);
 }
 
 void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions, std::string_view instead) {
@@ -83,7 +84,7 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const std::string text = !instead.empty() ? std::string(instead)
                            : file           ? "file " + std::filesystem::path(file->path).filename().string()
                                             : title_text(session.settings(side), session.traits(), other);
-  const ImU32 colour = colour_u32(side == Side::a ? palette().a_text : palette().b_text);
+  const ImU32 colour = colour_u32(palette().text);
   const float text_left = row.min.x + size + space;
   const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;
   if (two_lines) {

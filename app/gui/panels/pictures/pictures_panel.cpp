@@ -346,8 +346,9 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     break;
   case CompareMode::difference: {
     const auto [title, inner, footer] = framed(area, state.captions, 2);
-    state.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.fit);
-    difference_view(session, state, title, inner);
+    const DifferencePlaces places = difference_places(inner, state.pictures[0].size());
+    state.transform = current_transform(session.document(), state.pictures[0].size(), places.picture, state.fit);
+    difference_view(session, state, title, places);
     const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
     below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
     below(session, state, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");

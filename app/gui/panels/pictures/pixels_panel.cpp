@@ -149,7 +149,7 @@ void watched_list(Session& session, PixelsPanelState& state) {
     for (const Side side : both_sides) {
       const auto& now = one.values.back()[index_of(side)];
       if (side == Side::b) ImGui::SameLine(0, px(14));
-      ImGui::TextColored(side == Side::a ? palette().a_text : palette().b_text, "%c", letter_of(side));
+      side_letter(side);
       ImGui::SameLine(0, px(5));
       if (now) {
         swatch(*now);
@@ -240,7 +240,7 @@ void region_view(Session& session, PixelsPanelState& state) {
   for (const Side side : both_sides) {
     const RegionStatistics& statistics = state.statistics[index_of(side)];
     if (statistics.pixels == 0) continue;
-    ImGui::TextColored(side == Side::a ? palette().a_text : palette().b_text, "%c", letter_of(side));
+    side_letter(side);
     statistics_table(statistics, side);
     controls().record(side == Side::a ? "mean-a" : "mean-b",
                       fmt::format("{:.4g} {:.4g} {:.4g}", statistics.channels[0].mean, statistics.channels[1].mean,

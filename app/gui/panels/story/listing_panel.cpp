@@ -94,14 +94,9 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
   return fill;
 }
 
-const ImVec4& ink_of(Side side) { return side == Side::a ? palette().a_text : palette().b_text; }
-
 std::string instance_text(const ListingRow& row) { return fmt::format("{} {}/{}", row.instance, row.place, row.count); }
 
-float stepper_width(const ListingRow& row) {
-  const FontScope font(Face::bold);
-  return text_width(instance_text(row)) + 2 * px(20);
-}
+float stepper_width(const ListingRow& row) { return text_width(instance_text(row)) + 2 * px(20); }
 
 /// The instance of a loop, with arrows to go to its neighbours.
 int stepper(const ListingRow& row, std::size_t index) {
@@ -123,29 +118,22 @@ int stepper(const ListingRow& row, std::size_t index) {
   };
   arrow("previous", "‹", -1, false);
   ImGui::SameLine(0, 0);
-  {
-    const FontScope font(Face::bold);
-    const std::string text = instance_text(row);
-    ImGui::TextUnformatted(whole_words(text, ImGui::GetContentRegionAvail().x - px(20)).c_str());
-    controls().record(fmt::format("line-{}/instance", row.number), text);
-  }
+  const std::string text = instance_text(row);
+  ImGui::TextUnformatted(whole_words(text, ImGui::GetContentRegionAvail().x - px(20)).c_str());
+  controls().record(fmt::format("line-{}/instance", row.number), text);
   ImGui::SameLine(0, 0);
   arrow("next", "›", 1, false);
   return by;
 }
 
 /// `left`: where further lines of values begin.
-void values(const ListingRow& row, const ImVec4& ink, float left) {
+void values(const ListingRow& row, float left) {
   std::string all;
   const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
-  const auto wide = [](const std::string& text) {
-    const FontScope font(Face::mono_bold);
-    return text_width(text);
-  };
   bool first = true;
   for (const ListingValue& value : row.values) {
     const std::string name = value.name + " = ";
-    const float needed = text_width(name) + wide(value.value);
+    const float needed = text_width(name) + text_width(value.value);
     if (!first) {
       ImGui::SameLine(0, px(14));
       if (ImGui::GetCursorScreenPos().x + needed > right) ImGui::NewLine();
@@ -160,10 +148,7 @@ void values(const ListingRow& row, const ImVec4& ink, float left) {
       ImGui::SameLine(0, 0);
     else
       ImGui::SetCursorScreenPos({left, ImGui::GetCursorScreenPos().y});  // it has lines of its own
-    const FontScope font(Face::mono_bold);
-    ImGui::PushStyleColor(ImGuiCol_Text, ink);
     ImGui::TextUnformatted(in_lines(value.value, right - ImGui::GetCursorScreenPos().x).c_str());
-    ImGui::PopStyleColor();
     all += (all.empty() ? "" : ", ") + value.name + " = " + value.value;
   }
   if (!row.values.empty()) controls().record(fmt::format("line-{}", row.number), all);
@@ -206,7 +191,7 @@ Columns columns_for(const std::vector<ListingRow>& rows, float room) {
 }
 
 /// One line of code with what it had. Answers by how much its loop was stepped.
-int draw_row(const ListingRow& row, std::size_t index, const Columns& columns, const ImVec4& ink) {
+int draw_row(const ListingRow& row, std::size_t index, const Columns& columns) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
   const bool valued = has_values(row);
@@ -239,8 +224,17 @@ int draw_row(const ListingRow& row, std::size_t index, const Columns& columns, c
     by = stepper(row, index);
     if (!row.values.empty()) ImGui::SameLine(0, px(14));
   }
-  values(row, ink, at.x + (aside ? values_at : columns.code));
+  values(row, at.x + (aside ? values_at : columns.code));
   return by;
+}
+
+/// Small print where a line would be cut otherwise.
+Face code_face(const std::vector<ListingRow>& rows, float room) {
+  const FontScope font(Face::mono);
+  std::size_t longest = 0;
+  for (const ListingRow& row : rows) longest = std::max(longest, row.text.size());
+  const float wanted = px(number_room) + text_width("0") * static_cast<float>(longest);
+  return wanted <= room ? Face::mono : Face::mono_small;
 }
 
 /// A loop whose arrow was clicked.
@@ -250,12 +244,12 @@ struct Step {
 };
 
 /// `reveal`: scrolls to the first line that has values.
-std::optional<Step> code(const std::vector<ListingRow>& rows, const ImVec4& ink, bool reveal) {
+std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal) {
   std::optional<Step> step;
   const auto first = std::find_if(rows.begin(), rows.end(), has_values);
   ImGui::BeginChild("code");
   {
-    const FontScope font(Face::mono);
+    const FontScope font(code_face(rows, ImGui::GetContentRegionAvail().x));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(1)});
     gui::values().publish("listing/lines",
                           static_cast<int>(ImGui::GetWindowHeight() / ImGui::GetTextLineHeightWithSpacing()));
@@ -263,7 +257,7 @@ std::optional<Step> code(const std::vector<ListingRow>& rows, const ImVec4& ink,
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (reveal && first != rows.end() && i == static_cast<std::size_t>(first - rows.begin()))
         ImGui::SetScrollHereY(0.15f);
-      if (const int by = draw_row(rows[i], i, columns, ink); by != 0) step = Step{i, by};
+      if (const int by = draw_row(rows[i], i, columns); by != 0) step = Step{i, by};
     }
     ImGui::PopStyleVar();
   }
@@ -308,7 +302,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   if (state.shown_story->listing->watches.empty())
     quiet("No line of this routine reached the pixel: it draws nothing here.");
   ImGui::Spacing();
-  const auto stepped = code(state.rows, ink_of(side), std::exchange(state.reveal, false));
+  const auto stepped = code(state.rows, std::exchange(state.reveal, false));
   if (stepped) {
     state.view->step(stepped->row, stepped->by);
     state.instance = state.view->focus();

@@ -39,12 +39,10 @@ void place(Session& session, Vec2i pixel) {
 }
 
 void verdict(const PixelStory& story, Side side) {
-  ImGui::PushStyleColor(ImGuiCol_Text, side == Side::a ? palette().a_text : palette().b_text);
   {
     const FontScope font(Face::bold);
-    ImGui::Text("%c", letter_of(side));
+    side_letter(side);
   }
-  ImGui::PopStyleColor();
   ImGui::SameLine(0, px(8));
   swatch(story.display, ImGui::GetTextLineHeight());
   {

@@ -11,6 +11,7 @@
 #include "base/check.h"
 #include "gui/base/values.h"
 #include "gui/panels/studies/chart_hover.h"
+#include "gui/panels/studies/chart_invitation.h"
 #include "gui/panels/studies/pause_and_stop.h"
 #include "gui/widgets/widgets.h"
 #include "study/chart_conclusion.h"
@@ -247,24 +248,6 @@ void progress_line(const ChartTabState& state) {
                      colour_u32(palette().text_quiet));
 }
 
-/// What is in place of a chart that is not there yet.
-void invitation(const ChartTabState& state, const Area& area) {
-  auto& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
-  const std::string text = state.study.running()
-                               ? "The first point appears when the reference is rendered."
-                               : fmt::format("How much time for how much accuracy? {} point{}: each is rendered and "
-                                             "compared with the reference: {}. Press {}.",
-                                             state.plan.points.size(), state.plan.points.size() == 1 ? "" : "s",
-                                             settings_in_words(state.plan.truth), measure_word(state));
-  ImFont* font = theme().font(Face::body);
-  const float wrap = std::min(area.width() - px(40), px(460));
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
-  const ImVec2 middle = area.middle();
-  list.AddText(font, font->FontSize, {std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)},
-               colour_u32(palette().text_quiet), text.c_str(), nullptr, wrap);
-}
-
 std::optional<std::size_t> showing(const Chart& chart, const Settings& settings) {
   for (std::size_t i = 0; i < chart.points.size(); ++i)
     if (chart.points[i].measured() && chart.points[i].what.value == settings) return i;
@@ -298,7 +281,7 @@ void plot(Session& session, ChartTabState& state, const Area& area) {
   const bool over = ImGui::IsItemHovered();
   const bool any = std::any_of(state.chart.points.begin(), state.chart.points.end(),
                                [](const ChartPoint& p) { return p.measured(); });
-  if (!any) return invitation(state, area);
+  if (!any) return chart_invitation(state, area, measure_word(state));
   auto& list = *ImGui::GetWindowDrawList();
   const float legend = area.height() >= px(least_height_for_legend) ? chart_legend_height() : 0;
   const float conclusion = area.height() >= px(least_height_for_conclusion) ? conclusion_height(state, area) : 0;

@@ -236,7 +236,7 @@ void explanation(const StabilityExperiment& experiment, std::span<const Stabilit
 }
 
 void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool has_picture) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(fmt::format("{}: {}", curves.knob, short_number(row.knob)).c_str());
   for (const auto& [name, value] : {std::pair{"naive", row.naive}, std::pair{"robust", row.robust}})
