@@ -159,6 +159,15 @@ void Regions::lesson(const Area& area) {
   pictures(plan.pictures, stage_place() == StagePlace::beside ? 1 : lesson_share, captions);
 }
 
+/// What has less height than it needs can be scrolled. Answers whether the tool asks for the whole window, or no
+/// longer.
+bool Regions::tool(const Panel& panel, bool filled) {
+  ImGui::BeginChild("tool");
+  const bool asks = panel.draw({.filled = filled});
+  ImGui::EndChild();
+  return asks;
+}
+
 /// The tool that the step is about; another one can be chosen.
 void Regions::stage(const Area& area, bool folded) {
   begin_region(session_, "stage", area, {}, folded ? RegionPadding::tight : RegionPadding::normal);
@@ -179,7 +188,7 @@ void Regions::stage(const Area& area, bool folded) {
     const float room = ImGui::GetContentRegionAvail().x;
     if (story && !prediction_pending(session_, my_.predict))
       value_text("stage/verdict", whole_words(story->verdict, room));
-  } else if (staged().draw({})) {
+  } else if (tool(staged(), false)) {
     session_.navigate([&](Document& document) {
       document.layout.filled = "bottom";
       document.layout.bottom_tab = staged().name;
@@ -210,8 +219,9 @@ void Regions::explore(const Area& area) {
                                    right_begin, width * 0.5f, width - least))
     session_.navigate([&](Document& document) { document.layout.right = 1 - right_begin / width; });
   const float most_bottom = std::max(height - grip - folded, height * 0.3f);
-  if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip, at.y + bottom},
-              right_begin - left_end - grip, bottom, height * 0.3f, most_bottom)) {
+  const float corner = px(3);  // belongs to the dividers that stand
+  if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip + corner, at.y + bottom},
+              right_begin - left_end - grip - 2 * corner, bottom, height * 0.3f, most_bottom)) {
     const bool shut = bottom >= most_bottom - 1;
     session_.navigate([&](Document& document) { document.layout.bottom = shut ? 0 : 1 - (bottom + grip) / height; });
   }
@@ -254,7 +264,7 @@ void Regions::study(const Area& area) {
     show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
   }
   if (tab_row("bottom", tabs, brief, tab)) show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
-  if (panel(session_.document().layout.bottom_tab).draw({})) fill_window(session_, "bottom");
+  if (tool(panel(session_.document().layout.bottom_tab), false)) fill_window(session_, "bottom");
   ImGui::EndChild();
   pictures({{area.max.x - width, area.min.y}, area.max}, 0, PictureCaptions::full);
 }
@@ -311,7 +321,7 @@ void Regions::right(const Area& area, bool open) {
       show(false);
     ImGui::SetCursorScreenPos(at);
   }
-  region_heading(session_, "right", std::string(panel("right").heading));
+  region_heading(session_, "right", std::string(panel("right").heading), filled ? 0 : button_width("›") + px(2));
   panel("right").draw({.filled = filled});
   ImGui::EndChild();
 }
@@ -322,8 +332,7 @@ void Regions::drawer(const Area& area) {
   drawer_tabs(session_, panels_, my_.drawer);
   if (open) {
     const bool filled = session_.document().layout.filled == "bottom";
-    if (panel(session_.document().layout.bottom_tab).draw({.filled = filled}))
-      fill_window(session_, filled ? "" : "bottom");
+    if (tool(panel(session_.document().layout.bottom_tab), filled)) fill_window(session_, filled ? "" : "bottom");
   }
   ImGui::EndChild();
 }

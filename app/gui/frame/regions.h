@@ -31,6 +31,7 @@ class Regions {
   void left(const Area& area);
   void right(const Area& area, bool open);
   void drawer(const Area& area);
+  bool tool(const Panel& panel, bool filled);
   void stage(const Area& area, bool folded);
   void question(const Area& area);
   void lesson_text(const Area& area);

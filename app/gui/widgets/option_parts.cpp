@@ -141,7 +141,11 @@ std::optional<Side> need_lines(const Option& option, const Waking& waking, std::
   draw_lines({at.x, at.y + (beside ? inset : 0)}, lines, palette().text_quiet);
   for (const Side side : sides) {
     const NameScope scope(side == Side::a ? "a" : "b");
-    controls().record(std::string(option.key) + "/needs", at, {at.x + width, at.y + height}, text);
+    // A button may stand at the end of the last line.
+    const bool one_line = lines.find('\n') == std::string::npos;
+    const ImVec2 end{at.x + (one_line ? text_width(last) : width),
+                     at.y + (beside && !one_line ? height - line : height)};
+    controls().record(std::string(option.key) + "/needs", at, end, text);
   }
   std::optional<Side> clicked;
   float x = at.x + (beside ? text_width(last) + gap : 0);

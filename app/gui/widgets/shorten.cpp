@@ -12,7 +12,7 @@ std::string whole_words(std::string_view text, float width) {
     while (!part.empty() && (part.back() == ',' || part.back() == ':' || part.back() == ' ')) part.pop_back();
     if (text_width(part + " …") <= width) break;
   }
-  return part + " …";
+  return part == text ? part : part + " …";
 }
 
 }  // namespace ps::gui

@@ -15,7 +15,7 @@ namespace {
 float letter_width() { return px(22); }
 
 float value_width(const Option& option) {
-  float width = px(90);
+  float width = px(112);  // for the longest numbers
   switch (option.kind) {
   case OptionKind::boolean:
     return px(36);

@@ -73,7 +73,8 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
   const float size = px(22), top = row.min.y + (line - size) / 2;
-  const float choice_width = has_choice ? std::min(px(136), row.width() * 0.45f) : 0, space = px(8);
+  const float choice_width = has_choice ? std::min(px(136), row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
+              space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
 
   const auto file = side == Side::b ? session.picture_b() : nullptr;
@@ -99,7 +100,8 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
     std::string shown = whole_parts(Face::bold, text, room);
     const bool fits = width_of(Face::bold, shown) <= room;
     if (!fits) shown = whole_parts(Face::small, text, room);
-    clipped_text(list, fits ? Face::bold : Face::small, {text_left, text_top}, room, colour, shown);
+    if (fits || width_of(Face::small, shown) <= room)  // else the badge and the tooltip alone
+      clipped_text(list, fits ? Face::bold : Face::small, {text_left, text_top}, room, colour, shown);
   }
 
   ImGui::SetCursorScreenPos(row.min);

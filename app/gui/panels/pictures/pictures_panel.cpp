@@ -207,7 +207,8 @@ Halves halves(const Area& area, Vec2i picture_size, PictureCaptions captions) {
   const Halves stacked{{area.min, {area.max.x, middle_y}}, {{area.min.x, middle_y}, area.max}};
   const double beside_zoom = fitted(picture_size, framed(beside.first, captions).picture).zoom;
   const double stacked_zoom = fitted(picture_size, framed(stacked.first, captions).picture).zoom;
-  return stacked_zoom > beside_zoom ? stacked : beside;
+  const bool tall = area.height() > area.width();  // where both show them alike, the titles have more room
+  return stacked_zoom > beside_zoom || (tall && stacked_zoom == beside_zoom) ? stacked : beside;
 }
 
 /// How many window pixels a picture takes that fits an area.

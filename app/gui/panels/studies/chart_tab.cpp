@@ -144,7 +144,8 @@ void run_buttons(Session& session, ChartTabState& state, const StudyFolder& fold
     return;
   }
   const std::string word = measure_word(state);
-  if (!button("measure", label, Emphasis::primary,
+  const bool fits = button_width(label) <= ImGui::GetContentRegionAvail().x;
+  if (!button("measure", fits ? label : word, Emphasis::primary,
               {.tooltip = "Renders every picture several times in the background. The time is estimated from small "
                           "pictures of all points and of the reference.",
                .disabled = state.plan.error}))

@@ -79,7 +79,8 @@ std::string measure_label(const NeedsTabState& state) {
 
 void run_buttons(Session& session, NeedsTabState& state, const std::string& label) {
   if (!state.study.running()) {
-    if (button("measure", label, Emphasis::primary,
+    const bool fits = button_width(label) <= ImGui::GetContentRegionAvail().x;
+    if (button("measure", fits ? label : label.substr(0, label.find(" (")), Emphasis::primary,
                {.tooltip =
                     "Renders the scene without each feature, then searches for the cheapest settings. The time is "
                     "estimated from small pictures; each saving that is found adds a round."}))
