@@ -167,6 +167,11 @@ void Context::make_current() const {
     throw InputError("the context of OpenGL was lost");
 }
 
+void forget_errors() {
+  constexpr int most = 16;  // a lost context reports its loss for ever
+  for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i) continue;
+}
+
 void check_gl(const char* what) {
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     throw InputError(error == GL_OUT_OF_MEMORY

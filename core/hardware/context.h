@@ -31,6 +31,9 @@ class Context {
   Driver driver_;
 };
 
+/// Takes back what calls before have left for check_gl().
+void forget_errors();
+
 /// Throws InputError if a call of OpenGL before has failed; `what` says what was going on.
 void check_gl(const char* what);
 

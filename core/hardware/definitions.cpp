@@ -86,6 +86,8 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
       .add("PARALLAX", relief ? static_cast<int>(s.parallax) : 0)
       .add("PARALLAX_STEPS", s.parallax_steps)
       .add("ONE_LIGHT", raster::lights_one_by_one(s) && !plan.lights.empty())
+      .add("SHADOW_MAPS", plan.maps_shadows)
+      .add("SHADOW_FILTER", s.shadow_filter)
       .add("TEXTURE_FILTER", static_cast<int>(s.texture_filter))
       .add("ANISOTROPY", raster::reads_mip_levels(s.texture_filter) ? s.anisotropy : 1)
       .add("HARDWARE_TEXTURING", s.hardware_texturing == HardwareTexturing::driver)

@@ -31,6 +31,7 @@ class GlThread {
     if (!available_.driver) throw InputError(available_.reason);
     thread_.run([&] {
       context_->make_current();  // a task may have made another context current
+      forget_errors();           // of a task that has ended early
       task(*workshop_);
     });
   }

@@ -8,6 +8,7 @@
 #include "hardware/context.h"
 #include "hardware/mesh_buffers.h"
 #include "hardware/program.h"
+#include "hardware/shadow_maps.h"
 #include "hardware/target.h"
 #include "hardware/texture_store.h"
 
@@ -28,6 +29,7 @@ struct Workshop {
   const Context& context;
   MeshStore meshes;
   TextureStore textures;
+  MapStore maps;
   std::map<std::string, std::unique_ptr<Program>> programs;  ///< by their definitions
   std::unique_ptr<Target> target;                            ///< of the last picture
   unsigned vertex_array = 0, lights = 0;                     ///< made when first needed

@@ -17,7 +17,7 @@ bool is_on(OptionNumber value) { return value != 0; }
 
 constexpr std::string_view own_coverage = "the driver has its own coverage test";
 constexpr std::string_view no_g_buffer = "the hardware renderer has no G-buffer";
-constexpr std::string_view no_shadows = "the hardware renderer has no shadow maps or shadow volumes";
+constexpr std::string_view no_volumes = "the hardware renderer has no shadow volumes";
 constexpr std::string_view no_environment = "the hardware renderer has no environment maps";
 
 constexpr std::string_view no_samples = "the driver does not offer this number of samples per pixel";
@@ -45,16 +45,11 @@ constexpr std::array all{
     Lack{"multisampling", no_samples, lacks_samples},
     Lack{"subpixel-bits", "the driver has a fixed number of sub-pixel bits"},
     Lack{"fill-rule", "the driver has the top-left rule"},
-    Lack{"shadows", no_shadows,
-         is_one_of<Shadows, Shadows::map, Shadows::stencil_depth_fail, Shadows::stencil_depth_pass>},
-    Lack{"shadow-map-size", no_shadows},
-    Lack{"shadow-bias", no_shadows},
-    Lack{"shadow-slope-bias", no_shadows},
-    Lack{"shadow-filter", no_shadows},
-    Lack{"stencil-bits", no_shadows},
-    Lack{"volume-caps", no_shadows},
-    Lack{"volume-length", no_shadows},
-    Lack{"volume-depth-clamp", no_shadows},
+    Lack{"shadows", no_volumes, is_one_of<Shadows, Shadows::stencil_depth_fail, Shadows::stencil_depth_pass>},
+    Lack{"stencil-bits", no_volumes},
+    Lack{"volume-caps", no_volumes},
+    Lack{"volume-length", no_volumes},
+    Lack{"volume-depth-clamp", no_volumes},
     Lack{"environment", no_environment, is_one_of<Environment, Environment::cube_map, Environment::room_map>},
     Lack{"environment-objects", no_environment},
     Lack{"environment-size", no_environment},
@@ -78,7 +73,11 @@ std::optional<std::string_view> lacks_option(const Option& option, const Setting
   return lack->reason;
 }
 
-std::optional<std::string_view> lacks_value(const Option& option, double value, const Settings&) {
+std::optional<std::string_view> lacks_value(const Option& option, double value, const Settings& settings) {
+  // Gouraud and flat shading would need each light by itself at each vertex.
+  if (option.key == "shadows" && value == static_cast<double>(Shadows::map) && settings.lighting &&
+      settings.shading != Shading::phong)
+    return "shadow maps of the hardware renderer need shading = phong";
   const Lack* lack = find(option.key);
   if (!lack || !lack->values || !lack->values(value)) return {};
   return lack->reason;

@@ -24,7 +24,8 @@ std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& setting
         missing(LeftOutKind::objects, "canvas shapes", "the hardware renderer draws nothing on the canvas", software));
   if (traits.transparent)
     all.push_back(missing(LeftOutKind::effect, "transparent surfaces", "light through a surface needs rays", rays));
-  if (asks_for_shadows(traits, settings))
+  const bool maps = settings.shadows == Shadows::map && settings.shading == Shading::phong;
+  if (asks_for_shadows(traits, settings) && !maps)
     all.push_back(missing(LeftOutKind::effect, "shadows", "the hardware renderer has none", rays));
   if (asks_for_reflections(traits, settings))
     all.push_back(missing(LeftOutKind::effect, "reflections", "reflected rays need a ray tracer", rays));

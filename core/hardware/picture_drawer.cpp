@@ -16,7 +16,8 @@
 namespace ps::hardware {
 namespace {
 
-constexpr unsigned lights_binding = 0;
+constexpr unsigned lights_binding = 0, maps_binding = 1;
+constexpr int maps_unit = 7;
 constexpr std::size_t light_bytes = 3 * sizeof(Vec4f);
 
 /// The matrix of cofactors is the inverse transpose times the determinant: triangles' own normals.
@@ -32,6 +33,13 @@ float depth_factor(const PicturePlan& plan) {
   const Vec2d reach(plan.viewport.columns / plan.projection.scale.x, plan.viewport.rows / plan.projection.scale.y);
   const double longest = plan.perspective() ? plan.farthest * std::sqrt(1 + dot(reach, reach)) : plan.farthest;
   return static_cast<float>(std::exp2(-std::floor(std::log2(longest)) - 1));
+}
+
+/// Where a vertex lies before the camera. Without camera-relative positions its place in the world and the camera's are
+/// rounded to float first, as vertex.glsl has them.
+Vec3d camera_position(const PicturePlan& plan, const Vec3d& world) {
+  if (plan.settings.camera_relative) return plan.camera_space.point(world);
+  return plan.camera_space.from_world * Vec3d(Vec3f(world) - Vec3f(plan.camera_space.position));
 }
 
 /// The middle of the canvas where samples lie at the centres of pixels, as a driver has them: pixels.
@@ -120,7 +128,7 @@ void PictureDrawer::snap_vertices(std::size_t object) {
   const Vec2d centre = shifted_centre(plan_);
   std::vector<Vec3f> places(draw.mesh->positions.size(), Vec3f(0));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vec3d camera = plan_.camera_space.point(draw.world(draw.mesh->positions[i]));
+    const Vec3d camera = camera_position(plan_, draw.world(draw.mesh->positions[i]));
     if (plan_.perspective() && !(camera.z > 0)) continue;
     const Vec2d at = plan_.projection.centred(camera);
     const Vec2d canvas(std::nearbyint((centre.x + at.x) * steps) / steps,
@@ -143,6 +151,7 @@ Program& PictureDrawer::program_of(const raster::Surface<float>& surface) {
   if (!program) {
     program = std::make_unique<Program>("vertex.glsl", "fragment.glsl", shop_.context.api(), key);
     program->bind_block("Lights", lights_binding);
+    program->bind_block("ShadowMaps", maps_binding);
   }
   return *program;
 }
@@ -175,7 +184,7 @@ void PictureDrawer::make_sorted_runs() {
     std::vector<float> depth;
     depth.reserve(draw.mesh->positions.size());
     for (const Vec3d& p : draw.mesh->positions)
-      depth.push_back(static_cast<float>(plan_.camera_space.point(draw.world(p)).z));
+      depth.push_back(static_cast<float>(camera_position(plan_, draw.world(p)).z));
     for (std::size_t t = 0; t < draw.mesh->triangles.size(); ++t) {
       const auto& p = draw.mesh->triangles[t].position;
       order.push_back({(depth[p[0]] + depth[p[1]] + depth[p[2]]) / 3.0f, static_cast<std::uint32_t>(i),
@@ -332,6 +341,7 @@ void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& 
   program.set("specular_colour", Vec4f(material.specular_colour.value_or(none), material.specular_colour ? 1 : 0));
   program.set("ambient_colour", Vec4f(material.ambient_colour.value_or(none), material.ambient_colour ? 1 : 0));
   program.set("relief_depth", material.relief_depth);
+  if (plan_.shadow_maps) set_shadows(program, surface);
   if (!plan_.textures) return;
   int unit = 0;
   for (const auto& [name, texture] : {std::pair{"surface", material.texture},
@@ -348,6 +358,18 @@ void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& 
     program.set(fmt::format("{}_wrap", name), static_cast<int>(raster::wrap_of(chain, plan_.settings)));
     ++unit;
   }
+}
+
+void PictureDrawer::set_shadows(Program& program, const raster::Surface<float>& surface) {
+  const Settings& s = plan_.settings;
+  const Vec2d& scale = plan_.projection.scale;
+  shop_.maps.bind(plan_.shadow_maps, maps_unit, maps_binding);
+  program.set("shadow_depths", maps_unit);
+  program.set("shadow_map_size", s.shadow_map_size);
+  program.set("shadow_bias", static_cast<float>(s.shadow_bias));
+  program.set("shadow_slope_bias", static_cast<float>(s.shadow_slope_bias));
+  const double error = surface.sphere ? s.tessellation / std::min(scale.x, scale.y) : 0;
+  program.set("surface_error_scale", static_cast<float>(error));
 }
 
 void PictureDrawer::draw_runs(const raster::DrawStep& step) {
@@ -385,7 +407,7 @@ void PictureDrawer::draw() {
     glEndQuery(GL_SAMPLES_PASSED);
     GLuint passed = 0;
     glGetQueryObjectuiv(query_, GL_QUERY_RESULT, &passed);
-    fragments_written_ += passed;
+    samples_written_ += passed;
   }
   shop_.target->resolve();
   glFinish();

@@ -28,8 +28,8 @@ class PictureDrawer {
   void upload();
   /// Draws everything; what it drew is complete when it returns.
   void draw();
-  /// Fragments that passed the depth test, as the driver counts them.
-  std::uint64_t fragments_written() const { return fragments_written_; }
+  /// Samples that were written, as the driver counts them.
+  std::uint64_t samples_written() const { return samples_written_; }
   std::uint64_t triangles() const { return triangles_; }
 
  private:
@@ -47,6 +47,7 @@ class PictureDrawer {
   void set_view(Program& program);
   void set_depth(Program& program);
   void set_surface(Program& program, const raster::Surface<float>& surface);
+  void set_shadows(Program& program, const raster::Surface<float>& surface);
   Program& program_of(const raster::Surface<float>& surface);
   TargetShape target_shape() const;
 
@@ -58,7 +59,7 @@ class PictureDrawer {
   std::vector<unsigned> snapped_;   ///< buffers of positions that the processor rounded, of each object
   unsigned sorted_ = 0;             ///< indices of the corners, where triangles are sorted
   unsigned query_ = 0;
-  std::uint64_t fragments_written_ = 0, triangles_ = 0;
+  std::uint64_t samples_written_ = 0, triangles_ = 0;
 };
 
 }  // namespace ps::hardware

@@ -36,6 +36,7 @@ PicturePlan make_plan(const Scene& scene, const View& view, const Settings& sett
   plan.surfaces = raster::make_surfaces<float>(scene, plan.objects, settings, request.channels);
   plan.lights = shading_lights<float>(*scene.lights, settings.light_shown);
   if (plan.surfaces.textured) plan.textures = raster::mip_chains(scene, settings.texture_filter, prepared);
+  plan.maps_shadows = raster::uses_shadow_maps(settings, scene) && settings.shading == Shading::phong;
   plan.farthest = farthest_of(plan);
   plan.region = request.region;
   return plan;

@@ -12,6 +12,7 @@
 #include "raster/setup/draw_list.h"
 #include "raster/setup/projection.h"
 #include "raster/setup/surface.h"
+#include "raster/shadow/shadow_map.h"
 #include "scene/scene.h"
 
 namespace ps::hardware {
@@ -30,6 +31,8 @@ struct PicturePlan {
   raster::Surfaces<float> surfaces;
   std::vector<ShadingLight<float>> lights;
   std::shared_ptr<const std::vector<MipChain>> textures;  ///< null where none is read
+  bool maps_shadows = false;                              ///< light is looked up in shadow maps
+  std::shared_ptr<const raster::ShadowMaps> shadow_maps;  ///< drawn before the picture, where it does
   double farthest = 1;                                    ///< camera z beyond which nothing lies
   std::optional<TileRect> region;
 

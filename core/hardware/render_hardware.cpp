@@ -52,8 +52,10 @@ Frame render_hardware(const Scene& scene, const View& view, const Settings& sett
   require_room(view, *availability().driver);
   Frame frame = empty_frame<float>(view, request);
   Stages stages(frame);
-  const PicturePlan plan = make_plan(scene, view, settings, request, prepared);
+  PicturePlan plan = make_plan(scene, view, settings, request, prepared);
   stages.done("prepare");
+  plan.shadow_maps = draw_maps(plan, prepared, request.priority, progress);
+  if (plan.shadow_maps) stages.done("shadow maps");
   on_gl_thread([&](Workshop& shop) {
     shop.meshes.tidy();
     shop.textures.tidy();
@@ -65,7 +67,10 @@ Frame render_hardware(const Scene& scene, const View& view, const Settings& sett
     shop.target->read(frame);
     stages.done("read back");
     frame.counters[Counter::triangles_in] += drawer.triangles();
-    frame.counters[Counter::pixels_written] += drawer.fragments_written();
+    if (sample_count(settings) == 1)
+      frame.counters[Counter::pixels_written] += drawer.samples_written();
+    else  // a driver counts samples and not pixels
+      frame.counters.given = {Counter::triangles_in, Counter::nan_pixels};
   });
   progress.check();
   fill_rest(view, settings, frame);

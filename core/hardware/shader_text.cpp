@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::string_view desktop_head = "#version 330 core\n";
 constexpr std::string_view embedded_head =
-    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+    "precision highp sampler2DArray;\n";
 
 /// Numbers that files compare their definitions with, after the enums of options/settings.h.
 constexpr std::string_view names =

@@ -39,8 +39,13 @@ std::vector<Pixel> read_pixels(unsigned picture, const TargetShape& shape, GLenu
 }  // namespace
 
 Target::Target(const TargetShape& shape) : shape_(shape) {
-  make(drawn_, shape.samples);
-  if (shape.samples > 1) make(resolved_, 1);
+  try {
+    make(drawn_, shape.samples);
+    if (shape.samples > 1) make(resolved_, 1);
+  } catch (...) {
+    release();
+    throw;
+  }
 }
 
 void Target::make(Pictures& pictures, int samples) const {
@@ -68,7 +73,9 @@ void Target::make(Pictures& pictures, int samples) const {
     throw InputError("the graphics driver cannot draw into pictures of 32-bit floats");
 }
 
-Target::~Target() {
+Target::~Target() { release(); }
+
+void Target::release() {
   for (const Pictures* pictures : {&drawn_, &resolved_}) {
     glDeleteFramebuffers(1, &pictures->framebuffer);
     glDeleteRenderbuffers(1, &pictures->depth);

@@ -45,6 +45,7 @@ class Target {
     std::array<unsigned, most_pictures> buffers{};
   };
   void make(Pictures& pictures, int samples) const;
+  void release();
   std::size_t count() const { return shape_.channels ? most_pictures : 1; }
 
   TargetShape shape_;

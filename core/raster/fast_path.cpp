@@ -2,9 +2,9 @@
 
 #include "frame/fast_kernels.h"
 #include "raster/clear/coverage/choice.h"
-#include "raster/setup/draw_stage.h"
 #include "raster/fast/assembly.h"
 #include "raster/renderer.h"
+#include "raster/setup/draw_stage.h"
 
 namespace ps {
 namespace {

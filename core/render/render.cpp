@@ -12,12 +12,15 @@
 namespace ps {
 namespace {
 
-/// What the renderer cannot give is absent and not 0.
+/// What the renderer cannot give, or not of this picture, is absent and not 0.
 void take_counts(const RendererRow& row, Counters& counters) {
-  for (std::size_t i = 0; i < counter_count; ++i)
-    PS_ASSERT(counters.values[i] == 0 || row.counts.contains(static_cast<Counter>(i)),
-              "a renderer counts what its row declares");
-  counters.given = row.counts;
+  CounterSet given;
+  for (std::size_t i = 0; i < counter_count; ++i) {
+    const auto counter = static_cast<Counter>(i);
+    PS_ASSERT(counters.values[i] == 0 || row.counts.contains(counter), "a renderer counts what its row declares");
+    if (row.counts.contains(counter) && counters.given.contains(counter)) given.insert(counter);
+  }
+  counters.given = given;
 }
 
 }  // namespace
@@ -52,7 +55,8 @@ PixelStory inspect(const Scene& scene, const View& view, const Settings& setting
   const RendererRow& row = renderer_row(settings.renderer);
   PixelStory story = row.inspect(scene, view, settings, pixel, prepared, progress);
   take_counts(row, story.counters);
-  if (!story.listing) finish_story(story, scene, settings);  // a listing gives its own verdict and sum
+  // A listing gives its own verdict and sum, and so does a renderer that reports no steps.
+  if (!story.listing && story.verdict.empty()) finish_story(story, scene, settings);
   story.verdict += left_out_words(prepared_traits(scene, prepared), settings);
   return story;
 }

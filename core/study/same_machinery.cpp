@@ -15,12 +15,24 @@ struct Mismatch {
   std::string_view reason;
 };
 
+/// A graphics driver draws with its own code, whatever the others are held to.
+bool is_driver(const FastPath& path) { return path.machinery == Machinery::driver; }
+
+std::string_view words_of(const std::vector<FastPath>& paths) {
+  const bool driver = std::any_of(paths.begin(), paths.end(), is_driver);
+  if (std::all_of(paths.begin(), paths.end(), is_driver)) return "by the graphics driver";
+  const bool scalar =
+      std::any_of(paths.begin(), paths.end(), [](const FastPath& path) { return path.machinery == Machinery::clear; });
+  if (driver) return scalar ? "scalar code beside the graphics driver" : "SIMD code beside the graphics driver";
+  return scalar ? "all on scalar code" : "all on SIMD code";
+}
+
 std::optional<Mismatch> find_mismatch(std::span<const Settings> settings, const std::vector<FastPath>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const bool scalar = paths[i].machinery == Machinery::clear || paths[k].machinery == Machinery::clear;
       const bool renderers_differ = settings[i].renderer != settings[k].renderer;
-      if (paths[i].same_machinery(paths[k])) continue;
+      if (paths[i].same_machinery(paths[k]) || is_driver(paths[i]) || is_driver(paths[k])) continue;
       // Each renderer has fast code of its own.
       if (renderers_differ && !scalar) continue;
       const auto rank = [&](std::size_t p) {
@@ -45,7 +57,7 @@ TimedSettings on_same_machinery(std::span<const Settings> settings, std::span<co
   timed.machinery = paths.front().machinery;
   const std::optional<Mismatch> mismatch = find_mismatch(settings, paths);
   if (!mismatch) {
-    timed.reason = fmt::format("all on {}", timed.machinery == Machinery::clear ? "scalar code" : "SIMD code");
+    timed.reason = words_of(paths);
     return timed;
   }
   const bool simd_differs = std::any_of(settings.begin(), settings.end(),

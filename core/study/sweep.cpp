@@ -199,7 +199,8 @@ std::vector<std::string> standard_values(const Option& option) {
   case OptionKind::boolean:
     return {"off", "on"};
   case OptionKind::choice:
-    for (const Choice& choice : option.choices) values.emplace_back(choice.key);
+    for (const Choice& choice : option.choices)  // those that this machine has
+      if (!choice.inactive || !choice.inactive(Settings{}, SceneTraits{})) values.emplace_back(choice.key);
     return values;
   case OptionKind::integer:
   case OptionKind::real:

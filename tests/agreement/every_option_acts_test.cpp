@@ -11,6 +11,7 @@
 
 #include "hwy/targets.h"
 #include "options/option.h"
+#include "options/renderer_kind.h"
 #include "options/simd_choice.h"
 #include "support/emulated.h"
 #include "support/option_contexts.h"
@@ -92,6 +93,14 @@ std::vector<SameByDesign> same_simd() {
 std::vector<SameByDesign> same_by_design() {
   std::vector<SameByDesign> same = same_simd();
   same.push_back({"threads", {"0", "256"}, "only time differs: pictures and counts never depend on threads"});
+  if (!test::has_renderer("hardware"))
+    for (const auto& [option, first, second] :
+         {std::tuple{"vertex-snapping", "driver", "cpu"}, {"hardware-texturing", "shader", "driver"}})
+      same.push_back({option, {first, second}, "there is no OpenGL here"});
+  for (const RendererKind& kind : renderer_kinds())
+    if (!test::has_renderer(kind.key))
+      for (const RendererKind& other : renderer_kinds())
+        same.push_back({"renderer", {std::string(kind.key), std::string(other.key)}, "there is no OpenGL here"});
   same.push_back({"coverage",
                   {"edge-function", "bounding-box"},
                   "both test every sample of the box in exact integers, by edge functions or by a ray"});

@@ -43,7 +43,7 @@ forbid 'Functions of the C library whose last bits differ, in what makes picture
 namers='^core/(options/settings\.h|options/renderer\.cpp|render/renderer_table\.cpp)$'
 forbid 'One renderer by name: ask for its way of making pictures (options/renderer_kind.h) or its row' \
   '^((?!//).)*(Renderer::(ray_tracer|rasterizer|textbook)\b|\b(ray_tracer|rasterizer|textbook)_row\(|"(ray-tracer|rasterizer|textbook)"|"[^"]*renderer=(ray-tracer|rasterizer|textbook))' \
-  '^(core|chapters|app)/' "^core/(raytrace|raster|textbook)/|$namers"
+  '^(core|chapters|app)/' "^core/(raytrace|raster|textbook|hardware)/|$namers"
 forbid 'What libc++ 14 lacks, in core/ or chapters/' \
   "$(includes '(format|source_location|stop_token|syncstream|stacktrace|expected|generator)>')|std::(jthread|stop_token|source_location|format|views|ranges::views)\\b" \
   "$library"

@@ -4,6 +4,7 @@
 
 #include "base/resources.h"
 #include "frame/display_frame.h"
+#include "options/renderer_kind.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
 #include "scene/load.h"
@@ -33,49 +34,59 @@ std::vector<double> other_values(const Option& option, const Settings& settings)
 
 }  // namespace
 
+bool has_renderer(std::string_view key) {
+  for (const RendererKind& kind : renderer_kinds())
+    if (kind.key == key) return !kind.inactive || !kind.inactive(Settings{}, SceneTraits{});
+  return false;
+}
+
 const std::vector<OptionContext>& option_contexts() {
-  static const std::vector<OptionContext> all{
-      {"cgfs/reflections", {}},
-      {"cgfs/reflections", {"renderer=rasterizer"}},
-      {"cgfs/reflections", {"self-hit=epsilon"}},
-      {"cgfs/reflections", {"self-hit=epsilon", "shadow-epsilon=0.1"}},
-      {"cgfs/shading", {"renderer=rasterizer"}},
-      {"cgfs/shading", {"triangle-test=moeller-trumbore"}},
-      {"cgfs/shading", {"triangle-test=moeller-trumbore", "triangle-epsilon=1"}},
-      {"cgfs/crates", {"renderer=rasterizer"}},
-      {"cgfs/depth", {"renderer=rasterizer"}},
-      {"cgfs/depth", {"renderer=rasterizer", "subpixel-bits=12"}},
-      {"lab/depth-complexity", {}},
-      {"lab/far-origin", {}},
-      {"lab/z-fighting", {}},
-      {"lab/z-fighting", {"depth-format=unit-float"}},
-      {"cgfs/lines", {"renderer=rasterizer"}},
-      {"cgfs/wireframe", {"renderer=rasterizer"}},
-      {"cgfs/reflections", {"samples-per-pixel=4"}},
-      {"cgfs/reflections", {"samples-per-pixel=4", "adaptive-sampling=on"}},
-      {"cgfs/brick-wall", {}},
-      {"cgfs/relief", {"parallax-mapping=steep"}},
-      {"cgpp/teapot", {"renderer=rasterizer", "tessellation=20"}},
-      {"octree/attenuation", {}},
-      {"cgfs/magnifying-glass", {}},
-      {"lab/flattened", {"renderer=rasterizer"}},
-      {"cgfs/cubes", {"renderer=rasterizer", "subpixel-bits=0"}},
-      {"cgfs/reflections", {"accelerator=octree", "octree-leaf=1"}},
-      {"cgfs/shadows", {"renderer=rasterizer", "shadows=map", "shadow-map-size=64"}},
-      {"cgfs/shadows", {"renderer=rasterizer", "shadows=stencil-depth-fail", "far=7"}},
-      {"lab/stacked-shadows", {}},
-      {"lab/mirror-room", {"environment-size=32"}},
-      {"cgfs/reflections", {"renderer=textbook"}},
-      {"cgfs/shading", {"renderer=textbook"}},
-      {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
-      {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
-      {"cgfs/triangles", {"renderer=textbook"}},
-      {"cgfs/crates", {"renderer=textbook"}},
-      {"cgfs/shading", {"accelerator=octree"}},
-      {"cgfs/behind", {"renderer=rasterizer", "subpixel-bits=12", "clipping=near"}},
-      {"lab/depth-complexity", {"subpixel-bits=12"}},
-      {"lab/polygons", {}},
-  };
+  static const std::vector<OptionContext> all = [] {
+    std::vector<OptionContext> contexts{
+        {"cgfs/reflections", {}},
+        {"cgfs/reflections", {"renderer=rasterizer"}},
+        {"cgfs/reflections", {"self-hit=epsilon"}},
+        {"cgfs/reflections", {"self-hit=epsilon", "shadow-epsilon=0.1"}},
+        {"cgfs/shading", {"renderer=rasterizer"}},
+        {"cgfs/shading", {"triangle-test=moeller-trumbore"}},
+        {"cgfs/shading", {"triangle-test=moeller-trumbore", "triangle-epsilon=1"}},
+        {"cgfs/crates", {"renderer=rasterizer"}},
+        {"cgfs/depth", {"renderer=rasterizer"}},
+        {"cgfs/depth", {"renderer=rasterizer", "subpixel-bits=12"}},
+        {"lab/depth-complexity", {}},
+        {"lab/far-origin", {}},
+        {"lab/z-fighting", {}},
+        {"lab/z-fighting", {"depth-format=unit-float"}},
+        {"cgfs/lines", {"renderer=rasterizer"}},
+        {"cgfs/wireframe", {"renderer=rasterizer"}},
+        {"cgfs/reflections", {"samples-per-pixel=4"}},
+        {"cgfs/reflections", {"samples-per-pixel=4", "adaptive-sampling=on"}},
+        {"cgfs/brick-wall", {}},
+        {"cgfs/relief", {"parallax-mapping=steep"}},
+        {"cgpp/teapot", {"renderer=rasterizer", "tessellation=20"}},
+        {"octree/attenuation", {}},
+        {"cgfs/magnifying-glass", {}},
+        {"lab/flattened", {"renderer=rasterizer"}},
+        {"cgfs/cubes", {"renderer=rasterizer", "subpixel-bits=0"}},
+        {"cgfs/reflections", {"accelerator=octree", "octree-leaf=1"}},
+        {"cgfs/shadows", {"renderer=rasterizer", "shadows=map", "shadow-map-size=64"}},
+        {"cgfs/shadows", {"renderer=rasterizer", "shadows=stencil-depth-fail", "far=7"}},
+        {"lab/stacked-shadows", {}},
+        {"lab/mirror-room", {"environment-size=32"}},
+        {"cgfs/reflections", {"renderer=textbook"}},
+        {"cgfs/shading", {"renderer=textbook"}},
+        {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
+        {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
+        {"cgfs/triangles", {"renderer=textbook"}},
+        {"cgfs/crates", {"renderer=textbook"}},
+        {"cgfs/shading", {"accelerator=octree"}},
+        {"cgfs/behind", {"renderer=rasterizer", "subpixel-bits=12", "clipping=near"}},
+        {"lab/depth-complexity", {"subpixel-bits=12"}},
+        {"lab/polygons", {}},
+    };
+    if (has_renderer("hardware")) contexts.push_back({"cgfs/crates", {"renderer=hardware"}});
+    return contexts;
+  }();
   return all;
 }
 

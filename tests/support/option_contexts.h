@@ -16,6 +16,9 @@ struct OptionContext {
   std::vector<std::string> assignments;
 };
 
+/// Is there a renderer of this key that can draw here?
+bool has_renderer(std::string_view key);
+
 /// Enough of them that any two choices of an option, and the ends of its range, differ in at least one, unless they
 /// have the same result by design.
 const std::vector<OptionContext>& option_contexts();

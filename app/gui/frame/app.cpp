@@ -10,6 +10,7 @@
 
 #include "document/permalink.h"
 #include "document/permalink_file.h"
+#include "gui/base/fit.h"
 #include "gui/frame/about.h"
 #include "gui/frame/drop.h"
 #include "gui/frame/file_dialog.h"
@@ -175,6 +176,8 @@ void App::Parts::offer_values() {
   offer_unsafe_values(values(), my.unsafe);
   for (const Panel& panel : panels)
     if (panel.publish) panel.publish(values());
+  values().offer("window/cut", [] { return fit_watch().cut(); });
+  values().offer("window/overlap", [] { return fit_watch().overlap(); });
   values().offer("scenes/open", [this] { return my.scenes.open; });
   offer_drawer_values(values(), session, panels);
   values().offer("first-look/offered", [this] { return offers_first_look; });

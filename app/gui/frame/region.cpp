@@ -8,11 +8,12 @@
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
-void region_heading(Session& session, const std::string& name, const std::string& heading) {
+void region_heading(Session& session, const std::string& name, const std::string& heading, float reserved) {
   const bool filled = session.document().layout.filled == name;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const FontScope font(Face::bold);
-  ImGui::InvisibleButton("heading", {std::max(ImGui::GetContentRegionAvail().x, 1.f), ImGui::GetTextLineHeight()});
+  ImGui::InvisibleButton("heading",
+                         {std::max(ImGui::GetContentRegionAvail().x - reserved, 1.f), ImGui::GetTextLineHeight()});
   const bool hovered = ImGui::IsItemHovered();
   controls().record("region/" + name, filled ? "fills the window" : heading);
   if (hovered && ImGui::IsMouseDoubleClicked(0)) fill_window(session, filled ? "" : name);

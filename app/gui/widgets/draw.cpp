@@ -6,7 +6,14 @@
 
 #include <algorithm>
 
+#include "gui/base/fit.h"
+
 namespace ps::gui {
+namespace {
+
+constexpr float least_height = 0.8f;  // of a line: the rest is free above and below its letters
+
+}  // namespace
 
 void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colour, float align) {
   if (text.empty()) return;
@@ -17,6 +24,7 @@ void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colo
   const float room = max.x - min.x;
   const float y = std::floor((min.y + max.y - size.y) / 2);
   const float x = std::floor(min.x + std::max(0.0f, room - size.x) * align);
+  if (size.x > room + 1 || size.y * least_height > max.y - min.y + 1) fit_watch().shortened(min, max, text);
   if (size.x > room + 1)
     ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {x, y}, {max.x, max.y}, max.x, max.x, begin, end, &size);
   else

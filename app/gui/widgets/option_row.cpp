@@ -45,7 +45,6 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   const bool wrapped = option.kind == OptionKind::boolean && text_width(label) > label_width - px(6);
   if (wrapped) label = in_lines(label, label_width - px(6));
   const float row_height = stacked ? 2 * height : std::max(height, wrapped ? text_height(label) + px(4) : 0);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
 
   // The row's own area: hover, tooltip, right-click.
   ImGui::SetNextItemWidth(room);

@@ -63,6 +63,14 @@ uniform vec2 view_centre;
 #define AT_FRAGMENT(value) (value)
 #endif
 
+float camera_z() {
+#if PERSPECTIVE
+  return 1.0 / gl_FragCoord.w;
+#else
+  return carried_z.x;
+#endif
+}
+
 vec3 unit_or_zero(vec3 v) {
   float size = length(v);
   return size > 0.0 ? v / size : vec3(0.0);
@@ -135,7 +143,7 @@ void main() {
 #if AMBIENT_MAP
   tints.ambient.xyz *= READ(ambient_picture, ambient_layout, ambient_wrap, uv).colour;
 #endif
-  Lighting lighting = illuminate(AT_FRAGMENT(carried_position), normal, tints);
+  Lighting lighting = illuminate(AT_FRAGMENT(carried_position), normal, tints, camera_z());
 #elif SHADING == GOURAUD
   Lighting lighting = Lighting(AT_FRAGMENT(carried_light), AT_FRAGMENT(carried_extra));
 #elif SHADING == FLAT
@@ -146,9 +154,8 @@ void main() {
 #endif
   fragment_colour = vec4(colour, 1.0);
 #if CHANNELS
-  float z = PERSPECTIVE == 1 ? 1.0 / gl_FragCoord.w : carried_z.x;
   fragment_ids =
-      ivec4(object_number, numbered == 1 ? triangle_number : 0, floatBitsToInt(z), floatBitsToInt(level));
+      ivec4(object_number, numbered == 1 ? triangle_number : 0, floatBitsToInt(camera_z()), floatBitsToInt(level));
   vec3 ray = camera_forward;
 #if PERSPECTIVE
   vec2 p = (gl_FragCoord.xy - view_centre) / view_scale;

@@ -1,5 +1,8 @@
 // The illumination equation of CGFS ch. 3 and 4, in the order of core/shade/illumination.h, under LIGHTS lights.
 #include "power.glsl"
+#if SHADOW_MAPS
+#include "shadows.glsl"
+#endif
 
 #if LIGHTS > 0
 // Of each light: colour and intensity; position or direction, and kind; attenuation, and whether it attenuates.
@@ -56,7 +59,7 @@ float highlight_cosine(vec3 normal, vec3 to_light, vec3 to_eye) {
   return product > 0.0 ? product / (length(a) * length(b)) : 0.0;
 }
 
-void add_light(int i, vec3 position, vec3 normal, Tints tints, float visible, inout Lighting sum) {
+void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Lighting sum) {
   vec3 colour = lights[3 * i].xyz;
   int kind = int(lights[3 * i + 1].w);
   if (kind == AMBIENT_LIGHT) {
@@ -68,8 +71,12 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float visible, in
   }
   vec3 vector = lights[3 * i + 1].xyz;
   vec3 to_light = kind == POINT_LIGHT ? vector - position : vector;
+  float intensity = arriving(i, to_light);
+#if SHADOW_MAPS
+  float visible = visible_share(i, position, normal, z);
   if (!(visible > 0.0)) return;
-  float intensity = arriving(i, to_light) * visible;
+  intensity *= visible;
+#endif
   float n_dot_l = dot(normal, to_light);
   float cosine = n_dot_l / (length(normal) * length(to_light));
   if (n_dot_l > 0.0) {
@@ -95,12 +102,13 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float visible, in
 }
 #endif
 
-Lighting illuminate(vec3 position, vec3 normal, Tints tints) {
+// `z` of the point before the camera only matters for shadow maps.
+Lighting illuminate(vec3 position, vec3 normal, Tints tints, float z) {
   Lighting sum = Lighting(vec3(0.0), vec3(0.0));
 #if ONE_LIGHT
-  add_light(light_number, position, normal, tints, 1.0, sum);
+  add_light(light_number, position, normal, tints, z, sum);
 #elif LIGHTS > 0
-  for (int i = 0; i < LIGHTS; ++i) add_light(i, position, normal, tints, 1.0, sum);
+  for (int i = 0; i < LIGHTS; ++i) add_light(i, position, normal, tints, z, sum);
 #endif
   return sum;
 }

@@ -107,7 +107,7 @@ void main() {
   upwards = to_world * triangle_upwards;
 #endif
 #if SHADING == GOURAUD
-  Lighting lighting = illuminate(world, normal, Tints(specular_colour, ambient_colour));
+  Lighting lighting = illuminate(world, normal, Tints(specular_colour, ambient_colour), camera.z);
   carried_light = lighting.light * share;
   carried_extra = lighting.extra * share;
 #elif SHADING == FLAT
@@ -116,7 +116,7 @@ void main() {
 #else
   vec3 mean = own_normal;
 #endif
-  Lighting lighting = illuminate(to_world * triangle_centre + world_shift, mean, Tints(specular_colour, ambient_colour));
+  Lighting lighting = illuminate(to_world * triangle_centre + world_shift, mean, Tints(specular_colour, ambient_colour), camera.z);
   flat_light = lighting.light;
   flat_extra = lighting.extra;
 #endif

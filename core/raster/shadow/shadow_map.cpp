@@ -8,6 +8,7 @@
 #include "math/unit.h"
 #include "raster/renderer.h"
 #include "raster/setup/draw_list.h"
+#include "raster/shadow/draw_maps.h"
 
 namespace ps::raster {
 namespace {
@@ -43,24 +44,14 @@ Scene dense_part(const Scene& scene) {
   return dark;
 }
 
-Image<float> depth_from(const Scene& scene, const Camera& camera, int size, const Settings& settings,
-                        WorkerPriority priority, Progress& progress) {
-  Prepared own;  // six views would push the picture's own products out of the shared one
-  RenderRequest request;
-  request.channels = Channel::depth;
-  request.priority = priority;
-  return render_rasterized(scene, {camera, size, size}, settings, request, own, progress).depth;
-}
-
-ShadowMap point_map(const Scene& scene, const Light& light, const Settings& settings, WorkerPriority priority,
-                    Progress& progress) {
+ShadowMap point_map(const Scene& scene, const Light& light, const Settings& settings, const DrawDepth& draw_depth) {
   ShadowMap map;
   map.size = settings.shadow_map_size;
   map.cube = true;
   map.position = light.position;
   for (const CubeFace& face : cube_faces())
-    map.faces.push_back(depth_from(scene, cube_camera(face, light.position), map.size, map_settings(settings, true),
-                                   priority, progress));
+    map.faces.push_back(
+        draw_depth(scene, {cube_camera(face, light.position), map.size, map.size}, map_settings(settings, true)));
   return map;
 }
 
@@ -98,11 +89,11 @@ ShadowMap frame_around(const ShadowCasters& casters, const Light& light, int siz
 }
 
 ShadowMap directional_map(const Scene& scene, const ShadowCasters& casters, const Light& light,
-                          const Settings& settings, WorkerPriority priority, Progress& progress) {
+                          const Settings& settings, const DrawDepth& draw_depth) {
   ShadowMap map = frame_around(casters, light, settings.shadow_map_size);
   Camera camera = cube_camera(map.frame, map.position);
   camera.viewport_width = camera.viewport_height = 2 * map.half;
-  map.faces.push_back(depth_from(scene, camera, map.size, map_settings(settings, false), priority, progress));
+  map.faces.push_back(draw_depth(scene, {camera, map.size, map.size}, map_settings(settings, false)));
   return map;
 }
 
@@ -174,39 +165,52 @@ ShadowMap empty_directional_map(const Scene& scene, const Light& light, int size
   return frame_around(shadow_casters(dense_part(scene)), light, size);
 }
 
+ShadowMaps draw_shadow_maps(const Scene& scene, const Settings& settings, const DrawDepth& draw_depth) {
+  const auto casting = std::count_if(scene.lights->begin(), scene.lights->end(),
+                                     [](const Light& light) { return light.kind != LightKind::ambient; });
+  require_memory(shadow_map_bytes(*scene.lights, settings.shadow_map_size), available_memory(),
+                 fmt::format("the shadow maps of {} lights with {} x {} texels", casting, settings.shadow_map_size,
+                             settings.shadow_map_size),
+                 "set a smaller 'shadow-map-size', or have fewer lights");
+  const Scene dark = dense_part(scene);
+  const ShadowCasters casters = shadow_casters(dark);
+  ShadowMaps maps;
+  for (const Light& light : *scene.lights) {
+    switch (light.kind) {
+    case LightKind::ambient:
+      maps.emplace_back();
+      break;
+    case LightKind::point:
+      maps.push_back(point_map(dark, light, settings, draw_depth));
+      break;
+    case LightKind::directional:
+      maps.push_back(directional_map(dark, casters, light, settings, draw_depth));
+      break;
+    }
+  }
+  return maps;
+}
+
+Key shadow_maps_key(std::string_view product, const Scene& scene, const Settings& settings) {
+  return Key(product)
+      .add(scene.geometry.revision())
+      .add(scene.lights.revision())
+      .add(scene.materials.revision())
+      .add(std::uint64_t(settings.shadow_map_size))
+      .add(settings.tessellation)
+      .add(settings.patches);
+}
+
 std::shared_ptr<const ShadowMaps> shadow_maps(const Scene& scene, const Settings& settings, Prepared& prepared,
                                               WorkerPriority priority, Progress& progress) {
-  const Key key = Key("shadow-maps")
-                      .add(scene.geometry.revision())
-                      .add(scene.lights.revision())
-                      .add(scene.materials.revision())
-                      .add(std::uint64_t(settings.shadow_map_size))
-                      .add(settings.tessellation)
-                      .add(settings.patches);
-  return prepared.get<ShadowMaps>(key, [&] {
-    const auto casting = std::count_if(scene.lights->begin(), scene.lights->end(),
-                                       [](const Light& light) { return light.kind != LightKind::ambient; });
-    require_memory(shadow_map_bytes(*scene.lights, settings.shadow_map_size), available_memory(),
-                   fmt::format("the shadow maps of {} lights with {} x {} texels", casting, settings.shadow_map_size,
-                               settings.shadow_map_size),
-                   "set a smaller 'shadow-map-size', or have fewer lights");
-    const Scene dark = dense_part(scene);
-    const ShadowCasters casters = shadow_casters(dark);
-    ShadowMaps maps;
-    for (const Light& light : *scene.lights) {
-      switch (light.kind) {
-      case LightKind::ambient:
-        maps.emplace_back();
-        break;
-      case LightKind::point:
-        maps.push_back(point_map(dark, light, settings, priority, progress));
-        break;
-      case LightKind::directional:
-        maps.push_back(directional_map(dark, casters, light, settings, priority, progress));
-        break;
-      }
-    }
-    return maps;
+  return prepared.get<ShadowMaps>(shadow_maps_key("shadow-maps", scene, settings), [&] {
+    return draw_shadow_maps(scene, settings, [&](const Scene& dark, const View& view, const Settings& plain) {
+      Prepared own;  // six views would push the picture's own products out of the shared one
+      RenderRequest request;
+      request.channels = Channel::depth;
+      request.priority = priority;
+      return render_rasterized(dark, view, plain, request, own, progress).depth;
+    });
   });
 }
 

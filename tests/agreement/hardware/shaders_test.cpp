@@ -29,7 +29,7 @@ void add_definitions(const Scene& scene, const Settings& settings, std::set<std:
 /// With each value of each option by itself.
 std::set<std::string> all_definitions(Renderer hardware) {
   std::set<std::string> all;
-  for (const char* name : {"cgfs/shading", "cgfs/crates", "cgfs/fence", "cgpp/teapot", "lab/mirror-room"}) {
+  for (const char* name : {"cgfs/relief", "cgfs/fence", "cgpp/teapot"}) {
     const Scene scene = load_scene(name);
     Settings settings = settings_for(scene);
     settings.renderer = hardware;

@@ -73,7 +73,8 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
   const float size = px(22), top = row.min.y + (line - size) / 2;
-  const float choice_width = has_choice ? std::min(px(124), row.width() * 0.45f) : 0, space = px(8);
+  const float choice_width = has_choice ? std::min(px(136), row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
+              space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
 
   const auto file = side == Side::b ? session.picture_b() : nullptr;
@@ -93,9 +94,14 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
     const std::string rest = take_line(face, first, room);
     const float first_top = rest.empty() ? text_top : row.min.y;
     clipped_text(list, face, {text_left, first_top}, room, colour, first);
-    clipped_text(list, face, {text_left, first_top + px(15)}, room, colour, rest);
+    clipped_text(list, face, {text_left, first_top + px(15)}, room, colour, whole_parts(face, rest, room));
   } else {
-    clipped_text(list, Face::bold, {text_left, text_top}, row.max.x - choice_width - space - text_left, colour, text);
+    const float room = row.max.x - choice_width - space - text_left;
+    std::string shown = whole_parts(Face::bold, text, room);
+    const bool fits = width_of(Face::bold, shown) <= room;
+    if (!fits) shown = whole_parts(Face::small, text, room);
+    if (fits || width_of(Face::small, shown) <= room)  // else the badge and the tooltip alone
+      clipped_text(list, fits ? Face::bold : Face::small, {text_left, text_top}, room, colour, shown);
   }
 
   ImGui::SetCursorScreenPos(row.min);

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "gui/base/values.h"
 #include "gui/panels/studies/chart_hover.h"
 #include "gui/panels/studies/chart_invitation.h"
 #include "gui/panels/studies/pause_and_stop.h"
@@ -143,7 +144,8 @@ void run_buttons(Session& session, ChartTabState& state, const StudyFolder& fold
     return;
   }
   const std::string word = measure_word(state);
-  if (!button("measure", label, Emphasis::primary,
+  const bool fits = button_width(label) <= ImGui::GetContentRegionAvail().x;
+  if (!button("measure", fits ? label : word, Emphasis::primary,
               {.tooltip = "Renders every picture several times in the background. The time is estimated from small "
                           "pictures of all points and of the reference.",
                .disabled = state.plan.error}))
@@ -171,7 +173,7 @@ void export_menu(const Session& session, const ChartTabState& state, const Chart
 bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled) {
   const bool wide = ImGui::GetWindowWidth() >= px(690);
   const float gap = px(wide ? 10 : 3);
-  sweep_choice(state, px(wide ? 220 : 116));
+  sweep_choice(state, std::min(px(220), ImGui::GetContentRegionAvail().x));
   same_line_if_room(button_width("Setup"), px(3));
   setup_popup(session, state, host);
   keep_estimate(session, state);
@@ -275,6 +277,7 @@ void plot(Session& session, ChartTabState& state, const Area& area) {
   const bool clicked = ImGui::InvisibleButton("plot", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
                                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   controls().record("plot", fmt::format("{:.0f}x{:.0f}", area.width(), area.height()));
+  gui::values().publish("chart/plot-height", static_cast<int>(area.height()));
   const bool over = ImGui::IsItemHovered();
   const bool any = std::any_of(state.chart.points.begin(), state.chart.points.end(),
                                [](const ChartPoint& p) { return p.measured(); });

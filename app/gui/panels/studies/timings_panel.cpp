@@ -190,7 +190,7 @@ void machinery(const Results& results) {
     const FastPath& path = result->frame.path;
     std::string text = fmt::format("{}: {}", letter_of(side), machinery_label(path.machinery));
     if (!path.reason.empty()) text += fmt::format(" ({})", path.reason);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + px(table_width));
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + table_size().x);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     controls().record(fmt::format("machinery/{}", letter_of(side)), text);

@@ -1,4 +1,4 @@
-// main() of the agreement tests: as that of tests/support, with the renderers that programs add.
+// main() of the test programs that link the renderers which programs add: as that of tests/support, with them.
 #include <gtest/gtest.h>
 
 #include <filesystem>

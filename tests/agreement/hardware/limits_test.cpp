@@ -1,0 +1,80 @@
+// What a driver has no room for ends in a message that says so, and the renderer goes on.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "agreement/hardware/hardware_pair.h"
+#include "base/check.h"
+#include "hardware/gl_thread.h"
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+std::string failure_of(const Scene& scene, int width, int height, Renderer hardware) {
+  Settings settings = settings_for(scene);
+  settings.renderer = hardware;
+  try {
+    render(scene, {scene.camera, width, height}, settings);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(HardwareLimits, MoreLightsThanAUniformBlockHolds) {
+  PS_NEEDS_HARDWARE(hardware);
+  const int most = hardware::availability().driver->max_block_bytes / 48;
+  Scene scene = load_scene("cgfs/shading");
+  scene.lights.edit([&](std::vector<Light>& lights) {
+    lights.assign(static_cast<std::size_t>(most), Light{LightKind::ambient, 0.5 / most});
+  });
+  EXPECT_EQ(failure_of(scene, 40, 30, hardware), "");
+  scene.lights.edit([&](std::vector<Light>& lights) { lights.push_back(lights.front()); });
+  EXPECT_EQ(failure_of(scene, 40, 30, hardware),
+            fmt::format("{} lights: this graphics driver holds at most {} of them in a uniform block", most + 1, most));
+  EXPECT_EQ(failure_of(load_scene("cgfs/shading"), 40, 30, hardware), "");
+}
+
+TEST(HardwareLimits, ATextureLargerThanTheDriverHolds) {
+  PS_NEEDS_HARDWARE(hardware);
+  const int most = hardware::availability().driver->max_size;
+  Scene scene = load_scene("cgfs/crates");
+  scene.textures.edit([&](std::vector<Texture>& textures) {
+    for (Texture& texture : textures) texture.texels = std::make_shared<const Image<Vec3f>>(most + 1, 1, Vec3f(0.5f));
+  });
+  const std::string failure = failure_of(scene, 40, 30, hardware);
+  EXPECT_NE(failure.find(fmt::format("a texture of {} x 1 texels", most + 1)), std::string::npos) << failure;
+  EXPECT_NE(failure.find(fmt::format("this graphics driver holds at most {}", most)), std::string::npos) << failure;
+}
+
+TEST(HardwareLimits, APictureLargerThanTheDriverDraws) {
+  PS_NEEDS_HARDWARE(hardware);
+  const int most = hardware::availability().driver->max_size;
+  EXPECT_EQ(
+      failure_of(load_scene("cgfs/shading"), most + 1, 1, hardware),
+      fmt::format("a picture of {} x 1 pixels: this graphics driver draws at most {} along a side", most + 1, most));
+}
+
+/// A value that the driver lacks is inactive, and a picture of it is refused.
+TEST(HardwareLimits, ANumberOfSamplesThatTheDriverDoesNotOffer) {
+  PS_NEEDS_HARDWARE(hardware);
+  const std::vector<int>& offered = hardware::availability().driver->samples;
+  const Scene scene = load_scene("cgfs/shading");
+  for (const int samples : {2, 4, 8}) {
+    Settings settings = settings_for(scene);
+    settings.renderer = hardware;
+    settings.multisampling = samples;
+    const bool has = std::find(offered.begin(), offered.end(), samples) != offered.end();
+    EXPECT_EQ(inactive_value_reason(*find_option("multisampling"), settings, scene_traits(scene)).has_value(), !has);
+    if (has)
+      EXPECT_NO_THROW(render(scene, {scene.camera, 40, 30}, settings));
+    else
+      EXPECT_THROW(render(scene, {scene.camera, 40, 30}, settings), InputError);
+  }
+}
+
+}  // namespace
+}  // namespace ps

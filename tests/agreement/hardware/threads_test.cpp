@@ -1,0 +1,85 @@
+// The hardware renderer has one thread with a context; pictures may be asked for from any.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "agreement/hardware/hardware_pair.h"
+#include "base/check.h"
+#include "hardware/gl_thread.h"
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+
+namespace ps {
+namespace {
+
+Settings hardware_settings(const Scene& scene, Renderer hardware) {
+  Settings settings = settings_for(scene);
+  settings.renderer = hardware;
+  return settings;
+}
+
+TEST(HardwareThreads, PicturesOfSeveralThreadsAreThoseOfOne) {
+  PS_NEEDS_HARDWARE(hardware);
+  const std::vector<std::string> names{"cgfs/shading", "cgfs/crates", "cgpp/triangle", "octree/attenuation"};
+  std::vector<Scene> scenes;
+  std::vector<Frame> alone, together(names.size() * 4);
+  for (const std::string& name : names) {
+    scenes.push_back(load_scene(name));
+    alone.push_back(render(scenes.back(), {scenes.back().camera, 120, 90}, hardware_settings(scenes.back(), hardware)));
+  }
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < together.size(); ++i)
+    threads.emplace_back([&, i] {
+      const Scene& scene = scenes[i % names.size()];
+      together[i] = render(scene, {scene.camera, 120, 90}, hardware_settings(scene, hardware));
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < together.size(); ++i)
+    EXPECT_EQ(together[i].colour, alone[i % names.size()].colour) << names[i % names.size()];
+}
+
+TEST(HardwareThreads, AnErrorReachesItsCallerAndTheNextPictureIsDrawn) {
+  PS_NEEDS_HARDWARE(hardware);
+  EXPECT_THROW(hardware::on_gl_thread([](hardware::Workshop&) { throw InputError("planted"); }), InputError);
+  const Scene scene = load_scene("cgfs/crates");
+  const Frame frame = render(scene, {scene.camera, 40, 30}, hardware_settings(scene, hardware));
+  EXPECT_GT(frame.counters.get(Counter::pixels_written).value(), 100u);
+}
+
+TEST(HardwareThreads, AStopEndsThePicture) {
+  PS_NEEDS_HARDWARE(hardware);
+  const Scene scene = load_scene("cgfs/shading");
+  Prepared prepared;
+  Progress progress;
+  progress.request_stop();
+  EXPECT_THROW(render(scene, {scene.camera, 40, 30}, hardware_settings(scene, hardware), {}, prepared, progress),
+               Cancelled);
+}
+
+TEST(HardwareStory, ShowsTheColourOfThePicture) {
+  PS_NEEDS_HARDWARE(hardware);
+  const Scene scene = load_scene("cgfs/crates");
+  const View view{scene.camera, 120, 90};
+  const Settings settings = hardware_settings(scene, hardware);
+  Prepared prepared;
+  Progress progress;
+  RenderRequest request;
+  request.channels = Channel::ids;
+  const Frame frame = render(scene, view, settings);
+  const Frame with_ids = render(scene, view, settings, request, prepared, progress);
+  EXPECT_EQ(frame.colour, with_ids.colour) << "channels must not change a bit of the picture";
+  for (int y = 5; y < view.height; y += 20)
+    for (int x = 5; x < view.width; x += 20) {
+      const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
+      EXPECT_EQ(Vec3f(story.linear), frame.colour.at(x, y)) << x << " " << y;
+      const bool seen = story.verdict.find("is seen at z = ") != std::string::npos;
+      EXPECT_EQ(seen, with_ids.ids.at(x, y).object >= 0) << story.verdict;
+      ASSERT_EQ(story.ledger.size(), 1u);
+      EXPECT_EQ(story.ledger.front().value, story.linear);
+    }
+}
+
+}  // namespace
+}  // namespace ps
