@@ -63,7 +63,9 @@ std::string short_text(const UnsafeSetting& unsafe, float room) {
   const std::string text =
       fmt::format("{} wrong: {}", percent(unsafe.bad_percent), option ? option->label : unsafe.option);
   const std::string longer = fmt::format("{} = {}", text, unsafe.value);
-  return text_width(longer) <= room ? longer : text;
+  if (text_width(longer) <= room) return longer;
+  const FontScope small(Face::small);
+  return text_width(text) <= room ? text : percent(unsafe.bad_percent) + " wrong";
 }
 
 void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {
