@@ -36,8 +36,9 @@ Area draw_axes(ImDrawList& list, const ChartTabState& state, const Area& area) {
             axes.error_title + (up ? ", higher is better" : ", lower is better"), palette().text_quiet, 0);
   draw_text({inner.min.x, inner.max.y + px(6)}, area.max, axes.cost_title, palette().text_quiet, 0.5f);
   const float best = up ? inner.min.y + px(8) : inner.max.y - line - px(8);
-  draw_text({inner.min.x + px(8), best}, {inner.max.x, best + line}, "the best corner: little error in little time",
-            palette().text_quiet, 0);
+  constexpr std::string_view corner = "the best corner: little error in little time";
+  if (text_width(corner) + px(16) <= inner.width())
+    draw_text({inner.min.x + px(8), best}, {inner.max.x, best + line}, corner, palette().text_quiet, 0);
   return inner;
 }
 
