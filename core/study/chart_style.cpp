@@ -59,11 +59,11 @@ Rgb8 mark_colour(const Settings& settings) {
   const bool twice = settings.precision == Precision::float64;
   switch (picture_way(settings.renderer)) {
   case PictureWay::rays:
-    return twice ? Rgb8{86, 180, 233} : Rgb8{0, 114, 178};
+    return twice ? Rgb8{140, 140, 170} : Rgb8{120, 100, 195};
   case PictureWay::fragments:
-    return twice ? Rgb8{230, 159, 0} : Rgb8{213, 94, 0};
+    return twice ? Rgb8{160, 145, 85} : Rgb8{130, 115, 20};
   case PictureWay::listing:
-    return {0, 158, 115};
+    return {60, 135, 145};
   }
   return {};
 }

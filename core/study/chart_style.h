@@ -28,8 +28,8 @@ std::vector<const ChartPoint*> front_by_cost(const Chart& chart);
 /// was damaged.
 std::string chart_provenance(const Chart& chart);
 
-/// Colours of Okabe and Ito, distinct for colour-blind eyes as well: one for each renderer and precision. Shape
-/// (round for rays, square for fragments) says the renderer again.
+/// One for each renderer and precision: violet against ochre, so that colour-blind eyes tell them apart as well, and
+/// none of the colours of A and B. Shape (round for rays, square for fragments) says the renderer again.
 Rgb8 mark_colour(const Settings& settings);
 std::string hex_colour(Rgb8 colour);
 

@@ -21,8 +21,8 @@ bool is_driver(const FastPath& path) { return path.machinery == Machinery::drive
 std::string_view words_of(const std::vector<FastPath>& paths) {
   const bool driver = std::any_of(paths.begin(), paths.end(), is_driver);
   if (std::all_of(paths.begin(), paths.end(), is_driver)) return "by the graphics driver";
-  const bool scalar = std::any_of(paths.begin(), paths.end(),
-                                  [](const FastPath& path) { return path.machinery == Machinery::clear; });
+  const bool scalar =
+      std::any_of(paths.begin(), paths.end(), [](const FastPath& path) { return path.machinery == Machinery::clear; });
   if (driver) return scalar ? "scalar code beside the graphics driver" : "SIMD code beside the graphics driver";
   return scalar ? "all on scalar code" : "all on SIMD code";
 }

@@ -2,13 +2,20 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "base/resources.h"
 #include "gui/program.h"
-#include "gui/theme/theme.h"
+#include "gui/theme/contrast.h"
 #include "options/option.h"
+#include "study/chart_style.h"
 
 namespace {
 
@@ -21,16 +28,78 @@ TEST(Theme, ContrastMatchesTheDefinition) {
   EXPECT_NEAR(contrast({grey, grey, grey, 1}, {1, 1, 1, 1}), 4.54, 0.01);
 }
 
-TEST(Theme, TextReachesSevenToOne) {
+TEST(Theme, TextReachesSevenToOneAndMarksThreeToOne) {
   for (const Brightness brightness : {Brightness::light, Brightness::dark}) {
-    const Palette p = make_palette(brightness);
-    for (const ImVec4& ground : {p.window, p.panel, p.field})
-      for (const ImVec4& text : {p.text, p.text_quiet, p.a_text, p.b_text, p.right_text, p.wrong_text})
-        EXPECT_GE(contrast(text, ground), 7) << text.x << ' ' << text.y << ' ' << text.z;
-    for (const ImVec4& ground : {p.field_hover, p.field_active, p.selection}) EXPECT_GE(contrast(p.text, ground), 7);
-    for (const ImVec4& ground : {p.a_text, p.b_text, p.right_text, p.wrong_text})
-      EXPECT_GE(contrast(p.on_accent, ground), 7);
+    const std::vector<std::string> faults = contrast_faults(make_palette(brightness));
+    EXPECT_TRUE(faults.empty()) << (brightness == Brightness::dark ? "dark: " : "light: ") << faults.size()
+                                << " such as " << faults.front();
   }
+}
+
+/// The check sees a text, a mark and a ground that are too pale.
+TEST(Theme, AColourThatStandsOutTooLittleIsFound) {
+  const auto found = [](const Palette& palette, const std::string& pair) {
+    const std::vector<std::string> faults = contrast_faults(palette);
+    return std::any_of(faults.begin(), faults.end(), [&](const std::string& fault) { return fault.starts_with(pair); });
+  };
+  for (const Brightness brightness : {Brightness::light, Brightness::dark}) {
+    const Palette good = make_palette(brightness);
+    Palette planted = good;
+    planted.text_disabled = {0x75 / 255.f, 0x76 / 255.f, 0x73 / 255.f, 1};
+    EXPECT_TRUE(found(planted, "text_disabled on panel"));
+    EXPECT_TRUE(found(planted, "ImGui's TextDisabled on PopupBg"));
+    EXPECT_FALSE(found(planted, "text on panel"));
+    planted = good;
+    planted.b = planted.panel;
+    EXPECT_TRUE(found(planted, "b on panel: 1.00, needs 3"));
+    planted = good;
+    planted.selection = {0.5f, 0.5f, 0.5f, 1};
+    EXPECT_TRUE(found(planted, "text on selection"));
+    EXPECT_TRUE(found(planted, "ImGui's Text on Header"));
+  }
+}
+
+TEST(Theme, TypeHasFourSizes) {
+  std::set<double> sizes;
+  for (int face = 0; face < face_count; ++face) sizes.insert(type_size(static_cast<Face>(face)));
+  EXPECT_EQ(sizes, (std::set<double>{13, 17, 22, 24}));
+}
+
+TEST(Theme, PaddingsLieOnAGridOfEight) {
+  const ImGuiStyle style = sizes_at_scale_1();
+  const auto half_steps = [](float length) { return length / 4 == std::floor(length / 4); };
+  for (const ImVec2& padding :
+       {style.WindowPadding, style.FramePadding, style.ItemSpacing, style.ItemInnerSpacing, style.CellPadding}) {
+    EXPECT_TRUE(half_steps(padding.x) && padding.x >= 8) << padding.x;
+    EXPECT_TRUE(half_steps(padding.y)) << padding.y;
+  }
+  EXPECT_TRUE(half_steps(style.IndentSpacing));
+}
+
+/// What is no picture's has no picture's colour: sources name the two by the palette, and only beside a side.
+TEST(Theme, ColoursOfAAndBAreUsedForThemAlone) {
+  const std::vector<std::string> numbers{"0072B2", "D55E00", "0, 114, 178", "213, 94, 0"};
+  int uses = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator("app/gui")) {
+    if (!entry.is_regular_file() || entry.path().string().find("app/gui/theme") != std::string::npos) continue;
+    const std::string text = ps::test::read_file(entry.path());
+    for (const std::string& number : numbers) EXPECT_EQ(text.find(number), std::string::npos) << entry.path();
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      for (const std::string colour : {"palette().a", "palette().b", "p.a", "p.b"}) {
+        const auto at = line.find(colour);
+        if (at == std::string::npos || (at > 0 && (std::isalnum(line[at - 1]) || line[at - 1] == '_'))) continue;
+        const char after = at + colour.size() < line.size() ? line[at + colour.size()] : ' ';
+        if (std::isalnum(after) || after == '_' || line.find("std::abs(") != std::string::npos ||
+            line.find("Bgra8") != std::string::npos)
+          continue;
+        ++uses;
+        const bool of_a_side = line.find("Side::a") != std::string::npos || line.find("shown.") != std::string::npos;
+        EXPECT_TRUE(of_a_side) << entry.path() << ": " << line;
+      }
+    }
+  }
+  EXPECT_GT(uses, 3);
 }
 
 TEST(Theme, AccentsAreOkabeAndIto) {
@@ -40,6 +109,29 @@ TEST(Theme, AccentsAreOkabeAndIto) {
   EXPECT_EQ(colour_u32(p.right), IM_COL32(0, 158, 115, 255));
   EXPECT_EQ(colour_u32(p.wrong), IM_COL32(204, 121, 167, 255));
   EXPECT_EQ(colour_u32(p.attention), IM_COL32(240, 228, 66, 255));
+}
+
+/// Charts mark points by renderer and precision, in colours of their own that stand out on both grounds.
+TEST(Theme, ChartMarksAreNeitherAsNorBs) {
+  const auto colour_of = [](ps::Rgb8 c) {
+    return ImVec4{static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255, static_cast<float>(c.b) / 255, 1};
+  };
+  std::set<std::string> seen;
+  for (const Brightness brightness : {Brightness::light, Brightness::dark}) {
+    const Palette p = make_palette(brightness);
+    for (std::size_t renderer = 0; renderer < ps::renderer_kinds().size(); ++renderer)
+      for (const ps::Precision precision : {ps::Precision::float32, ps::Precision::float64}) {
+        ps::Settings settings;
+        settings.renderer = static_cast<ps::Renderer>(renderer);
+        settings.precision = precision;
+        const ps::Rgb8 colour = ps::mark_colour(settings);
+        seen.insert(ps::hex_colour(colour));
+        EXPECT_GE(contrast(colour_of(colour), p.field), mark_contrast) << ps::hex_colour(colour);
+        EXPECT_NE(colour_u32(colour_of(colour)), colour_u32(p.a));
+        EXPECT_NE(colour_u32(colour_of(colour)), colour_u32(p.b));
+      }
+  }
+  EXPECT_GE(seen.size(), 5u);
 }
 
 class Glyphs : public testing::Test {

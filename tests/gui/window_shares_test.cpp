@@ -42,10 +42,34 @@ class WindowShares : public testing::TestWithParam<Screen> {};
 TEST_P(WindowShares, LessonsKeepTheirPicturesLarge) {
   const auto& [size, type] = GetParam();
   const auto shares =
-      printed("wait idle\nprint window/pictures-share\nkey PageDown\nwait idle\nprint window/pictures-share\n",
+      printed("wait idle\nprint window/pictures-share\nkey Shift+PageDown\nwait idle\nprint window/pictures-share\n",
               "gui-share-lesson", size, "--scale " + type + " --lesson cgfs_04_shadows_and_reflections");
   ASSERT_EQ(shares.size(), 2u);
   for (const double share : shares) EXPECT_GE(share, lesson_share) << size << ", type " << type;
+}
+
+TEST(LessonText, HasLinesOfReadableLength) {
+  for (const std::string size : {"1366x768", "1920x1080"}) {
+    const auto length =
+        printed("wait idle\nprint lesson/line-length\nkey Shift+PageDown\nwait idle\nprint lesson/line-length\n",
+                "gui-line-length", size, "--lesson cgfs_04_shadows_and_reflections");
+    ASSERT_EQ(length.size(), 2u);
+    for (const double characters : length) {
+      EXPECT_GE(characters, 58) << size;
+      EXPECT_LE(characters, 66) << size;
+    }
+  }
+}
+
+TEST(LessonText, LeavesAToolBesideThePictureItsRoom) {
+  const auto numbers =
+      printed("wait idle\nchoose stage listing\nwait idle\nprint window/pictures-share\nprint listing/lines\n"
+              "choose stage chart\nwait idle\nprint chart/plot-height\n",
+              "gui-beside", "1366x768", "--lesson cgfs_04_shadows_and_reflections");
+  ASSERT_EQ(numbers.size(), 3u);
+  EXPECT_GE(numbers[0], 22);
+  EXPECT_GE(numbers[1], 24);
+  EXPECT_GE(numbers[2], 300);
 }
 
 TEST_P(WindowShares, ExploringKeepsThePicturesLarge) {

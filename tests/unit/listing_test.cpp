@@ -7,6 +7,7 @@
 #include "frame/display_frame.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
+#include "render/left_out.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "support/run_cli.h"
@@ -49,6 +50,7 @@ TEST(Listing, EachChapterSuitsItsScene) {
                                                         {"cgfs/reflections", "cgfs_04_shadows_and_reflections"},
                                                         {"cgfs/lines", "cgfs_06_lines"},
                                                         {"cgfs/triangles", "cgfs_07_filled_triangles"},
+                                                        {"cgfs/shaded-triangle", "cgfs_08_shaded_triangles"},
                                                         {"cgfs/wireframe", "cgfs_10_scenes"},
                                                         {"cgfs/cubes", "cgfs_12_hidden_surfaces"},
                                                         {"cgfs/shading", "cgfs_13_shading"},
@@ -57,6 +59,46 @@ TEST(Listing, EachChapterSuitsItsScene) {
     const Scene scene = load_scene(name);
     EXPECT_EQ(listing_of(textbook(scene), scene_traits(scene)).folder, folder) << name;
   }
+}
+
+/// The colour at a place is the base colour times h, by the weights of the place in the triangle: to one level, since
+/// the routine rounds the ends of a row to whole pixels.
+TEST(Listing, ShadedTriangleInterpolatesTheIntensities) {
+  const Scene scene = load_scene("cgfs/shaded-triangle");
+  const Frame frame = render(scene, {scene.camera, 600, 600}, textbook(scene));
+  const Vec2d a{-200, -250}, b{200, 50}, c{20, 250};
+  const auto area = [](const Vec2d& p, const Vec2d& q, const Vec2d& r) {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  };
+  int inside = 0;
+  for (int y = -250; y <= 250; y += 7)
+    for (int x = -200; x <= 200; x += 7) {
+      const Vec2d p(x, y);
+      const double wa = area(b, c, p) / area(a, b, c), wb = area(c, a, p) / area(a, b, c), wc = 1 - wa - wb;
+      if (wa < 0.02 || wb < 0.02 || wc < 0.02) continue;
+      ++inside;
+      const Vec3d colour = frame.colour_double.at(300 + x, 299 - y);
+      EXPECT_NEAR(colour.y, 0.3 * wa + 0.1 * wb + 1.0 * wc, 1.0 / 255) << x << "," << y;
+      EXPECT_EQ(colour.x, 0);
+    }
+  EXPECT_GT(inside, 1000);
+}
+
+/// The routine of chapter 7 shows neither intensities nor gradients, and this is said.
+TEST(Listing, SaysThatIntensitiesAreLeftOut) {
+  const auto left_out_by = [](const char* listing, const Scene& scene) {
+    Settings settings = textbook(scene);
+    parse_assignment(listing, settings);
+    std::string all;
+    for (const LeftOut& one : left_out(scene_traits(scene), settings)) all += one.brief + ";";
+    return all;
+  };
+  const Scene shaded = load_scene("cgfs/shaded-triangle");
+  EXPECT_NE(left_out_by("listing=cgfs-07-filled-triangles", shaded).find("intensities"), std::string::npos);
+  EXPECT_EQ(left_out_by("listing=cgfs-08-shaded-triangles", shaded), "");
+  const Scene colours = load_scene("chapters/cgfs_08_shaded_triangles/colours.scene");
+  EXPECT_NE(left_out_by("listing=cgfs-08-shaded-triangles", colours).find("gradients"), std::string::npos);
+  EXPECT_EQ(left_out_by("listing=cgfs-07-filled-triangles", load_scene("cgfs/triangles")), "");
 }
 
 TEST(Listing, TextLeavesTheWatchesOut) {
@@ -75,7 +117,7 @@ TEST(Listing, TextLeavesTheWatchesOut) {
 /// Every listing shows some code, and every value that it has for its scene's start pixel stands beside a line of it.
 TEST(Listing, EveryValueHasALine) {
   for (const char* name : {"cgfs/spheres", "cgfs/lights", "cgfs/reflections", "cgfs/lines", "cgfs/triangles",
-                           "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
+                           "cgfs/shaded-triangle", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
     const Scene scene = load_scene(name);
     const ListingTrace traced = trace(scene, textbook(scene), scene.start_pixel);
     const ListingText text = load_listing_text(traced.listing.folder);
@@ -92,8 +134,8 @@ TEST(Listing, EveryValueHasALine) {
 
 /// The values are those of the picture: a traced pixel is the one that `render` stores, for every pixel tried.
 TEST(Listing, TraceGivesTheColourOfThePicture) {
-  for (const char* name :
-       {"cgfs/reflections", "cgfs/lines", "cgfs/triangles", "cgfs/mixing", "cgfs/wireframe", "cgfs/crates"}) {
+  for (const char* name : {"cgfs/reflections", "cgfs/lines", "cgfs/triangles", "cgfs/shaded-triangle", "cgfs/mixing",
+                           "cgfs/wireframe", "cgfs/crates"}) {
     const Scene scene = load_scene(name);
     const Settings settings = textbook(scene);
     const View view{scene.camera, 120, 100};

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "gui/base/fit.h"
+
 namespace ps::gui {
 namespace {
 
@@ -42,6 +44,7 @@ void ControlRecords::record(std::string_view name, ImVec2 min, ImVec2 max, std::
   const ImRect& clip = table ? table->InnerClipRect : ImGui::GetCurrentWindow()->ClipRect;
   const bool dead = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
   records_[full] = {min, max, clip.Min, clip.Max, enabled && !dead, std::move(value), ImGui::GetFrameCount()};
+  fit_watch().placed(full, min, max, clip.Min, clip.Max);
   if (!reveals(full)) return;
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   if (!visible(records_[full])) ImGui::ScrollToBringRectIntoView(window, {min, max});

@@ -25,7 +25,7 @@ void About::draw() {
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(px(560), display.x - px(40)), 0});
   ImGui::SetNextWindowFocus();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(18)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(16)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
@@ -33,7 +33,7 @@ void About::draw() {
   {
     const NameScope scope("about");
     {
-      const FontScope title(Face::title);
+      const FontScope title(Face::heading);
       ImGui::TextUnformatted("Pixelscope");
     }
     ImGui::TextUnformatted("A microscope for pixels: one scene, two ways to draw it.");

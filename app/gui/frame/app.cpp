@@ -10,6 +10,7 @@
 
 #include "document/permalink.h"
 #include "document/permalink_file.h"
+#include "gui/base/fit.h"
 #include "gui/frame/about.h"
 #include "gui/frame/drop.h"
 #include "gui/frame/file_dialog.h"
@@ -175,6 +176,8 @@ void App::Parts::offer_values() {
   offer_unsafe_values(values(), my.unsafe);
   for (const Panel& panel : panels)
     if (panel.publish) panel.publish(values());
+  values().offer("window/cut", [] { return fit_watch().cut(); });
+  values().offer("window/overlap", [] { return fit_watch().overlap(); });
   values().offer("scenes/open", [this] { return my.scenes.open; });
   offer_drawer_values(values(), session, panels);
   values().offer("first-look/offered", [this] { return offers_first_look; });
@@ -256,8 +259,8 @@ void App::Parts::keep_what_is_open() {
 }
 
 void App::Parts::draw_status(ImVec2 window, float height) {
-  ImGui::SetCursorScreenPos({px(12), window.y - height + px(3)});
-  ImGui::BeginChild("status", {window.x - px(24), height - px(3)}, false, fixed_window);
+  ImGui::SetCursorScreenPos({px(8), window.y - height + px(1)});
+  ImGui::BeginChild("status", {window.x - px(16), height - px(1)}, false, fixed_window);
   const std::string study = status();
   gui::status_bar(session, my.pictures, status_bar,
                   study.empty() ? "Click a pixel to see how it got its colour.   ? shows all keys." : study);
@@ -276,7 +279,7 @@ void App::Parts::draw() {
   ImGui::Begin("pixelscope", nullptr, fixed_window | (presents ? ImGuiWindowFlags_None : ImGuiWindowFlags_MenuBar));
   ImGui::PopStyleVar(3);
   if (!presents) menu_bar.draw();
-  const float top = ImGui::GetCursorScreenPos().y, status_height = presents ? 0 : ImGui::GetFrameHeight() + px(6);
+  const float top = ImGui::GetCursorScreenPos().y, status_height = presents ? 0 : ImGui::GetFrameHeight() + px(2);
   regions.draw({{0, top}, {size.x, size.y - status_height - status_bar.bars_height}}, offers_first_look);
   // Who begins a lesson in another way has passed the offer by.
   if (regions.first_look_answered() || (offers_first_look && !session.document().lesson.empty())) {

@@ -11,7 +11,9 @@ constexpr float least_text = 400;      // at scale 1; below it one picture takes
 constexpr float narrowest_text = 290;  // at scale 1
 constexpr float least_stage = 4.2f;    // headlines; a lower stage would show no line of its tool
 constexpr double spare = 0.001;        // of the window: what rounding may take of the pictures' share
-constexpr float beside_text = 0.315f, beside_stage = 0.32f;  // of the width, where a tool stands beside one picture
+// Of the width, where a tool stands beside one picture; where there is little, the tool needs more of it.
+constexpr float beside_text = 0.315f, beside_stage = 0.32f, little_text = 0.29f, little_stage = 0.42f;
+constexpr float little_width = 900;  // at scale 1
 
 struct Size {
   float width = 0, height = 0;
@@ -46,8 +48,10 @@ namespace {
 LessonPlan plan_beside(const PlanInput& in) {
   const Area& area = in.area;
   const float between = grip * in.scale;
-  const float text_end = std::round(area.min.x + std::min(in.text_width, area.width() * beside_text));
-  const float stage_begin = std::round(area.max.x - area.width() * beside_stage);
+  const bool little = area.width() < little_width * in.scale;
+  const float text = area.width() * (little ? little_text : beside_text);
+  const float text_end = std::round(area.min.x + std::min(in.text_width, text));
+  const float stage_begin = std::round(area.max.x - area.width() * (little ? little_stage : beside_stage));
   return {.text = {area.min, {text_end, area.max.y}},
           .pictures = {{text_end, area.min.y}, {stage_begin - between, area.max.y}},
           .stage = {{stage_begin, area.min.y}, area.max}};

@@ -8,11 +8,12 @@
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
-void region_heading(Session& session, const std::string& name, const std::string& heading) {
+void region_heading(Session& session, const std::string& name, const std::string& heading, float reserved) {
   const bool filled = session.document().layout.filled == name;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const FontScope font(Face::bold);
-  ImGui::InvisibleButton("heading", {std::max(ImGui::GetContentRegionAvail().x, 1.f), ImGui::GetTextLineHeight()});
+  ImGui::InvisibleButton("heading",
+                         {std::max(ImGui::GetContentRegionAvail().x - reserved, 1.f), ImGui::GetTextLineHeight()});
   const bool hovered = ImGui::IsItemHovered();
   controls().record("region/" + name, filled ? "fills the window" : heading);
   if (hovered && ImGui::IsMouseDoubleClicked(0)) fill_window(session, filled ? "" : name);
@@ -24,7 +25,7 @@ void region_heading(Session& session, const std::string& name, const std::string
 void begin_region(Session& session, const std::string& name, const Area& area, const std::string& heading,
                   RegionPadding padding) {
   ImGui::SetCursorScreenPos(area.min);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(12), padding == RegionPadding::tight ? px(1) : px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), padding == RegionPadding::tight ? 0 : px(8)});
   ImGui::BeginChild(name.c_str(), {area.width(), area.height()}, false,
                     ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                         ImGuiWindowFlags_NoScrollWithMouse);

@@ -15,6 +15,7 @@ void begin_region(Session& session, const std::string& name, const Area& area, c
                   RegionPadding padding = RegionPadding::normal);
 
 /// The heading alone, for a region that was begun without one: what lies over it is drawn before it.
-void region_heading(Session& session, const std::string& name, const std::string& heading);
+/// `reserved`: so much at its right end is left to something else, window pixels.
+void region_heading(Session& session, const std::string& name, const std::string& heading, float reserved = 0);
 
 }  // namespace ps::gui

@@ -13,6 +13,8 @@
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/redraw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/tab_row.h"
 #include "gui/widgets/widgets.h"
 
@@ -20,11 +22,11 @@ namespace ps::gui {
 namespace {
 
 /// One line: the title that opens it.
-float folded_height() { return ImGui::GetFrameHeight() + px(6); }
+float folded_height() { return ImGui::GetFrameHeight() + px(4); }
 
 // Below it the list of options would have no line of its own.
 constexpr double least_options_height = 280;
-constexpr double question_height = 270;          // of a lesson's question with its answers, at scale 1
+constexpr float most_of_question = 0.6f;         // of the height of the text's column
 constexpr std::string_view story_key = "story";  // of the stage, for the panel on the right
 
 // The lesson's text ends so far from its region's right end, which lies between it and the pictures.
@@ -40,15 +42,6 @@ float reading_width() {
 float captions_height(PictureCaptions captions) {
   const PictureMargins margins = picture_margins(px(600), captions);
   return margins.title + margins.footer;
-}
-
-/// As much of a text as fits, with "…" for the rest.
-std::string shortened_to(const std::string& text, float width) {
-  if (text_width(text) <= width) return text;
-  std::string part = text;
-  while (!part.empty() && text_width(part + "…") > width)
-    part.resize(part.find_last_of(' ') == std::string::npos ? 0 : part.find_last_of(' '));
-  return part + "…";
 }
 
 bool divider(const char* name, SplitterAxis axis, ImVec2 at, float length, float& position, float low, float high) {
@@ -119,6 +112,19 @@ const Panel& Regions::staged() const {
   return panel(stage.empty() || stage == pictures_stage ? "right" : stage);
 }
 
+/// As high as it was when it was drawn last; what is higher than its place can be scrolled.
+void Regions::question(const Area& area) {
+  begin_region(session_, "question", area);
+  ImGui::BeginChild("scroll");
+  const float top = ImGui::GetCursorPosY();
+  predict_panel(session_, my_.predict);
+  const float height = ImGui::GetCursorPosY() - top + px(20);
+  if (std::abs(height - question_height_) > 1) redraw_after(0);
+  question_height_ = height;
+  ImGui::EndChild();
+  ImGui::EndChild();
+}
+
 void Regions::lesson_text(const Area& area) {
   const Lesson* lesson = my_.lessons.open(session_);
   if (!lesson) {
@@ -129,10 +135,8 @@ void Regions::lesson_text(const Area& area) {
   }
   Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
   if (session_.pixel() && prediction_pending(session_, my_.predict)) {  // the step asks before it shows
-    text.max.y = std::round(area.max.y - std::min(px(question_height), area.height() / 2));
-    begin_region(session_, "question", {{area.min.x, text.max.y}, area.max});
-    predict_panel(session_, my_.predict);
-    ImGui::EndChild();
+    text.max.y = std::round(area.max.y - std::min(question_height_, area.height() * most_of_question));
+    question({{area.min.x, text.max.y}, {text.max.x, area.max.y}});
   }
   begin_region(session_, "lesson", text, lesson->title);
   panel("lesson").draw({.filled = session_.document().layout.filled == "lesson"});
@@ -155,6 +159,15 @@ void Regions::lesson(const Area& area) {
   pictures(plan.pictures, stage_place() == StagePlace::beside ? 1 : lesson_share, captions);
 }
 
+/// What has less height than it needs can be scrolled. Answers whether the tool asks for the whole window, or no
+/// longer.
+bool Regions::tool(const Panel& panel, bool filled) {
+  ImGui::BeginChild("tool");
+  const bool asks = panel.draw({.filled = filled});
+  ImGui::EndChild();
+  return asks;
+}
+
 /// The tool that the step is about; another one can be chosen.
 void Regions::stage(const Area& area, bool folded) {
   begin_region(session_, "stage", area, {}, folded ? RegionPadding::tight : RegionPadding::normal);
@@ -174,8 +187,8 @@ void Regions::stage(const Area& area, bool folded) {
     ImGui::SameLine(0, px(12));
     const float room = ImGui::GetContentRegionAvail().x;
     if (story && !prediction_pending(session_, my_.predict))
-      value_text("stage/verdict", shortened_to(story->verdict, room));
-  } else if (staged().draw({})) {
+      value_text("stage/verdict", whole_words(story->verdict, room));
+  } else if (tool(staged(), false)) {
     session_.navigate([&](Document& document) {
       document.layout.filled = "bottom";
       document.layout.bottom_tab = staged().name;
@@ -206,8 +219,9 @@ void Regions::explore(const Area& area) {
                                    right_begin, width * 0.5f, width - least))
     session_.navigate([&](Document& document) { document.layout.right = 1 - right_begin / width; });
   const float most_bottom = std::max(height - grip - folded, height * 0.3f);
-  if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip, at.y + bottom},
-              right_begin - left_end - grip, bottom, height * 0.3f, most_bottom)) {
+  const float corner = px(3);  // belongs to the dividers that stand
+  if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip + corner, at.y + bottom},
+              right_begin - left_end - grip - 2 * corner, bottom, height * 0.3f, most_bottom)) {
     const bool shut = bottom >= most_bottom - 1;
     session_.navigate([&](Document& document) { document.layout.bottom = shut ? 0 : 1 - (bottom + grip) / height; });
   }
@@ -250,7 +264,7 @@ void Regions::study(const Area& area) {
     show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
   }
   if (tab_row("bottom", tabs, brief, tab)) show_panel(session_, tabs[static_cast<std::size_t>(tab)].key);
-  if (panel(session_.document().layout.bottom_tab).draw({})) fill_window(session_, "bottom");
+  if (tool(panel(session_.document().layout.bottom_tab), false)) fill_window(session_, "bottom");
   ImGui::EndChild();
   pictures({{area.max.x - width, area.min.y}, area.max}, 0, PictureCaptions::full);
 }
@@ -307,7 +321,7 @@ void Regions::right(const Area& area, bool open) {
       show(false);
     ImGui::SetCursorScreenPos(at);
   }
-  region_heading(session_, "right", std::string(panel("right").heading));
+  region_heading(session_, "right", std::string(panel("right").heading), filled ? 0 : button_width("›") + px(2));
   panel("right").draw({.filled = filled});
   ImGui::EndChild();
 }
@@ -318,8 +332,7 @@ void Regions::drawer(const Area& area) {
   drawer_tabs(session_, panels_, my_.drawer);
   if (open) {
     const bool filled = session_.document().layout.filled == "bottom";
-    if (panel(session_.document().layout.bottom_tab).draw({.filled = filled}))
-      fill_window(session_, filled ? "" : "bottom");
+    if (tool(panel(session_.document().layout.bottom_tab), filled)) fill_window(session_, filled ? "" : "bottom");
   }
   ImGui::EndChild();
 }

@@ -31,7 +31,9 @@ class Regions {
   void left(const Area& area);
   void right(const Area& area, bool open);
   void drawer(const Area& area);
+  bool tool(const Panel& panel, bool filled);
   void stage(const Area& area, bool folded);
+  void question(const Area& area);
   void lesson_text(const Area& area);
   void pictures(const Area& area, double least_share, PictureCaptions captions);
   Area first_look(const Area& area);
@@ -46,6 +48,7 @@ class Regions {
   Session& session_;
   PanelStates& my_;
   const std::vector<Panel>& panels_;
+  float question_height_ = 270;  ///< of a lesson's question with its answers, window pixels
   bool offers_first_look_ = false, answered_ = false;
   float lesson_share_ = 0.6f;  ///< of the left region's height, while a lesson is open
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gui/widgets/redraw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 #include "math/conventions.h"
 #include "options/renderer_kind.h"
@@ -84,7 +85,7 @@ std::string whole_parts(std::string text, float room) {
     if (last == std::string::npos) break;
     text.resize(last);
   }
-  return text;
+  return whole_words(text, room);
 }
 
 }  // namespace

@@ -87,14 +87,14 @@ void HelpSheet::draw(const Actions& actions) {
   ImGui::SetNextWindowPos({(display.x - size.x) / 2, (display.y - size.y) / 2});
   ImGui::SetNextWindowSize(size);
   ImGui::SetNextWindowFocus();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(18)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(16)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
   ImGui::Begin("##help", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
   {
     const NameScope names("help");
-    const FontScope title(Face::title);
+    const FontScope title(Face::heading);
     ImGui::TextUnformatted("Keys");
     const FontScope body(Face::body);
     ImGui::SameLine(size.x - px(24) - px(84));

@@ -18,13 +18,12 @@ constexpr std::array<ImWchar, 33> wide_ranges{0x0020, 0x007E, 0x00A0, 0x017F, 0x
                                               0x2027, 0x2030, 0x203A, 0x2070, 0x209C, 0x20AC, 0x20AC, 0x2113, 0x2122,
                                               0x2150, 0x215E, 0x2190, 0x21FF, 0x2200, 0x226F, 0x2295, 0x22C5, 0x2300,
                                               0x2311, 0x2500, 0x25FF, 0x2605, 0x2718, 0};
-/// For sizes that only headings use.
+/// For numbers alone.
 constexpr std::array<ImWchar, 11> narrow_ranges{0x0020, 0x007E, 0x00A0, 0x00FF, 0x0370, 0x03FF,
                                                 0x2010, 0x2027, 0x2190, 0x2193, 0};
 
 struct FaceFile {
   const char* file;
-  double size;  ///< of the em in pixels at scale 1, as in CSS
   const ImWchar* ranges;
   const char* fallback;  ///< supplies the glyphs that the first file lacks
 };
@@ -35,23 +34,21 @@ FaceFile face_file(Face face) {
   constexpr const char* mono = "JetBrainsMono-Regular.ttf";
   switch (face) {
   case Face::body:
-    return {regular, 17, wide_ranges.data(), mono};
+    return {regular, wide_ranges.data(), mono};
   case Face::bold:
-    return {semi_bold, 17, wide_ranges.data(), mono};
-  case Face::italic:
-    return {"Inter-Italic.otf", 17, wide_ranges.data(), mono};
   case Face::heading:
-    return {semi_bold, 20, wide_ranges.data(), mono};
-  case Face::title:
-    return {semi_bold, 26, narrow_ranges.data(), nullptr};
-  case Face::small:
-    return {regular, 14, wide_ranges.data(), mono};
+  case Face::caption:
   case Face::small_bold:
-    return {semi_bold, 14, wide_ranges.data(), mono};
+    return {semi_bold, wide_ranges.data(), mono};
+  case Face::italic:
+    return {"Inter-Italic.otf", wide_ranges.data(), mono};
+  case Face::small:
+    return {regular, wide_ranges.data(), mono};
   case Face::mono:
-    return {mono, 15, wide_ranges.data(), regular};
+  case Face::mono_small:
+    return {mono, wide_ranges.data(), regular};
   case Face::mono_bold:
-    return {"JetBrainsMono-Bold.ttf", 15, narrow_ranges.data(), mono};
+    return {"JetBrainsMono-Bold.ttf", narrow_ranges.data(), mono};
   }
   return {};
 }
@@ -83,6 +80,26 @@ ImFont* load(const std::string& path, double em, const ImWchar* ranges, bool mer
 
 }  // namespace
 
+double type_size(Face face) {
+  switch (face) {
+  case Face::body:
+  case Face::bold:
+  case Face::italic:
+  case Face::mono:
+  case Face::mono_bold:
+    return 17;
+  case Face::small:
+  case Face::small_bold:
+  case Face::mono_small:
+    return 13;
+  case Face::heading:
+    return 22;
+  case Face::caption:
+    return 24;
+  }
+  return 17;
+}
+
 void Theme::load_fonts() {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
@@ -92,7 +109,7 @@ void Theme::load_fonts() {
   atlas.TexDesiredWidth = scale_ > 1.5 ? 4096 : 2048;
   for (int i = 0; i < IM_ARRAYSIZE(fonts_); ++i) {
     const FaceFile face = face_file(static_cast<Face>(i));
-    const double em = face.size * scale_;
+    const double em = type_size(static_cast<Face>(i)) * scale_;
     fonts_[i] = load(font_file(face.file).string(), em, face.ranges, false);
     if (!fonts_[i]) {
       ImFontConfig config;

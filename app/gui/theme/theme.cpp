@@ -4,10 +4,8 @@
 #include <iterator>
 
 namespace ps::gui {
-namespace {
 
-void apply_colours(const Palette& p) {
-  ImVec4* c = ImGui::GetStyle().Colors;
+void apply_colours(const Palette& p, ImVec4 (&c)[ImGuiCol_COUNT]) {
   const ImVec4 clear{0, 0, 0, 0};
   c[ImGuiCol_Text] = p.text;
   c[ImGuiCol_TextDisabled] = p.text_disabled;
@@ -44,27 +42,27 @@ void apply_colours(const Palette& p) {
   c[ImGuiCol_TableBorderStrong] = p.line_strong;
   c[ImGuiCol_TableBorderLight] = p.line;
   c[ImGuiCol_TableRowBg] = c[ImGuiCol_TableRowBgAlt] = clear;
-  c[ImGuiCol_TextSelectedBg] = {p.a.x, p.a.y, p.a.z, 0.3f};
+  c[ImGuiCol_TextSelectedBg] = p.selection;
   c[ImGuiCol_DragDropTarget] = p.attention;
-  c[ImGuiCol_NavHighlight] = p.a;
-  c[ImGuiCol_NavWindowingHighlight] = p.a;
+  c[ImGuiCol_NavHighlight] = p.text;
+  c[ImGuiCol_NavWindowingHighlight] = p.text;
   c[ImGuiCol_NavWindowingDimBg] = c[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.35f};
 }
 
-void apply_sizes(double scale) {
+ImGuiStyle sizes_at_scale_1() {
   ImGuiStyle style;
-  style.WindowPadding = {12, 10};
-  style.FramePadding = {8, 3};
-  style.ItemSpacing = {8, 5};
-  style.ItemInnerSpacing = {6, 4};
-  style.CellPadding = {6, 3};
-  style.IndentSpacing = 15;
-  style.ScrollbarSize = 11;
-  style.GrabMinSize = 10;
+  style.WindowPadding = {16, 8};
+  style.FramePadding = {8, 4};
+  style.ItemSpacing = {8, 4};
+  style.ItemInnerSpacing = {8, 4};
+  style.CellPadding = {8, 4};
+  style.IndentSpacing = 16;
+  style.ScrollbarSize = 12;
+  style.GrabMinSize = 12;
   style.WindowRounding = 0;
   style.ChildRounding = 0;
   style.FrameRounding = 4;
-  style.PopupRounding = 5;
+  style.PopupRounding = 4;
   style.ScrollbarRounding = 6;
   style.GrabRounding = 4;
   style.WindowBorderSize = 0;
@@ -72,6 +70,13 @@ void apply_sizes(double scale) {
   style.PopupBorderSize = 1;
   style.FrameBorderSize = 0;
   style.DisabledAlpha = 1;  // greyed text has a colour of its own, so that it stays legible
+  return style;
+}
+
+namespace {
+
+void apply_sizes(double scale) {
+  ImGuiStyle style = sizes_at_scale_1();
   style.ScaleAllSizes(static_cast<float>(scale));
   std::copy(std::begin(ImGui::GetStyle().Colors), std::end(ImGui::GetStyle().Colors), std::begin(style.Colors));
   ImGui::GetStyle() = style;
@@ -98,7 +103,7 @@ void Theme::set_scale(double scale) {
 bool Theme::prepare() {
   if (colours_stale_) {
     palette_ = make_palette(brightness_);
-    apply_colours(palette_);
+    apply_colours(palette_, ImGui::GetStyle().Colors);
     colours_stale_ = false;
   }
   if (!fonts_stale_) return false;

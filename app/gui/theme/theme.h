@@ -5,21 +5,28 @@ namespace ps::gui {
 
 enum class Brightness { light, dark };
 
-/// Every colour of the window by its role. Text colours reach a contrast of 7:1 on `window`, `panel` and `field`.
+/// Every colour of the window by its role. contrast_faults() (theme/contrast.h) says which contrasts they must have.
 struct Palette {
   ImVec4 window, panel, field, field_hover, field_active;  ///< backgrounds, from the farthest to the nearest
   ImVec4 text, text_quiet, text_disabled, line, line_strong;
-  ImVec4 selection;                               ///< background of selected rows and segments
-  ImVec4 a, b, right, wrong, attention;           ///< Okabe-Ito, for marks and areas
-  ImVec4 a_text, b_text, right_text, wrong_text;  ///< the same hues, dark or light enough to be read as text
-  ImVec4 on_accent;                               ///< text on a, b, right or wrong
+  ImVec4 selection;                ///< background of selected rows and segments
+  ImVec4 a, b;                     ///< Okabe-Ito: bars and rings of the two pictures, and nothing else; never text
+  ImVec4 right, wrong, attention;  ///< Okabe-Ito: areas, with an edge of `text_quiet` wherever they lie on a panel
+  ImVec4 right_mark, wrong_mark;   ///< the same hues for thin lines and small signs
 };
 Palette make_palette(Brightness brightness);
 /// Contrast of two opaque sRGB colours after WCAG 2: 1 to 21.
 double contrast(const ImVec4& first, const ImVec4& second);
 
-enum class Face { body, bold, italic, heading, title, small, small_bold, mono, mono_bold };
-inline constexpr int face_count = 9;
+enum class Face { body, bold, italic, heading, caption, small, small_bold, mono, mono_bold, mono_small };
+inline constexpr int face_count = 10;
+/// Size of a face's em in pixels at scale 1: 13 (small print), 17 (text and controls), 22 (headings), 24 (the
+/// presenter's caption).
+double type_size(Face face);
+/// Paddings and distances at scale 1, on a grid of 8 with half steps.
+ImGuiStyle sizes_at_scale_1();
+/// Dear ImGui's colours for a palette.
+void apply_colours(const Palette& palette, ImVec4 (&colours)[ImGuiCol_COUNT]);
 
 /// Loads the fonts, applies colours and sizes to Dear ImGui, and rebuilds all of it when scale or brightness change.
 class Theme {

@@ -5,6 +5,7 @@
 
 #include "gui/widgets/draw.h"
 #include "gui/widgets/key_focus.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/tab_row.h"
 
 namespace ps::gui {
@@ -79,7 +80,8 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   const Palette& p = palette();
   const std::string popup = full_name(part_name(name, "##list"));
   const float height = std::max(look.height, ImGui::GetFrameHeight());
-  if (hit_area(name, {width, height}, style)) ImGui::OpenPopup(popup.c_str());
+  const bool wanted = hit_area(name, {width, height}, style);
+  if (wanted && !ImGui::IsPopupOpen(popup.c_str())) ImGui::OpenPopup(popup.c_str());  // Enter closes an open list
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, max, colour_u32(state_colour(p.field, style)), ImGui::GetStyle().FrameRounding);
@@ -90,7 +92,8 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
     const FontScope font(look.face);
     const std::string_view text = style.shown.empty() ? choices[chosen].label : style.shown;
     if (text.find('\n') == std::string_view::npos)
-      draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, text, choice_colour(style, chosen), 0);
+      draw_text({min.x + px(8), min.y}, {max.x - arrow, max.y}, whole_words(text, max.x - arrow - min.x - px(8)),
+                choice_colour(style, chosen), 0);
     else
       draw_lines({min.x + px(8), std::floor((min.y + max.y - text_height(text)) / 2)}, text,
                  choice_colour(style, chosen));
@@ -122,9 +125,9 @@ bool drop_down(std::string_view name, std::span<const Choice> choices, int& inde
   ImGui::SetNextWindowSizeConstraints({max.x - min.x, 0}, {px(700), px(700)});
   if (!ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) return changed;
   if (key_focus().is_at(full_name(name)) && !ImGui::IsWindowAppearing()) {
-    const int wanted = std::clamp(index + key_focus().lines(), 0, last);
-    changed = changed || wanted != index;
-    index = wanted;
+    const int lit = std::clamp(index + key_focus().lines(), 0, last);
+    changed = changed || lit != index;
+    index = lit;
     key_focus().use_lines();
     if (key_focus().pressed()) ImGui::CloseCurrentPopup();
   }

@@ -6,7 +6,14 @@
 
 #include <algorithm>
 
+#include "gui/base/fit.h"
+
 namespace ps::gui {
+namespace {
+
+constexpr float least_height = 0.8f;  // of a line: the rest is free above and below its letters
+
+}  // namespace
 
 void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colour, float align) {
   if (text.empty()) return;
@@ -17,6 +24,7 @@ void draw_text(ImVec2 min, ImVec2 max, std::string_view text, const ImVec4& colo
   const float room = max.x - min.x;
   const float y = std::floor((min.y + max.y - size.y) / 2);
   const float x = std::floor(min.x + std::max(0.0f, room - size.x) * align);
+  if (size.x > room + 1 || size.y * least_height > max.y - min.y + 1) fit_watch().shortened(min, max, text);
   if (size.x > room + 1)
     ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {x, y}, {max.x, max.y}, max.x, max.x, begin, end, &size);
   else
@@ -48,6 +56,26 @@ void value_paragraph(std::string_view name, std::string_view text) {
   const std::string lines = in_lines(text, ImGui::GetContentRegionAvail().x);
   ImGui::TextUnformatted(lines.data(), lines.data() + lines.size());
   controls().record(name, std::string(text));
+}
+
+void side_bar(ImDrawList& list, ImVec2 min, ImVec2 max, Side side) {
+  list.AddRectFilled(min, max, colour_u32(side == Side::a ? palette().a : palette().b));
+}
+
+void side_letter(Side side) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight(), bar = px(4), gap = px(4);
+  const std::string_view letter = side == Side::a ? "A" : "B";
+  // In a line with controls, text keeps their base line.
+  const float y = at.y + ImGui::GetCurrentWindow()->DC.CurrLineTextBaseOffset;
+  side_bar(*ImGui::GetWindowDrawList(), {at.x, y + px(1)}, {at.x + bar, y + line - px(1)}, side);
+  ImGui::SetCursorScreenPos({at.x + bar + gap, at.y});
+  ImGui::TextUnformatted(letter.data(), letter.data() + letter.size());
+}
+
+void attention_bar(ImDrawList& list, ImVec2 min, ImVec2 max) {
+  list.AddRectFilled(min, max, colour_u32(palette().attention));
+  list.AddRect(min, max, colour_u32(palette().text_quiet));
 }
 
 bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style) {

@@ -24,6 +24,12 @@ inline float text_height(std::string_view text) {
 inline void draw_lines(ImVec2 at, std::string_view text, const ImVec4& colour) {
   ImGui::GetWindowDrawList()->AddText(at, colour_u32(colour), text.data(), text.data() + text.size());
 }
+/// A bar in the colour of a picture.
+void side_bar(ImDrawList& list, ImVec2 min, ImVec2 max, Side side);
+/// "A" or "B" in the current font behind such a bar, as an item of one line.
+void side_letter(Side side);
+/// A bar that asks for attention, with the edge that its yellow needs on a light ground.
+void attention_bar(ImDrawList& list, ImVec2 min, ImVec2 max);
 /// An invisible button with the id `name`, focusable and dead when `disabled` is not empty.
 bool hit_area(std::string_view name, ImVec2 size, const ControlStyle& style);
 /// The style's tooltip with the reason for being greyed, for the last item.

@@ -53,7 +53,7 @@ float tooltip_width() { return ImGui::GetFontSize() * 38; }
 bool begin_tooltip() {
   if (!rested_on_last_item()) return false;
   place_beside_last_item();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
   ImGui::PushTextWrapPos(tooltip_width());
@@ -87,10 +87,10 @@ bool progress_bar(std::string_view name, std::string_view label, double fraction
   const float share = static_cast<float>(std::clamp(fraction, 0.0, 1.0));
   draw.AddRectFilled({min.x, y}, {min.x + (max.x - min.x) * share, y + px(3)}, colour_u32(p.text_quiet), px(2));
   const std::string percent = fraction < 0 ? "" : std::to_string(static_cast<int>(share * 100)) + " %";
-  draw_text(min, {max.x - px(48), y}, label, p.text, 0);
+  draw_text(min, {max.x - px(60), y}, label, p.text, 0);
   {
     const FontScope mono(Face::mono);
-    draw_text({max.x - px(48), min.y}, {max.x, y}, percent, p.text_quiet, 1);
+    draw_text({max.x - px(60), min.y}, {max.x, y}, percent, p.text_quiet, 1);
   }
   controls().record("bar", percent);
   ImGui::SameLine();
@@ -100,7 +100,7 @@ bool progress_bar(std::string_view name, std::string_view label, double fraction
 bool message_bar(std::string_view name, MessageKind kind, std::string_view text) {
   const Palette& p = palette();
   const NameScope names(name);
-  const ImVec4 accent = kind == MessageKind::error     ? p.wrong
+  const ImVec4 accent = kind == MessageKind::error     ? p.wrong_mark
                         : kind == MessageKind::warning ? p.attention
                                                        : p.line_strong;
   const std::string_view mark = kind == MessageKind::error ? "Error" : kind == MessageKind::warning ? "Note" : "";
@@ -119,6 +119,7 @@ bool message_bar(std::string_view name, MessageKind kind, std::string_view text)
   const ImVec2 end{start.x + room, start.y + height};
   draw.AddRectFilled(start, end, colour_u32(p.field));
   draw.AddRectFilled(start, {start.x + px(5), end.y}, colour_u32(accent));
+  if (kind == MessageKind::warning) attention_bar(draw, start, {start.x + px(5), end.y});
   const float y = start.y + (height - size.y) / 2;
   if (!mark.empty()) {
     const FontScope bold(Face::bold);

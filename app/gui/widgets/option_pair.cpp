@@ -119,9 +119,7 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   const float end = cells_top + form.height * (form.stacked ? 2 : 1);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (context.highlight) {
-    const ImVec2 low{start.x - px(6), start.y - px(2)}, high{start.x + room + px(2), end + px(4)};
-    draw.AddRect(low, high, colour_u32(p.text), ImGui::GetStyle().FrameRounding, 0, px(4));
-    draw.AddRect(low, high, colour_u32(p.attention), ImGui::GetStyle().FrameRounding, 0, px(2));
+    attention_ring({start.x - px(6), start.y - px(2)}, {start.x + room + px(2), end + px(4)});
   }
   if (differ)
     draw.AddRectFilled({start.x - px(5), start.y + px(3)}, {start.x - px(2), end - px(1)}, colour_u32(p.text));

@@ -65,7 +65,7 @@ OptionRequest option_menu(const char* popup, const Option& option, Settings& set
   return request;
 }
 
-Edit option_control(const Option& option, Settings& settings, const ControlStyle& style) {
+Edit option_control(const Option& option, Settings& settings, const ControlStyle& style, ChoiceForm form) {
   Edit edit;
   const double before = option.get(settings);
   switch (option.kind) {
@@ -77,7 +77,10 @@ Edit option_control(const Option& option, Settings& settings, const ControlStyle
   }
   case OptionKind::choice: {
     int index = static_cast<int>(before);
-    if (choice(option.key, option.choices, index, style)) edit = {true, true};
+    const bool changed = form == ChoiceForm::drop_down
+                             ? drop_down(option.key, option.choices, index, style.width, style)
+                             : choice(option.key, option.choices, index, style);
+    if (changed) edit = {true, true};
     if (edit.changed) option.set(settings, index);
     break;
   }
@@ -92,6 +95,13 @@ Edit option_control(const Option& option, Settings& settings, const ControlStyle
   }
   }
   return edit;
+}
+
+void attention_ring(ImVec2 min, ImVec2 max) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  draw.AddRect(min, max, colour_u32(palette().text), rounding, 0, px(4));
+  draw.AddRect(min, max, colour_u32(palette().attention), rounding, 0, px(2));
 }
 
 bool reset_button(const Option& option, float size) {
@@ -131,7 +141,11 @@ std::optional<Side> need_lines(const Option& option, const Waking& waking, std::
   draw_lines({at.x, at.y + (beside ? inset : 0)}, lines, palette().text_quiet);
   for (const Side side : sides) {
     const NameScope scope(side == Side::a ? "a" : "b");
-    controls().record(std::string(option.key) + "/needs", at, {at.x + width, at.y + height}, text);
+    // A button may stand at the end of the last line.
+    const bool one_line = lines.find('\n') == std::string::npos;
+    const ImVec2 end{at.x + (one_line ? text_width(last) : width),
+                     at.y + (beside && !one_line ? height - line : height)};
+    controls().record(std::string(option.key) + "/needs", at, end, text);
   }
   std::optional<Side> clicked;
   float x = at.x + (beside ? text_width(last) + gap : 0);

@@ -45,7 +45,6 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
   const bool wrapped = option.kind == OptionKind::boolean && text_width(label) > label_width - px(6);
   if (wrapped) label = in_lines(label, label_width - px(6));
   const float row_height = stacked ? 2 * height : std::max(height, wrapped ? text_height(label) + px(4) : 0);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
 
   // The row's own area: hover, tooltip, right-click.
   ImGui::SetNextItemWidth(room);
@@ -54,14 +53,12 @@ OptionRowResult option_row(const Option& option, Settings& settings, const Scene
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(start, {start.x + room, start.y + row_height});
   ImGui::PopClipRect();
   if (context.highlight)
-    draw.AddRectFilled({start.x - px(4), start.y - px(2)}, {start.x + room, start.y + row_height + px(2)},
-                       colour_u32(p.attention, 0.45), ImGui::GetStyle().FrameRounding);
+    attention_ring({start.x - px(4), start.y - px(2)}, {start.x + room, start.y + row_height + px(2)});
   if (row_hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup(menu);
 
   if (different) {
     const FontScope bold(Face::bold);
-    const ImVec4& colour = context.side == Side::a ? p.a_text : p.b_text;
-    draw_text({start.x, start.y}, {start.x + mark, start.y + height}, "≠", colour, 0);
+    draw_text({start.x, start.y}, {start.x + mark, start.y + height}, "≠", p.text, 0);
   }
   ImGui::SetCursorScreenPos({start.x + mark, start.y});
   const float label_room = stacked ? room - mark : label_width;

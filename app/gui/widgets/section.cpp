@@ -3,6 +3,7 @@
 
 #include "gui/widgets/draw.h"
 #include "gui/widgets/key_focus.h"
+#include "gui/widgets/shorten.h"
 
 namespace ps::gui {
 namespace {
@@ -29,10 +30,15 @@ bool section(std::string_view name, std::string_view label, bool& open, std::str
   draw_arrow({min.x + px(8), (min.y + max.y) / 2}, open, colour_u32(p.text_quiet));
   float label_end = 0;
   {
-    const bool is_small = ImGui::GetFont() == theme().font(Face::small);
+    bool is_small = ImGui::GetFont() == theme().font(Face::small);
+    {
+      const FontScope bold(Face::bold);
+      is_small = is_small || text_width(label) > max.x - min.x - px(20);
+    }
     const FontScope bold(is_small ? Face::small_bold : Face::bold);
-    draw_text({min.x + px(20), min.y}, max, label, p.text, 0);
-    label_end = min.x + px(20) + text_width(label);
+    const std::string shown = whole_words(label, max.x - min.x - px(20));
+    draw_text({min.x + px(20), min.y}, max, shown, p.text, 0);
+    label_end = min.x + px(20) + text_width(shown);
   }
   {
     const FontScope small(Face::small);

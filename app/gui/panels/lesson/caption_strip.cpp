@@ -35,7 +35,7 @@ std::vector<std::string> lines_of(const LessonStep& step, float width) {
 }  // namespace
 
 float caption_height() {
-  const FontScope font(Face::heading);
+  const FontScope font(Face::caption);
   return static_cast<float>(lines_of_page) * ImGui::GetTextLineHeightWithSpacing() + px(40);
 }
 
@@ -48,7 +48,7 @@ void caption_strip(Session& session, LessonShelf& shelf) {
   const LessonStep& step = lesson->steps[static_cast<std::size_t>(index)];
   ReadPage& caption = shelf.caption;
   follow_step(session, caption);
-  const FontScope font(Face::heading);
+  const FontScope font(Face::caption);
   const std::vector<std::string> lines = lines_of(step, ImGui::GetContentRegionAvail().x);
   caption.frame = ImGui::GetFrameCount();
   caption.pages = std::max(1, static_cast<int>((lines.size() + lines_of_page - 1) / lines_of_page));

@@ -112,39 +112,53 @@ void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>
   }
 }
 
+/// "step 2 of 7, page 1 of 2", and the same in as few signs as there is room for.
+struct Place {
+  std::string full, brief;
+};
+Place place_of(int index, int count, const ReadPage& read) {
+  const std::string step = fmt::format("step {} of {}", index + 1, count);
+  if (read.pages <= 1) return {step, fmt::format("{}/{}", index + 1, count)};
+  return {fmt::format("{}, page {} of {}", step, read.page + 1, read.pages),
+          fmt::format("{}/{}, {}/{}", index + 1, count, read.page + 1, read.pages)};
+}
+
 /// Back, Next and the rest, and where one is.
 void buttons(Session& session, const Lesson& lesson, int index, const ReadPage& read) {
   const int count = static_cast<int>(lesson.steps.size());
+  const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
+  const bool narrow =
+      button_width("Back") + button_width("Next") + button_width("Again") + button_width("×") + 3 * space + px(50) >
+      room;
   int target = index;
-  if (button("before", "Back", Emphasis::plain,
+  if (button("before", narrow ? "‹" : "Back", Emphasis::plain,
              {.tooltip = "The previous step (Shift Page Up). Page Up reads back.",
               .disabled = index == 0 ? "This is the first step." : ""}))
     target = index - 1;
   ImGui::SameLine();
-  if (button("next", "Next", Emphasis::primary,
+  if (button("next", narrow ? "›" : "Next", Emphasis::primary,
              {.tooltip = "The next step (Enter or Shift Page Down). Page Down reads on.",
               .disabled = index + 1 == count ? "This is the last step." : ""}))
     target = index + 1;
   ImGui::SameLine();
-  if (button("again", "Again", Emphasis::quiet, {.tooltip = "Puts this step's settings back.", .disabled = {}}))
+  if (button("again", narrow ? "↺" : "Again", Emphasis::quiet,
+             {.tooltip = "Puts this step's settings back.", .disabled = {}}))
     go_to_step(session, lesson.name, index);
   ImGui::SameLine();
   const bool close = button("close", "×", Emphasis::quiet, {.tooltip = "Closes the lesson.", .disabled = {}});
-  const std::string step = fmt::format("step {} of {}", index + 1, count);
-  const std::string place = read.pages > 1 ? fmt::format("{}, page {} of {}", step, read.page + 1, read.pages) : step;
-  ImGui::SameLine(0, px(10));
+  ImGui::SameLine(0, px(6));
   const float body = ImGui::GetFontSize();
   const FontScope font(Face::small);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(
-      {at.x, std::floor(at.y + ImGui::GetStyle().FramePadding.y + (body - ImGui::GetFontSize()) / 2)});
+  const float drop = ImGui::GetStyle().FramePadding.y + (body - ImGui::GetFontSize()) / 2;
+  ImGui::SetCursorScreenPos({at.x, std::floor(at.y + drop)});
+  const Place place = place_of(index, count, read);
+  const bool fits = text_width(place.full) <= ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  const float room = ImGui::GetContentRegionAvail().x;
-  const bool narrow = text_width(place) > room;
-  const std::string brief = fmt::format("{}/{}, {}/{}", index + 1, count, read.page + 1, read.pages);
-  ImGui::TextUnformatted((narrow ? brief : place).c_str());
-  controls().record("place", place);
+  ImGui::TextUnformatted((fits ? place.full : place.brief).c_str());
   ImGui::PopStyleColor();
+  controls().record("place", place.full);
+  tooltip(place.full);
   if (target != index) go_to_step(session, lesson.name, target);
   if (close) close_lesson(session);
 }

@@ -4,56 +4,29 @@
 
 #include <algorithm>
 
+#include "gui/panels/options/row_results.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/option_parts.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
 
-float letter_width() { return px(17); }
+float letter_width() { return px(22); }
 
 float value_width(const Option& option) {
-  float width = px(110);
+  float width = px(112);  // for the longest numbers
   switch (option.kind) {
   case OptionKind::boolean:
     return px(36);
   case OptionKind::choice:
-    for (const Choice& choice : option.choices) width = std::max(width, text_width(choice.label) + px(36));
-    return std::min(width, px(240));
+    for (const Choice& choice : option.choices) width = std::max(width, text_width(choice.label) + px(30));
+    return width;
   case OptionKind::integer:
   case OptionKind::real:
     return width + (option.unit.empty() ? 0 : text_width(option.unit));
   }
   return width;
-}
-
-Edit value_control(const Option& option, Settings& settings, const ControlStyle& style) {
-  const double before = option.get(settings);
-  Edit edit;
-  switch (option.kind) {
-  case OptionKind::boolean: {
-    bool on = before != 0;
-    if (toggle(option.key, {}, on, style)) edit = {true, true};
-    if (edit.changed) option.set(settings, on ? 1 : 0);
-    break;
-  }
-  case OptionKind::choice: {
-    int index = static_cast<int>(before);
-    if (drop_down(option.key, option.choices, index, style.width, style)) edit = {true, true};
-    if (edit.changed) option.set(settings, index);
-    break;
-  }
-  case OptionKind::integer:
-  case OptionKind::real: {
-    double value = before;
-    edit =
-        number(option.key, value,
-               {option.minimum, option.maximum, option.scale, option.kind == OptionKind::integer, option.unit}, style);
-    if (edit.changed) option.set(settings, value);
-    break;
-  }
-  }
-  return edit;
 }
 
 }  // namespace
@@ -65,23 +38,23 @@ void option_field(Session& session, Side side, const Option& option, float width
   const ImVec2 at = ImGui::GetCursorScreenPos();
   {
     const FontScope font(Face::bold);
-    draw_text(at, {at.x + letter_width(), at.y + ImGui::GetFrameHeight()}, std::string(1, letter_of(side)),
-              side == Side::a ? palette().a_text : palette().b_text, 0);
+    const float height = ImGui::GetFrameHeight();
+    side_bar(*ImGui::GetWindowDrawList(), {at.x, at.y + px(4)}, {at.x + px(3), at.y + height - px(4)}, side);
+    draw_text({at.x + px(6), at.y}, {at.x + letter_width(), at.y + height}, std::string(1, letter_of(side)),
+              palette().text, 0);
   }
   Settings settings = session.settings(side);
   const auto reason = inactive_reason(option, settings, session.traits());
   const std::string help = fmt::format("{}: {}", option.label, option.help.what);
   ImGui::SetCursorScreenPos({at.x + letter_width(), at.y});
-  const Edit edit = value_control(option, settings,
-                                  {.tooltip = help,
-                                   .disabled = reason.value_or(std::string_view{}),
-                                   .width = width - letter_width() - px(4),
-                                   .idle = {}});
-  if (edit.changed)
-    session.set_settings(side, settings,
-                         fmt::format("{}: {} = {}", letter_of(side), option.key, option_text(option, settings)),
-                         fmt::format("{}/{}", letter_of(side), option.key));
-  if (edit.finished) session.end_drag();
+  OptionRowResult result;
+  result.edit = option_control(option, settings,
+                               {.tooltip = help,
+                                .disabled = reason.value_or(std::string_view{}),
+                                .width = width - letter_width() - px(4),
+                                .idle = {}},
+                               ChoiceForm::drop_down);
+  take_row_result(session, side, option, settings, result);
 }
 
 }  // namespace ps::gui

@@ -11,8 +11,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr float line_spacing = 1.2f;   // of the font's own line
-constexpr float most_of_line = 0.41f;  // for a control
+constexpr float line_spacing = 1.2f;  // of the font's own line
 constexpr double block_gap = 7, item_gap = 3;
 
 /// Pieces between which no line may end: a name in bold and the full stop behind it.
@@ -47,12 +46,12 @@ float width_in(Face face, std::string_view text) {
   return text_width(text);
 }
 
-/// The controls of an option, side by side, as one word each: two of them and a word have room in one line.
+/// The controls of an option, side by side, as one word each.
 void add_controls(const TextSpan& span, float line_width, std::vector<Word>& words) {
   const Option* option = find_option(span.link.target);
   for (const Side side : control_sides(span.link)) {
     TextPiece piece;
-    piece.width = std::floor(std::min(option_field_width(*option), line_width * most_of_line));
+    piece.width = std::floor(std::min(option_field_width(*option), line_width));
     piece.span = &span;
     piece.control = side;
     words.emplace_back().add(piece);

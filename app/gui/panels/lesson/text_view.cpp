@@ -16,9 +16,10 @@ namespace {
 struct NamedControl {
   std::string_view word, control;
 };
-constexpr std::array named_controls{NamedControl{"Measure", "chart/measure"}, NamedControl{"Find out", "needs/measure"},
-                                    NamedControl{"Pin", "pixel/pin"}, NamedControl{"Lessons", "menu/lesson"},
-                                    NamedControl{"Scene", "menu/scene"}};
+constexpr std::array named_controls{
+    NamedControl{"Measure", "chart/measure"}, NamedControl{"Find out", "needs/measure"},
+    NamedControl{"Pin", "pixel/pin"},         NamedControl{"Lessons", "menu/lesson"},
+    NamedControl{"Scene", "menu/scene"},      NamedControl{"light 0.1 above", "stability/series"}};
 
 std::string name_of(const LinkTarget& target) {
   switch (target.link.kind) {

@@ -109,9 +109,7 @@ bool toolbar(Session& session, MicroscopePanelState& state, bool filled) {
   {
     const FontScope font(Face::bold);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, side == Side::a ? palette().a_text : palette().b_text);
-    ImGui::Text("%c", letter_of(side));
-    ImGui::PopStyleColor();
+    side_letter(side);
   }
   ImGui::SameLine(0, px(8));
   const Vec2d point = state.shown ? state.shown->reading.point : Vec2d(0.5);

@@ -9,6 +9,7 @@
 #include "gui/panels/options/row_results.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/option_pair.h"
+#include "gui/widgets/shorten.h"
 #include "options/option_search.h"
 
 namespace ps::gui {
@@ -58,8 +59,10 @@ void column_heads(Session& session) {
       draw_text({min.x + px(8), min.y}, {max.x, max.y - px(3)}, letter, p.text, 0);
     }
     const FontScope small(Face::small);
-    draw_text({min.x + px(26), min.y}, {max.x - px(2), max.y - px(3)}, renderer_label(session.settings(side).renderer),
-              p.text, 0);
+    const float room = max.x - px(2) - min.x - px(26);
+    const std::string renderer = whole_words(renderer_label(session.settings(side).renderer), room);
+    if (ImGui::CalcTextSize(renderer.c_str()).x <= room)
+      draw_text({min.x + px(26), min.y}, {max.x - px(2), max.y - px(3)}, renderer, p.text, 0);
     controls().record(side == Side::a ? "a" : "b", is_picked ? "on" : "off");
     tooltip(is_picked ? "The picked picture: its story is shown, and commands act on it."
                       : fmt::format("Picks {}, as a click in the picture does.", letter));
@@ -194,7 +197,7 @@ void point_at_option(OptionsPanelState& state, const Option& option) {
 void options_panel(Session& session, OptionsPanelState& state) {
   const NameScope scope("options");
   header(session, state);
-  ImGui::BeginChild("rows");
+  ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);  // columns keep their width
   bool any = false;
   for (std::size_t first = 0; first < option_table().size();) {
     const GroupRows group = group_rows(session, state, first);

@@ -11,6 +11,13 @@ namespace ps::gui {
 namespace {
 
 constexpr int scale_steps = 64;
+constexpr double scale_width = 272, scale_height = 144, between = 8;  // at scale 1
+constexpr double least_share = 0.6;  // of the picture's size without a scale, that one beside it may leave
+
+double fitted_zoom(Vec2i size, const Area& area) {
+  if (size.x <= 0 || size.y <= 0) return 0;
+  return std::min(area.width() / static_cast<double>(size.x), area.height() / static_cast<double>(size.y));
+}
 
 std::string title_of(DifferenceMode mode) {
   switch (mode) {
@@ -30,7 +37,7 @@ std::string title_of(DifferenceMode mode) {
 std::vector<std::string> number_lines(const DifferenceNumbers& numbers, DifferenceMode mode) {
   if (numbers.at.x < 0) return {"no pixel differs"};
   const auto text = [&](double value) { return difference_value_text(value, mode); };
-  return {fmt::format("mean {}, 99.9 % at most {}", text(numbers.mean), text(numbers.percentile)),
+  return {fmt::format("mean {}", text(numbers.mean)), fmt::format("99.9 % at most {}", text(numbers.percentile)),
           fmt::format("largest {} at ({}, {})", text(numbers.largest), numbers.at.x, numbers.at.y),
           fmt::format("{:.3g} % of the pixels differ", 100 * numbers.differing)};
 }
@@ -54,6 +61,17 @@ std::string difference_numbers_text(const DifferenceNumbers& numbers, Difference
   return fmt::format("{}", fmt::join(number_lines(numbers, mode), "; "));
 }
 
+DifferencePlaces difference_places(const Area& place, Vec2i picture_size) {
+  const float width = px(scale_width), height = px(scale_height), space = px(between);
+  const Area beside{place.min, {place.max.x - width - space, place.max.y}};
+  const Area above{place.min, {place.max.x, place.max.y - height - space}};
+  const double at_right = place.height() >= height ? fitted_zoom(picture_size, beside) : 0;
+  const double at_bottom = place.width() >= width ? fitted_zoom(picture_size, above) : 0;
+  if (std::max(at_right, at_bottom) < least_share * fitted_zoom(picture_size, place)) return {place, {}};
+  if (at_right >= at_bottom) return {beside, Area{{beside.max.x + space, place.min.y}, place.max}};
+  return {above, Area{{place.min.x, above.max.y + space}, place.max}};
+}
+
 void draw_difference_scale(ImDrawList& list, const DifferenceOptions& options, const DifferenceNumbers& numbers,
                            const Area& area) {
   ImFont* font = theme().font(Face::small);
@@ -64,15 +82,12 @@ void draw_difference_scale(ImDrawList& list, const DifferenceOptions& options, c
   const std::string high = (both_ways ? "+" : "") + difference_value_text(end, options.mode);
   const std::vector<std::string> lines = number_lines(numbers, options.mode);
   const auto width_of = [&](const std::string& text) { return font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x; };
-  float width = std::max(px(180), width_of(title_of(options.mode)));
-  for (const std::string& text : lines) width = std::max(width, width_of(text));
-  const ImVec2 min{area.min.x + margin, area.min.y + margin};
-  const ImVec2 max{min.x + width + 2 * margin, min.y + line * static_cast<float>(3 + lines.size()) + margin};
-  if (max.y > area.max.y || max.x > area.max.x) return;
+  const float width = px(scale_width) - 2 * margin;
+  const ImVec2 min = area.min, max{min.x + px(scale_width), min.y + px(scale_height)};
   controls().record("scale", min, max, low + " to " + high + "; " + difference_numbers_text(numbers, options.mode));
 
   const ImU32 ink = colour_u32(palette().text);
-  list.AddRectFilled(min, max, colour_u32(palette().panel, 0.92), px(4));
+  list.AddRectFilled(min, max, colour_u32(palette().field), px(4));
   list.AddRect(min, max, colour_u32(palette().line_strong), px(4));
   ImVec2 at{min.x + margin, min.y + margin / 2};
   const auto write = [&](float x, const std::string& text) { list.AddText(font, size, {x, at.y}, ink, text.c_str()); };

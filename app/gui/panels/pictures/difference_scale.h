@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "gui/panels/pictures/picture_view.h"
@@ -12,8 +13,15 @@ std::string difference_value_text(double value, DifferenceMode mode);
 /// What the map says in words: the 99.9th percentile, the largest value and where, the share of pixels that differ.
 std::string difference_numbers_text(const DifferenceNumbers& numbers, DifferenceMode mode);
 
-/// The colours of the map with the values at both ends, and the numbers below, in the upper left corner of an area.
-/// Nothing where there is no room.
+/// Where the map of a difference and its scale stand in a place: the scale beside the picture or below it, whichever
+/// leaves the picture larger, and never over it. Where it would cost the picture too much there is none.
+struct DifferencePlaces {
+  Area picture;
+  std::optional<Area> scale;
+};
+DifferencePlaces difference_places(const Area& place, Vec2i picture_size);
+
+/// The colours of the map with the values at both ends, and the numbers below, from the upper left corner of an area.
 void draw_difference_scale(ImDrawList& list, const DifferenceOptions& options, const DifferenceNumbers& numbers,
                            const Area& area);
 

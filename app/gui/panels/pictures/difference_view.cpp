@@ -13,6 +13,7 @@ namespace ps::gui {
 namespace {
 
 constexpr double metric_width = 120, number_room = 330;  // at scale 1
+constexpr double tools_room = 460;                       // of all four tools
 
 bool comparable(const PicturesState& state) {
   const auto &a = state.pictures[0].levels, &b = state.pictures[1].levels;
@@ -72,12 +73,14 @@ void set_gain(Session& session, double gain) {
 
 /// How the difference is shown, and a way to where it is largest.
 void difference_tools(Session& session, PicturesState& state, const Area& row) {
-  const float wide = px(460);  // of all four
+  const float wide = px(tools_room);
   const float share = std::min(row.width() / wide, 1.f);
-  ImGui::SetCursorScreenPos({row.min.x, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
+  ImGui::SetCursorScreenPos({row.min.x, row.min.y + std::max((row.height() - ImGui::GetFrameHeight()) / 2, 0.f)});
   int mode = static_cast<int>(state.difference_mode);
   if (choice("mode", mode_choices(), mode,
-             {.tooltip = "What is shown of the difference.", .disabled = {}, .width = px(104) * share})) {
+             {.tooltip = "What is shown of the difference.",
+              .disabled = {},
+              .width = std::max(px(104) * share, px(84))})) {
     state.difference_mode = static_cast<DifferenceMode>(mode);
     state.difference_stale = true;
   }
@@ -93,13 +96,14 @@ void difference_tools(Session& session, PicturesState& state, const Area& row) {
   if (button_on_off("auto", "auto", automatic,
                     {.tooltip = "The gain with which the brightest 0.1 % of the pixels are white."}))
     set_gain(session, automatic ? state.difference_gain : 0);
-  ImGui::SameLine(0, px(6));
   const Vec2i at = state.difference_numbers.at;
+  values().publish("difference/largest-at", at.x < 0 ? "none" : fmt::format("{},{}", at.x, at.y));
+  if (ImGui::GetItemRectMax().x + px(6) + button_width("Largest") > row.max.x) return;
+  ImGui::SameLine(0, px(6));
   if (button("largest", "Largest", Emphasis::plain,
              {.tooltip = "Picks the pixel with the largest difference, which has a ring.",
               .disabled = at.x < 0 ? "no pixel differs" : ""}))
     session.set_pixel(at);
-  values().publish("difference/largest-at", at.x < 0 ? "none" : fmt::format("{},{}", at.x, at.y));
 }
 
 /// A ring around the pixel with the largest difference.
@@ -121,7 +125,7 @@ void difference_number(Session& session, PicturesState& state, const Area& row) 
     state.meter->request({state.meter->copies(a, b, state.versions), state.versions, session.region(),
                           state.difference_mode == DifferenceMode::flip});
   }
-  ImGui::SetCursorScreenPos({row.min.x, row.min.y + (row.height() - ImGui::GetFrameHeight()) / 2});
+  ImGui::SetCursorScreenPos({row.min.x, row.min.y + std::max((row.height() - ImGui::GetFrameHeight()) / 2, 0.f)});
   std::vector<Choice> choices;
   for (const ErrorMetricRow& metric : error_metrics())
     choices.push_back({metric.key, metric.label, metric_help(metric.metric)});
@@ -147,18 +151,21 @@ void difference_number(Session& session, PicturesState& state, const Area& row) 
 
 }  // namespace
 
-void difference_view(Session& session, PicturesState& state, const Area& title, const Area& area) {
+void difference_view(Session& session, PicturesState& state, const Area& title, const DifferencePlaces& places) {
+  const Area& area = places.picture;
   const NameScope scope("difference");
   make_difference(session, state);
   // Where the pictures are narrow there are two lines for titles, here for the number above the tools.
-  const float line = px(34);
+  const float line = std::min(px(34), title.max.y - title.min.y);
   const bool two_lines = title.max.y - title.min.y >= px(60);
-  const float number_left = two_lines ? title.min.x : title.max.x - px(number_room);
+  const bool has_number = two_lines || title.width() >= px(number_room) + px(tools_room);
+  const float number_left = two_lines ? title.min.x : title.max.x - (has_number ? px(number_room) : 0);
   difference_tools(session, state,
                    {{title.min.x, title.max.y - line}, {two_lines ? title.max.x : number_left, title.max.y}});
-  difference_number(session, state,
-                    {{number_left, two_lines ? title.min.y : title.max.y - line},
-                     {title.max.x, two_lines ? title.min.y + line - px(2) : title.max.y}});
+  if (has_number)
+    difference_number(session, state,
+                      {{number_left, two_lines ? title.min.y : title.max.y - line},
+                       {title.max.x, two_lines ? title.min.y + line - px(2) : title.max.y}});
   auto& list = *ImGui::GetWindowDrawList();
   ImGui::SetCursorScreenPos(area.min);
   ImGui::InvisibleButton("picture-difference", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
@@ -175,7 +182,9 @@ void difference_view(Session& session, PicturesState& state, const Area& title, 
   draw_picture(list, state.flip ? state.pictures[1] : state.difference, state.transform, area, style);
   if (!state.flip) {
     largest_ring(list, state, area);
-    draw_difference_scale(list, {state.difference_gain, state.difference_mode}, state.difference_numbers, area);
+    if (places.scale)
+      draw_difference_scale(list, {state.difference_gain, state.difference_mode}, state.difference_numbers,
+                            *places.scale);
   }
   picture_handles(session, state, Side::a, area, area, "picture", hovered);
   if (state.difference_stale && state.difference_mode == DifferenceMode::flip && state.meter->busy())

@@ -71,7 +71,7 @@ void dropped_picture(Session& session, DroppedPicture& state) {
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(px(520), display.x - px(40)), 0});
   if (!std::exchange(state.shown, true)) ImGui::SetNextWindowFocus();  // once, else the list of objects could not open
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(18)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(16)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);

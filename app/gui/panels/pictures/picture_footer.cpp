@@ -166,8 +166,12 @@ void picture_footer(Session& session, Side side, CaptionChange& change, const Ar
     const auto [at, width] = slots[i];
     if (width < px(24)) continue;
     if (item.voice == Voice::attention) attention_mark(list, {at.x, at.y + px(2)}, measures.mark);
-    clipped_text(list, Face::small, {at.x + measures.inset(item), at.y}, width - measures.inset(item),
-                 colour_u32(item.voice == Voice::quiet ? palette().text_quiet : palette().text), text);
+    // What does not fit is not there at all, but for the first: half a number would be another one.
+    const float room = width - measures.inset(item);
+    const std::string shown = i == 0 ? whole_parts(Face::small, text, room) : text;
+    if (i > 0 && width_of(Face::small, text) > room + 1) continue;
+    clipped_text(list, Face::small, {at.x + measures.inset(item), at.y}, room + 1,
+                 colour_u32(item.voice == Voice::quiet ? palette().text_quiet : palette().text), shown);
     ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({width, measures.height});
     if (item.name == "left-out") controls().record(item.name, text);

@@ -37,7 +37,7 @@ std::string take_line(Face face, std::string& text, float width) {
 }  // namespace
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
-  if (captions == PictureCaptions::brief) return {px(23), px(18)};
+  if (captions == PictureCaptions::brief) return {px(22), px(17)};
   const float notes = px(note_height);
   return width < px(narrow) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }
@@ -55,14 +55,15 @@ void attention_mark(ImDrawList& list, ImVec2 corner, float size) {
 }
 
 void side_badge(ImDrawList& list, ImVec2 corner, float size, Side side) {
-  const ImVec4 colour = side == Side::a ? palette().a : palette().b;
-  list.AddRectFilled(corner, {corner.x + size, corner.y + size}, colour_u32(colour), px(3));
+  const ImVec2 end{corner.x + size, corner.y + size};
+  list.AddRectFilled(corner, end, colour_u32(palette().field), px(3));
+  side_bar(list, {corner.x, end.y - px(4)}, end, side);
   const char text[2] = {letter_of(side), 0};
   ImFont* font = theme().font(Face::bold);
   const float height = font->FontSize;
   const ImVec2 extent = font->CalcTextSizeA(height, FLT_MAX, 0, text);
-  list.AddText(font, height, {corner.x + (size - extent.x) / 2, corner.y + (size - extent.y) / 2},
-               colour_u32(palette().on_accent), text);
+  list.AddText(font, height, {corner.x + (size - extent.x) / 2, corner.y + (size - px(4) - extent.y) / 2},
+               colour_u32(palette().text), text);
 }
 
 void picture_title(Session& session, Side side, const Area& row, PictureCaptions captions, std::string_view instead) {
@@ -72,7 +73,8 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
   const float size = px(22), top = row.min.y + (line - size) / 2;
-  const float choice_width = has_choice ? std::min(px(124), row.width() * 0.45f) : 0, space = px(8);
+  const float choice_width = has_choice ? std::min(px(136), row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
+              space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
 
   const auto file = side == Side::b ? session.picture_b() : nullptr;
@@ -82,7 +84,7 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const std::string text = !instead.empty() ? std::string(instead)
                            : file           ? "file " + std::filesystem::path(file->path).filename().string()
                                             : title_text(session.settings(side), session.traits(), other);
-  const ImU32 colour = colour_u32(side == Side::a ? palette().a_text : palette().b_text);
+  const ImU32 colour = colour_u32(palette().text);
   const float text_left = row.min.x + size + space;
   const float text_top = top + (size - theme().font(Face::bold)->FontSize) / 2;
   if (two_lines) {
@@ -92,9 +94,14 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
     const std::string rest = take_line(face, first, room);
     const float first_top = rest.empty() ? text_top : row.min.y;
     clipped_text(list, face, {text_left, first_top}, room, colour, first);
-    clipped_text(list, face, {text_left, first_top + px(15)}, room, colour, rest);
+    clipped_text(list, face, {text_left, first_top + px(15)}, room, colour, whole_parts(face, rest, room));
   } else {
-    clipped_text(list, Face::bold, {text_left, text_top}, row.max.x - choice_width - space - text_left, colour, text);
+    const float room = row.max.x - choice_width - space - text_left;
+    std::string shown = whole_parts(Face::bold, text, room);
+    const bool fits = width_of(Face::bold, shown) <= room;
+    if (!fits) shown = whole_parts(Face::small, text, room);
+    if (fits || width_of(Face::small, shown) <= room)  // else the badge and the tooltip alone
+      clipped_text(list, fits ? Face::bold : Face::small, {text_left, text_top}, room, colour, shown);
   }
 
   ImGui::SetCursorScreenPos(row.min);

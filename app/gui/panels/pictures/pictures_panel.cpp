@@ -207,7 +207,8 @@ Halves halves(const Area& area, Vec2i picture_size, PictureCaptions captions) {
   const Halves stacked{{area.min, {area.max.x, middle_y}}, {{area.min.x, middle_y}, area.max}};
   const double beside_zoom = fitted(picture_size, framed(beside.first, captions).picture).zoom;
   const double stacked_zoom = fitted(picture_size, framed(stacked.first, captions).picture).zoom;
-  return stacked_zoom > beside_zoom ? stacked : beside;
+  const bool tall = area.height() > area.width();  // where both show them alike, the titles have more room
+  return stacked_zoom > beside_zoom || (tall && stacked_zoom == beside_zoom) ? stacked : beside;
 }
 
 /// How many window pixels a picture takes that fits an area.
@@ -322,11 +323,14 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
   // Only the difference asks for its number; one that comes after it was left must not keep the window from resting.
   state.meter->rest();
   state.meter->take_news();
+  const Vec2i size = state.pictures[0].size();
+  const Area one = framed(area, state.captions, 2).picture;
+  if (pixels_of(size, one, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
   switch (session.document().compare) {
   case CompareMode::side_by_side: {
-    const Vec2i size = state.pictures[0].size();
     const auto parts = halves(area, size, state.captions);
-    const Area each = framed(parts.first, state.captions).picture, one = framed(area, state.captions, 2).picture;
+    const Area each = framed(parts.first, state.captions).picture;
+    state.fit = PictureFit::even_pixels;
     if (2 * pixels_of(size, each, PictureFit::even_pixels) < place.least_pixels) state.fit = PictureFit::whole_place;
     const double two = 2 * pixels_of(size, each, state.fit);
     if (two < place.least_pixels && pixels_of(size, one, state.fit) > two) {
@@ -342,8 +346,9 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     break;
   case CompareMode::difference: {
     const auto [title, inner, footer] = framed(area, state.captions, 2);
-    state.transform = current_transform(session.document(), state.pictures[0].size(), inner, state.fit);
-    difference_view(session, state, title, inner);
+    const DifferencePlaces places = difference_places(inner, state.pictures[0].size());
+    state.transform = current_transform(session.document(), state.pictures[0].size(), places.picture, state.fit);
+    difference_view(session, state, title, places);
     const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
     below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
     below(session, state, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "render/render.h"
 
 namespace ps::gui {
@@ -44,9 +45,11 @@ bool pixel_row(Session& session, const std::string& name, Vec2i pixel, const std
   const FontScope font(Face::mono);
   const bool picked = session.pixel() == pixel;
   ImGui::PushID(name.c_str());
-  const bool clicked = ImGui::Selectable(text.c_str(), picked, 0, {0, ImGui::GetTextLineHeight()});
+  const std::string shown = whole_words(text, ImGui::GetContentRegionAvail().x);
+  const bool clicked = ImGui::Selectable(shown.c_str(), picked, 0, {0, ImGui::GetTextLineHeight()});
   ImGui::PopID();
   controls().record(name, text);
+  if (shown != text) tooltip(text);
   if (clicked) session.set_pixel(pixel);
   return clicked;
 }
@@ -58,9 +61,12 @@ bool worst_list(Session& session, PixelsPanelState& state, const PicturesState& 
                                     Choice{"cost-b", "Cost of B", "The pixels of B that need most tests."}};
   int kind = static_cast<int>(state.ranked);
   if (choice("ranked", kinds, kind,
-             {.tooltip = "The measure by which pixels are sorted.", .width = px(column_width - 20)}))
+             {.tooltip = "The measure by which pixels are sorted.",
+              .width = std::min(px(column_width - 20), ImGui::GetContentRegionAvail().x)}))
     state.ranked = static_cast<PixelsPanelState::Ranked>(kind);
-  toggle("apart", "One for each neighbourhood", state.apart,
+  const bool words_fit =
+      ImGui::CalcTextSize("One for each neighbourhood").x + px(44) <= ImGui::GetContentRegionAvail().x;
+  toggle("apart", words_fit ? "One for each neighbourhood" : "Spread out", state.apart,
          {.tooltip = "Leaves out pixels within six of one that is worse, so that one edge does not fill the list."});
   same_line_if_room(button_width("Fill"));
   const bool fill = button_on_off("fill", "Fill", filled, {.tooltip = "Shows these lists in the whole window (Esc)."});
@@ -143,7 +149,7 @@ void watched_list(Session& session, PixelsPanelState& state) {
     for (const Side side : both_sides) {
       const auto& now = one.values.back()[index_of(side)];
       if (side == Side::b) ImGui::SameLine(0, px(14));
-      ImGui::TextColored(side == Side::a ? palette().a_text : palette().b_text, "%c", letter_of(side));
+      side_letter(side);
       ImGui::SameLine(0, px(5));
       if (now) {
         swatch(*now);
@@ -234,7 +240,7 @@ void region_view(Session& session, PixelsPanelState& state) {
   for (const Side side : both_sides) {
     const RegionStatistics& statistics = state.statistics[index_of(side)];
     if (statistics.pixels == 0) continue;
-    ImGui::TextColored(side == Side::a ? palette().a_text : palette().b_text, "%c", letter_of(side));
+    side_letter(side);
     statistics_table(statistics, side);
     controls().record(side == Side::a ? "mean-a" : "mean-b",
                       fmt::format("{:.4g} {:.4g} {:.4g}", statistics.channels[0].mean, statistics.channels[1].mean,

@@ -149,7 +149,7 @@ void scene_gallery(Session& session, SceneGallery& gallery) {
   ImGui::Begin("##scenes", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
   const NameScope names("scenes");
   {
-    const FontScope title(Face::title);
+    const FontScope title(Face::heading);
     ImGui::TextUnformatted("Scenes");
   }
   ImGui::SameLine(px(140));

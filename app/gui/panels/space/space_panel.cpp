@@ -261,8 +261,7 @@ void caption(const SpacePanelState& state, const Session& session, int event, co
   auto& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({at.x - px(6), at.y - px(3)}, {at.x + size.x + px(6), at.y + size.y + px(3)},
                      colour_u32(palette().panel, 0.9), px(4));
-  list.AddRectFilled({at.x - px(6), at.y - px(3)}, {at.x - px(3), at.y + size.y + px(3)},
-                     colour_u32(palette().attention));
+  attention_bar(list, {at.x - px(6), at.y - px(3)}, {at.x - px(2), at.y + size.y + px(3)});
   draw_lines(at, text, palette().text);
 }
 

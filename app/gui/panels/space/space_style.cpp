@@ -81,31 +81,31 @@ SpaceStroke stroke_of(const SpaceItem& item) {
   case SpaceKind::shadow_ray_lit:
     return {orange, 1.8f};
   case SpaceKind::shadow_ray_blocked:
-    return {p.wrong, 1.8f, true};
+    return {p.wrong_mark, 1.8f, true};
   case SpaceKind::light_direction:
     return {orange, 1.6f, false, true};
   case SpaceKind::hit_point:
     return {p.text, 2};
   case SpaceKind::shading_normal:
-    return {p.right, 2.4f};
+    return {p.right_mark, 2.4f};
   case SpaceKind::geometric_normal:
-    return {p.right, 1.4f, true};
+    return {p.right_mark, 1.4f, true};
   case SpaceKind::triangle:
     return {p.text, item.emphasised ? 1.8f : 1.f};
   case SpaceKind::barycentric_area: {
-    const ImVec4 tints[] = {sky_blue, orange, p.right};
+    const ImVec4 tints[] = {sky_blue, orange, p.right_mark};
     return {tints[item.level % 3], 1};
   }
   case SpaceKind::triangle_on_image:
     return {item.emphasised ? p.text : p.text_quiet, 1};
   case SpaceKind::rejected_triangle:
-    return {p.wrong, 1, true};
+    return {p.wrong_mark, 1, true};
   case SpaceKind::node:
     return {p.text_quiet, item.emphasised ? 1.4f : 1.f, !item.emphasised};
   case SpaceKind::silhouette:
-    return {p.wrong, 2.4f};
+    return {p.wrong_mark, 2.4f};
   case SpaceKind::shadow_volume:
-    return {p.wrong, 1};
+    return {p.wrong_mark, 1};
   case SpaceKind::shadow_map:
     return {orange, 1.6f, true};
   }

@@ -70,11 +70,11 @@ struct Drawer {
   const Palette& p;
 
   void operator()(const RayEvent&) const { pen.arrow(p.text); }
-  void operator()(const NodeEvent& e) const { pen.square(e.entered ? p.right : p.text_quiet, Fill::hollow); }
+  void operator()(const NodeEvent& e) const { pen.square(e.entered ? p.right_mark : p.text_quiet, Fill::hollow); }
   void operator()(const SphereTestEvent& e) const { test(e.outcome, &IconPen::circle); }
   void operator()(const TriangleTestEvent& e) const { test(e.outcome, &IconPen::triangle); }
   void operator()(const SolidTestEvent& e) const { test(e.outcome, &IconPen::square); }
-  void operator()(const HitEvent&) const { pen.diamond(p.right); }
+  void operator()(const HitEvent&) const { pen.diamond(p.right_mark); }
   void operator()(const MissEvent&) const { pen.cross(p.text_quiet); }
   void operator()(const TextureEvent&) const {
     pen.square(p.text_quiet, Fill::hollow);
@@ -83,9 +83,9 @@ struct Drawer {
   }
   void operator()(const LightEvent& e) const {
     if (e.blocker || e.visible <= 0)
-      pen.cross(p.wrong);
+      pen.cross(p.wrong_mark);
     else
-      pen.sun(e.below_horizon ? p.text_quiet : p.right);
+      pen.sun(e.below_horizon ? p.text_quiet : p.right_mark);
   }
   void operator()(const VertexLightEvent& e) const { swatch(e.light + e.extra); }
   void operator()(const ShadeEvent& e) const { swatch(e.local); }
@@ -94,24 +94,27 @@ struct Drawer {
   void operator()(const CutoffEvent&) const { pen.cross(p.text_quiet); }
   void operator()(const SampleEvent& e) const { swatch(e.colour); }
   void operator()(const CompareEvent& e) const {
-    pen.square(e.subdivides ? p.right : p.text_quiet, e.subdivides ? Fill::filled : Fill::hollow);
+    pen.square(e.subdivides ? p.right_mark : p.text_quiet, e.subdivides ? Fill::filled : Fill::hollow);
   }
-  void operator()(const ReuseEvent& e) const { e.met ? pen.diamond(p.right) : pen.cross(p.text_quiet); }
-  void operator()(const NormalMapEvent&) const { pen.arrow(p.right); }
-  void operator()(const ParallaxEvent&) const { pen.arrow(p.right); }
+  void operator()(const ReuseEvent& e) const { e.met ? pen.diamond(p.right_mark) : pen.cross(p.text_quiet); }
+  void operator()(const NormalMapEvent&) const { pen.arrow(p.right_mark); }
+  void operator()(const ParallaxEvent&) const { pen.arrow(p.right_mark); }
   void operator()(const ShadowMapEvent& e) const {
-    pen.square(e.visible > 0 ? p.right : p.wrong, e.visible > 0 && e.visible < 1 ? Fill::hollow : Fill::filled);
+    pen.square(e.visible > 0 ? p.right_mark : p.wrong_mark,
+               e.visible > 0 && e.visible < 1 ? Fill::hollow : Fill::filled);
   }
-  void operator()(const StencilEvent& e) const { pen.circle(e.stored == 0 ? p.right : p.wrong, Fill::hollow); }
+  void operator()(const StencilEvent& e) const {
+    pen.circle(e.stored == 0 ? p.right_mark : p.wrong_mark, Fill::hollow);
+  }
   void operator()(const EnvironmentEvent& e) const { swatch(e.result); }
-  void operator()(const RejectEvent&) const { pen.triangle(p.wrong, Fill::hollow); }
+  void operator()(const RejectEvent&) const { pen.triangle(p.wrong_mark, Fill::hollow); }
   void operator()(const FragmentEvent& e) const {
-    pen.triangle(e.depth == FragmentEvent::Depth::failed ? p.wrong : p.right, Fill::filled);
+    pen.triangle(e.depth == FragmentEvent::Depth::failed ? p.wrong_mark : p.right_mark, Fill::filled);
   }
-  void operator()(const PolygonEvent& e) const { pen.diamond(e.row ? colour_of(e.row->colour) : p.right); }
-  void operator()(const CoverageEvent& e) const { pen.square(e.covered ? p.right : p.wrong, Fill::hollow); }
+  void operator()(const PolygonEvent& e) const { pen.diamond(e.row ? colour_of(e.row->colour) : p.right_mark); }
+  void operator()(const CoverageEvent& e) const { pen.square(e.covered ? p.right_mark : p.wrong_mark, Fill::hollow); }
   void operator()(const WriteEvent& e) const { swatch(e.after); }
-  void operator()(const LineEvent&) const { pen.line(p.right); }
+  void operator()(const LineEvent&) const { pen.line(p.right_mark); }
   void operator()(const PixelEvent& e) const {
     swatch({e.display[0] / 255.0, e.display[1] / 255.0, e.display[2] / 255.0});
   }
@@ -120,7 +123,7 @@ struct Drawer {
   void test(TestOutcome outcome, void (IconPen::*shape)(ImVec4, Fill) const) const {
     switch (outcome) {
     case TestOutcome::accepted:
-      (pen.*shape)(p.right, Fill::filled);
+      (pen.*shape)(p.right_mark, Fill::filled);
       return;
     case TestOutcome::farther:
     case TestOutcome::tie_lost:
@@ -132,7 +135,7 @@ struct Drawer {
     case TestOutcome::back_side:
     case TestOutcome::parallel:
     case TestOutcome::degenerate:
-      (pen.*shape)(p.wrong, Fill::hollow);
+      (pen.*shape)(p.wrong_mark, Fill::hollow);
       return;
     }
   }

@@ -54,7 +54,9 @@ struct Words {
 
 void draw(const Words& words, ImVec2 row, const ImVec4& ink) {
   const ImVec2 at{row.x + words.at.x, row.y + words.at.y};
-  draw_lines(at, words.side == Side::a ? "A" : "B", words.side == Side::a ? palette().a_text : palette().b_text);
+  side_bar(*ImGui::GetWindowDrawList(), {at.x - px(6), at.y + px(2)},
+           {at.x - px(3), at.y + ImGui::GetTextLineHeight() - px(2)}, words.side);
+  draw_lines(at, words.side == Side::a ? "A" : "B", palette().text);
   draw_lines({at.x + px(letter_width), at.y}, words.lines, ink);
 }
 
@@ -84,8 +86,8 @@ bool step(int number, const AlignedRow& row, bool parts_here, bool selected, Par
   const float full = height + px(6);
   if (parts_here) {
     auto& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + room, at.y + full}, colour_u32(palette().attention, 0.25));
-    list.AddRectFilled(at, {at.x + px(4), at.y + full}, colour_u32(palette().attention));
+    list.AddRectFilled(at, {at.x + room, at.y + full}, colour_u32(palette().attention, 0.15));
+    attention_bar(list, at, {at.x + px(4), at.y + full});
   }
   const bool clicked = ImGui::Selectable(("##" + name).c_str(), selected, 0, {0, full});
   controls().record(name, row.same && texts[0] == texts[1] ? texts[0] : texts[0] + " | " + texts[1]);

@@ -39,18 +39,17 @@ void place(Session& session, Vec2i pixel) {
 }
 
 void verdict(const PixelStory& story, Side side) {
-  ImGui::PushStyleColor(ImGuiCol_Text, side == Side::a ? palette().a_text : palette().b_text);
   {
     const FontScope font(Face::bold);
-    ImGui::Text("%c", letter_of(side));
+    side_letter(side);
   }
-  ImGui::PopStyleColor();
   ImGui::SameLine(0, px(8));
   swatch(story.display, ImGui::GetTextLineHeight());
-  ImGui::SameLine(0, px(8));
   {
     const FontScope font(Face::mono);
-    value_text(prefix(side) + "/colour", fmt::format("{} {} {}", story.display[0], story.display[1], story.display[2]));
+    const std::string levels = fmt::format("{} {} {}", story.display[0], story.display[1], story.display[2]);
+    same_line_if_room(ImGui::CalcTextSize(levels.c_str()).x, px(8));
+    value_text(prefix(side) + "/colour", levels);
   }
   tooltip("Red, green and blue as displayed, 0 to 255.");
   const FontScope font(Face::heading);

@@ -210,14 +210,18 @@ void predict_panel(Session& session, PredictState& state) {
 void prediction_verdict(Session& session, PredictState& state) {
   const NameScope scope("predict");
   if (!state.answered || session.pixel() != state.asked_pixel || state.judgement.sentence.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, state.judgement.points >= 0.5 ? palette().right_text : palette().wrong_text);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::Indent(px(16));
   ImGui::PushTextWrapPos(0);
   {
     const FontScope font(Face::bold);
     value_text("verdict", state.judgement.sentence);
   }
   ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      at, {at.x + px(8), ImGui::GetItemRectMax().y},
+      colour_u32(state.judgement.points >= 0.5 ? palette().right_mark : palette().wrong_mark));
+  ImGui::Unindent(px(16));
   value_text("score",
              fmt::format("{:.3g} of {} point{} so far", state.points, state.asked, state.asked == 1 ? "" : "s"));
   ImGui::Separator();

@@ -66,7 +66,7 @@ struct TreeDrawing {
   bool says_new(int index) const { return is_new(index) && (event(index).parent < 0 || !is_new(event(index).parent)); }
   /// A bar at the left of a row: it is new, or shows the earlier value.
   void mark_left(const ImVec2& low, const ImVec2& high) const {
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + px(3), high.y}, colour_u32(palette().attention));
+    attention_bar(*ImGui::GetWindowDrawList(), low, {low.x + px(4), high.y});
   }
 
   /// One row with its icon; answers what became of it. `rows` names it among the controls.

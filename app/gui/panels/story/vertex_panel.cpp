@@ -58,9 +58,7 @@ void result(std::string_view name, const Place& now, const Place& plain) {
   }
   if (now != plain) {
     const FontScope font(Face::small);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().wrong_text);
     ImGui::TextUnformatted(("was " + place_text(plain)).c_str());
-    ImGui::PopStyleColor();
   }
 }
 
@@ -141,10 +139,8 @@ void clip_card(Session& session, const VertexChain& now, const VertexChain& plai
     for (const PlaneDistance& plane : now.planes) {
       const bool cut = plane.distance < 0;
       const FontScope font(Face::mono);
-      ImGui::PushStyleColor(ImGuiCol_Text, cut ? palette().wrong_text : palette().text);
       value_text(fmt::format("plane-{}", plane.plane),
                  fmt::format("{:<12} {:>9}{}", plane.plane, ps::number_text(plane.distance), cut ? "  outside" : ""));
-      ImGui::PopStyleColor();
     }
     if (now.planes.empty()) quiet("Clipping is off.");
     result("clip", now.clip, plain.clip);

@@ -91,12 +91,12 @@ std::string draw_bars(ImDrawList& list, const Area& area, const ExperimentFigure
     for (const Method method : {Method::naive, Method::robust}) {
       const double value = method == Method::naive ? row.naive : row.robust;
       const float length = std::isnan(value) ? 0 : std::isinf(value) ? room : room * scale.share(value);
-      list.AddRectFilled(
-          {from, top + px(1)}, {from + std::max(length, px(2)), top + bar_height() - px(1)},
-          colour_u32(method == Method::naive ? palette().wrong : palette().right, std::isnan(value) ? 0.25f : 1.0f));
+      list.AddRectFilled({from, top + px(1)}, {from + std::max(length, px(2)), top + bar_height() - px(1)},
+                         colour_u32(method == Method::naive ? palette().wrong_mark : palette().right_mark,
+                                    std::isnan(value) ? 0.25f : 1.0f));
       const std::string text = std::isnan(value) ? "none" : result_text(value, std::isnan(largest) ? value : largest);
       draw_text({from + length + px(8), top}, {area.max.x, top + bar_height()}, text,
-                std::isnan(value) ? palette().text_quiet : method_colour(method), 0);
+                std::isnan(value) ? palette().text_quiet : palette().text, 0);
       recorded += (recorded.empty() ? "" : " ") + text;
       top += bar_height();
     }

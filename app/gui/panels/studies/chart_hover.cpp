@@ -92,7 +92,7 @@ void pictures(const ChartPreview& preview) {
 void chart_hover(const ChartTabState& state, const ChartPoint& point, ChartPreview& preview, const char* hint) {
   const auto found = state.found->pictures.find(point.number);
   prepare(preview, found == state.found->pictures.end() ? nullptr : found->second, state.found->reference);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
   ImGui::PushTextWrapPos(px(2 * picture_side + 12));

@@ -125,7 +125,7 @@ void draw_ring(ImDrawList& list, const Mark& mark, const char* letter, const ImV
   list.AddCircle(mark.at, mark.radius + px(5), colour_u32(accent), 28, px(2));
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, letter);
   const ImVec2 at{mark.at.x + side * (mark.radius + px(9) + size.x / 2) - size.x / 2, mark.at.y - size.y / 2};
-  list.AddText(font, font->FontSize, at, colour_u32(accent), letter);
+  list.AddText(font, font->FontSize, at, colour_u32(palette().text), letter);
 }
 
 void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, const std::vector<Mark>& marks,
@@ -216,14 +216,18 @@ std::optional<std::size_t> draw_chart(ImDrawList& list, const Area& area, const 
   for (const Mark& mark : marks) {
     const ChartPoint& point = chart.points[mark.point];
     draw_mark(list, mark, point, mark.point == hovered);
-    if (mark.point == shown.a) draw_ring(list, mark, "A", palette().a_text, -1);
-    if (mark.point == shown.b) draw_ring(list, mark, "B", palette().b_text, 1);
+    if (mark.point == shown.a) draw_ring(list, mark, "A", palette().a, -1);
+    if (mark.point == shown.b) draw_ring(list, mark, "B", palette().b, 1);
     controls().record(fmt::format("point/{}", point.number), {mark.at.x - 2, mark.at.y - 2},
                       {mark.at.x + 2, mark.at.y + 2}, point.what.label);
   }
   draw_labels(list, chart, frame, marks, shown, labels);
   list.PopClipRect();
   return hovered;
+}
+
+void draw_planned_mark(ImDrawList& list, const Settings& settings, ImVec2 at, float radius) {
+  fill_mark(list, settings.renderer, at, radius, colour_of(mark_colour(settings)));
 }
 
 float chart_legend_height() { return theme().font(Face::small)->FontSize + px(4); }

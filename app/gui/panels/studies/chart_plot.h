@@ -28,6 +28,9 @@ struct ChartMarks {
 std::optional<std::size_t> draw_chart(ImDrawList& list, const Area& area, const Chart& chart, ChartLabels& labels,
                                       const ChartMarks& marks, ImVec2 mouse);
 
+/// The mark that a picture with these settings has in charts.
+void draw_planned_mark(ImDrawList& list, const Settings& settings, ImVec2 at, float radius);
+
 /// One line that says what the marks mean, as far as it fits the width.
 void draw_chart_legend(ImDrawList& list, const Area& area, const Chart& chart);
 float chart_legend_height();

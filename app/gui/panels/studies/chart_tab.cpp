@@ -9,7 +9,9 @@
 
 #include "base/atomic_file.h"
 #include "base/check.h"
+#include "gui/base/values.h"
 #include "gui/panels/studies/chart_hover.h"
+#include "gui/panels/studies/chart_invitation.h"
 #include "gui/panels/studies/pause_and_stop.h"
 #include "gui/widgets/widgets.h"
 #include "study/chart_conclusion.h"
@@ -142,7 +144,8 @@ void run_buttons(Session& session, ChartTabState& state, const StudyFolder& fold
     return;
   }
   const std::string word = measure_word(state);
-  if (!button("measure", label, Emphasis::primary,
+  const bool fits = button_width(label) <= ImGui::GetContentRegionAvail().x;
+  if (!button("measure", fits ? label : word, Emphasis::primary,
               {.tooltip = "Renders every picture several times in the background. The time is estimated from small "
                           "pictures of all points and of the reference.",
                .disabled = state.plan.error}))
@@ -170,7 +173,7 @@ void export_menu(const Session& session, const ChartTabState& state, const Chart
 bool toolbar(Session& session, ChartTabState& state, const StudyFolder& folder, const ChartHost& host, bool filled) {
   const bool wide = ImGui::GetWindowWidth() >= px(690);
   const float gap = px(wide ? 10 : 3);
-  sweep_choice(state, px(wide ? 220 : 116));
+  sweep_choice(state, std::min(px(220), ImGui::GetContentRegionAvail().x));
   same_line_if_room(button_width("Setup"), px(3));
   setup_popup(session, state, host);
   keep_estimate(session, state);
@@ -245,24 +248,6 @@ void progress_line(const ChartTabState& state) {
                      colour_u32(palette().text_quiet));
 }
 
-/// What is in place of a chart that is not there yet.
-void invitation(const ChartTabState& state, const Area& area) {
-  auto& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(area.min, area.max, colour_u32(palette().field));
-  const std::string text = state.study.running()
-                               ? "The first point appears when the reference is rendered."
-                               : fmt::format("How much time for how much accuracy? {} point{}: each is rendered and "
-                                             "compared with the reference: {}. Press {}.",
-                                             state.plan.points.size(), state.plan.points.size() == 1 ? "" : "s",
-                                             settings_in_words(state.plan.truth), measure_word(state));
-  ImFont* font = theme().font(Face::body);
-  const float wrap = std::min(area.width() - px(40), px(460));
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.c_str());
-  const ImVec2 middle = area.middle();
-  list.AddText(font, font->FontSize, {std::round(middle.x - size.x / 2), std::round(middle.y - size.y / 2)},
-               colour_u32(palette().text_quiet), text.c_str(), nullptr, wrap);
-}
-
 std::optional<std::size_t> showing(const Chart& chart, const Settings& settings) {
   for (std::size_t i = 0; i < chart.points.size(); ++i)
     if (chart.points[i].measured() && chart.points[i].what.value == settings) return i;
@@ -292,10 +277,11 @@ void plot(Session& session, ChartTabState& state, const Area& area) {
   const bool clicked = ImGui::InvisibleButton("plot", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
                                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   controls().record("plot", fmt::format("{:.0f}x{:.0f}", area.width(), area.height()));
+  gui::values().publish("chart/plot-height", static_cast<int>(area.height()));
   const bool over = ImGui::IsItemHovered();
   const bool any = std::any_of(state.chart.points.begin(), state.chart.points.end(),
                                [](const ChartPoint& p) { return p.measured(); });
-  if (!any) return invitation(state, area);
+  if (!any) return chart_invitation(state, area, measure_word(state));
   auto& list = *ImGui::GetWindowDrawList();
   const float legend = area.height() >= px(least_height_for_legend) ? chart_legend_height() : 0;
   const float conclusion = area.height() >= px(least_height_for_conclusion) ? conclusion_height(state, area) : 0;

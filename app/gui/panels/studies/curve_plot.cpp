@@ -74,12 +74,12 @@ void draw_safe_window(ImDrawList& list, const Curves& curves, const PlotFrame& f
   const float right = curves.safe.high >= knob.high ? in.max.x : frame.at(high, 0).x;
   list.AddRectFilled({left, in.min.y}, {right, in.max.y}, colour_u32(palette().right, 0.14));
   for (const float x : {left, right})
-    list.AddLine({x, in.min.y}, {x, in.max.y}, colour_u32(palette().right_text), px(1));
+    list.AddLine({x, in.min.y}, {x, in.max.y}, colour_u32(palette().right_mark), px(1));
   ImFont* font = theme().font(Face::small);
   const char* text = "safe";
   const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text).x;
   const float x = std::clamp((left + right - width) / 2, in.min.x + px(3), in.max.x - width - px(3));
-  list.AddText(font, font->FontSize, {x, in.min.y + px(2)}, colour_u32(palette().right_text), text);
+  list.AddText(font, font->FontSize, {x, in.min.y + px(2)}, colour_u32(palette().text), text);
 }
 
 std::optional<std::size_t> nearest(const Curves& curves, const PlotFrame& frame, ImVec2 mouse) {

@@ -129,6 +129,7 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
     const ImVec2 low = layout.of(i, 0), last = layout.of(i, methods - 1);
     const ImVec2 high{last.x + layout.frame.x, last.y + layout.frame.y};
     if (i == under) {
+      list.AddRect(low, high, colour_u32(palette().text), 0, 0, px(5));
       list.AddRect(low, high, colour_u32(palette().attention), 0, 0, px(3));
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     }

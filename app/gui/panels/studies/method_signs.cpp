@@ -2,6 +2,7 @@
 
 #include "gui/theme/theme.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -23,7 +24,7 @@ bool in_one_line(const MethodNames& names, float width) {
 }  // namespace
 
 const ImVec4& method_colour(Method method) {
-  return method == Method::naive ? palette().wrong_text : palette().right_text;
+  return method == Method::naive ? palette().wrong_mark : palette().right_mark;
 }
 
 void draw_method_sign(ImDrawList& list, ImVec2 at, Method method, bool strong) {
@@ -57,7 +58,8 @@ std::string MethodNames::draw(ImDrawList& list, const Area& area, ImVec2 mouse) 
     const Area line{at, {area.max.x, at.y + height + px(2)}};
     if (at.x + width_of(text) - px(18) > area.max.x && line.contains(mouse)) cut = text;
     draw_method_sign(list, {at.x + px(6), at.y + height / 2}, method, false);
-    draw_text({at.x + px(16), at.y}, {area.max.x, at.y + height}, text, method_colour(method), 0);
+    draw_text({at.x + px(16), at.y}, {area.max.x, at.y + height}, whole_words(text, area.max.x - at.x - px(16)),
+              palette().text, 0);
     if (in_line)
       at.x += width_of(text);
     else

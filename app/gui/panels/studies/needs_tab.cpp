@@ -79,7 +79,8 @@ std::string measure_label(const NeedsTabState& state) {
 
 void run_buttons(Session& session, NeedsTabState& state, const std::string& label) {
   if (!state.study.running()) {
-    if (button("measure", label, Emphasis::primary,
+    const bool fits = button_width(label) <= ImGui::GetContentRegionAvail().x;
+    if (button("measure", fits ? label : label.substr(0, label.find(" (")), Emphasis::primary,
                {.tooltip =
                     "Renders the scene without each feature, then searches for the cheapest settings. The time is "
                     "estimated from small pictures; each saving that is found adds a round."}))
@@ -95,16 +96,17 @@ bool toolbar(Session& session, NeedsTabState& state, bool filled) {
                                     Choice{"b", "B", "Starts from the options of picture B."}};
   int side = static_cast<int>(index_of(state.side));
   if (choice("side", sides, side, {.width = px(80)})) state.side = both_sides[static_cast<std::size_t>(side)];
-  ImGui::SameLine(0, px(12));
+  same_line_if_room(ImGui::CalcTextSize("Tolerance").x + px(116), px(12));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Tolerance");
   tooltip("Maximum mean FLIP of any tile of about 16 x 16 pixels. 0.05 is hard to see, 0.3 is obvious.");
   ImGui::SameLine(0, px(6));
   number("tolerance", state.tolerance, {.minimum = 0, .maximum = 0.5},
          {.tooltip = "Drag it, or turn the wheel over it.", .width = px(110)});
-  ImGui::SameLine(0, px(6));
+  const std::string words = fmt::format("FLIP: {}", tolerance_words(state.tolerance));
+  same_line_if_room(ImGui::CalcTextSize(words.c_str()).x, px(6));
   ImGui::AlignTextToFramePadding();
-  value_text("tolerance-words", fmt::format("FLIP: {}", tolerance_words(state.tolerance)));
+  value_text("tolerance-words", words);
   keep_estimate(session, state);
   const std::string label = measure_label(state);
   same_line_if_room(button_width(state.study.running() ? "Find again" : label), px(12));

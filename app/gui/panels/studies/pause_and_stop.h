@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <string_view>
 
 #include "gui/panels/studies/background_study.h"
@@ -10,9 +11,11 @@ namespace ps::gui {
 template <class Found>
 void pause_and_stop(BackgroundStudy<Found>& study, std::string_view kept) {
   const bool paused = study.state() == StudyState::paused;
-  if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain, {.width = px(64)})) study.set_paused(!paused);
+  if (button("pause", paused ? "Go on" : "Pause", Emphasis::plain,
+             {.width = std::max(button_width("Go on"), button_width("Pause"))}))
+    study.set_paused(!paused);
   ImGui::SameLine(0, px(3));
-  if (button("cancel", "Stop", Emphasis::plain, {.tooltip = kept, .width = px(50)})) study.cancel();
+  if (button("cancel", "Stop", Emphasis::plain, {.tooltip = kept, .width = 0})) study.cancel();
 }
 
 }  // namespace ps::gui

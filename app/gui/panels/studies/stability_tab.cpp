@@ -10,6 +10,7 @@
 #include "gui/panels/studies/bar_plot.h"
 #include "gui/panels/studies/pause_and_stop.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -98,10 +99,12 @@ void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
   const std::string note = state.study.running() && state.taken && state.taken->now == experiment.key ? "measuring"
                            : complete(state, experiment.key) ? kept_worst_text(state, experiment)
                                                              : "not measured yet";
-  draw_text({min.x + px(8), min.y}, {max.x - px(4), min.y + title}, experiment.title, palette().text, 0);
+  draw_text({min.x + px(8), min.y}, {max.x - px(4), min.y + title}, whole_words(experiment.title, width - px(12)),
+            palette().text, 0);
   {
     const FontScope small(Face::small);
-    draw_text({min.x + px(8), min.y + title}, {max.x - px(4), max.y - px(4)}, note, palette().text_quiet, 0);
+    draw_text({min.x + px(8), min.y + title}, {max.x - px(4), max.y - px(4)}, whole_words(note, width - px(12)),
+              palette().text_quiet, 0);
   }
   if (text_width(experiment.title) > width - px(12)) tooltip(experiment.title);
   controls().record(experiment.key, note);
@@ -188,7 +191,7 @@ void experiment_choice(StabilityTabState& state) {
     if (&experiment == &selected(state)) index = static_cast<int>(choices.size());
     choices.push_back({experiment.key, experiment.title, ""});
   }
-  if (choice("experiment", choices, index, {.width = px(240)}))
+  if (choice("experiment", choices, index, {.width = std::min(px(240), ImGui::GetContentRegionAvail().x)}))
     select(state, stability_experiments()[static_cast<std::size_t>(index)]);
 }
 
@@ -233,7 +236,7 @@ void explanation(const StabilityExperiment& experiment, std::span<const Stabilit
 }
 
 void point_tooltip(const Curves& curves, const ExperimentFigure::Row& row, bool has_picture) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(11), px(8)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(fmt::format("{}: {}", curves.knob, short_number(row.knob)).c_str());
   for (const auto& [name, value] : {std::pair{"naive", row.naive}, std::pair{"robust", row.robust}})
@@ -253,7 +256,7 @@ void no_figure(const StabilityTabState& state, const StabilityExperiment& experi
   const char* text = !state.study.running() ? "Not measured yet: press Measure."
                      : now                  ? "Measuring."
                                             : "Not measured yet: others are being measured.";
-  draw_text(area.min, area.max, text, palette().text_quiet, 0.5f);
+  draw_text(area.min, area.max, whole_words(text, area.width()), palette().text_quiet, 0.5f);
 }
 
 /// Pictures belong to the knob of the first figure.

@@ -37,13 +37,17 @@ void heading(const char* what, Ratio ratio) {
   for (const char* text : {what, "A", "B", ratio == Ratio::shown ? "B / A" : ""}) {
     ImGui::TableNextColumn();
     const FontScope font(Face::bold);
-    const ImVec4 colour = column == 1 ? palette().a_text : column == 2 ? palette().b_text : palette().text_quiet;
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::PushStyleColor(ImGuiCol_Text, column == 1 || column == 2 ? palette().text : palette().text_quiet);
     if (column > 0)
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
                            std::max(0.f, ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text).x));
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();
+    if (column == 1 || column == 2) {
+      const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+      side_bar(*ImGui::GetWindowDrawList(), {low.x - px(8), low.y + px(2)}, {low.x - px(4), high.y - px(2)},
+               column == 1 ? Side::a : Side::b);
+    }
     ++column;
   }
 }
@@ -186,7 +190,7 @@ void machinery(const Results& results) {
     const FastPath& path = result->frame.path;
     std::string text = fmt::format("{}: {}", letter_of(side), machinery_label(path.machinery));
     if (!path.reason.empty()) text += fmt::format(" ({})", path.reason);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + px(table_width));
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + table_size().x);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     controls().record(fmt::format("machinery/{}", letter_of(side)), text);

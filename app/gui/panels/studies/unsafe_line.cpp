@@ -140,7 +140,7 @@ std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, co
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     auto& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(min, max, colour_u32(ImGui::IsItemHovered() ? palette().field_hover : palette().panel, 0.94));
-    list.AddRectFilled(min, {min.x + px(5), max.y}, colour_u32(palette().attention));
+    attention_bar(list, min, {min.x + px(5), max.y});
     {
       const FontScope font(text_width(text) > room ? Face::small : Face::body);
       draw_text({min.x + px(12), min.y}, {max.x - px(6), max.y}, text, palette().text, 0);

@@ -1,0 +1,71 @@
+#include "gui/theme/contrast.h"
+
+#include <fmt/format.h>
+
+namespace ps::gui {
+namespace {
+
+struct Named {
+  const char* name;
+  ImVec4 colour;
+};
+
+/// Half-transparent colours are what they are over their ground.
+ImVec4 over(const ImVec4& colour, const ImVec4& ground) {
+  const auto mix = [&](float c, float g) { return colour.w * c + (1 - colour.w) * g; };
+  return {mix(colour.x, ground.x), mix(colour.y, ground.y), mix(colour.z, ground.z), 1};
+}
+
+void check(const std::vector<Named>& inks, const std::vector<Named>& grounds, double needed, const ImVec4& below,
+           std::vector<std::string>& faults) {
+  for (const Named& ground : grounds)
+    for (const Named& ink : inks) {
+      const ImVec4 solid = over(ground.colour, below);
+      const double found = contrast(over(ink.colour, solid), solid);
+      if (!(found >= needed))
+        faults.push_back(fmt::format("{} on {}: {:.2f}, needs {}", ink.name, ground.name, found, needed));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> contrast_faults(const Palette& p) {
+  std::vector<std::string> faults;
+  const std::vector<Named> grounds{{"window", p.window},
+                                   {"panel", p.panel},
+                                   {"field", p.field},
+                                   {"field_hover", p.field_hover},
+                                   {"field_active", p.field_active},
+                                   {"selection", p.selection}};
+  check({{"text", p.text}, {"text_quiet", p.text_quiet}, {"text_disabled", p.text_disabled}}, grounds, text_contrast,
+        p.panel, faults);
+  // Marks lie on panels and in fields. `right`, `wrong` and `attention` are areas, whose edge is `text_quiet`.
+  check({{"a", p.a},
+         {"b", p.b},
+         {"right_mark", p.right_mark},
+         {"wrong_mark", p.wrong_mark},
+         {"line_strong", p.line_strong},
+         {"text_quiet as an edge", p.text_quiet}},
+        {{"panel", p.panel}, {"field", p.field}}, mark_contrast, p.panel, faults);
+
+  ImVec4 colours[ImGuiCol_COUNT];
+  apply_colours(p, colours);
+  std::vector<Named> imgui_grounds;
+  for (const ImGuiCol ground :
+       {ImGuiCol_WindowBg,       ImGuiCol_ChildBg,       ImGuiCol_PopupBg,      ImGuiCol_FrameBg,
+        ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_TitleBg,      ImGuiCol_MenuBarBg,
+        ImGuiCol_Button,         ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive, ImGuiCol_Header,
+        ImGuiCol_HeaderHovered,  ImGuiCol_HeaderActive,  ImGuiCol_Tab,          ImGuiCol_TabHovered,
+        ImGuiCol_TabActive,      ImGuiCol_TableHeaderBg, ImGuiCol_TableRowBg,   ImGuiCol_TableRowBgAlt,
+        ImGuiCol_TextSelectedBg})
+    imgui_grounds.push_back({ImGui::GetStyleColorName(ground), colours[ground]});
+  check({{"ImGui's Text", colours[ImGuiCol_Text]}, {"ImGui's TextDisabled", colours[ImGuiCol_TextDisabled]}},
+        imgui_grounds, text_contrast, p.panel, faults);
+  check({{"ImGui's CheckMark", colours[ImGuiCol_CheckMark]},
+         {"ImGui's NavHighlight", colours[ImGuiCol_NavHighlight]},
+         {"ImGui's SliderGrab", colours[ImGuiCol_SliderGrab]}},
+        {{"FrameBg", colours[ImGuiCol_FrameBg]}}, mark_contrast, p.panel, faults);
+  return faults;
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,90 @@
+// Nothing in the window is cut off or overlaps: in every mode and tool, and in every step of every lesson, at the sizes
+// of old and new screens, with common and with large type.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "engine/lesson.h"
+#include "gui/program.h"
+#include "support/golden.h"
+
+namespace {
+
+struct FitScreen {
+  std::string size, type;  ///< type: --scale
+};
+
+std::string name_of_screen(const testing::TestParamInfo<FitScreen>& info) {
+  std::string name = info.param.size + "_type_" + info.param.type;
+  for (char& c : name)
+    if (c == '.') c = '_';
+  return name;
+}
+
+/// Plays the commands; each place where something does not fit is a failure.
+void expect_all_fits(const std::string& commands, const std::vector<std::string>& places, const FitScreen& screen,
+                     const std::string& arguments) {
+  const auto folder = ps::fresh_output_folder("gui-fit-" + screen.size + "-" + screen.type);
+  const auto result = ps::test::play(commands, folder, screen.size, "--scale " + screen.type + " " + arguments);
+  ASSERT_EQ(result.status, 0) << result.errors;
+  std::istringstream lines(result.output);
+  for (const std::string& place : places) {
+    std::string cut, overlap;
+    ASSERT_TRUE(std::getline(lines, cut) && std::getline(lines, overlap)) << place;
+    EXPECT_EQ(cut, "") << "cut: " << place;
+    EXPECT_EQ(overlap, "") << "overlap: " << place;
+  }
+}
+
+class WindowFit : public testing::TestWithParam<FitScreen> {};
+
+TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
+  std::string commands = "wait idle\n";
+  std::vector<std::string> places;
+  const auto look_at = [&](const std::string& place, const std::string& way) {
+    commands += way + "wait idle\nprint window/cut\nprint window/overlap\n";
+    places.push_back(place);
+  };
+  look_at("exploring", "");
+  look_at("exploring with a pixel's story", "click-pixel A 20,30\n");
+  for (const std::string tool :
+       {"space", "microscope", "listing", "vertex", "pixels", "chart", "stability", "needs", "why", "timings"})
+    look_at("drawer: " + tool, "click menu/study\nclick study-" + tool + "\n");
+  look_at("study", "key F4\n");
+  for (const std::string tool : {"pixels", "stability", "needs", "why", "timings"})
+    look_at("study: " + tool, "click bottom/" + tool + "\n");
+  look_at("list of lessons", "key F2\n");
+  look_at("presenter", "key F5\n");
+  look_at("split", "key Esc\nkey F3\nkey X\n");
+  look_at("difference", "key D\n");
+  expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
+}
+
+TEST_P(WindowFit, NothingIsCutInAnyStepOfALesson) {
+  // Pictures are waited for on two screens alone, of every second lesson each: it takes long. Otherwise a step is
+  // looked at as soon as it is drawn.
+  const std::string screen = GetParam().size + " " + GetParam().type;
+  const int waited = screen == "1366x768 1" ? 0 : screen == "1920x1080 1" ? 1 : 2;
+  std::string commands = "wait idle\n";
+  std::vector<std::string> places;
+  int number = 0;
+  for (const std::string& name : ps::lesson_names()) {
+    const std::string wait = number++ % 2 == waited ? "wait idle\n" : "wait frames 4\n";
+    const auto steps = ps::load_lesson(name).steps.size();
+    for (std::size_t step = 0; step < steps; ++step) {
+      if (step > 0 || !places.empty()) commands += (step == 0 ? "key ]\n" : "key Shift+PageDown\n") + wait;
+      commands += "print window/cut\nprint window/overlap\n";
+      places.push_back(name + ", step " + std::to_string(step + 1));
+    }
+  }
+  expect_all_fits(commands + "quit\n", places, GetParam(), "--lesson " + ps::lesson_names().front());
+}
+
+INSTANTIATE_TEST_SUITE_P(Screens, WindowFit,
+                         testing::Values(FitScreen{"1024x768", "1"}, FitScreen{"1366x768", "1"},
+                                         FitScreen{"1920x1080", "1"}, FitScreen{"3840x2160", "2"},
+                                         FitScreen{"1024x768", "1.5"}, FitScreen{"1366x768", "1.5"},
+                                         FitScreen{"1920x1080", "1.5"}, FitScreen{"3840x2160", "3"}),
+                         name_of_screen);
+
+}  // namespace
