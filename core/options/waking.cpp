@@ -109,6 +109,8 @@ SceneTraits all_traits() {
                                          &SceneTraits::reflection_maps,
                                          &SceneTraits::canvas_items,
                                          &SceneTraits::canvas_triangles,
+                                         &SceneTraits::canvas_intensities,
+                                         &SceneTraits::canvas_gradients,
                                          &SceneTraits::tinted,
                                          &SceneTraits::odd_highlights,
                                          &SceneTraits::any_transparency,

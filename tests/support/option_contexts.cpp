@@ -78,6 +78,7 @@ const std::vector<OptionContext>& option_contexts() {
         {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
         {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
         {"cgfs/triangles", {"renderer=textbook"}},
+        {"cgfs/shaded-triangle", {"renderer=textbook"}},
         {"cgfs/crates", {"renderer=textbook"}},
         {"cgfs/shading", {"accelerator=octree"}},
         {"cgfs/behind", {"renderer=rasterizer", "subpixel-bits=12", "clipping=near"}},

@@ -18,7 +18,7 @@ bool inside(ImVec2 min, ImVec2 max, ImVec2 outer_min, ImVec2 outer_max) {
 /// Whether what is in the window can be brought into sight up and down.
 bool scrolls(const ImGuiWindow* window) {
   for (; window; window = window->ParentWindow) {
-    if ((window->Flags & ImGuiWindowFlags_NoScrollbar) == 0 && window->ScrollMax.y > 0) return true;
+    if ((window->Flags & ImGuiWindowFlags_NoScrollbar) == 0) return true;  // it gets a bar when it needs one
     if ((window->Flags & ImGuiWindowFlags_ChildWindow) == 0) return false;
   }
   return false;

@@ -87,10 +87,10 @@ bool progress_bar(std::string_view name, std::string_view label, double fraction
   const float share = static_cast<float>(std::clamp(fraction, 0.0, 1.0));
   draw.AddRectFilled({min.x, y}, {min.x + (max.x - min.x) * share, y + px(3)}, colour_u32(p.text_quiet), px(2));
   const std::string percent = fraction < 0 ? "" : std::to_string(static_cast<int>(share * 100)) + " %";
-  draw_text(min, {max.x - px(56), y}, label, p.text, 0);
+  draw_text(min, {max.x - px(60), y}, label, p.text, 0);
   {
     const FontScope mono(Face::mono);
-    draw_text({max.x - px(56), min.y}, {max.x, y}, percent, p.text_quiet, 1);
+    draw_text({max.x - px(60), min.y}, {max.x, y}, percent, p.text_quiet, 1);
   }
   controls().record("bar", percent);
   ImGui::SameLine();

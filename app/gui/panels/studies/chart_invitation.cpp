@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "study/chart_style.h"
 #include "study/setting_words.h"
 
@@ -36,9 +37,9 @@ Area draw_axes(ImDrawList& list, const ChartTabState& state, const Area& area) {
             axes.error_title + (up ? ", higher is better" : ", lower is better"), palette().text_quiet, 0);
   draw_text({inner.min.x, inner.max.y + px(6)}, area.max, axes.cost_title, palette().text_quiet, 0.5f);
   const float best = up ? inner.min.y + px(8) : inner.max.y - line - px(8);
-  constexpr std::string_view corner = "the best corner: little error in little time";
-  if (text_width(corner) + px(16) <= inner.width())
-    draw_text({inner.min.x + px(8), best}, {inner.max.x, best + line}, corner, palette().text_quiet, 0);
+  draw_text({inner.min.x + px(8), best}, {inner.max.x, best + line},
+            whole_words("the best corner: little error in little time", inner.max.x - inner.min.x - px(8)),
+            palette().text_quiet, 0);
   return inner;
 }
 
