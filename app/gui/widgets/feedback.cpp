@@ -137,7 +137,7 @@ bool message_bar(std::string_view name, MessageKind kind, std::string_view text)
 
 Edit splitter(std::string_view name, SplitterAxis axis, float length, float& position, float minimum, float maximum) {
   const Palette& p = palette();
-  const float thickness = std::floor(px(7));
+  const float thickness = std::floor(px(6));
   const bool upright = axis == SplitterAxis::left_right;
   const ImVec2 size = upright ? ImVec2{thickness, length} : ImVec2{length, thickness};
   hit_area(name, size, {});
