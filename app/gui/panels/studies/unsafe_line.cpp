@@ -118,6 +118,15 @@ void update_unsafe(Session& session, UnsafeState& state) {
   }
 }
 
+namespace {
+
+float small_width(const std::string& text) {
+  const FontScope font(Face::small);
+  return text_width(text);
+}
+
+}  // namespace
+
 std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, const PicturesState& pictures) {
   std::optional<std::string> wanted;
   for (const Side side : both_sides) {
@@ -129,6 +138,7 @@ std::optional<std::string> unsafe_lines(Session& session, UnsafeState& state, co
     const float around = px(26), room = area->width() - around;
     std::string text = line_text(*unsafe);
     if (text_width(text) > room) text = short_text(*unsafe, room);
+    if (small_width(text) > room) text.resize(std::min(text.find(':'), text.size()));  // the tooltip names the option
     const float width = std::min(area->width(), text_width(text) + around), height = area->height();
     // A window of its own: the rows around the pictures belong to another part of the program.
     ImGui::SetNextWindowPos(area->min);
