@@ -9,6 +9,7 @@
 #include <set>
 
 #include "options/option.h"
+#include "options/renderer_kind.h"
 #include "options/scene_settings.h"
 #include "options/simd_choice.h"
 #include "render/fast_path.h"
@@ -72,6 +73,8 @@ TEST(FastPath, IsWhatDrawsInAllOptionContexts) {
       for (const OptionNumber value : values_of(option, base)) {
         Settings settings = base;
         option.set(settings, value);
+        const RendererKind& kind = renderer_kind(settings.renderer);
+        if (kind.inactive && kind.inactive(settings, traits)) continue;  // no driver here
         // A number that a driver lacks is refused.
         if (option.kind != OptionKind::choice && inactive_value_reason(option, settings, traits)) continue;
         SCOPED_TRACE(fmt::format("{}, {}={}", context.scene, option.key, option_text(option, settings)));
