@@ -106,7 +106,7 @@ class CornerValues {
   static void push(const Vec3d& v, std::vector<float>& values) {
     for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(v[axis]));
   }
-  /// The fourth number tells the shader whose normal it is, since each kind has a matrix of its own.
+  /// The fourth number encodes for the shader whose normal it is, since each kind has a matrix of its own.
   void push_normal(const MeshTriangle& triangle, std::size_t k, std::vector<float>& values) const {
     const auto index = triangle.normal[k];
     push(index >= 0 ? mesh_.normals[static_cast<std::size_t>(index)] : own_normal(mesh_, triangle), values);

@@ -28,7 +28,7 @@ std::vector<const ChartPoint*> front_by_cost(const Chart& chart);
 /// was damaged.
 std::string chart_provenance(const Chart& chart);
 
-/// One for each renderer and precision: violet against ochre, so that colour-blind eyes tell them apart as well, and
+/// One for each renderer and precision: violet against ochre, so that colour-blind eyes can separate them as well, and
 /// none of the colours of A and B. Shape (round for rays, square for fragments) says the renderer again.
 Rgb8 mark_colour(const Settings& settings);
 std::string hex_colour(Rgb8 colour);

@@ -81,17 +81,13 @@ Image<Rgb8> shrunk_to(const Image<Rgb8>& large, int width, int height) {
 // What lies on the canvas is measured in its pixels: it is drawn in full size and shrunk. So is a picture of twice the
 // size, whose edges are smoother for it.
 Image<Rgb8> thumbnail_of_a(const Document& document, int width, int height, Prepared& prepared, Progress& progress) {
-  try {
-    const View small = small_view(document, width, height);
-    View large = view_of(document);
-    if (document.scene.canvas_items->empty()) {
-      large.width = std::min(large.width, 2 * small.width);
-      large.height = std::min(large.height, 2 * small.height);
-    }
-    return shrunk_to(side_picture(document, Side::a, large, prepared, progress), small.width, small.height);
-  } catch (const InputError&) {
-    return {};
+  const View small = small_view(document, width, height);
+  View large = view_of(document);
+  if (document.scene.canvas_items->empty()) {
+    large.width = std::min(large.width, 2 * small.width);
+    large.height = std::min(large.height, 2 * small.height);
   }
+  return shrunk_to(side_picture(document, Side::a, large, prepared, progress), small.width, small.height);
 }
 
 Thumbnails::Thumbnails(std::function<void()> wake) : wake_(std::move(wake)) {}

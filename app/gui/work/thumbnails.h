@@ -18,7 +18,7 @@ namespace ps::gui {
 /// A and B of a document side by side, each at most `width` by `height` pixels, with a line between them. What cannot
 /// be rendered stays empty.
 Image<Rgb8> thumbnail(const Document& document, int width, int height, Prepared& prepared, Progress& progress);
-/// A alone; empty if its settings do not fit the scene.
+/// A alone. Throws InputError if its settings do not fit the scene.
 Image<Rgb8> thumbnail_of_a(const Document& document, int width, int height, Prepared& prepared, Progress& progress);
 
 /// Small pictures, made in the background one by one, kept by id. For the window's thread; nothing waits.

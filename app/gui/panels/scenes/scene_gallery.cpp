@@ -27,7 +27,7 @@ const std::vector<BuiltinScene>& all_scenes() {
 
 bool pressed(Key key) { return ImGui::IsKeyPressed(imgui_key(key), true); }
 
-/// What the number of a scene in the list is known by among the thumbnails.
+/// The picture of a scene by its number in the list; nullptr while it is being made.
 const Texture* picture_of(SceneGallery& gallery, std::size_t number) {
   const int width = static_cast<int>(px(picture_width)), height = static_cast<int>(px(picture_height));
   return gallery.thumbnails.find(
