@@ -14,7 +14,7 @@
 #include "scene/load.h"
 #include "support/environment.h"
 
-namespace ps {
+namespace ps::canvas_fill_test {
 namespace {
 
 constexpr int columns = 60, rows = 44;
@@ -348,4 +348,4 @@ TEST(CanvasFill, NeighboursOverlapByRowsAlone) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::canvas_fill_test

@@ -13,7 +13,7 @@
 #include "raster/clear/depth_plane.h"
 #include "render/render.h"
 
-namespace ps {
+namespace ps::depth_plane_test {
 namespace {
 
 constexpr int size = 64;
@@ -243,4 +243,4 @@ TEST(DepthPlanePictures, DrawTrianglesSeenEdgeOn) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::depth_plane_test

@@ -16,7 +16,7 @@
 #include "support/emulated.h"
 #include "support/simd_targets.h"
 
-namespace ps {
+namespace ps::ties_test {
 namespace {
 
 /// Several lists of assignments, each of which is tried.
@@ -266,4 +266,4 @@ TEST(Ties, TheFastPathsAreAmongTheWays) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::ties_test

@@ -12,6 +12,7 @@
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
+namespace packet_property_test {
 namespace {
 
 using namespace ps;
@@ -228,3 +229,4 @@ TEST(Packets, SeveralSamplesForEachPixel) {
 }
 
 }  // namespace
+}  // namespace packet_property_test

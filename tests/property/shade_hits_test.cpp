@@ -10,6 +10,7 @@
 #include "support/same_bits.h"
 #include "support/trials.h"
 
+namespace shade_hits_test {
 namespace {
 
 using namespace ps;
@@ -89,3 +90,4 @@ TEST(ShadeHits, AreLeftAloneWhereTheirTablesSayTooLittle) {
 }
 
 }  // namespace
+}  // namespace shade_hits_test

@@ -121,7 +121,7 @@ std::string tiles(SceneGallery& gallery, const std::vector<std::size_t>& found) 
 }  // namespace
 
 std::string book_title(const std::string& scene_name) {
-  const std::string book = scene_name.substr(0, scene_name.find('/'));
+  std::string book = scene_name.substr(0, scene_name.find('/'));
   if (book == "cgfs") return "Computer Graphics from Scratch";
   if (book == "cgpp") return "Computer Graphics: Principles and Practice";
   if (book == "lab") return "Laboratory";

@@ -102,6 +102,7 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   layout.corner = {at.x, at.y + lines + line};
   const std::vector<int> columns = columns_of(experiment, above);
   std::vector<double> knobs;
+  knobs.reserve(columns.size());
   for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
   if (above) draw_lines(list, layout, knobs, *above, at.y, at.y + lines);
   for (int i = 0; i < frames; ++i) {
