@@ -74,6 +74,24 @@ void make(FilmStripState& state, const StabilityExperiment& experiment) {
   });
 }
 
+/// A slider over the frames. Answers the column that it was moved to.
+std::optional<int> scrubber(const std::vector<double>& knobs, int column) {
+  double place = std::max(column, 0) + 1;
+  const std::string shown = column < 0 ? "none"
+                                       : fmt::format("{} of {}: {}", column + 1, knobs.size(),
+                                                     axis_number(knobs[static_cast<std::size_t>(column)]));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Frame");
+  ImGui::SameLine(0, px(8));
+  const Edit edit =
+      number("scrub", place, {.minimum = 1, .maximum = static_cast<double>(knobs.size()), .integer = true},
+             {.tooltip = "Moves the line in the plot, the frame, and the pictures A and B together.",
+              .width = std::min(px(240), ImGui::GetContentRegionAvail().x),
+              .shown = shown});
+  if (!edit.changed) return {};
+  return static_cast<int>(place) - 1;
+}
+
 }  // namespace
 
 std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment,
@@ -94,15 +112,20 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   const auto width = static_cast<float>(state.texture.width()), height = static_cast<float>(state.texture.height());
   const float gap = strip_options.gap, frame_height = strip_options.frame_height;
   const float frame_width = (width - gap * static_cast<float>(frames - 1)) / static_cast<float>(frames);
+  if (state.chosen_of != experiment.key) state.chosen.reset();
+  state.chosen_of = experiment.key;
+  const std::vector<int> columns = columns_of(experiment, above);
+  std::vector<double> knobs;
+  for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
+  const auto marked = state.chosen ? std::find(knobs.begin(), knobs.end(), *state.chosen) : knobs.end();
+  const int chosen = marked == knobs.end() ? -1 : static_cast<int>(marked - knobs.begin());
+  std::optional<int> wanted = scrubber(knobs, chosen);
   ImFont* font = theme().font(Face::small);
   auto& list = *ImGui::GetWindowDrawList();
   const float line = font->FontSize + px(3), lines = above ? px(lines_height) : px(4);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   FrameLayout layout = layout_of(room.x, frames, frame_width / frame_height);
   layout.corner = {at.x, at.y + lines + line};
-  const std::vector<int> columns = columns_of(experiment, above);
-  std::vector<double> knobs;
-  for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
   if (above) draw_lines(list, layout, knobs, *above, at.y, at.y + lines);
   for (int i = 0; i < frames; ++i) {
     const std::string text = axis_number(knobs[static_cast<std::size_t>(i)]);
@@ -113,10 +136,11 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   }
   ImGui::Dummy({room.x, lines + line});
   ImGui::SetCursorScreenPos(layout.corner);
-  const bool clicked = ImGui::InvisibleButton("strip", {room.x, std::max(layout.height(), 1.f)});
+  ImGui::InvisibleButton("strip", {room.x, std::max(layout.height(), 1.f)});
+  const bool held = ImGui::IsItemActive();
   controls().record("strip", std::string(experiment.key));
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const int under = ImGui::IsItemHovered()
+  const int under = ImGui::IsItemHovered() || held
                         ? std::clamp(static_cast<int>((mouse.x - layout.corner.x) / layout.slot), 0, frames - 1)
                         : -1;
   for (int i = 0; i < frames; ++i) {
@@ -128,6 +152,7 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
     }
     const ImVec2 low = layout.of(i, 0), last = layout.of(i, methods - 1);
     const ImVec2 high{last.x + layout.frame.x, last.y + layout.frame.y};
+    if (i == chosen) list.AddRect(low, high, colour_u32(palette().text), 0, 0, px(3));
     if (i == under) {
       list.AddRect(low, high, colour_u32(palette().text), 0, 0, px(5));
       list.AddRect(low, high, colour_u32(palette().attention), 0, 0, px(3));
@@ -138,14 +163,16 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   {
     const FontScope small(Face::small);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted(fmt::format("Columns: {}. Rows: naive, robust, where they differ. A click opens the frame "
-                                       "in A and B.",
+    ImGui::TextUnformatted(fmt::format("Columns: {}. Rows: naive, robust, where they differ. A click or a drag shows "
+                                       "the frame in A and B.",
                                        knob_title(experiment, experiment.series.front()))
                                .c_str());
     ImGui::PopStyleColor();
   }
-  if (!clicked || under < 0) return {};
-  return knobs[static_cast<std::size_t>(under)];
+  if (held && under >= 0 && under != chosen) wanted = under;
+  if (!wanted) return {};
+  state.chosen = knobs[static_cast<std::size_t>(*wanted)];
+  return state.chosen;
 }
 
 }  // namespace ps::gui

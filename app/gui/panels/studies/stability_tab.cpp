@@ -274,7 +274,11 @@ std::optional<PlotFrame> curve_area(StabilityTabState& state, const StabilityExp
       std::string(knob_title(experiment, *figure.quantity)),
       {std::string(naive_name(experiment, *figure.quantity)), std::string(robust_name(experiment, *figure.quantity))},
       figure.quantity->knob.empty() ? experiment.window : SafeWindow{1, 0}};
-  const CurvesDrawn drawn = draw_curves(*ImGui::GetWindowDrawList(), area, curves, mouse, {});
+  std::optional<std::size_t> marked;  // the row of the frame that A and B show
+  if (has_picture && state.strip.chosen && state.strip.chosen_of == experiment.key)
+    for (std::size_t i = 0; i < figure.rows.size(); ++i)
+      if (figure.rows[i].knob == *state.strip.chosen) marked = i;
+  const CurvesDrawn drawn = draw_curves(*ImGui::GetWindowDrawList(), area, curves, mouse, marked);
   if (!drawn.cut.empty()) tooltip(drawn.cut);
   if (drawn.hovered) {
     const ExperimentFigure::Row& row = figure.rows[*drawn.hovered];
@@ -384,8 +388,9 @@ void update_stability(Session& session, StabilityTabState& state, const std::fil
     state.opened = opening;
     try {
       show_opening(session, *opening, folder);
-      // The pictures are what was asked for.
-      session.navigate([](Document& document) { document.layout.filled.clear(); });
+      // The pictures are what was asked for; only a drag over the frames must not lose its hold.
+      if (!ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        session.navigate([](Document& document) { document.layout.filled.clear(); });
     } catch (const InputError& error) {
       session.say(Message::Kind::error, error.what());
     }
