@@ -24,7 +24,7 @@ struct ControlNeed {
   const Option* option = nullptr;
   std::vector<Side> sides;
   Waking waking;
-  std::string prefix;  ///< "A " where only A's control needs it, beside B's
+  std::string prefix;  ///< "Shading: ", or "A Shading: " where only A's control needs it, beside B's
 };
 
 struct TextLine {

@@ -1,6 +1,6 @@
 #include "gui/panels/lesson/text_needs.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "gui/panels/options/row_results.h"
 #include "gui/widgets/option_parts.h"
@@ -31,12 +31,19 @@ void lay_out_needs(const TextBlock& block, const Session& session, WakingCache& 
       // A value without effect of an option that acts can be taken; its list says so.
       if (!inactive_reason(*option, session.settings(side), session.traits())) continue;
       if (const Waking* waking = wakings.find(session, *option, side))
-        needs.push_back({option, {side}, *waking, shown.size() == 1 ? "" : side == Side::a ? "A " : "B "});
+        needs.push_back({option,
+                         {side},
+                         *waking,
+                         fmt::format("{}{}: ",
+                                     shown.size() == 1 ? ""
+                                     : side == Side::a ? "A "
+                                                       : "B ",
+                                     option->label)});
     }
     if (needs.size() == 2 && waking_text(needs[0].waking) == waking_text(needs[1].waking)) {
       needs.pop_back();
       needs.front().sides = shown;
-      needs.front().prefix.clear();
+      needs.front().prefix = fmt::format("{}: ", option->label);
     }
     if (needs.empty()) continue;
     lines.back().stays_with_next = true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/panels/studies/plot_frame.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "study/stability/figures.h"
 
@@ -74,25 +75,36 @@ void make(FilmStripState& state, const StabilityExperiment& experiment) {
   });
 }
 
-/// A slider over the frames. Answers the column that it was moved to.
-std::optional<int> scrubber(const std::vector<double>& knobs, int column) {
-  double place = std::max(column, 0) + 1;
-  const std::string shown = column < 0 ? "none"
-                                       : fmt::format("{} of {}: {}", column + 1, knobs.size(),
-                                                     axis_number(knobs[static_cast<std::size_t>(column)]));
+/// The choice of another experiment is none of this one.
+void forget_other(FilmStripState& state, const StabilityExperiment& experiment) {
+  if (state.chosen_of != experiment.key) state.chosen.reset();
+  state.chosen_of = experiment.key;
+}
+
+}  // namespace
+
+std::optional<double> film_strip_slider(FilmStripState& state, const StabilityExperiment& experiment) {
+  if (!experiment.picture || experiment.frames.size() < 2) return {};
+  forget_other(state, experiment);
+  std::vector<double> knobs(experiment.frames.begin(), experiment.frames.end());
+  std::sort(knobs.begin(), knobs.end());
+  const auto marked = state.chosen ? std::find(knobs.begin(), knobs.end(), *state.chosen) : knobs.end();
+  const auto column = marked - knobs.begin();
+  double place = marked == knobs.end() ? 1 : static_cast<double>(column) + 1;
+  const std::string shown =
+      marked == knobs.end() ? "none" : fmt::format("{} of {}: {}", column + 1, knobs.size(), axis_number(*marked));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Frame");
   ImGui::SameLine(0, px(8));
   const Edit edit =
       number("scrub", place, {.minimum = 1, .maximum = static_cast<double>(knobs.size()), .integer = true},
              {.tooltip = "Moves the line in the plot, the frame, and the pictures A and B together.",
-              .width = std::min(px(240), ImGui::GetContentRegionAvail().x),
+              .width = std::min(px(200), ImGui::GetContentRegionAvail().x),
               .shown = shown});
   if (!edit.changed) return {};
-  return static_cast<int>(place) - 1;
+  state.chosen = knobs[static_cast<std::size_t>(place) - 1];
+  return state.chosen;
 }
-
-}  // namespace
 
 std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment,
                                       const PlotFrame* above) {
@@ -112,14 +124,12 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   const auto width = static_cast<float>(state.texture.width()), height = static_cast<float>(state.texture.height());
   const float gap = strip_options.gap, frame_height = strip_options.frame_height;
   const float frame_width = (width - gap * static_cast<float>(frames - 1)) / static_cast<float>(frames);
-  if (state.chosen_of != experiment.key) state.chosen.reset();
-  state.chosen_of = experiment.key;
+  forget_other(state, experiment);
   const std::vector<int> columns = columns_of(experiment, above);
   std::vector<double> knobs;
   for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
   const auto marked = state.chosen ? std::find(knobs.begin(), knobs.end(), *state.chosen) : knobs.end();
   const int chosen = marked == knobs.end() ? -1 : static_cast<int>(marked - knobs.begin());
-  std::optional<int> wanted = scrubber(knobs, chosen);
   ImFont* font = theme().font(Face::small);
   auto& list = *ImGui::GetWindowDrawList();
   const float line = font->FontSize + px(3), lines = above ? px(lines_height) : px(4);
@@ -169,9 +179,8 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
                                .c_str());
     ImGui::PopStyleColor();
   }
-  if (held && under >= 0 && under != chosen) wanted = under;
-  if (!wanted) return {};
-  state.chosen = knobs[static_cast<std::size_t>(*wanted)];
+  if (!held || under < 0 || under == chosen) return {};
+  state.chosen = knobs[static_cast<std::size_t>(under)];
   return state.chosen;
 }
 

@@ -327,6 +327,8 @@ void shown_experiment(StabilityTabState& state) {
   const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
   if (!low) explanation(experiment, rows);
   figure_choice(state, figures);
+  if (figures.size() > 1 && experiment.picture) same_line_if_room(px(film_slider_width), px(16));
+  if (const auto knob = film_strip_slider(state.strip, experiment)) begin_opening(state.opening, experiment, *knob);
   const bool strip = experiment.picture && !experiment.frames.empty();
   const float room = ImGui::GetContentRegionAvail().y;
   const float height = std::max(strip && !low ? room * curves_share : room, px(least_plot));
