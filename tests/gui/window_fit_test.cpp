@@ -57,7 +57,7 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   look_at("presenter", "key F5\n");
   look_at("split", "key Esc\nkey F3\nkey X\n");
   look_at("difference", "key D\n");
-  look_at("object with its gizmo", "key D\nkey T\nclick-pixel A 30,30\nwait idle\nclick options/object\n");
+  look_at("object with its gizmo", "key D\nkey T\nclick-pixel A 20,30\nwait idle\nclick options/object\n");
   look_at("false colours", "key N\n");
   look_at("presets and bookmarks", "key Shift+N\nkey M\nwait frames 3\nclick kept/preset-name\ntype mine\n"
                                    "click kept/keep-a\nclick kept/bookmark-name\n"

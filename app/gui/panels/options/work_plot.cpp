@@ -25,7 +25,7 @@ std::optional<double> work_of(const WorkOfStep::Picture& picture) {
 
 struct Plot {
   const char* name;
-  const char* title;
+  const char *title, *brief;  ///< the latter where the plot is narrow
   Measure measure;
   std::string (*text)(double);
 };
@@ -57,7 +57,8 @@ std::optional<std::uint64_t> draw_plot(const Plot& plot, const WorkLog& log, std
   double largest = 0;
   for (const WorkOfStep& step : log.steps())
     for (const Side side : both_sides) largest = std::max(largest, value_of(step, side, plot.measure).value_or(0));
-  draw_text(at, {at.x + width, at.y + line}, plot.title, palette().text, 0);
+  draw_text(at, {at.x + width, at.y + line}, text_width(plot.title) <= width ? plot.title : plot.brief, palette().text,
+            0);
   draw_text({at.x, at.y + line}, {at.x + width, at.y + 2 * line},
             largest > 0 ? fmt::format("0 to {}", plot.text(largest)) : "nothing counted", palette().text_quiet, 0);
   const Area area{{at.x, at.y + 2 * line + px(4)}, {at.x + width, at.y + 2 * line + px(4 + plot_height)}};
@@ -116,9 +117,9 @@ float work_plots_height() {
 
 std::optional<std::uint64_t> work_plots(const WorkLog& log, std::uint64_t now) {
   const float space = px(8), width = std::floor((ImGui::GetContentRegionAvail().x - space) / 2);
-  const auto time = draw_plot({"time-of-steps", "Time, one run", time_of, milliseconds_text}, log, now, width);
+  const auto time = draw_plot({"time-of-steps", "Time, one run", "Time", time_of, milliseconds_text}, log, now, width);
   ImGui::SameLine(0, space);
-  const auto work = draw_plot({"work-of-steps", "Counted work", work_of, count_words}, log, now, width);
+  const auto work = draw_plot({"work-of-steps", "Counted work", "Work", work_of, count_words}, log, now, width);
   return time ? time : work;
 }
 

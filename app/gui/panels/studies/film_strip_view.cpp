@@ -1,7 +1,7 @@
 #include "gui/panels/studies/film_strip_view.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>  // whether a window is out of sight
 
 #include <algorithm>
 #include <cmath>
@@ -85,6 +85,7 @@ void forget_other(FilmStripState& state, const StabilityExperiment& experiment) 
 
 std::optional<double> film_strip_slider(FilmStripState& state, const StabilityExperiment& experiment) {
   if (!experiment.picture || experiment.frames.size() < 2) return {};
+  if (ImGui::GetCurrentWindow()->SkipItems) return {};  // nothing of the panel is in sight
   forget_other(state, experiment);
   std::vector<double> knobs(experiment.frames.begin(), experiment.frames.end());
   std::sort(knobs.begin(), knobs.end());
