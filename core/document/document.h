@@ -30,6 +30,13 @@ struct SideState {
   bool operator==(const SideState&) const = default;
 };
 
+/// The range of a false-colour scale, in place of the one that follows from the pictures' values.
+struct HeatRange {
+  ShownChannel channel{};  ///< it does not act on other channels
+  ValueRange values;       ///< high > low
+  bool operator==(const HeatRange&) const = default;
+};
+
 /// What is looked at and how closely.
 struct PictureView {
   std::optional<Camera> camera;  ///< instead of the scene's own
@@ -78,7 +85,8 @@ struct Document {
   StoryView story;                    ///< what its views show
   std::optional<Pin> pin;             ///< the pixel whose numbers of then are shown beside those of now
   CompareMode compare = CompareMode::side_by_side;
-  double split = 0.5;          ///< where the divider is, share of the picture's width
+  double split = 0.5;  ///< where the divider is, share of the picture's width
+  std::optional<HeatRange> heat_range;
   double difference_gain = 0;  ///< factor by which differences are shown; 0 = as large as shows something
   ScreenMode mode = ScreenMode::explore;
   Layout layout;

@@ -20,6 +20,14 @@ void History::push(Document document, std::string label, const std::string& drag
   place_ = entries_.size() - 1;
 }
 
+bool History::cancel_drag(const std::string& drag) {
+  if (drag.empty() || drag != drag_ || !can_undo() || can_redo()) return false;
+  entries_.pop_back();
+  --place_;
+  end_drag();
+  return true;
+}
+
 void History::undo() {
   if (can_undo()) go_to(place_ - 1);
 }

@@ -26,6 +26,9 @@ class History {
   void push(Document document, std::string label, const std::string& drag = {});
   /// Ends a drag: the next push is an entry of its own.
   void end_drag() { drag_.clear(); }
+  /// Takes back the entry that the steps of this drag have made, as if it had never begun. False where the newest entry
+  /// is not this drag's, or the drag has ended.
+  bool cancel_drag(const std::string& drag);
 
   bool can_undo() const { return place_ > 0; }
   bool can_redo() const { return place_ + 1 < entries_.size(); }

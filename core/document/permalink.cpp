@@ -67,6 +67,26 @@ void pick_side(Document& document, Side side) {
   document.picked = side;
 }
 
+Text heat_range_text(const std::optional<HeatRange>& range) {
+  if (!range) return {};
+  const std::array<double, 2> ends{range->values.low, range->values.high};
+  return fmt::format("{},{}", shown_channel(range->channel).key, number_list_text(ends));
+}
+
+HeatRange parse_heat_range(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos)
+    throw InputError(
+        fmt::format("range: found '{}', expected a channel and two numbers, with commas between them", text));
+  const ShownChannel channel = parse_shown_channel(text.substr(0, comma));
+  const auto ends = parse_number_list(text.substr(comma + 1), 2, "range");
+  if (!shown_channel(channel).heat.value || !(ends[0] < ends[1]))
+    throw InputError(fmt::format("range: found '{}', expected a channel with a false-colour scale, and two numbers of "
+                                 "which the second is larger",
+                                 text));
+  return {channel, {ends[0], ends[1]}};
+}
+
 const std::vector<Field>& document_fields() {
   static const std::vector<Field> fields{
       {"scene", [](const Document& d) { return text_unless(d.scene_name, ""); },
@@ -120,6 +140,8 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.compare = parse_compare_mode(t); }},
       {"split", [](const Document& d) { return number_unless(d.split, 0.5); },
        [](Document& d, std::string_view t) { d.split = parse_in_range(t, 0, 1, "split"); }},
+      {"range", [](const Document& d) { return heat_range_text(d.heat_range); },
+       [](Document& d, std::string_view t) { d.heat_range = parse_heat_range(t); }},
       {"gain", [](const Document& d) { return number_unless(d.difference_gain, 0); },
        [](Document& d, std::string_view t) { d.difference_gain = parse_in_range(t, 0, 1e6, "gain"); }},
       {"left", [](const Document& d) { return number_unless(d.layout.left, Layout{}.left); },

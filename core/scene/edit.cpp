@@ -84,16 +84,51 @@ Fields light_fields(const Scene& scene, std::size_t index) {
   return fields;
 }
 
+/// One number or colour of a material.
+struct MaterialField {
+  const char* name;
+  std::string value;
+  void (*set)(Material&, const SceneValues&, const SceneTerm&);
+};
+
+std::vector<MaterialField> fields_of(const Material& material) {
+  std::vector<MaterialField> fields{
+      {"color", scene_colour(material.colour),
+       [](Material& m, const SceneValues& v, const SceneTerm& t) { m.colour = v.colour(t); }},
+      {"specular", scene_number(material.specular.value_or(-1)),
+       [](Material& m, const SceneValues& v, const SceneTerm& t) { m.specular = v.specular(t); }},
+      {"transparency", scene_number(material.transparency),
+       [](Material& m, const SceneValues& v, const SceneTerm& t) { m.transparency = v.in_range(t, 0, 1); }},
+      {"refraction_index", scene_number(material.refraction_index),
+       [](Material& m, const SceneValues& v, const SceneTerm& t) {
+         m.refraction_index = v.in_range(t, min_refraction_index, max_refraction_index);
+       }},
+      {"reflective", scene_number(material.reflective),
+       [](Material& m, const SceneValues& v, const SceneTerm& t) { m.reflective = v.in_range(t, 0, 1); }}};
+  if (material.height_map >= 0)
+    fields.push_back(
+        {"relief_depth", scene_number(material.relief_depth),
+         [](Material& m, const SceneValues& v, const SceneTerm& t) { m.relief_depth = v.in_range(t, 0, 1); }});
+  return fields;
+}
+
 /// The surface of an object, which has it for itself once it is changed.
 Fields surface_fields(const Scene& scene, std::size_t index) {
-  if (!takes_texture(scene, index)) return {};
+  const bool textured = takes_texture(scene, index), single = has_one_material(scene, index);
+  if (!textured && !single) return {};
   const Material& material = object_material(scene, index);
   Fields fields;
-  fields.push_back({fmt::format("object.{}.color", index), scene_colour(material.colour),
-                    [index](Scene& s, const SceneValues& v, const SceneTerm& t) {
-                      const Vec3d colour = v.colour(t);
-                      edit_object_material(s, index, [&](Material& m) { m.colour = colour; });
-                    }});
+  for (MaterialField& field : fields_of(material)) {
+    // All of a model with several materials can have one colour, but not one mirror.
+    if (!single && std::string_view(field.name) != "color") continue;
+    fields.push_back({fmt::format("object.{}.{}", index, field.name), std::move(field.value),
+                      [index, set = field.set](Scene& s, const SceneValues& v, const SceneTerm& t) {
+                        Material changed = object_material(s, index);
+                        set(changed, v, t);
+                        edit_object_material(s, index, [&](Material& m) { m = changed; });
+                      }});
+  }
+  if (!textured) return fields;
   fields.push_back({fmt::format("object.{}.texture", index), scene_name(texture_text(scene, material.texture)),
                     [index](Scene& s, const SceneValues& v, const SceneTerm& t) {
                       Scene changed = s;
@@ -165,31 +200,14 @@ Fields object_fields(const Scene& scene, std::size_t index) {
 }
 
 Fields material_fields(const Scene& scene, std::size_t index) {
-  const Material& material = scene.materials->at(index);
   Fields fields;
-  const auto add = [&](const char* name, std::string value, auto change) {
-    fields.push_back({fmt::format("material.{}.{}", index, name), std::move(value),
-                      [index, change](Scene& s, const SceneValues& v, const SceneTerm& t) {
+  for (MaterialField& field : fields_of(scene.materials->at(index)))
+    fields.push_back({fmt::format("material.{}.{}", index, field.name), std::move(field.value),
+                      [index, set = field.set](Scene& s, const SceneValues& v, const SceneTerm& t) {
                         Material changed = s.materials->at(index);
-                        change(changed, v, t);
+                        set(changed, v, t);
                         s.materials.edit([&](std::vector<Material>& materials) { materials[index] = changed; });
                       }});
-  };
-  add("color", scene_colour(material.colour),
-      [](Material& m, const SceneValues& v, const SceneTerm& t) { m.colour = v.colour(t); });
-  add("specular", scene_number(material.specular.value_or(-1)),
-      [](Material& m, const SceneValues& v, const SceneTerm& t) { m.specular = v.specular(t); });
-  add("transparency", scene_number(material.transparency),
-      [](Material& m, const SceneValues& v, const SceneTerm& t) { m.transparency = v.in_range(t, 0, 1); });
-  add("refraction_index", scene_number(material.refraction_index),
-      [](Material& m, const SceneValues& v, const SceneTerm& t) {
-        m.refraction_index = v.in_range(t, min_refraction_index, max_refraction_index);
-      });
-  add("reflective", scene_number(material.reflective),
-      [](Material& m, const SceneValues& v, const SceneTerm& t) { m.reflective = v.in_range(t, 0, 1); });
-  if (material.height_map >= 0)
-    add("relief_depth", scene_number(material.relief_depth),
-        [](Material& m, const SceneValues& v, const SceneTerm& t) { m.relief_depth = v.in_range(t, 0, 1); });
   return fields;
 }
 

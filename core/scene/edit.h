@@ -17,7 +17,7 @@ namespace ps {
 ///   object.N.from  object.N.to  object.N.radius (cylinders) object.N.part.K.center ... (part K of a CSG object, in the
 ///   order of the file) object.N.scale  object.N.rotation  object.N.translation (instances)
 ///   object.N.color  object.N.texture (those that takes_texture(): a picture file, the name of a texture, or none; the
-///   object then has its material for itself) material.N.color
+///   object then has its material for itself), and all that follows (those that has_one_material()) material.N.color
 ///   material.N.specular (-1 = matte)  material.N.reflective material.N.transparency  material.N.refraction_index
 ///   material.N.relief_depth (those with a height map)
 struct SceneProperty {

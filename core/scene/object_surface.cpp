@@ -90,8 +90,16 @@ bool takes_texture(const Scene& scene, std::size_t index) {
   return !std::holds_alternative<Csg>(object.shape);
 }
 
+bool has_one_material(const Scene& scene, std::size_t index) {
+  if (index >= scene.geometry->objects.size()) return false;
+  const Object& object = scene.geometry->objects[index];
+  if (own_material(object)) return true;
+  const auto* instance = std::get_if<Instance>(&object.shape);
+  return instance && scene.geometry->meshes.at(instance->mesh)->materials.size() == 1;
+}
+
 const Material& object_material(const Scene& scene, std::size_t object) {
-  PS_ASSERT(takes_texture(scene, object), "the object has a material of its own");
+  PS_ASSERT(takes_texture(scene, object) || has_one_material(scene, object), "the object has a material of its own");
   return scene.materials->at(index_of_material(scene, object));
 }
 

@@ -13,11 +13,14 @@ namespace ps {
 /// whose triangles all have them. CSG objects have a material for each part.
 bool takes_texture(const Scene& scene, std::size_t object);
 
-/// The material of an object that takes a texture; of a model that has several, the first.
+/// Whether the object has one material alone, with or without texture coordinates.
+bool has_one_material(const Scene& scene, std::size_t object);
+
+/// The material of an object that takes a texture or has one material; of a model that has several, the first.
 const Material& object_material(const Scene& scene, std::size_t object);
 
 /// Changes the material of this object alone: where others have it, too, a copy takes its place. Without effect, also
-/// on revisions, where nothing changes. Only for objects that take a texture.
+/// on revisions, where nothing changes. Only for objects as above.
 void edit_object_material(Scene& scene, std::size_t object, const std::function<void(Material&)>& change);
 
 /// "none", the name of a texture that was made by the program, or the path of its file.

@@ -102,6 +102,14 @@ TEST(Caption, OldCountsAreShownForSomeSeconds) {
   EXPECT_EQ(texts(change, *third, 30.4), "37 → 40 triangles|100 fragments|");
 }
 
+TEST(Caption, NumbersThatAreShownAlikeAreNoChange) {
+  CaptionChange change;
+  const auto first = rasterized(19, 1'510'100), second = rasterized(20, 1'510'900);
+  change.take(first, 1);
+  change.take(second, 10);
+  EXPECT_EQ(texts(change, *second, 10), "19 → 20 triangles|1.51 M fragments|");
+}
+
 TEST(Caption, OtherWorkOrAnotherSceneHasNoOldCount) {
   CaptionChange change;
   const auto first = rasterized(19, 100), traced = rasterized(0, 0), elsewhere = rasterized(5, 6);

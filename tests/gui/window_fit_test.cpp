@@ -57,6 +57,13 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   look_at("presenter", "key F5\n");
   look_at("split", "key Esc\nkey F3\nkey X\n");
   look_at("difference", "key D\n");
+  look_at("object with its gizmo", "key D\nkey T\nclick-pixel A 20,30\nwait idle\nclick options/object\n");
+  look_at("false colours", "key N\n");
+  look_at("presets and bookmarks", "key Shift+N\nkey M\nwait frames 3\nclick kept/preset-name\ntype mine\n"
+                                   "click kept/keep-a\nclick kept/bookmark-name\n"
+                                   "type \"a screen with a name that has no room beside its buttons in this window\"\n"
+                                   "click kept/bookmark\nwait frames 3\n");
+  look_at("history with its plots", "key Esc\nset exposure=2\nwait idle\nkey Y\n");
   expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
 }
 

@@ -111,6 +111,7 @@ Document any_document() {
   d.layout.filled = *rc::gen::element(std::string(), std::string("left"), std::string("right"), std::string("bottom"));
   d.compare = static_cast<CompareMode>(*rc::gen::inRange(0, 5));
   d.split = any_share();
+  if (any_share() < 0.5) d.heat_range = HeatRange{ShownChannel::depth, {any_share(), 1 + any_share() * 50}};
   d.difference_gain = any_share() * 100;
   d.layout.left = any_share();
   d.layout.bottom = any_share();

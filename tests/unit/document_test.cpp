@@ -160,6 +160,23 @@ TEST(History, ADragIsOneEntry) {
   EXPECT_EQ(history.current().a.settings.reflection_depth, 19);
 }
 
+TEST(History, ACancelledDragLeavesNothing) {
+  const Document start = open_document("x", test::book_spheres());
+  History history(start);
+  history.push(with_depth(start, 7), "before");
+  for (int depth = 10; depth < 14; ++depth) history.push(with_depth(start, depth), "drag", "slider");
+  EXPECT_FALSE(history.cancel_drag("another"));
+  EXPECT_TRUE(history.cancel_drag("slider"));
+  EXPECT_EQ(history.current().a.settings.reflection_depth, 7);
+  EXPECT_EQ(history.entries().size(), 2u);
+  EXPECT_FALSE(history.can_redo());
+  EXPECT_FALSE(history.cancel_drag("slider")) << "once";
+  history.push(with_depth(start, 20), "drag", "slider");
+  history.end_drag();
+  EXPECT_FALSE(history.cancel_drag("slider")) << "it has ended";
+  EXPECT_EQ(history.current().a.settings.reflection_depth, 20);
+}
+
 TEST(NumberList, ReadsSizesPixelsAndCameras) {
   EXPECT_EQ(parse_size_text("640x480"), Vec2i(640, 480));
   for (const char* bad : {"", "640", "640x", "x480", "0x0", "100000x100000", "-1x5", "1x5 ", "1.5x2", "99999999999x1"})

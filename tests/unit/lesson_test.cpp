@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/claim.h"
+#include "engine/lesson_length.h"
 
 namespace ps {
 namespace lesson_test {
@@ -226,6 +227,25 @@ TEST(Lessons, EveryFolderIsReadAndHasWhatALessonNeeds) {
             if (span.link.kind == LinkKind::lesson) {
               EXPECT_LT(span.link.step, std::ssize(load_lesson(span.link.target).steps)) << name << ": " << span.text;
             }
+  }
+}
+
+TEST(LessonLength, FollowsFromWhatIsInIt) {
+  LessonLength length{.words = 300, .steps = 4, .claims = 3, .questions = 1};
+  EXPECT_EQ(length.minutes(), 6);  // 2 of reading, 2 of looking, 2 of trying
+  length.words = 301;
+  EXPECT_EQ(length.minutes(), 7) << "what has begun counts";
+  EXPECT_EQ(length_text({.words = 30, .steps = 1, .claims = 0, .questions = 1}),
+            "about 2 minutes: 30 words at 150 a minute, 1 step and 1 thing to try at half a minute each");
+  const Lesson lesson = parse_lesson(good, "lesson", "lesson.md");
+  const LessonLength counted = length_of(lesson);
+  EXPECT_EQ(counted.steps, static_cast<int>(lesson.steps.size()));
+  EXPECT_GT(counted.words, 10);
+  EXPECT_LT(counted.words, 60);
+  for (const std::string& name : lesson_names()) {
+    const int minutes = length_of(load_lesson(name)).minutes();
+    EXPECT_GE(minutes, 3) << name;
+    EXPECT_LE(minutes, 30) << name;
   }
 }
 

@@ -18,12 +18,14 @@
 #include "gui/frame/menu_bar.h"
 #include "gui/frame/palette_entries.h"
 #include "gui/frame/regions.h"
+#include "gui/frame/shots.h"
 #include "gui/frame/show_panel.h"
 #include "gui/frame/status_bar.h"
 #include "gui/frame/window_actions.h"
 #include "gui/input/imgui_keys.h"
 #include "gui/panels/pictures/dropped_picture.h"
 #include "gui/panels/pictures/picture_actions.h"
+#include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/picture_values.h"
 #include "gui/platform/state_file.h"
 #include "gui/session/session_values.h"
@@ -126,7 +128,12 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
                                                              files.ask(std::move(question));
                                                            }},
       panels(panel_table(session, my, host)), regions(session, my, panels),
-      menu_bar(session, shell.actions(), panels, about), autosave(autosave_folder(options)) {
+      menu_bar(session, shell.actions(), panels, about, my.lessons.read), autosave(autosave_folder(options)) {
+  my.kept.presets = parse_kept(shell.remembered(presets_key));
+  my.kept.bookmarks = parse_kept(shell.remembered(bookmarks_key));
+  my.kept.remember = [this](const char* key, std::string lines) { shell.remember_lines(key, std::move(lines)); };
+  my.lessons.read.names = parse_read_lessons(shell.remembered(read_lessons_key));
+  my.lessons.read.remember = [this](std::string lines) { shell.remember_lines(read_lessons_key, std::move(lines)); };
   std::vector<Message> words;  // start() clears what was said before it
   const bool asked = !nothing_asked(options);
   auto left_behind = asked ? std::optional<Document>() : restored_document(autosave, session, words);
@@ -151,6 +158,25 @@ void App::Parts::add_actions() {
                  open_scene_gallery(my.scenes);
                }});
   add_picture_actions(actions, session, my.pictures);
+  add_shot_actions(actions, session, my.pictures,
+                   [this](std::function<void(Image<Rgb8>)> take) { shell.take_shot(std::move(take)); });
+  actions.add({.name = "kept",
+               .label = "Presets and bookmarks: keep options or the screen under a name",
+               .group = "Edit",
+               .keys = "M",
+               .run = [this] { my.kept.open = my.kept.just_opened = true; },
+               .enabled = [this] { return session.has_scene(); }});
+  actions.add({.name = "object",
+               .label = "Object: place, size and material of the picked one",
+               .group = "Edit",
+               .run =
+                   [this] {
+                     my.options.object.open = true;
+                     my.options.object.come = 3;
+                     show_options();
+                     key_focus().go_to("options/object/gizmo");
+                   },
+               .enabled = [this] { return session.has_scene(); }});
   for (const Panel& panel : panels) {
     if (panel.actions) panel.actions(actions);
     if (panel.place == PanelPlace::below)
@@ -160,8 +186,17 @@ void App::Parts::add_actions() {
                    .run = [this, name = panel.name, use = panel.use] { open_tool(name, use); },
                    .enabled = [this] { return session.has_scene(); }});
   }
+  actions.add({.name = "vertex-film",
+               .label = "Vertex: play its way from the model to the canvas",
+               .group = "Study",
+               .run =
+                   [this] {
+                     open_tool("vertex", PanelUse::pixel);
+                     play_film(my.vertex.film);
+                   },
+               .enabled = [this] { return session.has_scene(); }});
   add_drawer_actions(actions, session, panels, my.drawer);
-  actions.offer_more([this] { return palette_entries(session, my.options, [this] { show_options(); }); });
+  actions.offer_more([this] { return palette_entries(session, my.options, my.kept, [this] { show_options(); }); });
 }
 
 /// A study's window has no place for what looks at one pixel.
@@ -191,12 +226,13 @@ void App::Parts::show_options() {
 /// Esc leaves whatever is in front: an open menu, flying, a picture that is alone.
 void App::Parts::close_on_escape() {
   if (!ImGui::IsKeyPressed(imgui_key(Key::escape), false) || key_focus().left_by_escape()) return;
+  if (cancel_picture_drag(session, my.pictures) || cancel_space_drag(session, my.space)) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
     ImGui::ClosePopupToLevel(0, true);
     return;
   }
-  if (about.open || my.scenes.open) {
-    about.open = my.scenes.open = false;
+  if (about.open || my.scenes.open || my.kept.open) {
+    about.open = my.scenes.open = my.kept.open = false;
     return;
   }
   if (!dropped.file.empty()) {
@@ -226,6 +262,7 @@ void App::Parts::update() {
   session.update();
   flying_now = fly_camera(session, my.pictures, passed);
   collect_pictures(session, my.pictures);
+  my.pictures.picked.update(session);
   for (const Panel& panel : panels)
     if (panel.update) panel.update();
   update_unsafe(session, my.unsafe);
@@ -296,6 +333,7 @@ void App::Parts::draw() {
   files.draw();
   about.draw();
   scene_gallery(session, my.scenes);
+  kept_panel(session, my.kept);
   dropped_picture(session, dropped);
   if (const auto followed = std::exchange(my.lessons.followed, {}))
     follow_link(session, my, *followed, [this] { show_options(); });

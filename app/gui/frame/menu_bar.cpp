@@ -19,9 +19,9 @@ void MenuBar::view_menu() {
     for (const char* name : names) menu_action(actions_, name);
     ImGui::Separator();
   };
-  items({"undo", "redo", "history"});
+  items({"undo", "redo", "history", "kept"});
   items({"side-by-side", "split", "difference", "only-a", "only-b"});
-  items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid", "handles"});
+  items({"fit", "one-to-one", "zoom-in", "zoom-out", "grid", "handles", "gizmo"});
   items({"channel-next", "channel-before"});
   items({"mode-lesson", "mode-explore", "mode-study", "mode-presenter"});
   items({"panels", "fullscreen"});

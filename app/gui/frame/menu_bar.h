@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "gui/frame/about.h"
+#include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/panel.h"
 #include "gui/session/session.h"
 
@@ -11,8 +12,9 @@ namespace ps::gui {
 /// outlive it.
 class MenuBar {
  public:
-  MenuBar(Session& session, const Actions& actions, const std::vector<Panel>& panels, About& about)
-      : session_(session), actions_(actions), panels_(panels), about_(about) {}
+  MenuBar(Session& session, const Actions& actions, const std::vector<Panel>& panels, About& about,
+          const ReadLessons& read)
+      : session_(session), actions_(actions), panels_(panels), about_(about), read_(read) {}
   void draw();
 
  private:
@@ -28,6 +30,7 @@ class MenuBar {
   const Actions& actions_;
   const std::vector<Panel>& panels_;
   About& about_;
+  const ReadLessons& read_;
 };
 
 }  // namespace ps::gui

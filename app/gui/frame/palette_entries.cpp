@@ -13,7 +13,7 @@
 
 namespace ps::gui {
 
-std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& options,
+std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& options, const KeptState& kept,
                                           const std::function<void()>& show_options) {
   std::vector<PaletteEntry> entries;
   for (const auto& name : lesson_names()) {
@@ -35,6 +35,7 @@ std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& o
                        },
                        fmt::format("{}, {}", option.key, option.keywords)});
   for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));
+  for (PaletteEntry& entry : kept_entries(session, kept)) entries.push_back(std::move(entry));
   for (const BuiltinScene& scene : builtin_scenes())
     entries.push_back({"scene/" + scene.name, scene.title, "scene", [&session, &scene] { session.open(scene.name); },
                        scene.name + ", " + scene.keywords});

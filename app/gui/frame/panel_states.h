@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "gui/frame/drawer.h"
+#include "gui/panels/kept/kept_panel.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/panels/microscope/microscope_panel.h"
 #include "gui/panels/options/history_panel.h"
@@ -31,6 +32,7 @@ struct PanelStates {
 
   PicturesState pictures;
   SceneGallery scenes;
+  KeptState kept;
   LessonShelf lessons;
   OptionsPanelState options;
   HistoryPanelState history;

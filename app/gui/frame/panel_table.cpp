@@ -75,7 +75,7 @@ Panel options(Session& session, PanelStates& my) {
           .help = "All options of A and of B.",
           .draw =
               [&](const Context&) {
-                if (session.has_scene()) options_panel(session, my.options);
+                if (session.has_scene()) options_panel(session, my.options, {my.pictures.picked, my.pictures.gizmo});
                 take_sweep(session, my);
                 return false;
               },
@@ -108,6 +108,7 @@ Panel history(Session& session, PanelStates& my) {
                              .checked = [&] { return my.history.open; }});
               },
           .publish = [&](Values& out) { out.offer("history/open", [&] { return my.history.open; }); },
+          .update = [&] { my.history.log.update(session); },
           .busy = [&] { return my.history.thumbnails.busy(); }};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ps::gui {
 namespace {
@@ -14,6 +15,9 @@ constexpr double spare = 0.001;        // of the window: what rounding may take 
 // Of the width, where a tool stands beside one picture; where there is little, the tool needs more of it.
 constexpr float beside_text = 0.315f, beside_stage = 0.32f, little_text = 0.29f, little_stage = 0.42f;
 constexpr float little_width = 900;  // at scale 1
+// In a window narrower and at least so high, at scale 1, the text stands over the tool and takes this part of the
+// height.
+constexpr float narrow_width = 1200, enough_height = 560, text_over_tool = 0.4f;
 
 struct Size {
   float width = 0, height = 0;
@@ -40,27 +44,42 @@ float filled_height(const PlanInput& in, int count, float width) {
          picture_gap * in.scale;
 }
 
-}  // namespace
-
-namespace {
-
 /// Text, one picture and a tool, each as high as the area.
 LessonPlan plan_beside(const PlanInput& in) {
   const Area& area = in.area;
   const float between = grip * in.scale;
   const bool little = area.width() < little_width * in.scale;
-  const float text = area.width() * (little ? little_text : beside_text);
-  const float text_end = std::round(area.min.x + std::min(in.text_width, text));
   const float stage_begin = std::round(area.max.x - area.width() * (little ? little_stage : beside_stage));
+  const float most_text = std::min(in.text_width, area.width() * (little ? little_text : beside_text));
+  const float rest = stage_begin - between - area.min.x - room_for(in, 1, beside_share + spare).width;
+  const float text = std::clamp(rest, std::min(narrowest_text * in.scale, most_text), most_text);
+  const float text_end = std::floor(area.min.x + text);
   return {.text = {area.min, {text_end, area.max.y}},
           .pictures = {{text_end, area.min.y}, {stage_begin - between, area.max.y}},
           .stage = {{stage_begin, area.min.y}, area.max}};
 }
 
+/// The text over the tool, beside one picture; nothing where both would be too small for that.
+std::optional<LessonPlan> plan_text_over_tool(const PlanInput& in) {
+  const Area& area = in.area;
+  if (area.width() >= narrow_width * in.scale || area.height() < enough_height * in.scale) return {};
+  const Size one = room_for(in, 1, beside_share + spare);
+  const float text = std::floor(area.width() - one.width);
+  if (text < least_text * in.scale || one.height > area.height()) return {};
+  const float text_end = area.min.x + text, between = grip * in.scale;
+  const float divide = std::round(area.min.y + area.height() * text_over_tool);
+  return LessonPlan{.text = {area.min, {text_end, divide}},
+                    .pictures = {{text_end, area.min.y}, area.max},
+                    .stage = {{area.min.x, divide + between}, {text_end, area.max.y}}};
+}
+
 }  // namespace
 
 LessonPlan plan_lesson(const PlanInput& in, StagePlace stage) {
-  if (stage == StagePlace::beside) return plan_beside(in);
+  if (stage == StagePlace::beside) {
+    const auto over = plan_text_over_tool(in);
+    return over ? *over : plan_beside(in);
+  }
   const Area& area = in.area;
   const float between = grip * in.scale;
   const float height = area.height();

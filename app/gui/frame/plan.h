@@ -27,11 +27,12 @@ struct LessonPlan {
 /// Between two pictures, and between them and what is beside them, at scale 1.
 inline constexpr float picture_gap = 8, picture_margin = 4;
 
-/// The shares of the window that the pictures keep, 0..1: in a lesson, and exploring.
-inline constexpr double lesson_share = 0.35, explore_share = 0.30;
+/// The shares of the window that the pictures keep, 0..1: in a lesson, there beside a tall tool, and exploring.
+inline constexpr double lesson_share = 0.35, beside_share = 0.30, explore_share = 0.30;
 
 /// The text as wide as it reads best, unless the pictures, side by side or as one, would take less than lesson_share of
-/// the window. What height they leave is the stage's below them; beside them it takes the place of one.
+/// the window. What height they leave is the stage's below them; beside them it takes the place of one. Beside a tall
+/// tool the text gives way until the pictures have beside_share. In a narrow window it stands over the tool.
 LessonPlan plan_lesson(const PlanInput& input, StagePlace stage);
 
 /// How the window is divided exploring. `left`, `right` and `bottom` are shares of the area as the document has them,

@@ -129,7 +129,7 @@ void Regions::lesson_text(const Area& area) {
   const Lesson* lesson = my_.lessons.open(session_);
   if (!lesson) {
     begin_region(session_, "lesson", area, "LESSONS");
-    lesson_list(session_);
+    lesson_list(session_, my_.lessons.read);
     ImGui::EndChild();
     return;
   }

@@ -13,11 +13,12 @@ void add_gestures(Actions& actions) {
   for (const auto& [hand, label] : {
            std::pair{"Click", "Inspect a pixel"},
            std::pair{"Wheel", "Zoom in and out"},
-           std::pair{"Drag", "Move the picture, a light or a sphere"},
+           std::pair{"Drag", "Move the picture, a light or an object"},
            std::pair{"Shift+drag", "Render a rectangle alone (Esc: all)"},
            std::pair{"Alt+drag", "Move the camera around the scene"},
            std::pair{"Ctrl+drag", "Look around"},
            std::pair{"Right drag", "Look around; W A S D Q E fly"},
+           std::pair{"Esc in a drag", "Takes back what the drag has changed"},
            std::pair{"Middle drag", "Move the picture"},
            std::pair{"Double-click", "On a heading: fill the window"},
            std::pair{"Right-click", "On an option: copy, reset, send to B"},

@@ -72,6 +72,26 @@ const Action* Actions::taker_of(const Chord& chord) const {
   return bound_to(chord);
 }
 
+std::vector<Actions::Meaning> Actions::meanings() const {
+  std::vector<Meaning> all;
+  const auto find = [&](const Chord& chord) {
+    return std::find_if(all.begin(), all.end(), [&](const Meaning& each) { return each.chord == chord; });
+  };
+  // A borrowed key is not its owner's while the borrower is enabled.
+  for (const auto* bindings : {&borrowed_, &bindings_}) {
+    const std::size_t known = all.size();
+    for (const Binding& binding : *bindings) {
+      if (!enabled(actions_[binding.action])) continue;
+      const auto found = find(binding.chord);
+      if (found == all.end())
+        all.push_back({binding.chord, {actions_[binding.action].name}});
+      else if (static_cast<std::size_t>(found - all.begin()) >= known)
+        found->actions.push_back(actions_[binding.action].name);
+    }
+  }
+  return all;
+}
+
 bool Actions::run(std::string_view name) const {
   const Action* action = find(name);
   if (!action || !action->run || !enabled(*action)) return false;
@@ -115,6 +135,7 @@ bool Actions::key_down(const Chord& chord, bool repeat, bool typing) {
   if (typing && left_to_text_field(chord)) return false;
   const Action* action = taker_of(chord);
   if (!action || !enabled(*action)) return false;
+  last_by_key_ = action->name;
   switch (action->kind) {
   case ActionKind::press:
     if (!repeat) action->run();

@@ -75,6 +75,14 @@ class Actions {
   /// All chords bound to it, the borrowed ones last.
   std::vector<Chord> chords(std::string_view name) const;
   const Action* bound_to(const Chord& chord) const;
+  /// What each chord does now: the enabled actions that take it, which is one, unless two actions want the same key.
+  struct Meaning {
+    Chord chord;
+    std::vector<std::string> actions;
+  };
+  std::vector<Meaning> meanings() const;
+  /// The action that a key ran last; empty before the first.
+  const std::string& last_by_key() const { return last_by_key_; }
   /// Runs the action unless it is disabled; answers whether it ran. Hold actions are not run this way.
   bool run(std::string_view name) const;
   bool enabled(const Action& action) const { return !action.enabled || action.enabled(); }
@@ -99,6 +107,7 @@ class Actions {
   std::function<std::vector<PaletteEntry>()> more_;
   const Action* taker_of(const Chord& chord) const;
   std::vector<Binding> bindings_, borrowed_;
+  std::string last_by_key_;
   std::vector<std::pair<Key, std::size_t>> held_;  // key, action
 };
 

@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "frame/viewport.h"
+#include "gui/session/gizmo.h"
 #include "render/story/names.h"
 
 namespace ps::gui {
@@ -49,9 +50,10 @@ Vec3d position_at(const View& view, const Settings& settings, const Vec3d& like,
 
 std::vector<Handle> handles_of(const Scene& scene, const View& view, const Settings& settings) {
   std::vector<Handle> handles;
-  const auto add = [&](std::string path, std::string name, const Vec3d& position, bool is_light) {
+  const auto add = [&](std::string path, std::string name, const Vec3d& position, bool is_light,
+                       const Vec3d& offset = Vec3d(0, 0, 0)) {
     if (const auto place = place_in_picture(view, settings, position))
-      handles.push_back({std::move(path), std::move(name), position, *place, is_light});
+      handles.push_back({std::move(path), std::move(name), position, *place, is_light, offset});
   };
   for (std::size_t i = 0; i < scene.lights->size(); ++i) {
     const Light& light = (*scene.lights)[i];
@@ -62,16 +64,23 @@ std::vector<Handle> handles_of(const Scene& scene, const View& view, const Setti
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const std::string name = object_name(scene, static_cast<int>(i));
     const auto* solid = std::get_if<Solid>(&objects[i].shape);
+    if (solid && !solid->place.is_identity()) continue;  // its numbers are not in world space
     if (const auto* sphere = std::get_if<Sphere>(&objects[i].shape))
       add(fmt::format("object.{}.center", i), name, sphere->centre, false);
     else if (const auto* rectangle = solid ? std::get_if<Rectangle>(&solid->form) : nullptr)
       add(fmt::format("object.{}.corner", i), name, rectangle->corner, false);
+    else if (const auto* brick = solid ? std::get_if<Brick>(&solid->form) : nullptr)
+      add(fmt::format("object.{}.center", i), name, brick->centre, false);
+    else if (const auto* instance = std::get_if<Instance>(&objects[i].shape))
+      if (const auto gizmo = gizmo_of(scene, i))
+        add(fmt::format("object.{}.translation", i), name, gizmo->centre, false,
+            instance->transform.translation - gizmo->centre);
   }
   return handles;
 }
 
 void drag_handle(Session& session, Side side, const Handle& handle, const Vec2d& place) {
-  const Vec3d position = position_at(session.view(), session.settings(side), handle.position, place);
+  const Vec3d position = position_at(session.view(), session.settings(side), handle.position, place) + handle.offset;
   // Four digits are finer than a pixel and read well in a saved scene.
   const SceneEdit change{handle.path, fmt::format("({:.4g}, {:.4g}, {:.4g})", position.x, position.y, position.z)};
   session.edit("move " + handle.name, handle.path, [&](Document& document) { edit_scene(document, change); });

@@ -7,14 +7,15 @@
 
 namespace ps::gui {
 
-/// Something that can be taken hold of in a picture: a point light, the centre of a sphere or the corner of a
-/// rectangle.
+/// Something that can be taken hold of in a picture: a point light, the centre of a sphere, a box or a model, or the
+/// corner of a rectangle.
 struct Handle {
   std::string path;       ///< of the property it changes, as set_property reads it: "light.1.position"
   std::string name;       ///< for people
   Vec3d position;         ///< world space
   Vec2d place;            ///< in the picture, pixels from the top left, y down; may lie outside it
   bool is_light = false;  ///< drawn as a sun, else as a cross
+  Vec3d offset{0, 0, 0};  ///< from `position` to the value of the property
 };
 
 /// The handles in front of the camera.

@@ -37,6 +37,7 @@ void keep_place(const Document& from, Document& to) {
   to.story = from.scene_name == to.scene_name ? from.story : carried_over(from.story, false);
   to.compare = from.compare;
   to.split = from.split;
+  to.heat_range = from.heat_range;
   to.difference_gain = from.difference_gain;
   to.mode = from.mode;
   to.layout = from.layout;
@@ -157,6 +158,12 @@ void Session::end_drag() {
   if (history_) history_->end_drag();
 }
 
+bool Session::cancel_drag(const std::string& drag) {
+  if (!history_ || !history_->cancel_drag(drag)) return false;
+  show_entry();
+  return true;
+}
+
 void Session::set_settings(Side side, const Settings& settings, const std::string& what, const std::string& drag) {
   edit(what, drag, [&](Document& document) { side_of(document, side).settings = settings; });
 }
@@ -249,6 +256,10 @@ void Session::say_step(const std::string& did, const std::string& step) {
 void Session::go_to_entry(std::size_t place) {
   if (!history_ || place >= history_->entries().size()) return;
   history_->go_to(place);
+  show_entry();
+}
+
+void Session::show_entry() {
   ++change_;
   const Document before = std::exchange(document_, history_->current());
   keep_place(before, document_);
@@ -257,7 +268,7 @@ void Session::go_to_entry(std::size_t place) {
   document_changed();
 }
 
-void Session::start(Document document) { take_up(std::move(document), Reason::open); }
+void Session::start(Document document, const std::string& drag) { take_up(std::move(document), Reason::open, drag); }
 
 void Session::open(const std::string& path_or_name) {
   try {
@@ -341,7 +352,7 @@ bool Session::take_loaded() {
   return true;
 }
 
-void Session::take_up(Document document, Reason reason) {
+void Session::take_up(Document document, Reason reason, const std::string& drag) {
   switch (reason) {
   case Reason::open:
   case Reason::permalink:  // stores how the window is divided, too
@@ -380,7 +391,7 @@ void Session::take_up(Document document, Reason reason) {
   if (!history_)
     history_.emplace(std::move(document), "start");
   else
-    history_->push(std::move(document), reason == Reason::reload ? "reload" : "open " + document_.scene_name);
+    history_->push(std::move(document), reason == Reason::reload ? "reload" : "open " + document_.scene_name, drag);
   ++change_;
   watched_.clear();  // a reload may have brought other files
   document_changed();
@@ -408,7 +419,7 @@ void Session::request_work() {
   }
   const auto range = common_range();
   for (const Side side : both_sides) {
-    PictureRequest request{document_.scene, view(), settings(side), shown(side), range, region()};
+    PictureRequest request{document_.scene, view(), settings(side), shown(side), range_of(side, range), region()};
     if (side == Side::b && picture_b_) {
       inspectors_[1]->clear();
       continue;
@@ -419,6 +430,11 @@ void Session::request_work() {
       inspectors_[index_of(side)]->clear();
     renderers_[index_of(side)]->request(request);
   }
+}
+
+std::optional<ValueRange> Session::range_of(Side side, const std::optional<ValueRange>& common) const {
+  const auto& asked = document_.heat_range;
+  return asked && asked->channel == shown(side) ? asked->values : common;
 }
 
 /// Two heat maps of the same kind share one scale, so that equal colours mean equal numbers.

@@ -87,6 +87,9 @@ class Session {
   void edit(const std::string& what, const std::string& drag, const std::function<void(Document&)>& apply);
   void edit(const std::string& what, const std::function<void(Document&)>& apply) { edit(what, {}, apply); }
   void end_drag();
+  /// Takes back what the steps with this `drag` have changed, which leaves nothing to undo or redo. Answers whether
+  /// there was something.
+  bool cancel_drag(const std::string& drag);
   void set_settings(Side side, const Settings& settings, const std::string& what, const std::string& drag = {});
   /// Moves around without leaving a step: zoom, compare mode, layout, the picked pixel. Undo keeps these as they are.
   void navigate(const std::function<void(Document&)>& apply);
@@ -113,8 +116,9 @@ class Session {
   void go_to_entry(std::size_t place);
 
   // --- scenes ---
-  /// Shows a document that is complete. The first thing to call.
-  void start(Document document);
+  /// Shows a document that is complete. The first thing to call. Documents with the same `drag` (not empty) in a row
+  /// are one step of the history.
+  void start(Document document, const std::string& drag = {});
   /// Loads in the background; the scene that is open stays until it has come, and for good if it cannot be read.
   void open(const std::string& path_or_name);
   void open_permalink(const std::string& text);
@@ -154,7 +158,9 @@ class Session {
   void say_step(const std::string& did, const std::string& step);
   void load(const std::string& name, std::function<Document()> make, Reason reason);
   bool take_loaded();
-  void take_up(Document document, Reason reason);
+  void take_up(Document document, Reason reason, const std::string& drag = {});
+  /// Shows the history's current entry where the user is now.
+  void show_entry();
   /// Brings what depends on the document's scene up to date.
   void document_changed();
   /// Reads the picture file that the document has in B's place, and drops one that it has no longer. One that cannot be
@@ -169,6 +175,8 @@ class Session {
   void follow_story(Side side);
   void request_work();
   std::optional<ValueRange> common_range();
+  /// Of a side's false colours: what was asked for, else what both have in common.
+  std::optional<ValueRange> range_of(Side side, const std::optional<ValueRange>& common) const;
 
   SessionHost host_;
   std::shared_ptr<Prepared> prepared_ = std::make_shared<Prepared>();

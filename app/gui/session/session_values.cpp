@@ -5,6 +5,7 @@
 #include "document/number_list.h"
 #include "document/permalink.h"
 #include "options/option.h"
+#include "scene/edit.h"
 
 namespace ps::gui {
 namespace {
@@ -105,6 +106,15 @@ std::optional<std::string> light_value(const Session& session, std::string_view 
   return {};
 }
 
+/// Of a path that scene/edit.h knows.
+std::optional<std::string> property_value(const Session& session, std::string_view path) {
+  try {
+    return get_property(session.scene(), path);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 void offer_history(Values& out, Session& session) {
   out.offer("undo", [&session] { return session.undo_label(); });
   out.offer("redo", [&session] { return session.redo_label(); });
@@ -122,6 +132,7 @@ void offer_session_values(Values& out, Session& session) {
   for (const Side side : both_sides) offer_side(out, session, side);
   out.offer_below("camera/", [&session](std::string_view name) { return camera_value(session, name); });
   out.offer_below("light/", [&session](std::string_view name) { return light_value(session, name); });
+  out.offer_below("property/", [&session](std::string_view path) { return property_value(session, path); });
   offer_history(out, session);
   out.offer("scene", [&session] { return session.document().scene_name; });
   out.offer("loading", [&session] { return session.loading() ? session.loading_name() : std::string("none"); });

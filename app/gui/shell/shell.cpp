@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "base/check.h"
 #include "base/timer.h"
@@ -121,6 +122,7 @@ struct Shell::Impl {
   Clock::time_point due = Clock::time_point::max();  // of wake_after
   Clock::time_point last_frame, last_input;
   RecentTimes layout_times, frame_times;
+  std::function<void(Image<Rgb8>)> shot_taker;  ///< of the next frame
 
   void add_actions(Shell& shell);
   void offer_values();
@@ -149,6 +151,16 @@ void Shell::Impl::offer_values() {
   values().offer("window/visible", [=, this] { return on_off(window.visible()); });
   values().offer("window/turns", [this] { return std::to_string(turns); });
   values().offer("keyboard/at", [] { return key_focus().place(); });
+  // "F2=mode-lesson X=split": what keys do now; two names with a "+" would be two meanings of one key.
+  values().offer("keys/meanings", [this] {
+    std::string all;
+    for (const Actions::Meaning& meaning : actions.meanings()) {
+      all += (all.empty() ? "" : " ") + chord_text(meaning.chord) + "=";
+      for (const std::string& name : meaning.actions) all += (all.ends_with('=') ? "" : "+") + name;
+    }
+    return all;
+  });
+  values().offer("keys/last", [this] { return actions.last_by_key(); });
   values().offer("clipboard", [this] { return window.clipboard(); });
   values().offer("window/seconds", [=] { return in_seconds(seconds_since_start()); });
   values().offer("window/cpu-seconds",
@@ -301,7 +313,8 @@ void Shell::Impl::draw_frame() {
   palette.draw(actions);
   ImGui::Render();
   layout_times.add(timer.milliseconds());
-  const bool drawn = window.draw_frame(script && script->wants_screenshot());
+  const bool drawn = window.draw_frame(shot_taker || (script && script->wants_screenshot()));
+  if (const auto take = std::exchange(shot_taker, {})) take(window.screenshot());
   if (script) script->frame_drawn(window);
   if (drawn) {
     window.show_frame();
@@ -380,6 +393,10 @@ void Shell::quit(int status) {
 }
 
 Actions& Shell::actions() { return impl_->actions; }
+void Shell::take_shot(std::function<void(Image<Rgb8>)> take) {
+  impl_->shot_taker = std::move(take);
+  wake();
+}
 void Shell::set_fullscreen(bool on) { impl_->window.set_fullscreen(on); }
 bool Shell::fullscreen() const { return impl_->window.fullscreen(); }
 void Shell::set_title(const std::string& title) { impl_->window.set_title(title); }

@@ -1,11 +1,13 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "gui/base/content.h"
 #include "gui/platform/window_size.h"
+#include "image/image.h"
 
 namespace ps::gui {
 
@@ -44,6 +46,8 @@ class Shell {
   /// The table of actions: the content adds its own before run().
   Actions& actions();
 
+  /// Hands over a picture of the window as the next frame draws it. A later wish takes the place of one that waits.
+  void take_shot(std::function<void(Image<Rgb8>)> take);
   void set_fullscreen(bool on);
   bool fullscreen() const;
   void set_title(const std::string& title);

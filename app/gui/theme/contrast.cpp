@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ps::gui {
 namespace {
 
@@ -39,6 +41,11 @@ std::vector<std::string> contrast_faults(const Palette& p) {
                                    {"selection", p.selection}};
   check({{"text", p.text}, {"text_quiet", p.text_quiet}, {"text_disabled", p.text_disabled}}, grounds, text_contrast,
         p.panel, faults);
+  // Rings of `attention`, as around what a link leads to, lie between two lines of `text`.
+  check({{"text as the edge of a ring", p.text}}, grounds, mark_contrast, p.panel, faults);
+  const double ring = std::max(contrast(p.attention, p.text), contrast(p.attention, p.panel));
+  if (!(ring >= mark_contrast))
+    faults.push_back(fmt::format("attention in a ring: {:.2f}, needs {}", ring, mark_contrast));
   // Marks lie on panels and in fields. `right`, `wrong` and `attention` are areas, whose edge is `text_quiet`.
   check({{"a", p.a},
          {"b", p.b},

@@ -57,9 +57,11 @@ void draw_flash() {
     const ImVec2 min{control->min.x - px(2), control->min.y - px(2)},
         max{control->max.x + px(2), control->max.y + px(2)};
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
-    draw.AddRectFilled(min, max, colour_u32(palette().attention, 0.3 * strength), px(5));
-    draw.AddRect(min, max, colour_u32(palette().text), px(5), 0, px(3));
-    draw.AddRect(min, max, colour_u32(palette().attention, 0.4 + 0.6 * strength), px(5), 0, px(2));
+    // A ring alone: yellow over the control would take its text below the contrast that it needs.
+    const float grown = px(3) * static_cast<float>(strength);
+    const ImVec2 low{min.x - grown, min.y - grown}, high{max.x + grown, max.y + grown};
+    draw.AddRect(low, high, colour_u32(palette().text), px(5), 0, px(6));
+    draw.AddRect(low, high, colour_u32(palette().attention), px(5), 0, px(3));
   }
 }
 

@@ -121,46 +121,75 @@ bool reset_button(const Option& option, float size) {
   return clicked;
 }
 
+namespace {
+
+constexpr double need_gap = 8;  // between the text and its buttons
+
+/// How the parts of need_lines() lie; for the small face.
+struct NeedLayout {
+  std::string text, lines;
+  bool has_switch = false;
+  bool beside = false;  ///< the buttons stand behind the last line, else below it
+  float last = 0;       ///< width of the last line
+  float lines_height = 0, height = 0;
+
+  float buttons_top() const { return beside ? lines_height - ImGui::GetTextLineHeight() : lines_height; }
+};
+
+std::string set_label(std::span<const Side> sides, Side side) {
+  return sides.size() == 1 ? "Set" : side == Side::a ? "Set A" : "Set B";
+}
+
+NeedLayout need_layout(const Waking& waking, std::span<const Side> sides, std::string_view prefix, float width) {
+  NeedLayout layout;
+  layout.text = std::string(prefix) + waking_text(waking);
+  layout.has_switch = !waking.settings.empty();
+  float buttons = 0;
+  if (layout.has_switch)
+    for (const Side side : sides) buttons += px(need_gap) + button_width(set_label(sides, side));
+  layout.lines = in_lines(layout.text, width);
+  layout.last = text_width(std::string_view(layout.lines).substr(layout.lines.rfind('\n') + 1));  // npos + 1 is 0
+  layout.beside = layout.last + buttons <= width;
+  layout.lines_height = text_height(layout.lines);
+  layout.height = layout.has_switch ? layout.buttons_top() + ImGui::GetFrameHeight() : layout.lines_height;
+  return layout;
+}
+
+}  // namespace
+
+float need_lines_height(const Waking& waking, std::span<const Side> sides, std::string_view prefix, float width) {
+  const FontScope small(Face::small);
+  return need_layout(waking, sides, prefix, width).height;
+}
+
 std::optional<Side> need_lines(const Option& option, const Waking& waking, std::span<const Side> sides,
                                std::string_view prefix, float width) {
   const FontScope small(Face::small);
-  const std::string text = std::string(prefix) + waking_text(waking);
-  const bool has_switch = !waking.settings.empty();
-  const float gap = px(8);
-  float buttons = 0;
-  const auto label_of = [&](Side side) { return sides.size() == 1 ? "Set" : side == Side::a ? "Set A" : "Set B"; };
-  if (has_switch)
-    for (const Side side : sides) buttons += gap + button_width(label_of(side));
-  // Beside the last line if there is room, else below it.
-  const std::string lines = in_lines(text, width);
-  const std::string_view last = std::string_view(lines).substr(lines.rfind('\n') + 1);  // npos + 1 is 0
-  const bool beside = text_width(last) + buttons <= width;
+  const NeedLayout layout = need_layout(waking, sides, prefix, width);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float line = ImGui::GetTextLineHeight(), height = text_height(lines), button_height = ImGui::GetFrameHeight();
-  const float inset = std::floor((button_height - line) / 2);
-  draw_lines({at.x, at.y + (beside ? inset : 0)}, lines, palette().text_quiet);
+  const float line = ImGui::GetTextLineHeight(), inset = std::floor((ImGui::GetFrameHeight() - line) / 2);
+  const bool one_line = layout.lines.find('\n') == std::string::npos;
+  draw_lines({at.x, at.y + (layout.beside ? inset : 0)}, layout.lines, palette().text_quiet);
   for (const Side side : sides) {
     const NameScope scope(side == Side::a ? "a" : "b");
     // A button may stand at the end of the last line.
-    const bool one_line = lines.find('\n') == std::string::npos;
-    const ImVec2 end{at.x + (one_line ? text_width(last) : width),
-                     at.y + (beside && !one_line ? height - line : height)};
-    controls().record(std::string(option.key) + "/needs", at, end, text);
+    const ImVec2 end{at.x + (one_line ? layout.last : width),
+                     at.y + layout.lines_height - (layout.beside && !one_line ? line : 0)};
+    controls().record(std::string(option.key) + "/needs", at, end, layout.text);
   }
   std::optional<Side> clicked;
-  float x = at.x + (beside ? text_width(last) + gap : 0);
-  const float y = at.y + (beside ? height - line : height);
-  if (has_switch)
+  float x = at.x + (layout.beside ? layout.last + px(need_gap) : 0);
+  if (layout.has_switch)
     for (const Side side : sides) {
       const NameScope scope(side == Side::a ? "a" : "b");
-      ImGui::SetCursorScreenPos({x, y});
-      if (button(std::string(option.key) + "/wake", label_of(side), Emphasis::plain,
+      ImGui::SetCursorScreenPos({x, at.y + layout.buttons_top()});
+      if (button(std::string(option.key) + "/wake", set_label(sides, side), Emphasis::plain,
                  {.tooltip = "Sets what this option needs. One step back takes it all back."}))
         clicked = side;
-      x += button_width(label_of(side)) + gap;
+      x += button_width(set_label(sides, side)) + px(need_gap);
     }
   ImGui::SetCursorScreenPos(at);
-  ImGui::Dummy({width, has_switch ? y + button_height - at.y : height});
+  ImGui::Dummy({width, layout.height});
   return clicked;
 }
 

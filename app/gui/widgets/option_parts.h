@@ -29,5 +29,7 @@ bool reset_button(const Option& option, float size);
 /// KEY/wake in its side's scope. Answers the side whose button was clicked.
 std::optional<Side> need_lines(const Option& option, const Waking& waking, std::span<const Side> sides,
                                std::string_view prefix, float width);
+/// The height that need_lines() takes.
+float need_lines_height(const Waking& waking, std::span<const Side> sides, std::string_view prefix, float width);
 
 }  // namespace ps::gui

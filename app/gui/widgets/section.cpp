@@ -68,6 +68,7 @@ TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bo
   // Dear ImGui makes the row as high as its label: one with as many lines and nothing in them.
   const auto breaks = static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
   const std::string blank = std::string(breaks, '\n') + ' ';
+  const ImGuiID state = ImGui::GetID(id.c_str());  // now: an open node pushes its name
   const bool open = ImGui::TreeNodeEx(id.c_str(), flags, "%s", blank.c_str());
   ImGui::PopStyleVar();
   draw_lines(at, lines, ImGui::GetStyleColorVec4(ImGuiCol_Text));
@@ -77,7 +78,7 @@ TreeRow tree_row(std::string_view name, std::string_view text, TreeKind kind, bo
   if (key_focus().item(id, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), true)) {
     row.clicked = row.clicked || key_focus().pressed();
     if (kind == TreeKind::branch && key_focus().steps() != 0) {
-      ImGui::GetStateStorage()->SetInt(ImGui::GetID(id.c_str()), key_focus().steps() > 0 ? 1 : 0);
+      ImGui::GetStateStorage()->SetInt(state, key_focus().steps() > 0 ? 1 : 0);
       key_focus().use_steps();
     }
   }

@@ -58,6 +58,7 @@ void caption_strip(Session& session, LessonShelf& shelf) {
     value_text("place", fmt::format("{}   {} of {}, page {} of {}", step.title, index + 1, count, caption.page + 1,
                                     caption.pages));
   }
+  note_read(shelf, *lesson, index, caption);
   const std::size_t first = static_cast<std::size_t>(caption.page) * lines_of_page;
   std::string shown;
   for (std::size_t i = first; i < std::min(lines.size(), first + lines_of_page); ++i)

@@ -3,26 +3,20 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
-#include "gui/panels/lesson/lesson_panel.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
 
-struct ListedLesson {
-  std::string name, title, source;
-  std::size_t steps = 0;
-};
-
-/// Those that cannot be read are left out; the lesson menu says what is wrong with them.
 std::vector<ListedLesson> readable_lessons() {
   std::vector<ListedLesson> lessons;
   for (const auto& name : lesson_names()) {
     try {
       const Lesson lesson = load_lesson(name);
-      lessons.push_back({name, lesson.title, lesson.source, lesson.steps.size()});
+      lessons.push_back({name, lesson.title, lesson.source, length_of(lesson)});
     } catch (const InputError&) {
-      continue;
+      continue;  // the lesson menu says what is wrong with it
     }
   }
   return lessons;
@@ -30,14 +24,29 @@ std::vector<ListedLesson> readable_lessons() {
 
 }  // namespace
 
-void lesson_list(Session& session) {
-  const NameScope scope("lessons");
+void draw_tick(ImVec2 row, float height) {
+  const float x = row.x + px(4), y = row.y + height / 2;
+  const ImVec2 points[]{{x, y}, {x + px(4), y + px(4)}, {x + px(11), y - px(5)}};
+  ImGui::GetWindowDrawList()->AddPolyline(points, 3, colour_u32(palette().right_mark), ImDrawFlags_None, px(2.5));
+}
+
+const std::vector<ListedLesson>& listed_lessons() {
   static const std::vector<ListedLesson> lessons = readable_lessons();
+  return lessons;
+}
+
+void lesson_list(Session& session, const ReadLessons& read) {
+  const NameScope scope("lessons");
   ImGui::BeginChild("lessons");
-  for (const ListedLesson& lesson : lessons) {
-    if (tree_row(lesson.name, fmt::format("{}   {} steps", lesson.title, lesson.steps), TreeKind::leaf, false).clicked)
-      go_to_step(session, lesson.name, 0);
-    tooltip(lesson.source);
+  for (const ListedLesson& lesson : listed_lessons()) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string text =
+        fmt::format("{}   {} steps, {} min", lesson.title, lesson.length.steps, lesson.length.minutes());
+    if (tree_row(lesson.name, text, TreeKind::leaf, false).clicked) go_to_step(session, lesson.name, 0);
+    const bool is_read = read.names.contains(lesson.name);
+    tooltip(fmt::format("{}\n{}{}", lesson.source, is_read ? "Read to the end; " : "", length_text(lesson.length)));
+    if (is_read) draw_tick(at, ImGui::GetItemRectSize().y);
+    controls().record(lesson.name + "/read", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), is_read ? "on" : "off");
   }
   ImGui::EndChild();
 }

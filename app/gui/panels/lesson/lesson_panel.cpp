@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/panels/lesson/step_options.h"
+#include "gui/panels/lesson/text_needs.h"
 #include "gui/panels/lesson/text_pages.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
@@ -40,18 +41,23 @@ OwnBlocks own_blocks(const Session& session, const Lesson& lesson, const LessonS
 }
 
 /// What stands in the column from top to bottom.
-std::vector<TextLine> column_of(const Lesson& lesson, int index, const OwnBlocks& own) {
+std::vector<TextLine> column_of(const Session& session, LessonShelf& shelf, const Lesson& lesson, int index,
+                                const OwnBlocks& own) {
   const LessonStep& step = lesson.steps[static_cast<std::size_t>(index)];
   const float width = ImGui::GetContentRegionAvail().x;
   std::vector<TextLine> lines;
+  const auto add = [&](const TextBlock& block, std::string_view mark) {
+    lay_out(block, mark, Face::body, width, lines);
+    lay_out_needs(block, session, shelf.wakings, width, lines);
+  };
   if (index == 0) {
     lay_out(own.source, {}, Face::small, width, lines);
-    for (const TextBlock& block : lesson.blocks) lay_out(block, mark_of(block), Face::body, width, lines);
+    for (const TextBlock& block : lesson.blocks) add(block, mark_of(block));
   }
   lay_out(own.title, {}, Face::heading, width, lines);
-  for (const TextBlock& block : step.blocks) lay_out(block, mark_of(block), Face::body, width, lines);
-  for (const TextBlock& hint : step.hints) lay_out(hint, "→", Face::body, width, lines);
-  for (const TextBlock& option : own.options) lay_out(option, {}, Face::body, width, lines);
+  for (const TextBlock& block : step.blocks) add(block, mark_of(block));
+  for (const TextBlock& hint : step.hints) add(hint, "→");
+  for (const TextBlock& option : own.options) add(option, {});
   return lines;
 }
 
@@ -113,24 +119,34 @@ void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>
   }
 }
 
-/// "step 2 of 7, page 1 of 2", and the same in as few signs as there is room for.
-struct Place {
-  std::string full, brief;
-};
-Place place_of(int index, int count, const ReadPage& read) {
-  const std::string step = fmt::format("step {} of {}", index + 1, count);
-  if (read.pages <= 1) return {step, fmt::format("{}/{}", index + 1, count)};
+/// "step 2 of 7, page 1 of 2", and the same in fewer signs, the shortest last.
+std::vector<std::string> place_texts(int index, int count, const ReadPage& read) {
+  const std::string step = fmt::format("step {} of {}", index + 1, count),
+                    brief = fmt::format("{}/{}", index + 1, count);
+  if (read.pages <= 1) return {step, brief};
   return {fmt::format("{}, page {} of {}", step, read.page + 1, read.pages),
-          fmt::format("{}/{}, {}/{}", index + 1, count, read.page + 1, read.pages)};
+          fmt::format("{}, {}/{}", brief, read.page + 1, read.pages), brief};
+}
+
+/// The first of the texts that fits; none where not even the last one does.
+std::string_view first_that_fits(const std::vector<std::string>& texts, float room) {
+  for (const std::string& text : texts)
+    if (text_width(text) <= room) return text;
+  return {};
+}
+
+float small_width(const std::string& text) {
+  const FontScope font(Face::small);
+  return text_width(text);
 }
 
 /// Back, Next and the rest, and where one is.
 void buttons(Session& session, const Lesson& lesson, int index, const ReadPage& read) {
   const int count = static_cast<int>(lesson.steps.size());
   const float space = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
-  const bool narrow =
-      button_width("Back") + button_width("Next") + button_width("Again") + button_width("×") + 3 * space + px(50) >
-      room;
+  const std::vector<std::string> places = place_texts(index, count, read);
+  const float words = button_width("Back") + button_width("Next") + button_width("Again") + button_width("×");
+  const bool narrow = words + 3 * space + px(6) + small_width(places[1]) > room;
   int target = index;
   if (button("before", narrow ? "‹" : "Back", Emphasis::plain,
              {.tooltip = "The previous step (Shift Page Up). Page Up reads back.",
@@ -153,13 +169,12 @@ void buttons(Session& session, const Lesson& lesson, int index, const ReadPage& 
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float drop = ImGui::GetStyle().FramePadding.y + (body - ImGui::GetFontSize()) / 2;
   ImGui::SetCursorScreenPos({at.x, std::floor(at.y + drop)});
-  const Place place = place_of(index, count, read);
-  const bool fits = text_width(place.full) <= ImGui::GetContentRegionAvail().x;
+  const std::string_view place = first_that_fits(places, ImGui::GetContentRegionAvail().x);
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextUnformatted((fits ? place.full : place.brief).c_str());
+  ImGui::TextUnformatted(place.data(), place.data() + place.size());
   ImGui::PopStyleColor();
-  controls().record("place", place.full);
-  tooltip(place.full);
+  if (!place.empty()) controls().record("place", places.front());
+  tooltip(places.front());
   if (target != index) go_to_step(session, lesson.name, target);
   if (close) close_lesson(session);
 }
@@ -176,8 +191,9 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
   ImGui::BeginChild("text", {0, -(ImGui::GetFrameHeightWithSpacing() + px(2))}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   turn_by_wheel(shelf.text);
-  draw_page(session, shelf, column_of(*lesson, index, own));
+  draw_page(session, shelf, column_of(session, shelf, *lesson, index, own));
   ImGui::EndChild();
+  note_read(shelf, *lesson, index, shelf.text);
   buttons(session, *lesson, index, shelf.text);
 }
 

@@ -1,10 +1,13 @@
 #pragma once
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "engine/lesson.h"
 #include "gui/panels/lesson/text_view.h"
+#include "gui/panels/options/waking_cache.h"
 #include "gui/session/session.h"
 
 namespace ps::gui {
@@ -22,13 +25,24 @@ struct ReadPage {
 /// A new step begins on its first page, or on its last one where the page before was asked for.
 void follow_step(const Session& session, ReadPage& read);
 
+/// Which lessons were read to their end, kept from one start to the next.
+struct ReadLessons {
+  std::set<std::string> names;  ///< folders
+  std::function<void(std::string lines)> remember;
+};
+inline constexpr const char* read_lessons_key = "app/read-lessons";
+/// From lines of a name each.
+std::set<std::string> parse_read_lessons(const std::string& lines);
+
 /// The lesson that the document names, read when it is first needed.
 class LessonShelf {
  public:
   /// The open lesson, or nullptr. What cannot be read becomes a message of the session, once.
   const Lesson* open(Session& session);
   ReadPage text, caption;
-  bool blank = false;                  ///< the presenter's window is black, so that all look at the speaker
+  bool blank = false;  ///< the presenter's window is black, so that all look at the speaker
+  WakingCache wakings;
+  ReadLessons read;
   std::string shown_option;            ///< the page with its controls is to be turned to, once
   std::optional<LinkTarget> followed;  ///< what was clicked in the text, until the window takes it
 
@@ -47,6 +61,8 @@ void read_lesson(Session& session, LessonShelf& shelf, int by);
 /// The lesson before or after the open one, from its first step; the first lesson if none is open.
 void move_lesson(Session& session, int by);
 void close_lesson(Session& session);
+/// Notes that a page was shown: with the last one of its last step a lesson is read to the end.
+void note_read(LessonShelf& shelf, const Lesson& lesson, int step, const ReadPage& page);
 
 /// The step's text with its controls, page by page, and the buttons to move on.
 void lesson_panel(Session& session, LessonShelf& shelf);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 #include "gui/panels/lesson/lesson_panel.h"
 
@@ -74,6 +75,22 @@ void move_lesson(Session& session, int by) {
   }
   const auto place = std::distance(names.begin(), here) + by;
   if (place >= 0 && place < std::ssize(names)) go_to_step(session, names[static_cast<std::size_t>(place)], 0);
+}
+
+std::set<std::string> parse_read_lessons(const std::string& lines) {
+  std::set<std::string> names;
+  std::istringstream text(lines);
+  for (std::string line; std::getline(text, line);)
+    if (!line.empty()) names.insert(line);
+  return names;
+}
+
+void note_read(LessonShelf& shelf, const Lesson& lesson, int step, const ReadPage& page) {
+  if (step + 1 != static_cast<int>(lesson.steps.size()) || page.page + 1 != page.pages) return;
+  if (!shelf.read.names.insert(lesson.name).second || !shelf.read.remember) return;
+  std::string lines;
+  for (const std::string& name : shelf.read.names) lines += name + '\n';
+  shelf.read.remember(lines);
 }
 
 void close_lesson(Session& session) {

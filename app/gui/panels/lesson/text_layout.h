@@ -1,10 +1,12 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/text.h"
 #include "gui/theme/theme.h"
+#include "options/waking.h"
 
 namespace ps::gui {
 
@@ -17,12 +19,21 @@ struct TextPiece {
   std::optional<Side> control;     ///< whose option is changed here
 };
 
+/// What a live control of the text above needs to act.
+struct ControlNeed {
+  const Option* option = nullptr;
+  std::vector<Side> sides;
+  Waking waking;
+  std::string prefix;  ///< "Shading: ", or "A Shading: " where only A's control needs it, beside B's
+};
+
 struct TextLine {
   float gap = 0, height = 0;  ///< free space above it, and its own height
   std::vector<TextPiece> pieces;
   std::string mark;  ///< in front of the first line of an item: "•", "1."
   bool begins_block = false;
-  bool stays_with_next = false;  ///< of a heading
+  bool stays_with_next = false;     ///< of a heading, and of what needs are said of
+  std::optional<ControlNeed> need;  ///< in place of pieces
 };
 
 /// Adds the lines of a block in lines of at most this width, which end between words. `mark` stands in front of the

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gui/panels/lesson/option_field.h"
+#include "gui/panels/lesson/text_needs.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
@@ -96,6 +97,11 @@ std::optional<LinkTarget> draw_line(Session& session, const TextLine& line) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   std::optional<LinkTarget> clicked;
   const float middle = at.y + line.height / 2;
+  if (line.need) {
+    draw_need(session, *line.need, ImGui::GetContentRegionAvail().x);
+    ImGui::SetCursorScreenPos({at.x, at.y + line.height});
+    return {};
+  }
   if (!line.mark.empty()) {
     const float top = std::floor(middle - ImGui::GetFontSize() / 2);
     draw_lines({at.x + px(4), top}, line.mark, palette().text_quiet);

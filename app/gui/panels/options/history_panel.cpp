@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/panels/options/work_plot.h"
 #include "gui/widgets/draw.h"
 
 namespace ps::gui {
@@ -69,7 +70,9 @@ void history_panel(Session& session, HistoryPanelState& state) {
   if (button("close", "Close", Emphasis::plain, {.tooltip = "Back to the options (Y)"})) state.open = false;
   value_text("place", fmt::format("step {} of {}", now + 1, entries.size()));
 
-  ImGui::BeginChild("steps");
+  // Where the panel is low the steps come first.
+  const bool plots = state.log.steps().size() > 1 && ImGui::GetContentRegionAvail().y > 3 * work_plots_height();
+  ImGui::BeginChild("steps", {0, plots ? -work_plots_height() : 0});
   const float height = px(picture_height) + px(10);
   const bool scroll = now != state.shown_place || entries.size() != state.shown_count;
   state.shown_place = now;
@@ -98,6 +101,10 @@ void history_panel(Session& session, HistoryPanelState& state) {
   clipper.End();
   ImGui::EndChild();
   state.thumbnails.update(ids);
+  if (plots)
+    if (const auto step = work_plots(state.log, entries[now].id))
+      for (std::size_t i = 0; i < entries.size(); ++i)
+        if (entries[i].id == *step) chosen = i;
   if (chosen) session.go_to_entry(*chosen);
 }
 

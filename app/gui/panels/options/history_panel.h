@@ -1,4 +1,5 @@
 #pragma once
+#include "gui/panels/options/work_log.h"
 #include "gui/session/session.h"
 #include "gui/work/thumbnails.h"
 
@@ -9,6 +10,7 @@ struct HistoryPanelState {
   explicit HistoryPanelState(std::function<void()> wake) : thumbnails(std::move(wake)) {}
   bool open = false;
   Thumbnails thumbnails;
+  WorkLog log;
   std::size_t shown_place = 0;  ///< the step that was last scrolled to
   std::size_t shown_count = 0;
 };

@@ -104,22 +104,12 @@ void header(Session& session, OptionsPanelState& state) {
   controls().record("side", std::string(1, static_cast<char>(letter_of(session.document().picked) - 'A' + 'a')));
 }
 
-/// What a side needs for an option to act; nullptr if it acts. Kept until the document changes.
-const Waking* waking_for(const Session& session, OptionsPanelState& state, const Option& option, Side side) {
-  if (state.waking_revision != session.revision()) state.waking.clear();
-  state.waking_revision = session.revision();
-  const auto [found, fresh] = state.waking.try_emplace({&option, side});
-  Waking& waking = found->second;
-  if (fresh) waking = waking_of(option, session.settings(side), session.traits());
-  return waking.settings.empty() && waking.missing.empty() ? nullptr : &waking;
-}
-
 void row(Session& session, OptionsPanelState& state, const Option& option) {
   std::array<Settings, 2> settings{session.settings(Side::a), session.settings(Side::b)};
   OptionPairContext context;
   context.picked = session.document().picked;
   context.highlight = state.pointed == &option;
-  for (const Side side : both_sides) context.waking[index_of(side)] = waking_for(session, state, option, side);
+  for (const Side side : both_sides) context.waking[index_of(side)] = state.wakings.find(session, option, side);
   const bool come = context.highlight && std::exchange(state.come_to_pointed, false);
   const auto results = option_pair(option, settings, session.traits(), context);
   if (come) ImGui::SetScrollHereY();
@@ -151,8 +141,8 @@ GroupRows group_rows(const Session& session, OptionsPanelState& state, std::size
     group.different += differ ? 1 : 0;
     if (!option_matches(option, state.search) || (state.only_differences && !differ)) continue;
     // A row that differs, or that something points at, keeps its place.
-    const bool rests = !differ && state.pointed != &option && waking_for(session, state, option, Side::a) &&
-                       waking_for(session, state, option, Side::b);
+    const bool rests = !differ && state.pointed != &option && state.wakings.find(session, option, Side::a) &&
+                       state.wakings.find(session, option, Side::b);
     (rests ? group.resting : group.acting).push_back(&option);
   }
   return group;
@@ -194,7 +184,7 @@ void point_at_option(OptionsPanelState& state, const Option& option) {
   state.only_differences = false;
 }
 
-void options_panel(Session& session, OptionsPanelState& state) {
+void options_panel(Session& session, OptionsPanelState& state, const PickedParts& picked) {
   const NameScope scope("options");
   header(session, state);
   ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar);  // columns keep their width
@@ -205,8 +195,10 @@ void options_panel(Session& session, OptionsPanelState& state) {
     any = true;
     draw_group(session, state, group);
   }
-  if (any && state.search.empty() && !state.only_differences)
+  if (any && state.search.empty() && !state.only_differences) {
     lights_panel(session, state.selected_light, state.lights_open);
+    object_panel(session, state.object, picked.object, picked.gizmo);
+  }
   if (!any) {
     const char* nothing =
         state.only_differences && state.search.empty() ? "A and B have the same options." : "No option matches.";

@@ -2,10 +2,17 @@
 #include <map>
 #include <string>
 
+#include "gui/panels/options/object_panel.h"
+#include "gui/panels/options/waking_cache.h"
 #include "gui/session/session.h"
-#include "options/waking.h"
 
 namespace ps::gui {
+
+/// What the panel of the picked object needs of the pictures.
+struct PickedParts {
+  PickedObject& object;
+  bool& gizmo;
+};
 
 /// What the options panel remembers of itself.
 struct OptionsPanelState {
@@ -13,19 +20,18 @@ struct OptionsPanelState {
   bool only_differences = false;
   int selected_light = 0;
   bool lights_open = false;
+  ObjectPanelState object;
   const Option* pointed = nullptr;                ///< highlighted, until it is changed or searched away from
   bool come_to_pointed = false;                   ///< its row is still to be scrolled into sight
   const Option* sweep = nullptr;                  ///< asked for from a row's menu, until whoever draws charts takes it
   std::map<std::string, bool, std::less<>> open;  ///< groups; those that are missing are as at the first start
-  /// What grey rows need, for the document of this revision.
-  std::map<std::pair<const Option*, Side>, Waking> waking;
-  std::uint64_t waking_revision = 0;
+  WakingCache wakings;
 };
 
 /// The option table with the values of A and of B side by side, in groups, with search. It follows the picked picture:
 /// its values are fields, it is what "Copy" copies and what Enter in the palette sets first. Rows that act in neither
 /// picture stand at the end of their group, folded.
-void options_panel(Session& session, OptionsPanelState& state);
+void options_panel(Session& session, OptionsPanelState& state, const PickedParts& picked);
 
 /// Brings an option's row into sight and highlights it.
 void point_at_option(OptionsPanelState& state, const Option& option);

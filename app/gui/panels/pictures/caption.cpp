@@ -64,7 +64,8 @@ std::optional<std::uint64_t> CaptionChange::before(const CaptionWork& work, doub
   if (left(now) <= 0) return {};
   const auto old =
       std::find_if(before_.begin(), before_.end(), [&](const CaptionWork& one) { return one.one == work.one; });
-  if (old == before_.end() || old->count == work.count) return {};
+  // Two numbers that are shown alike would look like a change of nothing.
+  if (old == before_.end() || count_text(old->count) == count_text(work.count)) return {};
   return old->count;
 }
 

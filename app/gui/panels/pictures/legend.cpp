@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/panels/pictures/legend_range.h"
 #include "gui/panels/pictures/picture_view.h"
 #include "gui/widgets/widgets.h"
 #include "image/heat_colour.h"
@@ -14,10 +15,11 @@ ImU32 colour_of(Rgb8 c) { return IM_COL32(c.r, c.g, c.b, 255); }
 
 }  // namespace
 
-void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area) {
+std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area) {
   ImFont* font = theme().font(Face::small);
   const float size = font->FontSize, line = px(20), margin = px(8), swatch = px(14);
-  const float heat_width = px(180);
+  const bool controls = legend.heat && area.width() >= px(range_width) + 4 * margin;
+  const float heat_width = px(controls ? range_width : 180);
   std::string low = short_number(legend.low), high = short_number(legend.high);
   if (!legend.unit.empty()) high += " " + legend.unit;
   const auto width_of = [&](const std::string& text) { return font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x; };
@@ -26,9 +28,10 @@ void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area
   if (legend.heat) width = std::max({width, heat_width, width_of(low) + width_of(high) + margin});
   for (const auto& entry : legend.entries) width = std::max(width, swatch + margin + width_of(entry.meaning));
   const auto rows = static_cast<float>(1 + (legend.heat ? 2 : 0) + static_cast<int>(legend.entries.size()));
-  const ImVec2 min{area.min.x + margin, area.min.y + margin};  // the lower edge has notices
-  const ImVec2 max{area.min.x + margin * 3 + width, min.y + rows * line + margin};
-  if (max.y > area.max.y) return;
+  const float numbers = controls ? ImGui::GetFrameHeight() + px(4) : line;  // height of their row
+  const ImVec2 min{area.min.x + margin, area.min.y + margin};               // the lower edge has notices
+  const ImVec2 max{area.min.x + margin * 3 + width, min.y + rows * line + margin + numbers - line};
+  if (max.y > area.max.y) return {};
 
   const ImU32 text = colour_u32(palette().text);
   list.AddRectFilled(min, max, colour_u32(palette().panel, 0.92), px(4));
@@ -36,7 +39,12 @@ void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area
   ImVec2 at{min.x + margin, min.y + margin / 2};
   list.AddText(font, size, at, text, legend.title.c_str());
   at.y += line;
-  if (legend.heat) {
+  std::optional<LegendScale> scale;
+  if (controls) {
+    scale = LegendScale{{at, {at.x + width, at.y + swatch}},
+                        {{at.x, at.y + line}, {at.x + width, at.y + line + ImGui::GetFrameHeight()}}};
+    at.y += line + numbers;
+  } else if (legend.heat) {
     for (int i = 0; i < heat_steps; ++i) {
       const auto step = static_cast<float>(i);
       list.AddRectFilled({at.x + width * step / heat_steps, at.y},
@@ -54,6 +62,7 @@ void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area
     list.AddText(font, size, {at.x + swatch + margin, at.y}, text, entry.meaning.c_str());
     at.y += line;
   }
+  return scale;
 }
 
 }  // namespace ps::gui

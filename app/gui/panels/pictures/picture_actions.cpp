@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "gui/panels/pictures/first_nan.h"
 #include "gui/session/camera_moves.h"
 #include "render/channel_picture.h"
 
@@ -133,11 +134,17 @@ void add_view_actions(Actions& actions, Session& session, PicturesState& picture
                .run = [&pictures] { pictures.grid = !pictures.grid; },
                .checked = [&pictures] { return pictures.grid; }});
   actions.add({.name = "handles",
-               .label = "Handles of lights and spheres",
+               .label = "Handles of lights and objects",
                .group = "View",
                .keys = "H",
                .run = [&pictures] { pictures.handles = !pictures.handles; },
                .checked = [&pictures] { return pictures.handles; }});
+  actions.add({.name = "gizmo",
+               .label = "Gizmo: move, turn and scale the picked object",
+               .group = "View",
+               .keys = "T",
+               .run = [&pictures] { pictures.gizmo = !pictures.gizmo; },
+               .checked = [&pictures] { return pictures.gizmo; }});
   actions.add({.name = "channel-next", .label = "Next channel", .group = "View", .keys = "N", .run = [&session] {
                  next_channel(session, 1);
                }});
@@ -177,6 +184,15 @@ void add_pixel_actions(Actions& actions, Session& session) {
                  .kind = ActionKind::repeat,
                  .run = [&session, by = by] { nudge(session, by * far_nudge); }});
   }
+}
+
+void add_nan_action(Actions& actions, Session& session) {
+  actions.add({.name = "first-nan",
+               .label = "Go to the first pixel that is not finite: NaN or infinite",
+               .group = "Pixel",
+               .keys = "Ctrl+N",
+               .run = [&session] { go_to_first_nan(session); },
+               .enabled = [&session] { return session.has_scene(); }});
 }
 
 void add_camera_actions(Actions& actions, Session& session, PicturesState& pictures) {
@@ -225,6 +241,7 @@ void add_camera_actions(Actions& actions, Session& session, PicturesState& pictu
 void add_picture_actions(Actions& actions, Session& session, PicturesState& pictures) {
   add_view_actions(actions, session, pictures);
   add_pixel_actions(actions, session);
+  add_nan_action(actions, session);
   add_camera_actions(actions, session, pictures);
 }
 

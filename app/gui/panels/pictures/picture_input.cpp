@@ -3,6 +3,7 @@
 
 #include "gui/input/imgui_keys.h"
 #include "gui/panels/pictures/handles_view.h"
+#include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/panels/pictures/pictures_panel.h"
 #include "gui/session/camera_moves.h"
 
@@ -80,10 +81,13 @@ void drag(Session& session, PicturesState& state, Side side, const Area& area) {
     if (by.x != 0 || by.y != 0) drag_handle(session, side, *state.grabbed, moved);
     return;
   }
+  case PictureDrag::gizmo:
+    if (by.x != 0 || by.y != 0) drag_gizmo(session, *state.gizmo_drag, state.transform.to_picture(io.MousePos, area));
+    return;
   case PictureDrag::undecided:
     if (std::hypot(io.MousePos.x - state.drag_from.x, io.MousePos.y - state.drag_from.y) <= px(click_slack)) return;
-    if (state.grabbed) {
-      state.drag = PictureDrag::handle;
+    if (state.gizmo_drag || state.grabbed) {
+      state.drag = state.gizmo_drag ? PictureDrag::gizmo : PictureDrag::handle;
       drag(session, state, side, area);
       return;
     }
@@ -135,7 +139,9 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
     state.drag_from = io.MousePos;
     state.drag_side = under;
     state.grabbed.reset();
-    if (state.drag == PictureDrag::undecided && state.handles) {
+    state.gizmo_drag.reset();
+    if (state.drag == PictureDrag::undecided) state.gizmo_drag = take_gizmo(session, state, under, area, io.MousePos);
+    if (state.drag == PictureDrag::undecided && state.handles && !state.gizmo_drag) {
       const auto handles =
           visible_handles(session.scene(), session.view(), session.settings(under), state.transform, area);
       if (const Handle* handle = handle_at(handles, io.MousePos, state.transform, area)) state.grabbed = *handle;
@@ -150,7 +156,8 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
         document.layout.pixel_open = true;
       });
     }
-    if (state.drag == PictureDrag::look || state.drag == PictureDrag::orbit || state.drag == PictureDrag::handle)
+    if (state.drag == PictureDrag::look || state.drag == PictureDrag::orbit || state.drag == PictureDrag::handle ||
+        state.drag == PictureDrag::gizmo)
       session.end_drag();
     state.drag = PictureDrag::none;
   }

@@ -35,8 +35,13 @@ void draw_picture(ImDrawList& list, const ShownPicture& picture, const PictureTr
 void draw_mark(ImDrawList& list, ImVec2 min, ImVec2 max);
 /// The neighbourhood of a pixel, greatly enlarged, into an area.
 void draw_loupe(ImDrawList& list, const ShownPicture& picture, Vec2i pixel, const Area& area);
-/// What the colours of a channel mean, in the lower left corner of an area.
-void draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area);
+/// Where a legend has room for its scale.
+struct LegendScale {
+  Area bar, numbers;
+};
+/// What the colours of a channel mean, in a corner of an area. A scale that has room for controls is left to the
+/// caller, and its place is the answer.
+std::optional<LegendScale> draw_legend(ImDrawList& list, const ChannelLegend& legend, const Area& area);
 /// A message in the middle of an area.
 void draw_notice(ImDrawList& list, const Area& area, const std::string& text);
 

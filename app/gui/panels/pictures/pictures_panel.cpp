@@ -1,6 +1,7 @@
 #include "gui/panels/pictures/pictures_panel.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>  // AllowItemOverlap
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,9 @@
 #include "gui/panels/pictures/difference_view.h"
 #include "gui/panels/pictures/handles_view.h"
 #include "gui/panels/pictures/left_out_line.h"
+#include "gui/panels/pictures/legend_range.h"
 #include "gui/panels/pictures/picture_frame.h"
+#include "gui/panels/pictures/picture_gizmo.h"
 #include "gui/widgets/widgets.h"
 #include "render/left_out.h"
 #include "render/story/names.h"
@@ -16,7 +19,9 @@
 namespace ps::gui {
 void picture_handles(Session& session, PicturesState& state, Side side, const Area& area, const Area& clip,
                      const std::string& prefix, bool hovered) {
-  if (!session.has_scene() || !state.handles) return;
+  if (!session.has_scene()) return;
+  picture_gizmo(session, state, side, area, clip, prefix, hovered);
+  if (!state.handles || state.drag == PictureDrag::gizmo) return;
   const bool dragging = state.drag == PictureDrag::handle;
   std::string held = dragging && state.drag_side == side ? state.grabbed->path : "";
   auto all = visible_handles(session.scene(), session.view(), session.settings(side), state.transform, area);
@@ -89,7 +94,9 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
   ImGui::SetCursorScreenPos(area.min);
   ImGui::InvisibleButton(
       side == Side::a ? "picture-a" : "picture-b", {std::max(area.width(), 1.f), std::max(area.height(), 1.f)},
-      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle |
+          static_cast<ImGuiButtonFlags>(ImGuiButtonFlags_AllowItemOverlap));
+  ImGui::SetItemAllowOverlap();  // the legend has controls
   controls().record(side == Side::a ? "view/a/picture" : "view/b/picture", std::string(1, letter_of(side)));
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   picture_input(session, state, side, area, split ? std::optional(split->at) : std::nullopt);
@@ -149,7 +156,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     ChannelLegend legend = session.renderer(shown_side).legend();
     for (auto& entry : legend.entries)
       if (entry.object >= 0) entry.meaning = object_name(session.scene(), entry.object);
-    draw_legend(list, legend, area);
+    if (const auto scale = draw_legend(list, legend, area)) legend_range(session, state, shown_side, legend, *scale);
   }
   const auto handles_in = [&](Side which, const Area& clip) {
     picture_handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);

@@ -9,7 +9,9 @@
 #include "gui/panels/pictures/picture_captions.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/panels/pictures/picture_view.h"
+#include "gui/session/gizmo.h"
 #include "gui/session/handles.h"
+#include "gui/session/picked_object.h"
 #include "gui/session/session.h"
 #include "gui/work/difference_meter.h"
 #include "image/difference.h"
@@ -31,7 +33,14 @@ struct Hover {
 constexpr double divider_reach = 10;  ///< pixels to both sides of the split's divider that take hold of it, at scale 1
 
 /// What dragging in a picture does until the button is released.
-enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle, region };
+enum class PictureDrag { none, undecided, pan, look, orbit, divider, handle, gizmo, region };
+
+/// The range that a picture's false colours have by themselves, and what it was found in.
+struct UsualRange {
+  std::shared_ptr<const RenderResult> result;
+  ShownChannel channel{};
+  ValueRange values;
+};
 
 /// What the pictures remember of themselves. The document holds the rest.
 struct PicturesState {
@@ -41,6 +50,7 @@ struct PicturesState {
   std::array<bool, 2> fresh{};              ///< changed since their hash was taken
   std::array<std::uint64_t, 2> hashes{};    ///< of the pictures' levels, for tests
   std::array<NanPixels, 2> nan_pixels;
+  std::array<UsualRange, 2> usual;
   std::array<PictureBefore, 2> before;   ///< the last change
   std::array<std::uint64_t, 2> taken{};  ///< the versions that `before` knows of
   std::array<CaptionChange, 2> changes;  ///< of the counts below the pictures
@@ -74,9 +84,12 @@ struct PicturesState {
   std::optional<Hover> asked;  ///< the pixel that an open question is about: its surroundings are covered
   PictureDrag drag = PictureDrag::none;
   ImVec2 drag_from{0, 0};
-  bool handles = true;            ///< lights and spheres can be dragged
-  Side drag_side = Side::a;       ///< in whose picture the drag began
-  std::optional<Handle> grabbed;  ///< what the mouse has taken hold of, as it was then
+  bool handles = true;                  ///< lights and spheres can be dragged
+  Side drag_side = Side::a;             ///< in whose picture the drag began
+  std::optional<Handle> grabbed;        ///< what the mouse has taken hold of, as it was then
+  bool gizmo = false;                   ///< the picked object can be moved, turned and scaled
+  std::optional<GizmoDrag> gizmo_drag;  ///< what the mouse has taken hold of of that
+  PickedObject picked;
 };
 
 /// Takes over what the renderers have made since the last frame.

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "gui/panels/space/space_gizmos.h"
 #include "gui/panels/space/space_groups.h"
 #include "gui/panels/space/space_paint.h"
 #include "gui/panels/story/story_rows.h"
@@ -349,7 +350,8 @@ bool space_panel(Session& session, SpacePanelState& state, const PicturesState& 
   ImGui::InvisibleButton("view", {area.width(), area.height()});
   controls().record("view", fmt::format("{}x{}", width, height));
   const bool hovered = ImGui::IsItemHovered();
-  move_by_mouse(session, state, aspect);
+  space_gizmo_input(session, state, pictures, area);
+  if (!state.gizmo_drag && !state.cancelled) move_by_mouse(session, state, aspect);
   const bool clicked = ImGui::IsItemDeactivated() && !state.dragged && hovered;
   if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) fill_or_not = true;
 
@@ -379,6 +381,7 @@ bool space_panel(Session& session, SpacePanelState& state, const PicturesState& 
   Settings outside;
   const SpaceDrawn drawn = draw_space(list, area, state.model, SpaceProjection(view, outside, state.picture->near),
                                       state.picture->depth, look, hovered ? ImGui::GetIO().MousePos : far_away);
+  draw_space_gizmos(session, state, pictures, area);
   list.PopClipRect();
   state.items = drawn.items;
   state.rays = drawn.rays;

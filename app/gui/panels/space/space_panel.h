@@ -46,6 +46,8 @@ struct SpacePanelState {
   Texture texture;
   Brightness paper = Brightness::light;  ///< of the theme that `texture` was made for
   bool dragged = false;                  ///< the button that is down has moved
+  std::optional<GizmoDrag> gizmo_drag;   ///< what the mouse has taken hold of
+  bool cancelled = false;                ///< its drag was taken back; the button is still down
   int rays = 0, shadow_rays = 0, boxes = 0, items = 0;
   std::function<void()> save;  ///< asks where to write the view; empty = it cannot be written
 };
@@ -53,6 +55,9 @@ struct SpacePanelState {
 /// The scene from outside with the picked pixel's story in it. A click on an event selects it. `filled`: it has the
 /// whole window; answers whether that shall change.
 bool space_panel(Session& session, SpacePanelState& state, const PicturesState& pictures, bool filled);
+
+/// Takes back what the drag of a gizmo that goes on has changed and ends it. Answers whether one went on.
+bool cancel_space_drag(Session& session, SpacePanelState& state);
 
 /// What the panel shows now as an SVG file; empty before the first picture has come.
 std::string space_drawing(const Session& session, const SpacePanelState& state);

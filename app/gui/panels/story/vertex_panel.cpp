@@ -59,7 +59,7 @@ void result(std::string_view name, const Place& now, const Place& plain) {
 /// One step in a frame of its own; cards are side by side as far as there is room.
 template <class Body>
 void card(int number, const char* title, const char* says, Body&& body) {
-  if (number > 1) {
+  if (number > 0) {  // all but the first
     const float next = ImGui::GetItemRectMax().x + px(card_gap + card_width);
     if (next <= ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine(0, px(card_gap));
   }
@@ -68,7 +68,7 @@ void card(int number, const char* title, const char* says, Body&& body) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   {
     const FontScope font(Face::bold);
-    ImGui::TextUnformatted(fmt::format("{}  {}", number, title).c_str());
+    ImGui::TextUnformatted((number > 0 ? fmt::format("{}  {}", number, title) : std::string(title)).c_str());
   }
   {
     const FontScope font(Face::small);
@@ -244,6 +244,8 @@ bool vertex_panel(Session& session, VertexPanelState& state, bool filled) {
   const bool fill = toolbar(session, state, filled);
   ImGui::Spacing();
   ImGui::BeginChild("chain");
+  card(0, "Film", "Its model on the way from space to space.",
+       [&] { vertex_film(session, state.film, now.id, px(card_width)); });
   model_card(now, plain);
   world_card(session, now, plain);
   camera_card(now, plain);

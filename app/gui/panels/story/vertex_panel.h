@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include "gui/panels/story/vertex_film.h"
 #include "gui/session/session.h"
 #include "inspect/vertex_chain.h"
 
@@ -15,6 +16,7 @@ struct VertexPanelState {
   std::optional<VertexChain> chain;         ///< of the vertex that is followed, with the document's edits
   std::optional<VertexChain> plain;         ///< without them
   std::string error;
+  VertexFilm film;
 };
 
 /// The vertex that is followed: the one that the document keeps, else the one next to the picked pixel.

@@ -120,6 +120,8 @@ CurvesDrawn draw_curves(ImDrawList& list, const Area& area, const Curves& curves
     list.AddLine({x, drawn.frame.inner.min.y}, {x, drawn.frame.inner.max.y}, colour_u32(palette().text_quiet));
   }
   for (const Method method : {Method::robust, Method::naive}) draw_curve(list, curves, drawn.frame, method, strong);
+  controls().record("axis/marked", drawn.frame.inner.min, drawn.frame.inner.max,
+                    marked ? full_number(rows[*marked].knob) : "none");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ExperimentFigure::Row& row = rows[i];
     const ImVec2 at = drawn.frame.at(row.knob, std::isfinite(row.naive) ? row.naive : row.robust);

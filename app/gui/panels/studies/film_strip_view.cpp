@@ -1,7 +1,7 @@
 #include "gui/panels/studies/film_strip_view.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>  // whether a window is out of sight
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/panels/studies/plot_frame.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "study/stability/figures.h"
 
@@ -74,7 +75,37 @@ void make(FilmStripState& state, const StabilityExperiment& experiment) {
   });
 }
 
+/// The choice of another experiment is none of this one.
+void forget_other(FilmStripState& state, const StabilityExperiment& experiment) {
+  if (state.chosen_of != experiment.key) state.chosen.reset();
+  state.chosen_of = experiment.key;
+}
+
 }  // namespace
+
+std::optional<double> film_strip_slider(FilmStripState& state, const StabilityExperiment& experiment) {
+  if (!experiment.picture || experiment.frames.size() < 2) return {};
+  if (ImGui::GetCurrentWindow()->SkipItems) return {};  // nothing of the panel is in sight
+  forget_other(state, experiment);
+  std::vector<double> knobs(experiment.frames.begin(), experiment.frames.end());
+  std::sort(knobs.begin(), knobs.end());
+  const auto marked = state.chosen ? std::find(knobs.begin(), knobs.end(), *state.chosen) : knobs.end();
+  const auto column = marked - knobs.begin();
+  double place = marked == knobs.end() ? 1 : static_cast<double>(column) + 1;
+  const std::string shown =
+      marked == knobs.end() ? "none" : fmt::format("{} of {}: {}", column + 1, knobs.size(), axis_number(*marked));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Frame");
+  ImGui::SameLine(0, px(8));
+  const Edit edit =
+      number("scrub", place, {.minimum = 1, .maximum = static_cast<double>(knobs.size()), .integer = true},
+             {.tooltip = "Moves the line in the plot, the frame, and the pictures A and B together.",
+              .width = std::min(px(200), ImGui::GetContentRegionAvail().x),
+              .shown = shown});
+  if (!edit.changed) return {};
+  state.chosen = knobs[static_cast<std::size_t>(place) - 1];
+  return state.chosen;
+}
 
 std::optional<double> film_strip_view(FilmStripState& state, const StabilityExperiment& experiment,
                                       const PlotFrame* above) {
@@ -94,16 +125,18 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   const auto width = static_cast<float>(state.texture.width()), height = static_cast<float>(state.texture.height());
   const float gap = strip_options.gap, frame_height = strip_options.frame_height;
   const float frame_width = (width - gap * static_cast<float>(frames - 1)) / static_cast<float>(frames);
+  forget_other(state, experiment);
+  const std::vector<int> columns = columns_of(experiment, above);
+  std::vector<double> knobs;
+  for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
+  const auto marked = state.chosen ? std::find(knobs.begin(), knobs.end(), *state.chosen) : knobs.end();
+  const int chosen = marked == knobs.end() ? -1 : static_cast<int>(marked - knobs.begin());
   ImFont* font = theme().font(Face::small);
   auto& list = *ImGui::GetWindowDrawList();
   const float line = font->FontSize + px(3), lines = above ? px(lines_height) : px(4);
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   FrameLayout layout = layout_of(room.x, frames, frame_width / frame_height);
   layout.corner = {at.x, at.y + lines + line};
-  const std::vector<int> columns = columns_of(experiment, above);
-  std::vector<double> knobs;
-  knobs.reserve(columns.size());
-  for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
   if (above) draw_lines(list, layout, knobs, *above, at.y, at.y + lines);
   for (int i = 0; i < frames; ++i) {
     const std::string text = axis_number(knobs[static_cast<std::size_t>(i)]);
@@ -114,10 +147,11 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   }
   ImGui::Dummy({room.x, lines + line});
   ImGui::SetCursorScreenPos(layout.corner);
-  const bool clicked = ImGui::InvisibleButton("strip", {room.x, std::max(layout.height(), 1.f)});
+  ImGui::InvisibleButton("strip", {room.x, std::max(layout.height(), 1.f)});
+  const bool held = ImGui::IsItemActive();
   controls().record("strip", std::string(experiment.key));
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const int under = ImGui::IsItemHovered()
+  const int under = ImGui::IsItemHovered() || held
                         ? std::clamp(static_cast<int>((mouse.x - layout.corner.x) / layout.slot), 0, frames - 1)
                         : -1;
   for (int i = 0; i < frames; ++i) {
@@ -129,6 +163,7 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
     }
     const ImVec2 low = layout.of(i, 0), last = layout.of(i, methods - 1);
     const ImVec2 high{last.x + layout.frame.x, last.y + layout.frame.y};
+    if (i == chosen) list.AddRect(low, high, colour_u32(palette().text), 0, 0, px(3));
     if (i == under) {
       list.AddRect(low, high, colour_u32(palette().text), 0, 0, px(5));
       list.AddRect(low, high, colour_u32(palette().attention), 0, 0, px(3));
@@ -139,14 +174,15 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   {
     const FontScope small(Face::small);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted(fmt::format("Columns: {}. Rows: naive, robust, where they differ. A click opens the frame "
-                                       "in A and B.",
+    ImGui::TextUnformatted(fmt::format("Columns: {}. Rows: naive, robust, where they differ. A click or a drag shows "
+                                       "the frame in A and B.",
                                        knob_title(experiment, experiment.series.front()))
                                .c_str());
     ImGui::PopStyleColor();
   }
-  if (!clicked || under < 0) return {};
-  return knobs[static_cast<std::size_t>(under)];
+  if (!held || under < 0 || under == chosen) return {};
+  state.chosen = knobs[static_cast<std::size_t>(under)];
+  return state.chosen;
 }
 
 }  // namespace ps::gui

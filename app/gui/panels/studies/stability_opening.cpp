@@ -31,7 +31,7 @@ void show_opening(Session& session, const StabilityOpening& opening, const std::
   document.b.settings = opening.robust;
   document.picked = Side::a;
   if (opening.failing) document.pixel = *opening.failing;
-  session.start(std::move(document));
+  session.start(std::move(document), "frames of " + opening.scene_name);  // one after the other they are one step
   session.say(Message::Kind::information,
               opening.failing
                   ? fmt::format("A: naive, B: robust. {:.3g} % of the pixels differ; one of them is picked.",

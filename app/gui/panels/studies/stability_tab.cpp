@@ -274,7 +274,11 @@ std::optional<PlotFrame> curve_area(StabilityTabState& state, const StabilityExp
       std::string(knob_title(experiment, *figure.quantity)),
       {std::string(naive_name(experiment, *figure.quantity)), std::string(robust_name(experiment, *figure.quantity))},
       figure.quantity->knob.empty() ? experiment.window : SafeWindow{1, 0}};
-  const CurvesDrawn drawn = draw_curves(*ImGui::GetWindowDrawList(), area, curves, mouse, {});
+  std::optional<std::size_t> marked;  // the row of the frame that A and B show
+  if (has_picture && state.strip.chosen && state.strip.chosen_of == experiment.key)
+    for (std::size_t i = 0; i < figure.rows.size(); ++i)
+      if (figure.rows[i].knob == *state.strip.chosen) marked = i;
+  const CurvesDrawn drawn = draw_curves(*ImGui::GetWindowDrawList(), area, curves, mouse, marked);
   if (!drawn.cut.empty()) tooltip(drawn.cut);
   if (drawn.hovered) {
     const ExperimentFigure::Row& row = figure.rows[*drawn.hovered];
@@ -323,6 +327,8 @@ void shown_experiment(StabilityTabState& state) {
   const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
   if (!low) explanation(experiment, rows);
   figure_choice(state, figures);
+  if (figures.size() > 1 && experiment.picture) same_line_if_room(px(film_slider_width), px(16));
+  if (const auto knob = film_strip_slider(state.strip, experiment)) begin_opening(state.opening, experiment, *knob);
   const bool strip = experiment.picture && !experiment.frames.empty();
   const float room = ImGui::GetContentRegionAvail().y;
   const float height = std::max(strip && !low ? room * curves_share : room, px(least_plot));
@@ -384,8 +390,9 @@ void update_stability(Session& session, StabilityTabState& state, const std::fil
     state.opened = opening;
     try {
       show_opening(session, *opening, folder);
-      // The pictures are what was asked for.
-      session.navigate([](Document& document) { document.layout.filled.clear(); });
+      // The pictures are what was asked for; only a drag over the frames must not lose its hold.
+      if (!ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        session.navigate([](Document& document) { document.layout.filled.clear(); });
     } catch (const InputError& error) {
       session.say(Message::Kind::error, error.what());
     }

@@ -1,0 +1,27 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "gui/session/session.h"
+
+namespace ps::gui {
+
+/// The object that is edited: what the picked pixel showed when it was picked. It stays when it is moved away from that
+/// pixel, until another pixel or scene is picked.
+class PickedObject {
+ public:
+  /// Once a frame: takes up another pixel as soon as its story is there.
+  void update(const Session& session);
+  /// Another object of the scene in place of the pixel's: `by` on in the scene's order, round and round.
+  void step(const Session& session, int by);
+  /// Index into Geometry::objects; nothing while none is picked, or where the scene no longer has it.
+  std::optional<std::size_t> index(const Session& session) const;
+
+ private:
+  std::optional<std::size_t> object_;
+  std::optional<Vec2i> pixel_;
+  Side side_ = Side::a;
+  std::string scene_;
+};
+
+}  // namespace ps::gui

@@ -1,0 +1,92 @@
+// How a lesson's window is divided: the share of the window that pictures can have, whatever the screen, the step's
+// tool and the shape of the pictures.
+#include "gui/frame/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ps::gui {
+namespace {
+
+struct Case {
+  float width, height, scale;
+};
+
+PlanInput input_of(const Case& window, Vec2i picture) {
+  PlanInput in;
+  in.window = {window.width, window.height};
+  in.area = {{0, 28 * window.scale}, {window.width, window.height - 27 * window.scale}};
+  in.picture = picture;
+  in.scale = window.scale;
+  in.captions = 39 * window.scale;
+  in.text_width = 520 * window.scale;
+  in.headline = 31 * window.scale;
+  return in;
+}
+
+/// Share of the window that one picture takes in a place, or the two of them beside or below one another.
+double best_share(const PlanInput& in, const Area& place) {
+  const double aspect = static_cast<double>(in.picture.x) / in.picture.y;
+  const double margin = 2.0 * picture_margin * in.scale, gap = picture_gap * in.scale;
+  const auto pixels = [&](double width, double height) {
+    const double h = std::min(height, width / aspect);
+    return std::max(h, 0.0) * std::max(h, 0.0) * aspect;
+  };
+  const double width = place.width() - margin, height = place.height();
+  const double one = pixels(width, height - in.captions);
+  const double two = std::max(2 * pixels((width - gap) / 2, height - in.captions),
+                              2 * pixels(width, (height - gap) / 2 - in.captions));
+  return 100 * std::max(one, two) / (static_cast<double>(in.window.x) * in.window.y);
+}
+
+bool inside(const Area& part, const Area& whole) {
+  return part.min.x >= whole.min.x && part.min.y >= whole.min.y && part.max.x <= whole.max.x &&
+         part.max.y <= whole.max.y && part.width() > 0 && part.height() > 0;
+}
+
+bool apart(const Area& a, const Area& b) {
+  return a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y;
+}
+
+TEST(LessonPlan, SquarePicturesHaveTheirShareBelowAndBesideTools) {
+  for (const Case& window : {Case{1024, 768, 1}, Case{1366, 768, 1}, Case{1920, 1080, 1}, Case{3840, 2160, 2},
+                             Case{1024, 768, 1.5f}, Case{1366, 768, 1.5f}, Case{1920, 1080, 1.5f}, Case{3840, 2160, 3}})
+    for (const StagePlace stage : {StagePlace::none, StagePlace::below, StagePlace::beside}) {
+      SCOPED_TRACE(std::to_string(window.width) + "x" + std::to_string(window.height) + " type " +
+                   std::to_string(window.scale) + " stage " + std::to_string(static_cast<int>(stage)));
+      PlanInput in = input_of(window, {600, 600});
+      for (const bool one_picture : {false, true}) {
+        in.one_picture = one_picture;
+        const LessonPlan plan = plan_lesson(in, stage);
+        EXPECT_TRUE(inside(plan.text, in.area));
+        EXPECT_TRUE(inside(plan.pictures, in.area));
+        EXPECT_TRUE(apart(plan.text, plan.pictures));
+        if (stage == StagePlace::beside) {
+          EXPECT_TRUE(inside(plan.stage, in.area));
+          EXPECT_TRUE(apart(plan.text, plan.stage));
+          EXPECT_TRUE(apart(plan.pictures, plan.stage));
+        }
+        // Large type on a small screen leaves a tall tool no room below the text, and the captions take more.
+        const bool cramped = window.scale > 1 && window.width < 1400;
+        const double least = stage == StagePlace::beside ? (cramped ? 19 : 30) : cramped ? 30 : 35;
+        EXPECT_GE(best_share(in, plan.pictures), least);
+      }
+    }
+}
+
+TEST(LessonPlan, ATallToolKeepsItsRoom) {
+  const LessonPlan wide = plan_lesson(input_of({1366, 768, 1}, {600, 600}), StagePlace::beside);
+  EXPECT_GE(wide.stage.width(), 430);
+  EXPECT_GE(wide.stage.height(), 700);
+  EXPECT_GE(wide.text.width(), 290);
+  const LessonPlan narrow = plan_lesson(input_of({1024, 768, 1}, {600, 600}), StagePlace::beside);
+  EXPECT_GE(narrow.stage.width(), 400);
+  EXPECT_GE(narrow.stage.height(), 400);
+  EXPECT_EQ(narrow.text.width(), narrow.stage.width()) << "the text stands over the tool";
+}
+
+}  // namespace
+}  // namespace ps::gui
