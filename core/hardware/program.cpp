@@ -78,8 +78,9 @@ void Program::set(std::string_view name, const Vec4<int>& value) {
 }
 void Program::set(std::string_view name, const Mat3d& value) {
   std::array<float, 9> columns;
+  std::size_t next = 0;
   for (int c = 0; c < 3; ++c)
-    for (int r = 0; r < 3; ++r) columns[static_cast<std::size_t>(3 * c + r)] = static_cast<float>(value[c][r]);
+    for (int r = 0; r < 3; ++r) columns[next++] = static_cast<float>(value[c][r]);
   glUniformMatrix3fv(location(name), 1, GL_FALSE, columns.data());
 }
 

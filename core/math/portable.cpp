@@ -79,6 +79,7 @@ constexpr std::array<DoubleDouble, 9> arc_tangents{{{0.0, 0.0},
 /// The arc tangent of a ratio from 0 to 1: atan(c) + atan((ratio - c) / (1 + c ratio)), with c the nearest eighth.
 DoubleDouble atan_of_ratio(double ratio) {
   constexpr std::array series{1.0 / 13.0, -1.0 / 11.0, 1.0 / 9.0, -1.0 / 7.0, 1.0 / 5.0, -1.0 / 3.0};
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): from 0 to 8 only, and no call into the C library
   const int nearest = static_cast<int>(8.0 * ratio + 0.5);
   const double c = nearest / 8.0;
   const double t = (ratio - c) / (1.0 + c * ratio), z = t * t;

@@ -21,6 +21,7 @@ Reason needs_moeller_trumbore(const Settings& s, const SceneTraits& t) {
 
 std::vector<Choice> triangle_test_choices() {
   std::vector<Choice> choices;
+  choices.reserve(triangle_test_texts.size());
   for (const TriangleTestTexts& row : triangle_test_texts) choices.push_back({row.key, row.label, row.help});
   return choices;
 }

@@ -91,6 +91,7 @@ bool clip_segment(Vec3<Real>& a, Vec3<Real>& b, const std::vector<ClipPlane<Real
   return true;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): Real is a type
 #define PS_INSTANTIATE(Real)                                                                                           \
   template std::vector<ClipPlane<Real>> make_clip_planes(const Settings&, const Viewport<double>&);                    \
   template ClipOutcome clip_polygon(ClipPolygon<Real>&, const ClipPlane<Real>&);                                       \
@@ -98,5 +99,6 @@ bool clip_segment(Vec3<Real>& a, Vec3<Real>& b, const std::vector<ClipPlane<Real
 PS_INSTANTIATE(float)
 PS_INSTANTIATE(double)
 #undef PS_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace ps::raster

@@ -11,7 +11,8 @@ namespace {
 template <class Real>
 void put(CornerAttributes<Real>& corner, int slot, const Vec3<Real>& value) {
   if (slot == AttributeLayout::absent) return;
-  for (int i = 0; i < 3; ++i) corner[static_cast<std::size_t>(slot + i)] = value[i];
+  const auto first = static_cast<std::size_t>(slot);
+  for (std::size_t i = 0; i < 3; ++i) corner[first + i] = value[static_cast<int>(i)];
 }
 
 template <class Real>

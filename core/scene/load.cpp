@@ -38,6 +38,20 @@ Scene load_scene_file(const fs::path& path) {
   return parse_scene(read_text_file(path, max_scene_file_bytes), path.string(), path.parent_path());
 }
 
+std::vector<BuiltinScene> read_headings() {
+  std::vector<BuiltinScene> scenes;
+  for (const BuiltinFile& file : builtin_files()) {
+    try {
+      const auto heading = parse_scene_heading(read_text_file(file.path, max_scene_file_bytes), file.path.string());
+      scenes.push_back(
+          {file.name, heading.title.empty() ? file.name : heading.title, heading.description, heading.keywords});
+    } catch (const InputError& error) {
+      scenes.push_back({file.name, file.name, error.what(), {}});
+    }
+  }
+  return scenes;
+}
+
 }  // namespace
 
 Scene load_scene(const std::string& path_or_builtin_name) {
@@ -64,17 +78,8 @@ Scene load_scene(const std::string& path_or_builtin_name) {
                                                nearest_word(path_or_builtin_name, names)));
 }
 
-std::vector<BuiltinScene> builtin_scenes() {
-  std::vector<BuiltinScene> scenes;
-  for (const BuiltinFile& file : builtin_files()) {
-    try {
-      const auto heading = parse_scene_heading(read_text_file(file.path, max_scene_file_bytes), file.path.string());
-      scenes.push_back(
-          {file.name, heading.title.empty() ? file.name : heading.title, heading.description, heading.keywords});
-    } catch (const InputError& error) {
-      scenes.push_back({file.name, file.name, error.what(), {}});
-    }
-  }
+const std::vector<BuiltinScene>& builtin_scenes() {
+  static const std::vector<BuiltinScene> scenes = read_headings();
   return scenes;
 }
 

@@ -17,9 +17,9 @@ struct BuiltinScene {
   std::string description;
   std::string keywords;  ///< other words that people search for, separated by commas
 };
-/// All of them, sorted by name. Reads only their headings. A scene that cannot be read is listed by its name, with the
-/// error as its description.
-std::vector<BuiltinScene> builtin_scenes();
+/// All of them, sorted by name. Their headings alone are read, once. A scene that cannot be read is listed by its name,
+/// with the error as its description.
+const std::vector<BuiltinScene>& builtin_scenes();
 
 /// The files that the scene was read from: when one of them changes, the scene should be loaded again.
 std::vector<std::string> files_of(const Scene& scene);

@@ -60,7 +60,7 @@ std::optional<fs::path> ModelFiles::find(const std::vector<fs::path>& folders, s
       if (is_file(path)) return path;
   for (const fs::path& folder : folders)
     for (const fs::path& part : {whole, whole.filename()})
-      if (const auto path = find_in_any_case(folder, part)) return path;
+      if (auto path = find_in_any_case(folder, part)) return path;
   return {};
 }
 

@@ -159,7 +159,7 @@ class MtlChecker {
   }
 
   MtlTexture texture(ObjLine& line, const std::string& word) {
-    const MtlTexture map = read_mtl_texture(line);
+    MtlTexture map = read_mtl_texture(line);
     if (map.turbulence) note("-t", line.number(), fmt::format("the option -t of {} is not drawn", word));
     return map;
   }

@@ -26,6 +26,7 @@ std::vector<Vec2d> flattened(const std::vector<Vec3d>& points, const Vec3d& norm
   for (const int axis : {1, 2})
     if (std::abs(normal[axis]) > std::abs(normal[left_out])) left_out = axis;
   std::vector<Vec2d> flat;
+  flat.reserve(points.size());
   for (const Vec3d& p : points) flat.emplace_back(p[(left_out + 1) % 3], p[(left_out + 2) % 3]);
   return flat;
 }

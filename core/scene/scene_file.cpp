@@ -79,6 +79,7 @@ constexpr std::array<AssignmentReader, 8> assignments{{
 
 std::vector<std::string_view> top_level_keys() {
   std::vector<std::string_view> keys;
+  keys.reserve(blocks.size() + assignments.size());
   for (const auto& row : blocks) keys.push_back(row.key);
   for (const auto& row : assignments) keys.push_back(row.key);
   return keys;

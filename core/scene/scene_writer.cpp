@@ -23,6 +23,7 @@ template <class Things, class NameOf>
 std::vector<std::string> unique_names(const Things& things, const std::string& otherwise, NameOf name_of) {
   FreeNames free;
   std::vector<std::string> names;
+  names.reserve(things.size());
   for (const auto& thing : things) names.push_back(free.claim(name_of(thing).empty() ? otherwise : name_of(thing)));
   return names;
 }

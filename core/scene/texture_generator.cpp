@@ -156,6 +156,7 @@ constexpr std::array<Generator, 10> generators{{{"checker", checker},
 
 std::vector<std::string_view> texture_generators() {
   std::vector<std::string_view> names;
+  names.reserve(generators.size());
   for (const Generator& generator : generators) names.push_back(generator.name);
   return names;
 }

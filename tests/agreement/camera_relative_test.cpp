@@ -6,7 +6,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::camera_relative_test {
 namespace {
 
 /// Moves the camera and all instances so that the camera stands at the origin; every number stays exact.
@@ -41,4 +41,4 @@ TEST(CameraRelative, MakesFarScenesEqualToNearOnes) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::camera_relative_test

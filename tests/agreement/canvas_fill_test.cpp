@@ -14,13 +14,16 @@
 #include "scene/load.h"
 #include "support/environment.h"
 
-namespace ps {
+namespace ps::canvas_fill_test {
 namespace {
 
 constexpr int columns = 60, rows = 44;
 
 /// The canvas point in the middle of a pixel (array position).
-Vec2d middle_of(Vec2i pixel) { return {pixel.x - columns / 2 + 0.5, rows - rows / 2 - 1 - pixel.y + 0.5}; }
+Vec2d middle_of(Vec2i pixel) {
+  const int x = pixel.x - columns / 2, y = rows - rows / 2 - 1 - pixel.y;
+  return {x + 0.5, y + 0.5};
+}
 
 Settings settings_with(CanvasFill fill, Precision precision = Precision::float32) {
   Settings settings;
@@ -53,6 +56,7 @@ double turn(Vec2i a, Vec2i b, Vec2i c) { return (b.x - a.x) * (c.y - a.y) - (b.y
 std::vector<Vec2i> random_hull(std::mt19937_64& random, int count, int reach_x, int reach_y) {
   const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   std::vector<Vec2i> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) points.push_back({pick(0, reach_x), pick(0, reach_y)});
   std::sort(points.begin(), points.end(), [](Vec2i a, Vec2i b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<Vec2i> hull;
@@ -129,6 +133,7 @@ TEST(CanvasFill, RowsHoldTheFanAndEachPixelHasTheColourOfAPointInIt) {
     // A plane, so that the fan gives its exact value everywhere.
     const double gx = unit(random) - 0.5, gy = unit(random) - 0.5;
     std::vector<double> blue;
+    blue.reserve(hull.size());
     for (const Vec2i& v : hull) blue.push_back(0.5 + (gx * v.x + gy * v.y) / 64);
     const Scene scene = scene_of({polygon_of(hull, blue)});
     const Frame by_rows = drawn(scene, settings_with(CanvasFill::rows));
@@ -348,4 +353,4 @@ TEST(CanvasFill, NeighboursOverlapByRowsAlone) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::canvas_fill_test

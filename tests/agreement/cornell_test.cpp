@@ -8,7 +8,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::cornell_test {
 namespace {
 
 constexpr int size = 200;
@@ -115,4 +115,4 @@ TEST(NearLight, CornersMissWhatTheMiddleSees) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::cornell_test

@@ -6,7 +6,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::coverage_pictures_test {
 namespace {
 
 constexpr std::array<Coverage, 9> all{Coverage::edge_function, Coverage::ray_test, Coverage::bounding_box,
@@ -120,4 +120,4 @@ TEST(CoveragePictures, OverflowTearsLargeTrianglesAndLeavesSmallOnes) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::coverage_pictures_test

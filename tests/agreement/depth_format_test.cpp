@@ -10,7 +10,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::depth_format_test {
 namespace {
 
 using raster::DepthCode;
@@ -160,4 +160,4 @@ TEST(ZFighting, InspectorShowsTheStoredSteps) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::depth_format_test

@@ -13,7 +13,7 @@
 #include "raster/clear/depth_plane.h"
 #include "render/render.h"
 
-namespace ps {
+namespace ps::depth_plane_test {
 namespace {
 
 constexpr int size = 64;
@@ -180,6 +180,7 @@ TEST(DepthPlanePictures, EqualThoseOfDepthsThatAreLinearOnTheScreen) {
   std::mt19937 random(seed);
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     std::vector<Corners> triangles;
+    triangles.reserve(60);
     for (int i = 0; i < 60; ++i) triangles.push_back(random_triangle(random, projection));
     const Scene scene = scene_of(triangles);
     const auto draw = [&](DepthValue value) {
@@ -243,4 +244,4 @@ TEST(DepthPlanePictures, DrawTrianglesSeenEdgeOn) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::depth_plane_test

@@ -10,7 +10,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::draw_steps_test {
 namespace {
 
 struct Drawing {
@@ -217,4 +217,4 @@ TEST(Multisampling, PatternsAreRotatedGrids) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::draw_steps_test

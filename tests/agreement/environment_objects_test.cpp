@@ -12,7 +12,7 @@
 #include "scene/scene_file.h"
 #include "scene/scene_writer.h"
 
-namespace ps {
+namespace ps::environment_objects_test {
 namespace {
 
 constexpr int side = 240;
@@ -255,4 +255,4 @@ TEST(EnvironmentObjects, TheMarkIsWrittenAndReadBack) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::environment_objects_test

@@ -9,7 +9,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::environment_test {
 namespace {
 
 constexpr int size = 200;
@@ -142,4 +142,4 @@ TEST(Environment, MapsHoldWhatRaysSee) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::environment_test

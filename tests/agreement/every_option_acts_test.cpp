@@ -16,7 +16,7 @@
 #include "support/emulated.h"
 #include "support/option_contexts.h"
 
-namespace ps {
+namespace ps::every_option_acts_test {
 namespace {
 
 using test::AlikeValues;
@@ -200,4 +200,4 @@ TEST(Options, AChoiceThatIsInactiveEverywhereIsFound) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::every_option_acts_test

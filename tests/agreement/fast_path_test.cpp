@@ -18,6 +18,7 @@
 #include "support/emulated.h"
 #include "support/option_contexts.h"
 
+namespace fast_path_test {
 namespace {
 
 using namespace ps;
@@ -130,3 +131,4 @@ TEST(FastPath, ReasonsNameWhatIsMissing) {
 }
 
 }  // namespace
+}  // namespace fast_path_test

@@ -13,6 +13,7 @@
 #include "scene/load.h"
 #include "support/emulated.h"
 
+namespace float_double_test {
 namespace {
 
 using namespace ps;
@@ -211,3 +212,4 @@ TEST(FloatAndDouble, SameSurfacesAndShadowsOnEveryScene) {
 }
 
 }  // namespace
+}  // namespace float_double_test

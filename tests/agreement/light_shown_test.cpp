@@ -6,7 +6,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::light_shown_test {
 namespace {
 
 Frame draw(const Scene& scene, const Settings& settings, Prepared& prepared) {
@@ -65,4 +65,4 @@ TEST(LightShown, PassesOfSingleLightsAddUpToThePicture) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::light_shown_test

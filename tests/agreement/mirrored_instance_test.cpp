@@ -11,6 +11,7 @@
 #include "scene/world.h"
 #include "support/all_accelerators.h"
 
+namespace mirrored_instance_test {
 namespace {
 
 using namespace ps;
@@ -178,3 +179,4 @@ TEST(MirroredInstance, TheInspectorSaysThatItsFrontIsSeen) {
 }
 
 }  // namespace
+}  // namespace mirrored_instance_test

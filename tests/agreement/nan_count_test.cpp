@@ -7,7 +7,7 @@
 #include "scene/scene_file.h"
 #include "support/simd_targets.h"
 
-namespace ps {
+namespace ps::nan_count_test {
 namespace {
 
 TEST(NanCount, IsThatOfThePictureOnEveryTarget) {
@@ -33,4 +33,4 @@ light { type = ambient  intensity = 1 }
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::nan_count_test

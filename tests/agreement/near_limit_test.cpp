@@ -5,6 +5,7 @@
 #include "scene/scene_file.h"
 #include "support/all_accelerators.h"
 
+namespace near_limit_test {
 namespace {
 
 using namespace ps;
@@ -93,3 +94,4 @@ TEST(NearLimit, IsClosedForSpheres) {
 }
 
 }  // namespace
+}  // namespace near_limit_test

@@ -12,6 +12,7 @@
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
 
+namespace normal_map_test {
 namespace {
 
 using namespace ps;
@@ -189,3 +190,4 @@ TEST(HeightMap, APlaneOfHeightsTiltsByItsSlope) {
 }
 
 }  // namespace
+}  // namespace normal_map_test

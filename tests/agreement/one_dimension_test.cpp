@@ -8,7 +8,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::one_dimension_test {
 namespace {
 
 /// Whole numbers in [a, b) after both ends were rounded to 1 / 2^bits, halves to even.
@@ -89,4 +89,4 @@ TEST(OneDimension, AnswersOfTheExercise) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::one_dimension_test

@@ -11,6 +11,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
+namespace parallax_test {
 namespace {
 
 using namespace ps;
@@ -248,3 +249,4 @@ TEST(Parallax, RoundThingsUseTheirOwnLengths) {
 }
 
 }  // namespace
+}  // namespace parallax_test

@@ -16,7 +16,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
-namespace ps {
+namespace ps::parting_test {
 namespace {
 
 /// Two ways of making one picture whose difference has one known cause.
@@ -361,4 +361,4 @@ TEST(Parting, CallsAnUnknownCauseUnexplained) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::parting_test

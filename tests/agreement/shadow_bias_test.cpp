@@ -10,6 +10,7 @@
 #include "scene/load.h"
 #include "scene/scene_file.h"
 
+namespace shadow_bias_test {
 namespace {
 
 using namespace ps;
@@ -115,3 +116,4 @@ TEST(ShadowBias, ByDefaultShadowsAreThoseOfShadowRays) {
 }
 
 }  // namespace
+}  // namespace shadow_bias_test

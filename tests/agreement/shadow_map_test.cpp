@@ -9,7 +9,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::shadow_map_test {
 namespace {
 
 using raster::ShadowComparison;
@@ -193,4 +193,4 @@ TEST(ShadowMap, PlacesOnACubeLeadBackToTheirDirection) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::shadow_map_test

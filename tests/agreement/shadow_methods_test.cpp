@@ -9,7 +9,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::shadow_methods_test {
 namespace {
 
 constexpr int size = 300;
@@ -98,4 +98,4 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, ShadowMethods,
                          });
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::shadow_methods_test

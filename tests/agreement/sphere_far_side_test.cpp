@@ -7,6 +7,7 @@
 #include "render/render.h"
 #include "scene/scene_file.h"
 
+namespace sphere_far_side_test {
 namespace {
 
 using namespace ps;
@@ -113,3 +114,4 @@ TEST(SphereFarSide, IsAClosedSurfaceOfTheSpheresVolume) {
 }
 
 }  // namespace
+}  // namespace sphere_far_side_test

@@ -7,7 +7,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::start_pixel_test {
 namespace {
 
 PixelStory story_of(const Scene& scene, Renderer renderer) {
@@ -40,4 +40,4 @@ TEST(StartPixel, ShowsSomethingInBothRenderers) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::start_pixel_test

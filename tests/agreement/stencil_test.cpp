@@ -5,7 +5,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::stencil_test {
 namespace {
 
 Frame draw(const Scene& scene, const Settings& settings) {
@@ -160,4 +160,4 @@ TEST(Stencil, SixteenShadowsOverEachOtherAreLitInFourBits) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::stencil_test

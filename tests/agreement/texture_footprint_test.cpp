@@ -8,7 +8,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps {
+namespace ps::texture_footprint_test {
 namespace {
 
 constexpr int size = 160;
@@ -95,4 +95,4 @@ TEST(TextureFootprint, LevelFollowsFromDifferencesBetweenPixels) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::texture_footprint_test

@@ -16,7 +16,7 @@
 #include "support/emulated.h"
 #include "support/simd_targets.h"
 
-namespace ps {
+namespace ps::ties_test {
 namespace {
 
 /// Several lists of assignments, each of which is tried.
@@ -201,8 +201,8 @@ const std::vector<std::string> copied{
     "cylinder { from = (0, -0.7, 4)  to = (0.1, 0.9, 4.2)  radius = 0.8  color = white }",
     "rectangle { corner = (-0.9, -1, 4)  side_a = (2, 0, 0.3)  side_b = (0, 2, 0)  color = white }",
     "triangle { vertices = [(-1.3, -1.1, 3.9), (0.3, 1.4, 4.2), (1.2, -1.2, 4.1)]  color = white }",
-    "intersection { sphere { center = (-0.3, 0, 4)  radius = 1 color = white } "
-    "sphere { center = (0.3, 0, 4)  radius = 1 color = white } }"};
+    R"(intersection { sphere { center = (-0.3, 0, 4)  radius = 1 color = white }
+                      sphere { center = (0.3, 0, 4)  radius = 1 color = white } })"};
 constexpr const char* hidden = "sphere { center = (0.05, 0, 9)  radius = 0.3  color = white }";
 constexpr int kinds_of_triangles = 5;  ///< all but CSG, which only rays see
 
@@ -266,4 +266,4 @@ TEST(Ties, TheFastPathsAreAmongTheWays) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::ties_test

@@ -10,7 +10,7 @@
 #include "scene/load.h"
 #include "support/emulated.h"
 
-namespace ps {
+namespace ps::traced_rasterized_test {
 namespace {
 
 /// The two renderers' pictures of one scene, with what both can show: no shadows, no reflections.
@@ -124,4 +124,4 @@ INSTANTIATE_TEST_SUITE_P(Precisions, Agreement, testing::Values(Precision::float
                          });
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::traced_rasterized_test

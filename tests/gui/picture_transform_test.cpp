@@ -11,7 +11,7 @@ namespace ps::gui {
 namespace {
 
 const Area area{{100, 50}, {740, 530}};  // 640 x 480
-const Vec2i picture{600, 400};
+const Vec2i picture_size{600, 400};
 
 TEST(PictureTransform, FitShowsAllOfIt) {
   for (const Vec2i size : {Vec2i(600, 400), Vec2i(20, 3000), Vec2i(10, 10), Vec2i(16384, 16384)}) {
@@ -50,7 +50,7 @@ TEST(PictureTransform, APointerOutsideTheWindowIsOnNoPixel) {
 }
 
 TEST(PictureTransform, ZoomKeepsWhatIsUnderTheMouse) {
-  PictureTransform transform = fitted(picture, area);
+  PictureTransform transform = fitted(picture_size, area);
   const ImVec2 mouse{333, 222};
   const Vec2d before = transform.to_picture(mouse, area);
   for (int i = 0; i < 20; ++i) transform = zoomed_about(transform, 1.25, mouse, area);
@@ -62,9 +62,9 @@ TEST(PictureTransform, ZoomKeepsWhatIsUnderTheMouse) {
 
 TEST(PictureTransform, PanningMovesByWindowPixelsAndKeepsThePictureInSight) {
   const PictureTransform transform{4, {300, 200}};
-  EXPECT_EQ(panned(transform, {40, -20}, picture).centre, Vec2d(290, 205));
-  EXPECT_EQ(panned(transform, {1e6f, 1e6f}, picture).centre, Vec2d(0, 0));
-  EXPECT_EQ(panned(transform, {-1e6f, -1e6f}, picture).centre, Vec2d(600, 400));
+  EXPECT_EQ(panned(transform, {40, -20}, picture_size).centre, Vec2d(290, 205));
+  EXPECT_EQ(panned(transform, {1e6f, 1e6f}, picture_size).centre, Vec2d(0, 0));
+  EXPECT_EQ(panned(transform, {-1e6f, -1e6f}, picture_size).centre, Vec2d(600, 400));
 }
 
 }  // namespace

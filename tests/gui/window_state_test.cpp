@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 
 std::filesystem::path state_folder(const std::string& name) {
-  const auto folder = std::filesystem::absolute(fresh_output_folder("gui-state-" + name));
+  auto folder = std::filesystem::absolute(fresh_output_folder("gui-state-" + name));
   std::filesystem::create_directories(folder / "pixelscope");
   return folder;
 }

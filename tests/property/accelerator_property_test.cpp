@@ -21,6 +21,7 @@
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
+namespace accelerator_property_test {
 namespace {
 
 using namespace ps;
@@ -496,3 +497,4 @@ TEST(Accelerators, PlanesStandOutsideOfEveryTree) {
 }
 
 }  // namespace
+}  // namespace accelerator_property_test

@@ -9,7 +9,7 @@
 #include "raster/clear/coverage/walk.h"
 #include "support/trials.h"
 
-namespace ps::raster {
+namespace ps::raster::coverage_strategies_test {
 namespace {
 
 constexpr unsigned seed = 20261121;
@@ -288,4 +288,4 @@ TEST(CoverageStrategies, NeedAsManyTestsAsTheirIdeaSays) {
 }
 
 }  // namespace
-}  // namespace ps::raster
+}  // namespace ps::raster::coverage_strategies_test

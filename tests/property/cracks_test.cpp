@@ -9,6 +9,7 @@
 #include "support/closed_sphere.h"
 #include "support/trials.h"
 
+namespace cracks_test {
 namespace {
 
 using namespace ps;
@@ -101,3 +102,4 @@ TEST(Cracks, MoellerTrumboreSeesThroughTheWall) {
 }
 
 }  // namespace
+}  // namespace cracks_test

@@ -22,7 +22,7 @@
 #include "support/random_settings.h"
 #include "support/simd_targets.h"
 
-namespace ps {
+namespace ps::differential_test {
 namespace {
 
 using Random = std::mt19937;
@@ -217,4 +217,4 @@ TEST(Differential, EveryWayToDrawAPictureGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::differential_test

@@ -18,7 +18,7 @@
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
-namespace ps {
+namespace ps::fast_frame_test {
 namespace {
 
 using ps::test::same_bits;
@@ -257,4 +257,4 @@ TEST(FastFrame, DrawsEveryScene) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::fast_frame_test

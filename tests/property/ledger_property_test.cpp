@@ -17,7 +17,7 @@
 #include "support/random_settings.h"
 #include "support/trials.h"
 
-namespace ps {
+namespace ps::ledger_property_test {
 namespace {
 
 using Random = std::mt19937;
@@ -120,4 +120,4 @@ TEST(Ledger, AddsUpToThePictureEverywhere) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::ledger_property_test

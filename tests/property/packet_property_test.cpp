@@ -12,6 +12,7 @@
 #include "support/simd_targets.h"
 #include "support/trials.h"
 
+namespace packet_property_test {
 namespace {
 
 using namespace ps;
@@ -84,7 +85,7 @@ TEST(Packets, BookScenesFromAnywhere) {
   RecordProperty("seed", seed);
   std::mt19937 random(seed);
   int fast = 0;
-  const std::vector<BuiltinScene> scenes = builtin_scenes();
+  const std::vector<BuiltinScene>& scenes = builtin_scenes();
   for (std::size_t number = 0; number < scenes.size(); number += test::list_step) {
     const BuiltinScene& entry = scenes[number];
     SCOPED_TRACE(entry.name);
@@ -228,3 +229,4 @@ TEST(Packets, SeveralSamplesForEachPixel) {
 }
 
 }  // namespace
+}  // namespace packet_property_test

@@ -6,7 +6,7 @@
 
 #include "options/option.h"
 
-namespace ps {
+namespace ps::permalink_test {
 namespace {
 
 /// A value that the option's slider or list could give, with all digits for real numbers.
@@ -134,4 +134,4 @@ RC_GTEST_PROP(Permalink, RoundTripKeepsEverything, ()) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::permalink_test

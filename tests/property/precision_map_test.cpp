@@ -13,6 +13,7 @@
 #include "scene/scene_file.h"
 #include "study/difference_by_cause.h"
 
+namespace precision_map_test {
 namespace {
 
 using namespace ps;
@@ -162,3 +163,4 @@ TEST(DifferenceByCause, AnOptionWithoutEffectHasNoShareInAnyOrder) {
 }
 
 }  // namespace
+}  // namespace precision_map_test

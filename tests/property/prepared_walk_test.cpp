@@ -13,7 +13,7 @@
 #include "support/same_bits.h"
 #include "support/trials.h"
 
-namespace ps {
+namespace ps::prepared_walk_test {
 namespace {
 
 using ps::test::same_bits;
@@ -109,4 +109,4 @@ TEST(Prepared, KeepsNothingStaleOnRandomWalks) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::prepared_walk_test

@@ -6,7 +6,7 @@
 
 #include "raster/edge_function.h"
 
-namespace ps::raster {
+namespace ps::raster::raster_coverage_test {
 namespace {
 
 constexpr unsigned seed = 20240618;
@@ -189,4 +189,4 @@ TEST(EdgeFunction, HoldsTheLargestTriangleAtTheMostSubpixelBits) {
 }
 
 }  // namespace
-}  // namespace ps::raster
+}  // namespace ps::raster::raster_coverage_test

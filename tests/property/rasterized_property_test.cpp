@@ -14,7 +14,7 @@
 #include "support/same_bits.h"
 #include "support/simd_targets.h"
 
-namespace ps {
+namespace ps::rasterized_property_test {
 namespace {
 
 using ps::test::same_bits;
@@ -352,4 +352,4 @@ TEST(Rasterized, InspectorNamesWhatPassesBy) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::rasterized_property_test

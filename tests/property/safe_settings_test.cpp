@@ -10,6 +10,7 @@
 #include "study/stability/pictures.h"
 #include "study/unsafe_settings.h"
 
+namespace safe_settings_test {
 namespace {
 
 using namespace ps;
@@ -138,3 +139,4 @@ TEST(StabilityPictures, TheStripHoldsAllFrames) {
 }
 
 }  // namespace
+}  // namespace safe_settings_test

@@ -10,6 +10,7 @@
 #include "support/same_bits.h"
 #include "support/trials.h"
 
+namespace shade_hits_test {
 namespace {
 
 using namespace ps;
@@ -46,7 +47,7 @@ Settings with(std::initializer_list<const char*> assignments) {
 TEST(ShadeHits, GiveTheBitsOfTheClearPath) {
   if (hit_functions(Simd::automatic).light == nullptr) GTEST_SKIP() << "the processor has no eight lanes";
   std::size_t pictures = 0;
-  const std::vector<BuiltinScene> scenes = builtin_scenes();
+  const std::vector<BuiltinScene>& scenes = builtin_scenes();
   for (std::size_t number = 0; number < scenes.size(); number += test::list_step) {
     const BuiltinScene& entry = scenes[number];
     const Scene scene = load_scene(entry.name);
@@ -89,3 +90,4 @@ TEST(ShadeHits, AreLeftAloneWhereTheirTablesSayTooLittle) {
 }
 
 }  // namespace
+}  // namespace shade_hits_test

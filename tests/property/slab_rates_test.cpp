@@ -7,6 +7,7 @@
 
 #include "accel/slab.h"
 
+namespace slab_rates_test {
 namespace {
 
 using namespace ps;
@@ -137,3 +138,4 @@ TEST(SlabRates, RaysInThePlaneOfASideMeetTheBox) {
 }
 
 }  // namespace
+}  // namespace slab_rates_test

@@ -6,6 +6,7 @@
 
 #include "raytrace/clear/sphere_robust.h"
 
+namespace sphere_property_test {
 namespace {
 
 using namespace ps;
@@ -93,3 +94,4 @@ TEST(SphereProperty, ARayFromTheSurfaceNeverMeetsItsStart) {
 }
 
 }  // namespace
+}  // namespace sphere_property_test

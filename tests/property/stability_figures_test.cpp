@@ -13,6 +13,7 @@
 #include "support/stability_verdict.h"
 #include "support/trials.h"
 
+namespace stability_figures_test {
 namespace {
 
 using namespace ps;
@@ -59,3 +60,4 @@ INSTANTIATE_TEST_SUITE_P(All, StabilityFigures, testing::ValuesIn(all_keys()),
                          [](const auto& tested) { return camel_case(tested.param); });
 
 }  // namespace
+}  // namespace stability_figures_test

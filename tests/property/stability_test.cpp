@@ -15,6 +15,7 @@
 #include "support/stability_verdict.h"
 #include "support/trials.h"
 
+namespace stability_test {
 namespace {
 
 using namespace ps;
@@ -190,3 +191,4 @@ TEST(Stability, ARobustSlabTestCostsFewNodes) {
 }
 
 }  // namespace
+}  // namespace stability_test

@@ -16,6 +16,7 @@
 #include "support/same_bits.h"
 #include "support/trials.h"
 
+namespace traced_property_test {
 namespace {
 
 using namespace ps;
@@ -231,3 +232,4 @@ TEST(TracedProperty, CancellingStopsEarlyAndThrows) {
 }
 
 }  // namespace
+}  // namespace traced_property_test

@@ -17,6 +17,7 @@
 #include "support/same_bits.h"
 #include "support/trials.h"
 
+namespace two_level_test {
 namespace {
 
 using namespace ps;
@@ -293,3 +294,4 @@ TEST(TwoLevels, AnInstanceCostsFarLessThanItsTriangles) {
 }
 
 }  // namespace
+}  // namespace two_level_test

@@ -9,6 +9,7 @@
 #include "render/renderer_table.h"
 #include "scene/load.h"
 
+namespace unused_features_test {
 namespace {
 
 using namespace ps;
@@ -80,3 +81,4 @@ INSTANTIATE_TEST_SUITE_P(BothRenderers, UnusedFeatures, testing::Values(Renderer
                          });
 
 }  // namespace
+}  // namespace unused_features_test

@@ -9,6 +9,7 @@
 #include "raytrace/clear/triangle_watertight.h"
 #include "support/closed_sphere.h"
 
+namespace watertight_property_test {
 namespace {
 
 using namespace ps;
@@ -164,3 +165,4 @@ TEST(Bvh, CentroidsInOnePlaceAreNoTrouble) {
 }
 
 }  // namespace
+}  // namespace watertight_property_test

@@ -14,6 +14,7 @@
 #include "raytrace/clear/triangle_watertight.h"
 #include "support/closed_sphere.h"
 
+namespace watertight_rates_test {
 namespace {
 
 using namespace ps;
@@ -265,3 +266,4 @@ TEST(DeterminantEpsilon, LosesSmallMeshesThatTheWatertightTestKeeps) {
 }
 
 }  // namespace
+}  // namespace watertight_rates_test

@@ -52,7 +52,7 @@ TEST(CanvasPolygon, CoversEachPixelOfItsInsideOnce) {
       int inside = 0;
       for (int y = 0; y < polygon_side; ++y)
         for (int x = 0; x < polygon_side; ++x) {
-          const Vec2d p{x + 0.5 - polygon_side / 2, polygon_side / 2 - y - 0.5};
+          const Vec2d p{x + 0.5 - polygon_side / 2.0, polygon_side / 2.0 - y - 0.5};
           double least = 1e9;
           for (std::size_t i = 0; i < points.size(); ++i) {
             const Vec2d a = points[i], b = points[(i + 1) % points.size()], e = b - a;

@@ -47,7 +47,7 @@ Image<Rgb8> levels_of(const Scene& scene, const Settings& settings) {
 
 TEST(Needs, OnEveryBuiltinSceneTheAdviceMeetsItsToleranceAndDoesNoMoreWork) {
   std::size_t strayed = 0, tried = 0;
-  const std::vector<BuiltinScene> scenes = builtin_scenes();
+  const std::vector<BuiltinScene>& scenes = builtin_scenes();
   for (std::size_t i = 0; i < scenes.size(); i += test::trial_divisor, ++tried) {
     const BuiltinScene& builtin = scenes[i];
     SCOPED_TRACE(builtin.name);

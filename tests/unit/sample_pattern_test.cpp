@@ -48,7 +48,8 @@ TEST(SamplePattern, OneSampleOfTheGridIsTheMiddle) {
 TEST(SamplePattern, SquareNumbersMakeSquareGrids) {
   for (const int side : {2, 3, 4, 8, 64})
     for (int i = 0; i < side * side; ++i) {
-      const Vec2d expected{(i % side + 0.5) / side, (i / side + 0.5) / side};
+      const int column = i % side, row = i / side;
+      const Vec2d expected{(column + 0.5) / side, (row + 0.5) / side};
       const Vec2d got = sample_in_square(SamplePattern::grid, i, side * side, {7, 9});
       ASSERT_NEAR(got.x, expected.x, 1e-15);
       ASSERT_NEAR(got.y, expected.y, 1e-15);

@@ -51,7 +51,7 @@ TEST(SceneLoad, ReflectionsHasTheBooksNumbers) {
 }
 
 TEST(SceneLoad, EveryBuiltInSceneLoads) {
-  const auto scenes = ps::builtin_scenes();
+  const auto& scenes = ps::builtin_scenes();
   ASSERT_FALSE(scenes.empty());
   for (const auto& listed : scenes) {
     SCOPED_TRACE(listed.name);

@@ -101,7 +101,7 @@ TEST(SpacePolygon, RefusesWhatIsNotConvexOrHasNoArea) {
   EXPECT_EQ(refusal("polygon { vertices = [(0, 0, 4), (1, 0, 4), (2, 0, 4), (2, 2, 4)] }").message, "")
       << "a vertex on an edge is no dent";
   EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 0), (2, 2, 4)] }").message, "") << "one vertex has two";
-  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 0, 4), (2, 2, 4)] h = [1, 1, 1] }").message.find("h"),
+  EXPECT_NE(refusal("polygon { vertices = [(0, 0, 4), (1, 0, 4), (2, 2, 4)] h = [1, 1, 1] }").message.find('h'),
             std::string::npos)
       << "of the canvas alone";
 }

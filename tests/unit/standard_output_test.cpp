@@ -93,7 +93,7 @@ TEST(StandardOutput, AReaderThatHasGone) {
   const std::string redirection = ">&" + std::to_string(ends[1]);
   const auto run = [&](void (*pipe_signal)(int)) {
     const auto before = std::signal(SIGPIPE, pipe_signal);
-    const auto result = run_by_shell({"options", "--json"}, redirection);
+    auto result = run_by_shell({"options", "--json"}, redirection);
     std::signal(SIGPIPE, before);
     return result;
   };

@@ -68,7 +68,7 @@ TEST(UsefulShadowRays, LeaveFromWhereTheLightFalls) {
 
 TEST(UsefulShadowRays, ChangeNoColour) {
   int fewer = 0, traced = 0;
-  const std::vector<BuiltinScene> scenes = builtin_scenes();
+  const std::vector<BuiltinScene>& scenes = builtin_scenes();
   for (std::size_t i = 0; i < scenes.size(); i += test::list_step) {
     SCOPED_TRACE(scenes[i].name);
     const Scene scene = load_scene(scenes[i].name);

@@ -18,7 +18,7 @@ bool acts(const Option& option, const Settings& settings, const SceneTraits& tra
   return !inactive_reason(option, settings, traits) && !inactive_value_reason(option, settings, traits);
 }
 
-Settings with(std::vector<std::string> assignments) {
+Settings with(const std::vector<std::string>& assignments) {
   Settings settings;
   for (const std::string& assignment : assignments) parse_assignment(assignment, settings);
   return settings;

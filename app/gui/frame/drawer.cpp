@@ -60,6 +60,7 @@ std::string tab_label(const Panel& tool) {
 /// The tools of a group, in the line of the groups where there is room.
 void tool_tabs(Session& session, const std::vector<const Panel*>& tools, const Panel& open) {
   std::vector<std::string> labels;
+  labels.reserve(tools.size());
   for (const Panel* tool : tools) labels.push_back(tab_label(*tool));
   std::vector<Choice> tabs;
   std::vector<std::string_view> brief;

@@ -36,8 +36,7 @@ std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& o
                        fmt::format("{}, {}", option.key, option.keywords)});
   for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));
   for (PaletteEntry& entry : kept_entries(session, kept)) entries.push_back(std::move(entry));
-  static const std::vector<BuiltinScene> scenes = builtin_scenes();
-  for (const BuiltinScene& scene : scenes)
+  for (const BuiltinScene& scene : builtin_scenes())
     entries.push_back({"scene/" + scene.name, scene.title, "scene", [&session, &scene] { session.open(scene.name); },
                        scene.name + ", " + scene.keywords});
   for (const StabilityExperiment& experiment : stability_experiments())

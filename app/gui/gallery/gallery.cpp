@@ -3,11 +3,13 @@
 #include <imgui.h>
 
 #include <array>
+#include <map>
 
 #include "base/check.h"
 #include "gui/base/values.h"
 #include "gui/input/actions.h"
 #include "gui/shell/shell.h"
+#include "gui/widgets/option_pair.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -86,7 +88,8 @@ class Gallery : public Content {
                "window, and stays until it is dismissed.";
   }
   void set_option(Side side, const std::string& assignment) override {
-    parse_assignment(assignment, side == Side::a ? settings_ : other_);
+    parse_assignment(assignment, settings_[side == Side::a ? 0 : 1]);
+    waking_.clear();
   }
   std::optional<WindowPoint> pixel_place(Side, Vec2i) const override { return {}; }
 
@@ -129,9 +132,19 @@ class Gallery : public Content {
         bool open = true;
         section("section/" + std::string(group), group, open);
       }
-      option_row(option, settings_, traits_, {.other = &other_, .highlight = option.key == "shadow-any-hit"});
+      const OptionPairContext context{.highlight = option.key == "shadow-any-hit",
+                                      .waking = {waking_for(option, 0), waking_for(option, 1)}};
+      for (const OptionRowResult& result : option_pair(option, settings_, traits_, context))
+        if (result.edit.changed) waking_.clear();
     }
     ImGui::EndChild();
+  }
+
+  /// What a side needs for an option to act, kept until a value changes; nullptr if it acts.
+  const Waking* waking_for(const Option& option, std::size_t side) {
+    const auto [found, fresh] = waking_.try_emplace({&option, side});
+    if (fresh) found->second = waking_of(option, settings_[side], traits_);
+    return found->second.settings.empty() && found->second.missing.empty() ? nullptr : &found->second;
   }
 
   void draw_table() {
@@ -149,7 +162,8 @@ class Gallery : public Content {
 
   Shell& shell_;
   SceneTraits traits_;
-  Settings settings_, other_;
+  std::array<Settings, 2> settings_;
+  std::map<std::pair<const Option*, std::size_t>, Waking> waking_;
   int count_ = 0, few_ = 0, many_ = 0, tab_ = 0, row_ = 1;
   bool on_ = true, held_ = false, section_open_ = true;
   double linear_ = 2.5, log_ = 0.001, whole_ = 3;

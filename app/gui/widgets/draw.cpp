@@ -58,6 +58,20 @@ void value_paragraph(std::string_view name, std::string_view text) {
   controls().record(name, std::string(text));
 }
 
+void quiet_text(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void swatch(const std::array<int, 3>& levels, ImVec2 size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  auto& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, IM_COL32(levels[0], levels[1], levels[2], 255), px(3));
+  list.AddRect(at, {at.x + size.x, at.y + size.y}, colour_u32(palette().line_strong), px(3));
+  ImGui::Dummy(size);
+}
+
 void side_bar(ImDrawList& list, ImVec2 min, ImVec2 max, Side side) {
   list.AddRectFilled(min, max, colour_u32(side == Side::a ? palette().a : palette().b));
 }

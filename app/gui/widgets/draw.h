@@ -1,6 +1,7 @@
 #pragma once
 #include <imgui.h>
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,10 @@ inline float text_height(std::string_view text) {
 inline void draw_lines(ImVec2 at, std::string_view text, const ImVec4& colour) {
   ImGui::GetWindowDrawList()->AddText(at, colour_u32(colour), text.data(), text.data() + text.size());
 }
+/// A paragraph in the quiet colour, for what explains.
+void quiet_text(const std::string& text);
+/// A field of that colour, red, green and blue from 0 to 255, as an item.
+void swatch(const std::array<int, 3>& levels, ImVec2 size);
 /// A bar in the colour of a picture.
 void side_bar(ImDrawList& list, ImVec2 min, ImVec2 max, Side side);
 /// "A" or "B" in the current font behind such a bar, as an item of one line.

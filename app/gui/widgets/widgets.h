@@ -77,7 +77,7 @@ std::string full_number(double value);
 void number_text(double value, float width = 0);
 void number_text(std::string_view digits, float width, std::string_view full);
 
-// --- option_row.cpp ---
+// --- option_parts.cpp, option_pair.cpp ---
 enum class OptionRequest { none, send_to_other, only_difference, sweep, wake };
 struct OptionRowResult {
   Edit edit;
@@ -87,13 +87,7 @@ struct OptionRowResult {
 struct OptionRowContext {
   Side side = Side::a;
   const Settings* other = nullptr;  ///< the other side's settings, to mark differences
-  bool highlight = false;           ///< a lesson or a search points at it
 };
-/// One row made from the option table: label, control, mark if A and B differ, reset, tooltip with what, source and
-/// failure. One that cannot act is grey and says below what it needs, with a button that sets it. Named by the option's
-/// key.
-OptionRowResult option_row(const Option& option, Settings& settings, const SceneTraits& traits,
-                           const OptionRowContext& context = {});
 
 // --- rows.cpp ---
 /// A row of a tree, as many lines high as its text needs. If it answers `open`, draw the children and call

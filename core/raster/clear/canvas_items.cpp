@@ -45,7 +45,8 @@ void draw_line(const Pass<Real>& pass, const ScreenLine<Real>& line, const LineP
               else
                 recorder.event([&] {
                   const auto place = [&](const Vec2<Real>& p) {
-                    return Vec2d(static_cast<double>(p.x) + columns / 2, rows - rows / 2 - static_cast<double>(p.y));
+                    const int right = columns / 2, up = rows - rows / 2;  // of the canvas's centre, whole pixels
+                    return Vec2d(static_cast<double>(p.x) + right, up - static_cast<double>(p.y));
                   };
                   return LineEvent{paint.id, place(line.from), place(line.to), step, Vec3d(paint.colour)};
                 });
@@ -121,6 +122,7 @@ std::uint64_t count_canvas_lines(const Scene& scene) {
   return lines;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): Real and Recorder are types
 #define PS_INSTANTIATE(Real, Recorder)                                                                                 \
   template void draw_edge(const Pass<Real>&, const ScreenLine<Real>&, Target<Real>&, Recorder&);                       \
   template void draw_canvas_items(const Pass<Real>&, Target<Real>&, Recorder&);
@@ -129,5 +131,6 @@ PS_INSTANTIATE(float, PixelRecorder)
 PS_INSTANTIATE(double, CountingRecorder)
 PS_INSTANTIATE(double, PixelRecorder)
 #undef PS_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace ps::raster

@@ -334,6 +334,7 @@ void shade_winners(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry,
       if (const Winner<Real>& winner = target.winner(column, row); winner.any) triangles.shade_winner(winner);
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): Real and Recorder are types
 #define PS_INSTANTIATE(Real, Recorder)                                                                                 \
   template void draw_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>,         \
                                 const DrawStep&, Target<Real>&, Recorder&);                                            \
@@ -343,5 +344,6 @@ PS_INSTANTIATE(float, PixelRecorder)
 PS_INSTANTIATE(double, CountingRecorder)
 PS_INSTANTIATE(double, PixelRecorder)
 #undef PS_INSTANTIATE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace ps::raster

@@ -123,8 +123,9 @@ struct List<ReuseEvent> {
   static constexpr std::string_view kind = "reuse", partners = kind;
   template <auto Coordinate>
   static std::vector<double> of_neighbours(const E& e) {
-    std::vector<double> numbers;
-    for (int i = 0; i < e.count; ++i) numbers.push_back(e.around.at(static_cast<std::size_t>(i)).*Coordinate);
+    const auto count = static_cast<std::size_t>(e.count);
+    std::vector<double> numbers(count);
+    for (std::size_t i = 0; i < count; ++i) numbers[i] = e.around.at(i).*Coordinate;
     return numbers;
   }
   static constexpr std::array rows{

@@ -36,8 +36,8 @@ constexpr int side = 256;  // px; a smaller picture would show other squares
 
 /// A tiny ball in the sky, a third of a pixel wide, at a place in pixels from the picture's top left.
 std::string tiny_ball(double x, double y) {
-  return fmt::format("sphere {{ center = ({:.6f}, {:.6f}, 1) radius = 0.0006 color = white }}\n", (x - side / 2) / side,
-                     (side / 2 - y) / side);
+  return fmt::format("sphere {{ center = ({:.6f}, {:.6f}, 1) radius = 0.0006 color = white }}\n",
+                     (x - side / 2.0) / side, (side / 2.0 - y) / side);
 }
 
 /// One tiny ball in each square of 8 x 8 pixels of the sky, anywhere in its middle.

@@ -60,9 +60,10 @@ double floor_rmse(int pieces, Interpolation interpolation, const StabilityRun& r
   const Scene scene = strip({0, -below_eye, near_z}, {0, -below_eye, far_z}, {0.1, 0, 0}, pieces);
   const Frame frame = coordinates(scene, {scene.camera, 2 * column, rows}, interpolation, run);
   double sum = 0, count = 0;
+  const int horizon = rows / 2;
   for (int row = 0; row < rows; ++row) {
     if (frame.ids.at(column, row).object < 0) continue;
-    const double z = below_eye * rows / (row + 0.5 - rows / 2);  // where the ray through the pixel meets the floor
+    const double z = below_eye * rows / (row + 0.5 - horizon);  // where the ray through the pixel meets the floor
     const double off = texels * (static_cast<double>(frame.uv.at(column, row).y) - (z - near_z) / (far_z - near_z));
     sum += off * off;
     ++count;

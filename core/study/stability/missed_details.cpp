@@ -32,9 +32,10 @@ class Discs {
  public:
   Discs(double diameter, int places, int apart, const StabilityRun& run) : run_(run), places_(places), apart_(apart) {
     Geometry geometry;
+    const int first = apart / 2;
     for (int j = 0; j < places; ++j)
       for (int i = 0; i < places; ++i) {
-        const double x = apart * i + apart / 2 + (i + 0.5) / places, y = apart * j + apart / 2 + (j + 0.5) / places;
+        const double x = apart * i + first + (i + 0.5) / places, y = apart * j + first + (j + 0.5) / places;
         geometry.objects.push_back({"disc", Sphere{{x - side() / 2.0, side() / 2.0 - y, 10}, diameter / 2}});
       }
     scene_ = in_pixels(std::move(geometry), side(), side());
@@ -53,7 +54,10 @@ class Discs {
     std::vector<bool> seen(static_cast<std::size_t>(places_) * static_cast<std::size_t>(places_));
     for (int y = 0; y < side(); ++y)
       for (int x = 0; x < side(); ++x)
-        if (frame.colour.at(x, y).x > 0) seen[static_cast<std::size_t>(y / apart_ * places_ + x / apart_)] = true;
+        if (frame.colour.at(x, y).x > 0) {
+          const int place = y / apart_ * places_ + x / apart_;
+          seen[static_cast<std::size_t>(place)] = true;
+        }
     return seen;
   }
 

@@ -38,7 +38,7 @@ PairDifference measured(const PairCase& one, Renderer hardware, int columns = wi
 
 /// Scenes with surfaces, in which nothing is left to chance: neither surfaces that fight for a depth nor textures that
 /// are looked up where a line of sight grazes a relief.
-const std::vector<std::string> scenes{
+const std::vector<std::string> agreement_scenes{
     "cgfs/shading",      "cgfs/reflections", "cgfs/crates",          "cgfs/cubes",    "cgfs/primitives",
     "cgfs/brick-wall",   "cgfs/fence",       "cgfs/depth",           "cgfs/behind",   "cgfs/near-light",
     "cgfs/camera",       "cgpp/teapot",      "cgpp/triangle",        "cgpp/ground",   "octree/attenuation",
@@ -47,7 +47,7 @@ const std::vector<std::string> scenes{
 
 TEST(HardwareAgreement, TrianglesAndColoursWithVerticesRoundedByTheProcessor) {
   PS_NEEDS_HARDWARE(hardware);
-  for (const std::string& scene : scenes) {
+  for (const std::string& scene : agreement_scenes) {
     const PairDifference difference = measured({scene, {"vertex-snapping=cpu"}}, hardware);
     EXPECT_GT(difference.seen, difference.pixels / 20) << scene << ": hardly anything to compare";
     EXPECT_LE(difference.ids, most_ids) << scene;
@@ -59,14 +59,14 @@ TEST(HardwareAgreement, TrianglesAndColoursWithVerticesRoundedByTheProcessor) {
 /// sub-pixel.
 TEST(HardwareAgreement, TrianglesAndColoursWithVerticesRoundedByTheDriver) {
   PS_NEEDS_HARDWARE(hardware);
-  for (const std::string& scene : scenes) {
+  for (const std::string& scene : agreement_scenes) {
     const PairDifference difference = measured({scene, {"vertex-snapping=driver"}}, hardware);
     EXPECT_LE(difference.ids, most_ids) << scene;
     EXPECT_LE(difference.colours, most_ids) << scene << ", by " << difference.largest;
   }
 }
 
-/// In these scenes each option acts on something.
+/// In these agreement_scenes each option acts on something.
 const std::vector<std::string> option_scenes{"cgfs/shading", "cgfs/crates", "cgfs/fence", "cgfs/reflections"};
 
 /// Settings, and options with all their values, that have a test of their own.

@@ -69,7 +69,8 @@ TEST(HardwareShaders, AMistakeIsReportedWithFileAndLine) {
     const std::string all = *all_definitions(hardware).begin();
     try {
       // A definition that turns "vec3 own_normal = ..." in vertex.glsl into a syntax error.
-      hardware::Program("vertex.glsl", "fragment.glsl", shop.context.api(), all + "#define own_normal 1 +\n");
+      const hardware::Program program("vertex.glsl", "fragment.glsl", shop.context.api(),
+                                      all + "#define own_normal 1 +\n");
       FAIL() << "it compiles";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("a shader does not compile: "), std::string::npos) << error.what();

@@ -99,6 +99,7 @@ void turn_by_wheel(ReadPage& read) {
 
 void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>& lines) {
   std::vector<PagePart> parts;
+  parts.reserve(lines.size());
   for (const TextLine& line : lines) parts.push_back({line.gap, line.height, line.begins_block, line.stays_with_next});
   const auto starts = page_starts(parts, ImGui::GetContentRegionAvail().y);
   ReadPage& read = shelf.text;

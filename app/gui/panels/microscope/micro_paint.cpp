@@ -10,7 +10,8 @@ namespace {
 
 /// Ink that can be seen on any backdrop: a dark line with a light rim.
 constexpr ImU32 ink = IM_COL32(24, 24, 24, 255), rim = IM_COL32(255, 255, 255, 215);
-constexpr ImU32 light = IM_COL32(255, 255, 255, 255);  // for samples, which are filled in what parts from the backdrop
+constexpr ImU32 light_colour =
+    IM_COL32(255, 255, 255, 255);  // for samples, which are filled in what parts from the backdrop
 constexpr float rim_width = 1.6f;
 
 class MicroPainter {
@@ -108,11 +109,11 @@ class MicroPainter {
     }
     case MicroKind::sample_lit:
       list_.AddCircleFilled(at, px(8), item.on_dark ? ink : rim);
-      list_.AddCircleFilled(at, px(6), item.on_dark ? light : ink);
+      list_.AddCircleFilled(at, px(6), item.on_dark ? light_colour : ink);
       return;
     case MicroKind::sample_unlit:
       list_.AddCircle(at, px(6), item.on_dark ? ink : rim, 24, px(5));
-      list_.AddCircle(at, px(6), item.on_dark ? light : ink, 24, px(2));
+      list_.AddCircle(at, px(6), item.on_dark ? light_colour : ink, 24, px(2));
       return;
     case MicroKind::point:
     case MicroKind::place: {

@@ -20,6 +20,7 @@ std::vector<std::string> counts(const Scene& scene, const std::vector<SeenPixel>
     for (const int light : one.blocked) ++blocked[light];
   }
   std::vector<std::string> lines;
+  lines.reserve(seen.size() + blocked.size());
   for (const auto& [what, count] : seen)
     lines.push_back(fmt::format("{} of {} pixels here show {}.", count, around.size(), what));
   for (const auto& [light, count] : blocked)

@@ -37,10 +37,13 @@ void put_on(Session& session, const DroppedPicture& state) {
 
 void object_choice(const Scene& scene, DroppedPicture& state) {
   const std::vector<int> objects = textured_objects(scene);
-  std::vector<std::string> names;
-  for (const int object : objects) names.push_back(object_name(scene, object));
-  std::vector<std::string> keys;
-  for (const int object : objects) keys.push_back(std::to_string(object));
+  std::vector<std::string> names, keys;
+  names.reserve(objects.size());
+  keys.reserve(objects.size());
+  for (const int object : objects) {
+    names.push_back(object_name(scene, object));
+    keys.push_back(std::to_string(object));
+  }
   std::vector<Choice> choices;
   int index = 0;
   for (std::size_t i = 0; i < objects.size(); ++i) {

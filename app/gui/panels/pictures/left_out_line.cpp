@@ -15,7 +15,7 @@ namespace ps::gui {
 namespace {
 
 constexpr double room_for_others = 128;  ///< of the row, at scale 1
-constexpr double mark = 11, space = 6;
+constexpr double mark_size = 11, space = 6;
 
 /// Of the first `count`.
 float width_of_buttons(const LeftOut& one, std::size_t count) {
@@ -36,11 +36,11 @@ std::string text_that_fits(const LeftOut& one, float room) {
 
 /// One thing that is left out, from `at` on; answers where the next may begin, or nothing where there was no room.
 std::optional<float> notice(Session& session, Side side, const LeftOut& one, ImVec2 at, float right, float height) {
-  const float room = right - at.x - px(mark + space);
+  const float room = right - at.x - px(mark_size + space);
   const std::string text = text_that_fits(one, room);
   if (text.empty() && (one.remedies.empty() || button_width(one.remedies.front().label) > room)) return {};
-  attention_mark(*ImGui::GetWindowDrawList(), {at.x, at.y + (height - px(mark)) / 2}, px(mark));
-  float x = at.x + px(mark + space);
+  attention_mark(*ImGui::GetWindowDrawList(), {at.x, at.y + (height - px(mark_size)) / 2}, px(mark_size));
+  float x = at.x + px(mark_size + space);
   if (!text.empty()) {
     draw_text({x, at.y}, {x + text_width(text), at.y + height}, text, palette().text, 0);
     x += text_width(text) + px(space);

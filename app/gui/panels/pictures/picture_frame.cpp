@@ -37,7 +37,7 @@ std::string take_line(Face face, std::string& text, float width) {
 }  // namespace
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
-  if (captions == PictureCaptions::brief) return {px(22), px(17)};
+  if (captions == PictureCaptions::brief) return {px(22), px(20)};
   const float notes = px(note_height);
   return width < px(narrow) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }

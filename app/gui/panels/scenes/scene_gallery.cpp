@@ -20,18 +20,13 @@ namespace {
 constexpr double picture_width = 152, picture_height = 152;  // at scale 1
 constexpr double gap = 16, text_lines = 2;
 
-const std::vector<BuiltinScene>& all_scenes() {
-  static const std::vector<BuiltinScene> scenes = builtin_scenes();  // reads their files' headings
-  return scenes;
-}
-
 bool pressed(Key key) { return ImGui::IsKeyPressed(imgui_key(key), true); }
 
 /// The picture of a scene by its number in the list; nullptr while it is being made.
 const Texture* picture_of(SceneGallery& gallery, std::size_t number) {
   const int width = static_cast<int>(px(picture_width)), height = static_cast<int>(px(picture_height));
   return gallery.thumbnails.find(
-      number, width, height, [name = all_scenes()[number].name, width, height](Prepared&, Progress& progress) {
+      number, width, height, [name = builtin_scenes()[number].name, width, height](Prepared&, Progress& progress) {
         Prepared own;  // what a scene needs for its picture is not kept
         return thumbnail_of_a(open_document(name, load_scene(name)), width, height, own, progress);
       });
@@ -39,7 +34,7 @@ const Texture* picture_of(SceneGallery& gallery, std::size_t number) {
 
 /// One scene: its picture over its title. Answers whether it was clicked.
 bool tile(SceneGallery& gallery, std::size_t number, bool selected, bool reveal) {
-  const BuiltinScene& scene = all_scenes()[number];
+  const BuiltinScene& scene = builtin_scenes()[number];
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float line = theme().font(Face::small)->FontSize + px(3);
   const ImVec2 size{px(picture_width), px(picture_height) + static_cast<float>(text_lines) * line + px(6)};
@@ -82,8 +77,8 @@ void move_selection(SceneGallery& gallery, int columns, int count) {
 
 std::vector<std::size_t> found_scenes(const std::string& search) {
   std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < all_scenes().size(); ++i) {
-    const BuiltinScene& scene = all_scenes()[i];
+  for (std::size_t i = 0; i < builtin_scenes().size(); ++i) {
+    const BuiltinScene& scene = builtin_scenes()[i];
     if (has_words(search, {scene.name, scene.title, scene.description, scene.keywords, book_title(scene.name)}))
       found.push_back(i);
   }
@@ -100,7 +95,7 @@ std::string tiles(SceneGallery& gallery, const std::vector<std::size_t>& found) 
   std::string book;
   int column = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::string title = book_title(all_scenes()[found[i]].name);
+    const std::string title = book_title(builtin_scenes()[found[i]].name);
     if (title != book) {
       book = title;
       column = 0;
@@ -112,7 +107,8 @@ std::string tiles(SceneGallery& gallery, const std::vector<std::size_t>& found) 
     if (column > 0) ImGui::SameLine(static_cast<float>(column) * px(picture_width + gap) + px(6));
     if (column == 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(6));
     const bool selected = static_cast<int>(i) == gallery.selected;
-    if (tile(gallery, found[i], selected, selected && gallery.selected != before)) chosen = all_scenes()[found[i]].name;
+    if (tile(gallery, found[i], selected, selected && gallery.selected != before))
+      chosen = builtin_scenes()[found[i]].name;
     column = (column + 1) % columns;
   }
   return chosen;
@@ -121,7 +117,7 @@ std::string tiles(SceneGallery& gallery, const std::vector<std::size_t>& found) 
 }  // namespace
 
 std::string book_title(const std::string& scene_name) {
-  const std::string book = scene_name.substr(0, scene_name.find('/'));
+  std::string book = scene_name.substr(0, scene_name.find('/'));
   if (book == "cgfs") return "Computer Graphics from Scratch";
   if (book == "cgpp") return "Computer Graphics: Principles and Practice";
   if (book == "lab") return "Laboratory";
@@ -167,7 +163,7 @@ void scene_gallery(Session& session, SceneGallery& gallery) {
   std::string chosen = tiles(gallery, found);
   ImGui::EndChild();
   if (!gallery.just_opened && pressed(Key::enter) && !found.empty())
-    chosen = all_scenes()[found[static_cast<std::size_t>(gallery.selected)]].name;
+    chosen = builtin_scenes()[found[static_cast<std::size_t>(gallery.selected)]].name;
   const bool outside =
       ImGui::IsMouseClicked(0) && !gallery.just_opened &&
       !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
@@ -178,7 +174,7 @@ void scene_gallery(Session& session, SceneGallery& gallery) {
   if (!chosen.empty()) session.open(chosen);
   if (outside || !chosen.empty()) gallery.open = false;
   std::set<std::uint64_t> ids;
-  for (std::size_t i = 0; i < all_scenes().size(); ++i) ids.insert(i);
+  for (std::size_t i = 0; i < builtin_scenes().size(); ++i) ids.insert(i);
   gallery.thumbnails.update(ids);
 }
 

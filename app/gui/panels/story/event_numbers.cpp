@@ -16,13 +16,13 @@
 namespace ps::gui {
 namespace {
 
-constexpr std::size_t columns = 3;
+constexpr std::size_t numbers_in_a_line = 3;
 
 /// The numbers of a field that fits the columns.
 std::optional<std::vector<double>> numbers_of(const FieldValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return std::vector{*number};
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::vector{static_cast<double>(*whole)};
-  if (const auto* several = std::get_if<std::vector<double>>(&value); several && several->size() <= columns)
+  if (const auto* several = std::get_if<std::vector<double>>(&value); several && several->size() <= numbers_in_a_line)
     return *several;
   return {};
 }
@@ -57,7 +57,7 @@ constexpr std::array<NumberStyle, 4> styles{{
 }};
 
 /// How wide a column must be for every number of these fields.
-float column_width(const std::vector<EventField>& fields, const NumberStyle& style) {
+float number_column_width(const std::vector<EventField>& fields, const NumberStyle& style) {
   const FontScope font(style.face);
   float widest = ImGui::CalcTextSize(style.usual).x;
   for (const EventField& field : fields)
@@ -99,14 +99,14 @@ void event_numbers(const Event& event, const Scene& scene, const Event* before) 
     for (const auto& text : texts) names = std::max(names, ImGui::CalcTextSize(text.name.c_str()).x);
   }
   const auto used = static_cast<float>(columns_of(fields));
-  const auto beside = [&](const NumberStyle& style) { return room - column_width(fields, style) * used; };
+  const auto beside = [&](const NumberStyle& style) { return room - number_column_width(fields, style) * used; };
   // Numbers in shorter forms beside their names, or else in the longest form that fits below them.
   auto style = std::find_if(styles.begin(), styles.begin() + 2,
                             [&](const NumberStyle& one) { return beside(one) >= names + px(8); });
   if (style == styles.begin() + 2)
     style =
         std::find_if(styles.begin() + 1, styles.end() - 1, [&](const NumberStyle& one) { return beside(one) >= 0; });
-  const float column = column_width(fields, *style);
+  const float column = number_column_width(fields, *style);
   const FontScope digits(style->face);
   names = std::min(names + px(8), std::max(room - column * used, 0.f));
   float farthest = 0;  // window pixels

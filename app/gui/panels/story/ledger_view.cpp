@@ -16,7 +16,7 @@ constexpr double number_width = 72, swatch_size = 13, indent_step = 12;
 constexpr double least_gap = 6;            // between two numbers
 constexpr std::size_t most_brief = 6;      // letters of a number where there is little room
 constexpr double room_for_one_line = 250;  // beside the numbers, for the words
-constexpr double narrow = 256;             // smaller letters below this width
+constexpr double narrow_ledger = 256;      // smaller letters below this width
 
 ImU32 swatch_colour(const Vec3d& value) {
   const auto level = [](double v) { return std::lround(std::clamp(v, 0.0, 1.0) * 255); };
@@ -30,7 +30,7 @@ bool tells_only(const PixelStory& story, const LedgerLine& line) {
 }
 
 /// Where the parts of a line go.
-struct Columns {
+struct LedgerColumns {
   float left = 0, right = 0;  // window pixels
   bool one_line = true;       // words and numbers side by side; else the numbers are below the words
   float number = 0;           // width of one number with the space before it
@@ -47,7 +47,7 @@ void number_at(ImDrawList& list, ImFont* font, float right, float top, const std
   list.AddText(font, font->FontSize, {right - width, top}, colour, text.c_str());
 }
 
-std::string number_in(const Columns& columns, double value) {
+std::string number_in(const LedgerColumns& columns, double value) {
   std::string text = short_number(value);
   if (!columns.brief || text.size() <= most_brief) return text;
   // As wide as most others, and read without thinking; only what would become 0 is written with a power.
@@ -56,7 +56,7 @@ std::string number_in(const Columns& columns, double value) {
 }
 
 /// The largest letters in which no number touches the one before it.
-void choose_digits(const PixelStory& story, Columns& columns) {
+void choose_digits(const PixelStory& story, LedgerColumns& columns) {
   const auto widest = [&](Face face) {
     const FontScope font(face);
     float width = 0;
@@ -73,7 +73,7 @@ void choose_digits(const PixelStory& story, Columns& columns) {
   columns.brief = true;
 }
 
-void headings(const Columns& columns) {
+void headings(const LedgerColumns& columns) {
   auto& list = *ImGui::GetWindowDrawList();
   ImFont* font = theme().font(Face::small);
   const float top = ImGui::GetCursorScreenPos().y;
@@ -91,10 +91,10 @@ std::string number_of_then(const LedgerChange* change, int channel) {
   return old == short_number((*change->after)[channel]) ? std::string() : old + " →";
 }
 
-bool line_row(const std::string& name, const LedgerLine& line, bool selected, const Columns& columns,
+bool line_row(const std::string& name, const LedgerLine& line, bool selected, const LedgerColumns& columns,
               const LedgerChange* change) {
   auto& list = *ImGui::GetWindowDrawList();
-  const Face face = columns.right - columns.left < px(narrow) ? Face::small : Face::body;
+  const Face face = columns.right - columns.left < px(narrow_ledger) ? Face::small : Face::body;
   ImFont* words = theme().font(face);
   ImFont* digits = theme().font(columns.digits);
   const float pitch = std::max(words->FontSize, digits->FontSize) + px(3);
@@ -153,7 +153,7 @@ void gone_lines(const std::string& name, const StoryChanges& changes) {
 
 int ledger_view(const std::string& name, const PixelStory& story, int selected_event, const PinnedStory* pinned) {
   int clicked = -1;
-  Columns columns;
+  LedgerColumns columns;
   columns.left = ImGui::GetCursorScreenPos().x;
   columns.right = columns.left + ImGui::GetContentRegionAvail().x;
   columns.one_line = columns.right - columns.left - px(3 * number_width + swatch_size) >= px(room_for_one_line);

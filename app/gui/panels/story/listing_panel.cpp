@@ -164,7 +164,7 @@ std::string code_lines(const std::string& text, std::size_t signs) {
     std::size_t cut = rest.rfind(' ', signs);
     if (cut == std::string::npos || cut <= content) cut = rest.find(' ', content);
     if (cut == std::string::npos) break;
-    lines += rest.substr(0, cut) + "\n";
+    lines.append(rest, 0, cut).push_back('\n');
     rest = indent + rest.substr(cut + 1);
   }
   return lines + rest;
@@ -172,17 +172,17 @@ std::string code_lines(const std::string& text, std::size_t signs) {
 
 bool has_values(const ListingRow& row) { return row.loops || !row.values.empty(); }
 
-struct Columns {
+struct ListingColumns {
   float code = 0;       ///< where the code begins
   float values = 0;     ///< where the values begin; 0 = below the code
   float character = 0;  ///< width of one
 };
 
-Columns columns_for(const std::vector<ListingRow>& rows, float room) {
+ListingColumns columns_for(const std::vector<ListingRow>& rows, float room) {
   std::size_t longest = 0;  // of the lines that have values; the others may continue below the values
   for (const ListingRow& row : rows)
     if (has_values(row)) longest = std::max(longest, row.text.size());
-  Columns columns;
+  ListingColumns columns;
   columns.character = text_width("0");
   columns.code = std::max(px(number_room), 3 * columns.character + px(12));
   const float wanted = columns.code + columns.character * static_cast<float>(longest + 2);
@@ -191,7 +191,7 @@ Columns columns_for(const std::vector<ListingRow>& rows, float room) {
 }
 
 /// One line of code with what it had. Answers by how much its loop was stepped.
-int draw_row(const ListingRow& row, std::size_t index, const Columns& columns) {
+int draw_row(const ListingRow& row, std::size_t index, const ListingColumns& columns) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
   const bool valued = has_values(row);
@@ -253,7 +253,7 @@ std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(4), px(1)});
     gui::values().publish("listing/lines",
                           static_cast<int>(ImGui::GetWindowHeight() / ImGui::GetTextLineHeightWithSpacing()));
-    const Columns columns = columns_for(rows, ImGui::GetContentRegionAvail().x);
+    const ListingColumns columns = columns_for(rows, ImGui::GetContentRegionAvail().x);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (reveal && first != rows.end() && i == static_cast<std::size_t>(first - rows.begin()))
         ImGui::SetScrollHereY(0.15f);
@@ -263,12 +263,6 @@ std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal) {
   }
   ImGui::EndChild();
   return step;
-}
-
-void quiet(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
 }
 
 }  // namespace
@@ -283,7 +277,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   if (!pixel) {
     state.worker.clear();
     take_up(state, nullptr, -1);
-    quiet("Click a pixel to see a lesson's routine with the values that its lines have there.");
+    quiet_text("Click a pixel to see a lesson's routine with the values that its lines have there.");
     return false;
   }
   StoryRequest request;
@@ -294,13 +288,13 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   state.worker.request(request);
   take_up(state, state.worker.story(), session.document().story.listing_instance);
   const bool fill = toolbar(session, state, side, filled);
-  if (!state.error.empty()) quiet(state.error);
+  if (!state.error.empty()) quiet_text(state.error);
   if (!state.view) {
-    if (const auto message = state.worker.message(); !message.empty()) quiet(message);
+    if (const auto message = state.worker.message(); !message.empty()) quiet_text(message);
     return fill;
   }
   if (state.shown_story->listing->watches.empty())
-    quiet("No line of this routine reached the pixel: it draws nothing here.");
+    quiet_text("No line of this routine reached the pixel: it draws nothing here.");
   ImGui::Spacing();
   const auto stepped = code(state.rows, std::exchange(state.reveal, false));
   if (stepped) {

@@ -12,7 +12,7 @@ namespace ps::gui {
 namespace {
 
 constexpr int most_rows = 200;  // drawn at once; the two trees show the rest, page by page
-constexpr double indent_step = 10, letter_width = 18;
+constexpr double parting_indent = 10, letter_width = 18;
 constexpr double room_for_both = 640;  // width for A and B beside each other
 
 void compare(const Session& session, PartingViewState& state,
@@ -63,7 +63,7 @@ void draw(const Words& words, ImVec2 row, const ImVec4& ink) {
 /// A step of the two stories: A above B, or where there is room beside it. Answers whether it was clicked.
 bool step(int number, const AlignedRow& row, bool parts_here, bool selected, PartingViewState& state,
           const Scene& scene) {
-  const float room = ImGui::GetContentRegionAvail().x, indent = px(8 + indent_step * std::min(row.depth, 8));
+  const float room = ImGui::GetContentRegionAvail().x, indent = px(8 + parting_indent * std::min(row.depth, 8));
   const bool beside = room >= px(room_for_both);
   const float column = beside ? std::floor((room - indent) / 2) : room - indent;
   const std::array texts{text_of(*state.shown_stories[0], row.a, scene),

@@ -18,13 +18,7 @@ namespace {
 
 std::string prefix(Side side) { return side == Side::a ? "a" : "b"; }
 
-void swatch(const std::array<int, 3>& display, float size) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  auto& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size, at.y + size}, IM_COL32(display[0], display[1], display[2], 255), px(3));
-  list.AddRect(at, {at.x + size, at.y + size}, colour_u32(palette().line_strong), px(3));
-  ImGui::Dummy({size, size});
-}
+ImVec2 line_square() { return {ImGui::GetTextLineHeight(), ImGui::GetTextLineHeight()}; }
 
 /// The pixel in both ways of counting, with the colours it has in A and B.
 void place(Session& session, Vec2i pixel) {
@@ -44,7 +38,7 @@ void verdict(const PixelStory& story, Side side) {
     side_letter(side);
   }
   ImGui::SameLine(0, px(8));
-  swatch(story.display, ImGui::GetTextLineHeight());
+  swatch(story.display, line_square());
   {
     const FontScope font(Face::mono);
     const std::string levels = fmt::format("{} {} {}", story.display[0], story.display[1], story.display[2]);
@@ -107,7 +101,7 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
 void file_pixel(Session& session, Vec2i pixel, const std::shared_ptr<const PixelStory>& ours) {
   const PictureFile& file = *session.picture_b();
   const Rgb8 level = file.levels.at(pixel.x, pixel.y);
-  swatch({level.r, level.g, level.b}, ImGui::GetTextLineHeight());
+  swatch({level.r, level.g, level.b}, line_square());
   ImGui::SameLine(0, px(8));
   {
     const FontScope font(Face::mono);

@@ -19,15 +19,6 @@ constexpr std::array questions{
     Choice{"rays", "Rays", "Number of rays traced for the pixel: eye, shadow, reflected, refracted."},
     Choice{"triangle", "Triangle", "The triangle that the pixel shows."}};
 
-void swatch(const std::array<int, 3>& levels, float width) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight() * 1.5f;
-  auto& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(levels[0], levels[1], levels[2], 255), px(3));
-  list.AddRect(at, {at.x + width, at.y + height}, colour_u32(palette().line_strong), px(3));
-  ImGui::Dummy({width, height});
-}
-
 void ask_colour(Guess& guess) {
   static constexpr std::array names{"red", "green", "blue"};
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -37,7 +28,7 @@ void ask_colour(Guess& guess) {
     if (number(names[i], level, {.minimum = 0, .maximum = 255, .integer = true}, {.width = px(120)}).changed)
       guess.colour[i] = static_cast<int>(level);
   }
-  swatch(guess.colour, px(184));
+  swatch(guess.colour, {px(184), ImGui::GetFrameHeight() * 1.5f});
 }
 
 constexpr Choice nothing_chosen{"none", "choose ...", ""}, background{"background", "the background", ""};

@@ -21,12 +21,6 @@ std::string place_text(const Vec4d& v) {
                      ps::number_text(v.w));
 }
 
-void quiet(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
-}
-
 void matrix(const Mat4d& m) {
   const FontScope font(Face::mono);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -142,7 +136,7 @@ void clip_card(Session& session, const VertexChain& now, const VertexChain& plai
       value_text(fmt::format("plane-{}", plane.plane),
                  fmt::format("{:<12} {:>9}{}", plane.plane, ps::number_text(plane.distance), cut ? "  outside" : ""));
     }
-    if (now.planes.empty()) quiet("Clipping is off.");
+    if (now.planes.empty()) quiet_text("Clipping is off.");
     result("clip", now.clip, plain.clip);
   });
 }
@@ -240,9 +234,10 @@ const VertexChain* followed_chain(Session& session, VertexPanelState& state) {
 bool vertex_panel(Session& session, VertexPanelState& state, bool filled) {
   const NameScope scope("vertex");
   if (!followed_chain(session, state)) {
-    quiet(!state.error.empty()                     ? state.error
-          : session.pixel() && session.has_scene() ? "This scene has no models, so there are no vertices to follow."
-                                                   : "Click a pixel to follow the nearest vertex of its triangle.");
+    quiet_text(!state.error.empty() ? state.error
+               : session.pixel() && session.has_scene()
+                   ? "This scene has no models, so there are no vertices to follow."
+                   : "Click a pixel to follow the nearest vertex of its triangle.");
     return false;
   }
   const VertexChain now = *state.chain, plain = *state.plain;

@@ -12,13 +12,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double name_width = 260, number_width = 66;  // pixels at scale 1
-
-void quiet(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
-}
+constexpr double cause_width = 260, share_width = 66;  // pixels at scale 1
 
 /// An option, its values in A and B, and a bar of its share; shares below 0 reach to the left.
 void cause_row(const CauseShare& cause, double total) {
@@ -33,7 +27,7 @@ void cause_row(const CauseShare& cause, double total) {
           ? fmt::format("{}: {} in A, {} in B. Set alone it changes A by {}; without it a difference of {} is left.",
                         label, cause.from, cause.to, short_number(cause.alone), short_number(cause.without))
           : fmt::format("{}: {} in A, {} in B. {}", label, cause.from, cause.to, cause.note));
-  const float names = std::min(px(name_width), room * 0.5f), digits = px(number_width);
+  const float names = std::min(px(cause_width), room * 0.5f), digits = px(share_width);
   draw_text(at, {at.x + names, at.y + height}, fmt::format("{}: {} → {}", label, cause.from, cause.to), palette().text,
             0);
   if (!cause.note.empty()) {
@@ -61,18 +55,18 @@ void causes_view(const Session& session, const WhyTabState& state) {
   if (!state.difference) {
     const StudyStatus status = state.causes.status();
     if (state.causes.running())
-      return quiet(status.total > 0 ? status_text(status, "pictures") : "Rendering pictures between A and B.");
-    if (state.causes.state() == StudyState::failed) return quiet("Failed: " + state.causes.message());
-    return quiet("A and B may differ in several options. Which of them causes how much of the difference? Each "
-                 "option's share is its effect, averaged over all orders of switching (Shapley value).");
+      return quiet_text(status.total > 0 ? status_text(status, "pictures") : "Rendering pictures between A and B.");
+    if (state.causes.state() == StudyState::failed) return quiet_text("Failed: " + state.causes.message());
+    return quiet_text("A and B may differ in several options. Which of them causes how much of the difference? Each "
+                      "option's share is its effect, averaged over all orders of switching (Shapley value).");
   }
   const DifferenceByCause& found = *state.difference;
   const bool old = !(session.settings(Side::a) == state.compared[0] && session.settings(Side::b) == state.compared[1]);
-  quiet(fmt::format("{} between A and B: {}{}{}", found.metric, short_number(found.total),
-                    found.every_order ? "" : "; shares are means over random orders",
-                    old ? ". The options have changed since." : ""));
+  quiet_text(fmt::format("{} between A and B: {}{}{}", found.metric, short_number(found.total),
+                         found.every_order ? "" : "; shares are means over random orders",
+                         old ? ". The options have changed since." : ""));
   for (const CauseShare& cause : found.causes) cause_row(cause, found.total);
-  if (found.causes.empty()) quiet("No option differs.");
+  if (found.causes.empty()) quiet_text("No option differs.");
 }
 
 }  // namespace ps::gui

@@ -13,7 +13,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double margin = 24, inset = 24, mark_size = 6, least_height = 150;
+constexpr double axes_margin = 24, inset = 24, mark_size = 6, least_height = 150;
 
 /// Two axes with tips, and where good points will lie.
 Area draw_axes(ImDrawList& list, const ChartTabState& state, const Area& area) {
@@ -24,8 +24,8 @@ Area draw_axes(ImDrawList& list, const ChartTabState& state, const Area& area) {
   const bool up = error_metric(chart.metric).higher_is_better;
   const FontScope small(Face::small);
   const float line = ImGui::GetTextLineHeight(), tip = px(5);
-  const Area inner{{area.min.x + px(margin), area.min.y + line + px(8)},
-                   {area.max.x - px(margin), area.max.y - line - px(8)}};
+  const Area inner{{area.min.x + px(axes_margin), area.min.y + line + px(8)},
+                   {area.max.x - px(axes_margin), area.max.y - line - px(8)}};
   const ImU32 ink = colour_u32(palette().text_quiet);
   list.AddRectFilled(inner.min, inner.max, colour_u32(palette().field));
   const ImVec2 origin{inner.min.x, inner.max.y}, right{inner.max.x, inner.max.y}, top{inner.min.x, inner.min.y};
@@ -80,7 +80,8 @@ void chart_invitation(const ChartTabState& state, const Area& area, std::string_
                                                      : places > 0           ? places - 1
                                                                             : 0;
   for (std::size_t i = 0; i <= shown && i < names.size() && places > 0; ++i) {
-    const ImVec2 place{at.x + column * static_cast<float>(i / rows),
+    const std::size_t place_in_row = i / rows;
+    const ImVec2 place{at.x + column * static_cast<float>(place_in_row),
                        at.y + (line + px(4)) * static_cast<float>(i % rows)};
     if (i == shown) {
       draw_lines({place.x + px(20), place.y}, fmt::format("and {} more", names.size() - shown), palette().text_quiet);

@@ -18,12 +18,6 @@ namespace {
 
 constexpr std::size_t most_matches = 6;  // lines under the search box
 
-void quiet_text(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-  ImGui::TextWrapped("%s", text.c_str());
-  ImGui::PopStyleColor();
-}
-
 void heading(const char* text) {
   ImGui::Spacing();
   const FontScope font(Face::bold);

@@ -14,7 +14,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double many_times = 40;  // values that differ by more than this want a logarithmic axis
+constexpr double many_times_wider = 40;  // values that differ by more than this want a logarithmic axis
 
 PlotAxis axis_for(const std::vector<double>& values) {
   double low = INFINITY, high = 0;
@@ -25,7 +25,7 @@ PlotAxis axis_for(const std::vector<double>& values) {
     if (value > 0) low = std::min(low, value);
     high = std::max(high, value);
   }
-  const bool logarithmic = !negative && high > many_times * low;
+  const bool logarithmic = !negative && high > many_times_wider * low;
   return fit_axis(values, logarithmic ? AxisScale::logarithmic : AxisScale::linear);
 }
 

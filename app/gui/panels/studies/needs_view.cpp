@@ -107,9 +107,7 @@ void free_features(const Needs& needs) {
   for (const FeatureShare& share : needs.shares) {
     if (share.used) continue;
     const std::string text = needs_free_sentence(share);
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextWrapped("%s", text.c_str());
-    ImGui::PopStyleColor();
+    quiet_text(text);
     controls().record(fmt::format("free/{}", share.feature.name), share.reason);
   }
 }

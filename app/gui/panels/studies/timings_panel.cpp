@@ -17,16 +17,16 @@ namespace {
 
 using Results = std::array<std::shared_ptr<const RenderResult>, 2>;
 
-constexpr double label_width = 260, number_width = 74;
-constexpr double table_width = label_width + 3 * number_width + 40;
+constexpr double label_width = 260, timing_width = 74;
+constexpr double table_width = label_width + 3 * timing_width + 40;
 
 /// In a narrow window the labels give way, not the numbers.
 ImVec2 table_size() { return {std::min(px(table_width), ImGui::GetContentRegionAvail().x), 0}; }
 
-void columns() {
+void timing_columns() {
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
   for (const char* name : {"A", "B", "B / A"})
-    ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, px(number_width));
+    ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, px(timing_width));
 }
 
 enum class Ratio { none, shown };
@@ -86,7 +86,7 @@ std::optional<double> stage_time(const std::shared_ptr<const RenderResult>& resu
 /// Of the runs that made the pictures. They are not to be compared with one another, so there is no ratio.
 void single_times(const Results& results) {
   if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
-  columns();
+  timing_columns();
   heading("Time of one run, ms", Ratio::none);
   std::vector<std::string> stages;
   for (const auto& result : results)
@@ -106,7 +106,7 @@ void single_times(const Results& results) {
 
 void median_times(const PairTiming& timing) {
   if (!ImGui::BeginTable("times", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
-  columns();
+  timing_columns();
   heading("Median time, ms", Ratio::shown);
   row("whole render", {timing.time_ms[0].median, timing.time_ms[1].median}, three_digits);
   number_text(two_digits(timing.ratio.median), 0, full_number(timing.ratio.median));
@@ -200,7 +200,7 @@ void machinery(const Results& results) {
 
 void counters(const Results& results) {
   if (!ImGui::BeginTable("counters", 4, ImGuiTableFlags_SizingFixedFit, table_size())) return;
-  columns();
+  timing_columns();
   heading("Work", Ratio::shown);
   for (std::size_t i = 0; i < counter_count; ++i) {
     const auto counter = static_cast<Counter>(i);

@@ -16,7 +16,7 @@ namespace {
 constexpr ImGuiWindowFlags below_picture = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                                            ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground;
-constexpr double least_shown = 0.005;  // percent of the pixels; less than one pixel of a common picture
+constexpr double least_named = 0.005;  // percent of the pixels; less than one pixel of a common picture
 
 void ask(Session& session, UnsafeSide& state, const Settings& settings) {
   state.asked = true;
@@ -46,14 +46,14 @@ const UnsafeSetting* worst(const UnsafeSide& state) {
   if (!state.measured) return nullptr;
   const auto found = std::max_element(state.known.begin(), state.known.end(),
                                       [](const auto& a, const auto& b) { return a.bad_percent < b.bad_percent; });
-  return found == state.known.end() || found->bad_percent < least_shown ? nullptr : &*found;
+  return found == state.known.end() || found->bad_percent < least_named ? nullptr : &*found;
 }
 
-std::string percent(double value) { return fmt::format("{:.2g} %", value); }
+std::string two_digits_percent(double value) { return fmt::format("{:.2g} %", value); }
 
 std::string line_text(const UnsafeSetting& unsafe) {
   const Option* option = find_option(unsafe.option);
-  return fmt::format("{} of the pixels are wrong: {} = {}", percent(unsafe.bad_percent),
+  return fmt::format("{} of the pixels are wrong: {} = {}", two_digits_percent(unsafe.bad_percent),
                      option ? option->label : unsafe.option, unsafe.value);
 }
 
@@ -61,11 +61,11 @@ std::string line_text(const UnsafeSetting& unsafe) {
 std::string short_text(const UnsafeSetting& unsafe, float room) {
   const Option* option = find_option(unsafe.option);
   const std::string text =
-      fmt::format("{} wrong: {}", percent(unsafe.bad_percent), option ? option->label : unsafe.option);
-  const std::string longer = fmt::format("{} = {}", text, unsafe.value);
+      fmt::format("{} wrong: {}", two_digits_percent(unsafe.bad_percent), option ? option->label : unsafe.option);
+  std::string longer = fmt::format("{} = {}", text, unsafe.value);
   if (text_width(longer) <= room) return longer;
   const FontScope small(Face::small);
-  return text_width(text) <= room ? text : percent(unsafe.bad_percent) + " wrong";
+  return text_width(text) <= room ? text : two_digits_percent(unsafe.bad_percent) + " wrong";
 }
 
 void make_safe(Session& session, Side side, const UnsafeSetting& unsafe) {

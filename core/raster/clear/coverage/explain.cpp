@@ -21,6 +21,7 @@ int failing(const std::array<Number, 3>& values, const std::array<std::int64_t, 
 std::vector<double> in_square_pixels(const std::array<std::int64_t, 3>& values, int subpixel_bits) {
   const auto unit = static_cast<double>(fixed_unit(subpixel_bits));
   std::vector<double> scaled;
+  scaled.reserve(values.size());
   for (const std::int64_t value : values) scaled.push_back(static_cast<double>(value) / (unit * unit));
   return scaled;
 }
