@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "frame/viewport.h"
+#include "scene/scene_file.h"
 
 namespace ps::gui {
 namespace {
@@ -46,6 +47,25 @@ TEST(Handles, NothingBehindTheCameraHasAPlace) {
   const View view = tilted_view();
   EXPECT_FALSE(place_in_picture(view, {}, view.camera.position));
   EXPECT_FALSE(place_in_picture(view, {}, view.camera.position - view.camera.forward));
+}
+
+TEST(Handles, BoxesAndModelsHaveOneAtTheirMiddle) {
+  const Scene scene = parse_scene("model { name = sail vertices { (0, 0, 0) (2, 0, 0) (0, 2, 0) } "
+                                  "triangles { (0, 1, 2, red) } }\n"
+                                  "box { center = (0.5, 1, 6) size = (1, 2, 1) color = red }\n"
+                                  "instance { model = sail position = (-1, 0, 5) }\n",
+                                  "handles.scene", ".");
+  View view;
+  view.width = view.height = 200;
+  const auto handles = handles_of(scene, view, {});
+  ASSERT_EQ(handles.size(), 2u);
+  EXPECT_EQ(handles[0].path, "object.0.center");
+  EXPECT_EQ(handles[0].position, Vec3d(0.5, 1, 6));
+  EXPECT_EQ(handles[0].offset, Vec3d(0, 0, 0));
+  // A model's own origin may lie outside it: the handle is in its middle, and moves it by as much.
+  EXPECT_EQ(handles[1].path, "object.1.translation");
+  EXPECT_EQ(handles[1].position, Vec3d(0, 1, 5));
+  EXPECT_EQ(handles[1].position + handles[1].offset, Vec3d(-1, 0, 5));
 }
 
 }  // namespace

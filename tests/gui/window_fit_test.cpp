@@ -21,18 +21,24 @@ std::string name_of_screen(const testing::TestParamInfo<FitScreen>& info) {
   return name;
 }
 
+struct FitPlace {
+  std::string name;
+  double least_share = 0;  ///< of the window, percent, that pictures have there
+};
+
 /// Plays the commands; each place where something does not fit is a failure.
-void expect_all_fits(const std::string& commands, const std::vector<std::string>& places, const FitScreen& screen,
+void expect_all_fits(const std::string& commands, const std::vector<FitPlace>& places, const FitScreen& screen,
                      const std::string& arguments) {
   const auto folder = ps::fresh_output_folder("gui-fit-" + screen.size + "-" + screen.type);
   const auto result = ps::test::play(commands, folder, screen.size, "--scale " + screen.type + " " + arguments);
   ASSERT_EQ(result.status, 0) << result.errors;
   std::istringstream lines(result.output);
-  for (const std::string& place : places) {
-    std::string cut, overlap;
-    ASSERT_TRUE(std::getline(lines, cut) && std::getline(lines, overlap)) << place;
-    EXPECT_EQ(cut, "") << "cut: " << place;
-    EXPECT_EQ(overlap, "") << "overlap: " << place;
+  for (const FitPlace& place : places) {
+    std::string cut, overlap, share;
+    ASSERT_TRUE(std::getline(lines, cut) && std::getline(lines, overlap) && std::getline(lines, share)) << place.name;
+    EXPECT_EQ(cut, "") << "cut: " << place.name;
+    EXPECT_EQ(overlap, "") << "overlap: " << place.name;
+    EXPECT_GE(std::stod(share), place.least_share) << place.name;
   }
 }
 
@@ -40,10 +46,10 @@ class WindowFit : public testing::TestWithParam<FitScreen> {};
 
 TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   std::string commands = "wait idle\n";
-  std::vector<std::string> places;
+  std::vector<FitPlace> places;
   const auto look_at = [&](const std::string& place, const std::string& way) {
-    commands += way + "wait idle\nprint window/cut\nprint window/overlap\n";
-    places.push_back(place);
+    commands += way + "wait idle\nprint window/cut\nprint window/overlap\nprint window/pictures-share\n";
+    places.push_back({place});
   };
   look_at("exploring", "");
   look_at("exploring with a pixel's story", "click-pixel A 20,30\n");
@@ -64,6 +70,7 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
                                    "type \"a screen with a name that has no room beside its buttons in this window\"\n"
                                    "click kept/bookmark\nwait frames 3\n");
   look_at("history with its plots", "key Esc\nset exposure=2\nwait idle\nkey Y\n");
+  look_at("all options below a lesson", "key Y\nkey ]\nwait idle\nkey F3\n");
   expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
 }
 
@@ -73,15 +80,16 @@ TEST_P(WindowFit, NothingIsCutInAnyStepOfALesson) {
   const std::string screen = GetParam().size + " " + GetParam().type;
   const int waited = screen == "1366x768 1" ? 0 : screen == "1920x1080 1" ? 1 : 2;
   std::string commands = "wait idle\n";
-  std::vector<std::string> places;
+  std::vector<FitPlace> places;
   int number = 0;
   for (const std::string& name : ps::lesson_names()) {
     const std::string wait = number++ % 2 == waited ? "wait idle\n" : "wait frames 4\n";
     const auto steps = ps::load_lesson(name).steps.size();
     for (std::size_t step = 0; step < steps; ++step) {
       if (step > 0 || !places.empty()) commands += (step == 0 ? "key ]\n" : "key Shift+PageDown\n") + wait;
-      commands += "print window/cut\nprint window/overlap\n";
-      places.push_back(name + ", step " + std::to_string(step + 1));
+      commands += "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
+      // Until its pictures come, a step shows those of the one before.
+      places.push_back({name + ", step " + std::to_string(step + 1), wait == "wait idle\n" ? 30.0 : 0.0});
     }
   }
   expect_all_fits(commands + "quit\n", places, GetParam(), "--lesson " + ps::lesson_names().front());

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double lesson_share = 35, explore_share = 30;  // percent of the window, for square pictures
 constexpr double any_shape_share = 24;                   // exploring
+constexpr double least_lesson_share = 30;                // beside a tall tool, too
 
 /// What each `print` of the commands wrote, as numbers.
 std::vector<double> printed(const std::string& commands, const std::string& name, const std::string& size,
@@ -67,9 +68,22 @@ TEST(LessonText, LeavesAToolBesideThePictureItsRoom) {
               "choose stage chart\nwait idle\nprint chart/plot-height\n",
               "gui-beside", "1366x768", "--lesson cgfs_04_shadows_and_reflections");
   ASSERT_EQ(numbers.size(), 3u);
-  EXPECT_GE(numbers[0], 22);
+  EXPECT_GE(numbers[0], least_lesson_share);
   EXPECT_GE(numbers[1], 24);
   EXPECT_GE(numbers[2], 300);
+}
+
+/// The step compares in one picture with a divider, beside a chart. The largest arrangement has to win.
+TEST_P(WindowShares, ATallToolLeavesThePicturesTheirShare) {
+  const auto& [size, type] = GetParam();
+  const auto shares = printed("wait idle\nprint window/pictures-share\nkey Shift+PageDown\nwait idle\n"
+                              "expect compare split\nexpect stage chart\nprint window/pictures-share\n",
+                              "gui-share-tall", size, "--scale " + type + " --lesson study_speed_and_accuracy");
+  ASSERT_EQ(shares.size(), 2u);
+  // Large type on a small screen leaves text, tool and pictures a third of the window each.
+  const bool cramped = type == "1.5" && size != "1920x1080";
+  EXPECT_GE(shares[0], cramped ? 19 : least_lesson_share) << size << ", type " << type;
+  EXPECT_GE(shares[1], cramped ? 9 : least_lesson_share) << size << ", type " << type;
 }
 
 TEST_P(WindowShares, ExploringKeepsThePicturesLarge) {

@@ -195,6 +195,27 @@ void App::Parts::add_actions() {
                      play_film(my.vertex.film);
                    },
                .enabled = [this] { return session.has_scene(); }});
+  actions.add({.name = "film-frame",
+               .label = "Stability: go through the frames of the film strip",
+               .group = "Study",
+               .run =
+                   [this] {
+                     open_tool("stability", PanelUse::study);
+                     key_focus().go_to("stability/scrub");
+                   },
+               .enabled = [this] { return session.has_scene(); }});
+  actions.add(
+      {.name = "range",
+       .label = "Set the range of the false colours",
+       .group = "View",
+       .run = [] { key_focus().go_to("view/a/range/low"); },
+       .enabled =
+           [this] { return session.has_scene() && shown_channel(session.shown(Side::a)).heat.value != nullptr; }});
+  actions.add({.name = "range-auto",
+               .label = "False colours in the range of the pictures' own values",
+               .group = "View",
+               .run = [this] { session.navigate([](Document& document) { document.heat_range.reset(); }); },
+               .enabled = [this] { return session.has_scene() && session.document().heat_range.has_value(); }});
   add_drawer_actions(actions, session, panels, my.drawer);
   actions.offer_more([this] { return palette_entries(session, my.options, my.kept, [this] { show_options(); }); });
 }

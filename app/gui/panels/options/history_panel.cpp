@@ -50,6 +50,13 @@ bool step_row(const History::Entry& entry, std::size_t place, std::size_t now, c
   return clicked;
 }
 
+/// The row that a script looks for, which is not drawn while it is out of sight.
+std::optional<std::size_t> step_wanted_by_script(std::size_t count) {
+  for (std::size_t place = 0; place < count && !controls().revealing().empty(); ++place)
+    if (controls().reveals(full_name(fmt::format("step/{}", place)))) return place;
+  return {};
+}
+
 }  // namespace
 
 void history_panel(Session& session, HistoryPanelState& state) {
@@ -77,8 +84,9 @@ void history_panel(Session& session, HistoryPanelState& state) {
   const bool scroll = now != state.shown_place || entries.size() != state.shown_count;
   state.shown_place = now;
   state.shown_count = entries.size();
-  if (scroll) {
-    const float top = static_cast<float>(now) * (height + ImGui::GetStyle().ItemSpacing.y);
+  const auto wanted = step_wanted_by_script(entries.size());
+  if (scroll || wanted) {
+    const float top = static_cast<float>(wanted.value_or(now)) * (height + ImGui::GetStyle().ItemSpacing.y);
     if (top < ImGui::GetScrollY() || top + height > ImGui::GetScrollY() + ImGui::GetWindowHeight())
       ImGui::SetScrollY(std::max(0.f, top - ImGui::GetWindowHeight() / 2));
   }
