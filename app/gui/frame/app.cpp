@@ -337,7 +337,7 @@ void App::Parts::draw() {
   ImGui::Begin("pixelscope", nullptr, fixed_window | (presents ? ImGuiWindowFlags_None : ImGuiWindowFlags_MenuBar));
   ImGui::PopStyleVar(3);
   if (!presents) menu_bar.draw();
-  const float top = ImGui::GetCursorScreenPos().y, status_height = presents ? 0 : ImGui::GetFrameHeight();
+  const float top = ImGui::GetCursorScreenPos().y, status_height = presents ? 0 : ImGui::GetFrameHeight() + px(2);
   regions.draw({{0, top}, {size.x, size.y - status_height - status_bar.bars_height}}, offers_first_look);
   // Who begins a lesson in another way has passed the offer by.
   if (regions.first_look_answered() || (offers_first_look && !session.document().lesson.empty())) {

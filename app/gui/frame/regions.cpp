@@ -203,13 +203,12 @@ void Regions::explore(const Area& area) {
   const PictureCaptions captions = area.height() < px(600) ? PictureCaptions::brief : PictureCaptions::full;
   const ExplorePlan plan =
       plan_explore(plan_input(area, captions), {shares.left, shares.right, shares.bottom, shares.pixel_open});
-  const float width = area.width(), height = area.height(), grip = px(6), low_grip = px(5), least = px(180),
-              folded = folded_height();
-  float left_end = plan.left, right_begin = width - plan.right, bottom = height - low_grip - plan.bottom;
+  const float width = area.width(), height = area.height(), grip = px(6), least = px(180), folded = folded_height();
+  float left_end = plan.left, right_begin = width - plan.right, bottom = height - grip - plan.bottom;
   const ImVec2 at = area.min;
   left({at, {at.x + left_end, area.max.y}});
   right({{at.x + right_begin + grip, at.y}, area.max}, shares.pixel_open);
-  drawer({{at.x + left_end + grip, at.y + bottom + low_grip}, {at.x + right_begin, area.max.y}});
+  drawer({{at.x + left_end + grip, at.y + bottom + grip}, {at.x + right_begin, area.max.y}});
   pictures({{at.x + left_end + grip, at.y}, {at.x + right_begin, at.y + bottom}}, explore_share, captions);
 
   // Only what was dragged becomes a share of its own; the rest stays with what suits the window.
@@ -219,13 +218,12 @@ void Regions::explore(const Area& area) {
   if (shares.pixel_open && divider("split/right", SplitterAxis::left_right, {at.x + right_begin, at.y}, height,
                                    right_begin, width * 0.5f, width - least))
     session_.navigate([&](Document& document) { document.layout.right = 1 - right_begin / width; });
-  const float most_bottom = std::max(height - low_grip - folded, height * 0.3f);
+  const float most_bottom = std::max(height - grip - folded, height * 0.3f);
   const float corner = px(3);  // belongs to the dividers that stand
   if (divider("split/bottom", SplitterAxis::up_down, {at.x + left_end + grip + corner, at.y + bottom},
               right_begin - left_end - grip - 2 * corner, bottom, height * 0.3f, most_bottom)) {
     const bool shut = bottom >= most_bottom - 1;
-    session_.navigate(
-        [&](Document& document) { document.layout.bottom = shut ? 0 : 1 - (bottom + low_grip) / height; });
+    session_.navigate([&](Document& document) { document.layout.bottom = shut ? 0 : 1 - (bottom + grip) / height; });
   }
 }
 
