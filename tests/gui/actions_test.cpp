@@ -7,6 +7,7 @@
 #include "gui/input/actions.h"
 #include "gui/platform/events.h"
 
+namespace actions_test {
 namespace {
 
 using namespace ps::gui;
@@ -119,3 +120,4 @@ TEST(Actions, RebindingReplacesKeysAndReportsMistakes) {
 }
 
 }  // namespace
+}  // namespace actions_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace ps::gui {
+namespace ps::gui::camera_moves_test {
 namespace {
 
 constexpr double tiny = 1e-9;
@@ -94,4 +94,4 @@ TEST(CameraMoves, LightsMoveAlongTheCamerasAxes) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::camera_moves_test

@@ -8,7 +8,7 @@
 #include "gui/session/timed_pictures.h"
 #include "options/option.h"
 
-namespace ps::gui {
+namespace ps::gui::caption_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -174,4 +174,4 @@ TEST(Timings, SmallNumbersOfDigits) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::caption_test

@@ -14,7 +14,7 @@
 #include "scene/load.h"
 #include "support/golden.h"
 
-namespace ps::gui {
+namespace ps::gui::difference_meter_test {
 namespace {
 
 /// Both pictures as the renderer makes them without a window.
@@ -64,4 +64,4 @@ TEST(DifferenceMeter, ValuesHaveTheirUnit) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::difference_meter_test

@@ -6,6 +6,7 @@
 #include "gui/panels/pictures/difference_scale.h"
 #include "gui/theme/theme.h"
 
+namespace difference_places_test {
 namespace {
 
 using namespace ps::gui;
@@ -46,3 +47,4 @@ TEST(DifferencePlaces, ScaleAndPictureShareNoPixel) {
 }
 
 }  // namespace
+}  // namespace difference_places_test

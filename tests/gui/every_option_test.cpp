@@ -11,7 +11,7 @@
 #include "support/golden.h"
 #include "support/option_contexts.h"
 
-namespace ps {
+namespace ps::every_option_test {
 namespace {
 
 using test::Outcome;
@@ -98,4 +98,4 @@ TEST_P(EveryOption, ActsThroughItsControlAndIsUndone) {
 INSTANTIATE_TEST_SUITE_P(Window, EveryOption, testing::Range(0, shards));
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::every_option_test

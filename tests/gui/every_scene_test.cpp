@@ -7,6 +7,7 @@
 #include "scene/load.h"
 #include "support/golden.h"
 
+namespace every_scene_test {
 namespace {
 
 class EveryScene : public testing::TestWithParam<const char*> {};
@@ -28,3 +29,4 @@ TEST_P(EveryScene, Opens) {
 INSTANTIATE_TEST_SUITE_P(Window, EveryScene, testing::Values("1024x768", "1920x1080"));
 
 }  // namespace
+}  // namespace every_scene_test

@@ -9,6 +9,7 @@
 #include "gui/theme/theme.h"
 #include "gui/widgets/widgets.h"
 
+namespace fit_test {
 namespace {
 
 using namespace ps::gui;
@@ -111,3 +112,4 @@ TEST_F(Fit, PartsOfAControlAndOtherWindowsMayOverlap) {
 }
 
 }  // namespace
+}  // namespace fit_test

@@ -13,7 +13,7 @@
 #include "scene/mesh.h"
 #include "scene/scene_file.h"
 
-namespace ps::gui {
+namespace ps::gui::gizmo_test {
 namespace {
 
 View tilted_view() {
@@ -172,4 +172,4 @@ TEST(Gizmo, CsgObjectsHaveNone) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::gizmo_test

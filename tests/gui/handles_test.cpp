@@ -6,7 +6,7 @@
 #include "frame/viewport.h"
 #include "scene/scene_file.h"
 
-namespace ps::gui {
+namespace ps::gui::handles_test {
 namespace {
 
 View tilted_view() {
@@ -69,4 +69,4 @@ TEST(Handles, BoxesAndModelsHaveOneAtTheirMiddle) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::handles_test

@@ -13,7 +13,7 @@
 #include "image/file.h"
 #include "support/golden.h"
 
-namespace ps::gui {
+namespace ps::gui::kept_test {
 namespace {
 
 TEST(KeptList, LinesReadBack) {
@@ -98,4 +98,4 @@ TEST(Shots, AKeySavesThePicturesAndOneTheWindow) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::kept_test

@@ -12,7 +12,7 @@
 #include "gui/program.h"
 #include "support/golden.h"
 
-namespace ps::gui {
+namespace ps::gui::keys_test {
 namespace {
 
 using Meanings = std::map<std::string, std::string>;  // names of actions by chord
@@ -132,4 +132,4 @@ TEST(Keys, GoThroughAPixelsTree) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::keys_test

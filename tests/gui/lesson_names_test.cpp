@@ -4,6 +4,7 @@
 #include "engine/lesson.h"
 #include "gui/panels/lesson/text_view.h"
 
+namespace lesson_names_test {
 namespace {
 
 TEST(LessonText, EveryNameInBoldLeadsSomewhere) {
@@ -21,3 +22,4 @@ TEST(LessonText, EveryNameInBoldLeadsSomewhere) {
 }
 
 }  // namespace
+}  // namespace lesson_names_test

@@ -7,6 +7,7 @@
 #include "gui/program.h"
 #include "support/golden.h"
 
+namespace long_load_test {
 namespace {
 
 /// A sheet of `side` x `side` squares in waves, as Wavefront OBJ.
@@ -65,3 +66,4 @@ TEST(LongLoad, CanBeCancelled) {
 }
 
 }  // namespace
+}  // namespace long_load_test

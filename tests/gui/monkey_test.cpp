@@ -17,6 +17,7 @@
 #include "support/environment.h"
 #include "support/golden.h"
 
+namespace monkey_test {
 namespace {
 
 constexpr int width = 1024, height = 768;
@@ -99,3 +100,4 @@ TEST(Monkey, RandomEventsLeaveTheWindowInOrder) {
 }
 
 }  // namespace
+}  // namespace monkey_test

@@ -5,6 +5,7 @@
 #include "image/file.h"
 #include "support/golden.h"
 
+namespace nan_hatch_test {
 namespace {
 
 /// Pixels of a picture that are pure magenta.
@@ -32,3 +33,4 @@ TEST(NanHatch, CoversThePixelsThatAreNotANumber) {
 }
 
 }  // namespace
+}  // namespace nan_hatch_test

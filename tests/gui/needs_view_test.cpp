@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ps::gui {
+namespace ps::gui::needs_view_test {
 namespace {
 
 Needs needs_with(double time, double default_time, bool differs) {
@@ -57,4 +57,4 @@ TEST(NeedsAdvice, WhatIsFreeToDropIsASentence) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::needs_view_test

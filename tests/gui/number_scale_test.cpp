@@ -5,6 +5,7 @@
 #include "gui/widgets/number_scale.h"
 #include "options/option.h"
 
+namespace number_scale_test {
 namespace {
 
 using namespace ps::gui;
@@ -69,3 +70,4 @@ TEST(NumberText, FourSignificantDigits) {
 }
 
 }  // namespace
+}  // namespace number_scale_test

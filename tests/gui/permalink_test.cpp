@@ -15,6 +15,7 @@
 #include "image/file.h"
 #include "support/golden.h"
 
+namespace permalink_test {
 namespace {
 
 using ps::test::play;
@@ -277,3 +278,4 @@ quit
 }
 
 }  // namespace
+}  // namespace permalink_test

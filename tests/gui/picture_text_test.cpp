@@ -6,6 +6,7 @@
 #include "options/option.h"
 #include "scene/load.h"
 
+namespace picture_text_test {
 namespace {
 
 using namespace ps;
@@ -59,3 +60,4 @@ TEST_F(Title, NoReflectionsIsADifference) {
 }
 
 }  // namespace
+}  // namespace picture_text_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace ps::gui {
+namespace ps::gui::picture_transform_test {
 namespace {
 
 const Area area{{100, 50}, {740, 530}};  // 640 x 480
@@ -68,4 +68,4 @@ TEST(PictureTransform, PanningMovesByWindowPixelsAndKeepsThePictureInSight) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::picture_transform_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace ps::gui {
+namespace ps::gui::plan_test {
 namespace {
 
 struct Case {
@@ -89,4 +89,4 @@ TEST(LessonPlan, ATallToolKeepsItsRoom) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::plan_test

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
+namespace planted_race_test {
 namespace {
 
 #ifdef __SANITIZE_THREAD__
@@ -26,3 +27,4 @@ TEST(PlantedRace, IsReported) { GTEST_SKIP() << "not built with the thread sanit
 #endif
 
 }  // namespace
+}  // namespace planted_race_test

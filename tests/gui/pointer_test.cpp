@@ -8,6 +8,7 @@
 #include "gui/program.h"
 #include "support/golden.h"
 
+namespace pointer_test {
 namespace {
 
 bool have_xdotool() { return std::system("command -v xdotool >/dev/null 2>&1") == 0; }
@@ -46,3 +47,4 @@ TEST(Pointer, RealPointerPicksAPixelInB) {
 }
 
 }  // namespace
+}  // namespace pointer_test

@@ -13,7 +13,7 @@
 #include "render/render.h"
 #include "scene/load.h"
 
-namespace ps::gui {
+namespace ps::gui::render_worker_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -310,4 +310,4 @@ TEST(InspectWorker, AStoryIsGivenForItsOwnSceneAlone) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::render_worker_test

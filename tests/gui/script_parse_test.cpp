@@ -4,6 +4,7 @@
 #include "gui/script/expectation.h"
 #include "gui/script/script.h"
 
+namespace script_parse_test {
 namespace {
 
 using namespace ps::gui;
@@ -68,3 +69,4 @@ TEST(Expectation, ComparesNumbersAsNumbersAndTextAsText) {
 }
 
 }  // namespace
+}  // namespace script_parse_test

@@ -12,6 +12,7 @@
 #include "image/file.h"
 #include "support/golden.h"
 
+namespace scripts_test {
 namespace {
 
 using Case = std::tuple<std::string, std::string>;  // script, size
@@ -76,3 +77,4 @@ INSTANTIATE_TEST_SUITE_P(Window, Script,
                          test_name);
 
 }  // namespace
+}  // namespace scripts_test

@@ -11,7 +11,7 @@
 #include "gui/session/autosave.h"
 #include "gui/work/file_watch.h"
 
-namespace ps::gui {
+namespace ps::gui::session_files_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -149,4 +149,4 @@ TEST_F(SessionFiles, AutosaveIntoAFolderThatCannotBeMadeIsSilent) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::session_files_test

@@ -4,6 +4,7 @@
 #include "gui/program.h"
 #include "support/golden.h"
 
+namespace space_drawing_test {
 namespace {
 
 std::size_t lines_of(const std::string& svg) {
@@ -31,3 +32,4 @@ TEST(SpaceDrawing, HoldsWhatHasHappenedSoFar) {
 }
 
 }  // namespace
+}  // namespace space_drawing_test

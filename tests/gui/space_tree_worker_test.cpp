@@ -12,7 +12,7 @@
 #include "options/scene_settings.h"
 #include "scene/load.h"
 
-namespace ps::gui {
+namespace ps::gui::space_tree_worker_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -73,4 +73,4 @@ TEST(SpaceTreeWorker, BuildsTheTreeOnAThreadOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::space_tree_worker_test

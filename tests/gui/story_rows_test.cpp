@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ps::gui {
+namespace ps::gui::story_rows_test {
 namespace {
 
 Event light(int index) {
@@ -118,4 +118,4 @@ TEST(StoryRows, AStencilSaysItsCountAndTheFacesBelow) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::story_rows_test

@@ -15,6 +15,7 @@
 #include "support/golden.h"
 #include "support/run_cli.h"
 
+namespace studies_test {
 namespace {
 
 using ps::test::play;
@@ -219,3 +220,4 @@ TEST(Studies, ResultsAreKeptFromOneStartToTheNext) {
 }
 
 }  // namespace
+}  // namespace studies_test

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+namespace text_pages_test {
 namespace {
 
 using ps::gui::page_starts;
@@ -34,3 +35,4 @@ TEST(TextPages, PartsHigherThanAPageHaveOneEach) {
 }
 
 }  // namespace
+}  // namespace text_pages_test

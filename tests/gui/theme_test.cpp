@@ -17,6 +17,7 @@
 #include "options/option.h"
 #include "study/chart_style.h"
 
+namespace theme_test {
 namespace {
 
 using namespace ps::gui;
@@ -178,3 +179,4 @@ TEST_F(Glyphs, AreMissedWhereTheyAreMissing) {
 }
 
 }  // namespace
+}  // namespace theme_test

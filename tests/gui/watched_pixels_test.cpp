@@ -9,7 +9,7 @@
 
 #include "gui/work/latest_result.h"
 
-namespace ps::gui {
+namespace ps::gui::watched_pixels_test {
 namespace {
 
 TEST(WatchedPixels, KeepsChangesOnly) {
@@ -92,4 +92,4 @@ TEST(LatestResult, WhatCannotBeMadeLeavesTheLastResult) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::watched_pixels_test

@@ -8,6 +8,7 @@
 #include "gui/program.h"
 #include "support/golden.h"
 
+namespace window_fit_test {
 namespace {
 
 struct FitScreen {
@@ -103,3 +104,4 @@ INSTANTIATE_TEST_SUITE_P(Screens, WindowFit,
                          name_of_screen);
 
 }  // namespace
+}  // namespace window_fit_test

@@ -10,7 +10,7 @@
 #include "gui/remembering_window.h"
 #include "gui/window_manager.h"
 
-namespace ps::test {
+namespace ps::test::window_manager_test {
 namespace {
 
 TEST(WindowManager, FullScreenWithAWindowManagerGivesBackEveryState) {
@@ -96,4 +96,4 @@ TEST(WindowManager, DoesNothingWhileNobodySeesIt) {
 }
 
 }  // namespace
-}  // namespace ps::test
+}  // namespace ps::test::window_manager_test

@@ -12,7 +12,7 @@
 #include "gui/remembering_window.h"
 #include "support/golden.h"
 
-namespace ps::gui {
+namespace ps::gui::window_placement_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -115,4 +115,4 @@ TEST(WindowPlacement, TheSizeOfAFullScreenIsNotRemembered) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::window_placement_test

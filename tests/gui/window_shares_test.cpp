@@ -10,6 +10,7 @@
 #include "image/file.h"
 #include "support/golden.h"
 
+namespace window_shares_test {
 namespace {
 
 constexpr double lesson_share = 35, explore_share = 30;  // percent of the window, for square pictures
@@ -129,3 +130,4 @@ TEST(PicturesShare, IsTheShareOfTheWindowThatHasThePicturesColour) {
 }
 
 }  // namespace
+}  // namespace window_shares_test

@@ -17,7 +17,7 @@
 #include "gui/program.h"
 #include "support/golden.h"
 
-namespace ps::gui {
+namespace ps::gui::window_state_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -217,4 +217,4 @@ TEST(WindowState, ASecondSessionIsOfferedAndADamagedOneNamed) {
 }
 
 }  // namespace
-}  // namespace ps::gui
+}  // namespace ps::gui::window_state_test

@@ -8,6 +8,7 @@
 #include "gui/program.h"
 #include "support/golden.h"
 
+namespace window_test {
 namespace {
 
 using ps::test::play;
@@ -190,3 +191,4 @@ TEST(Window, WorksSmallAndAtDoubleScale) {
 }
 
 }  // namespace
+}  // namespace window_test

@@ -8,7 +8,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr std::array sides{Side::a, Side::b};
+constexpr std::array both_sides{Side::a, Side::b};
 constexpr std::array<const char*, 2> menus{"##menu-a", "##menu-b"};
 constexpr double gap = 8;            // between columns, at scale 1
 constexpr double wide_enough = 480;  // at scale 1, for labels and values in one line
@@ -128,7 +128,7 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   std::array<OptionRowContext, 2> contexts;
   std::array<std::string_view, 2> reasons;
   for (std::size_t i = 0; i < 2; ++i) {
-    contexts[i] = {.side = sides[i], .other = &settings[1 - i]};
+    contexts[i] = {.side = both_sides[i], .other = &settings[1 - i]};
     if (context.waking[i])
       reasons[i] = inactive_reason(option, settings[i], traits)
                        .value_or(inactive_value_reason(option, settings[i], traits).value_or(std::string_view{}));
@@ -162,7 +162,7 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   }
 
   for (std::size_t i = 0; i < 2; ++i) {
-    const NameScope scope(name_of(sides[i]));
+    const NameScope scope(name_of(both_sides[i]));
     const ImVec2 at = form.stacked ? ImVec2{start.x, cells_top + form.height * static_cast<float>(i)}
                                    : ImVec2{start.x + (i == 0 ? columns.a : columns.b), cells_top};
     const float width = form.stacked ? room : columns.width;
@@ -192,11 +192,11 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
     results[i].waking = *context.waking[i];
   };
   if (same_need)
-    take(need_lines(option, *context.waking[0], sides, {}, room));
+    take(need_lines(option, *context.waking[0], both_sides, {}, room));
   else
     for (std::size_t i = 0; i < 2; ++i)
       if (context.waking[i])
-        take(need_lines(option, *context.waking[i], std::array{sides[i]}, i == 0 ? "A " : "B ", room));
+        take(need_lines(option, *context.waking[i], std::array{both_sides[i]}, i == 0 ? "A " : "B ", room));
   ImGui::Dummy({room, px(2)});
   ImGui::PopID();
   return results;

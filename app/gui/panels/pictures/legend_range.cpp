@@ -10,7 +10,7 @@ namespace ps::gui {
 namespace {
 
 constexpr int steps = 60;             // of the bar's colours
-constexpr double least_share = 0.01;  // of the bar, between the two handles
+constexpr double least_window = 0.01;  // of the bar, between the two handles
 
 bool is_asked(const Session& session, Side side) {
   const auto& asked = session.document().heat_range;
@@ -74,7 +74,7 @@ void legend_range(Session& session, PicturesState& state, Side side, const Chann
   if (!(shown.high > shown.low)) shown.high = shown.low + 1;
   const ValueRange whole{std::min(usual.low, shown.low), std::max(usual.high, shown.high)};
   draw_bar(scale.bar, whole, shown);
-  const double least = (whole.high - whole.low) * least_share;
+  const double least = (whole.high - whole.low) * least_window;
   if (const auto low = handle("handle/low", scale.bar, whole, shown.low))
     ask_for(session, side, {std::min(*low, shown.high - least), shown.high});
   if (const auto high = handle("handle/high", scale.bar, whole, shown.high))

@@ -13,7 +13,7 @@ constexpr std::size_t most_runs = 20'000;  // more would not be seen as such
 constexpr double least_size = 5;           // window pixels at scale 1
 constexpr double thin = 3;                 // the same: lower runs have no room for slanting lines
 const ImU32 magenta = IM_COL32(255, 0, 255, 255);
-const ImU32 black = IM_COL32(0, 0, 0, 255);
+const ImU32 hatch_black = IM_COL32(0, 0, 0, 255);
 
 /// The part of the hatch in a run that is about a window pixel high: a dash wherever a line of the hatch crosses it.
 void dashes(ImDrawList& list, ImVec2 low, ImVec2 high) {
@@ -21,11 +21,11 @@ void dashes(ImDrawList& list, ImVec2 low, ImVec2 high) {
   const float bottom = std::max(high.y, y + 1);
   for (float sum = std::floor((low.x + y) / step) * step; sum - y < high.x; sum += step) {
     const float from = std::max(sum - y, low.x), to = std::min(sum - y + thick, high.x);
-    if (to > from) list.AddRectFilled({from, y}, {to, bottom}, black);
+    if (to > from) list.AddRectFilled({from, y}, {to, bottom}, hatch_black);
   }
 }
 
-/// Magenta with slanting black lines that go on from one run to the next.
+/// Magenta with slanting hatch_black lines that go on from one run to the next.
 void hatch(ImDrawList& list, ImVec2 low, ImVec2 high) {
   list.AddRectFilled(low, high, magenta);
   const float step = px(7), height = high.y - low.y;
@@ -33,7 +33,7 @@ void hatch(ImDrawList& list, ImVec2 low, ImVec2 high) {
   list.PushClipRect(low, high, true);
   for (float sum = std::floor((low.x + low.y) / step) * step; sum < high.x + high.y; sum += step) {
     const float x = sum - low.y;
-    list.AddLine({x, low.y}, {x - height, high.y}, black, px(2));
+    list.AddLine({x, low.y}, {x - height, high.y}, hatch_black, px(2));
   }
   list.PopClipRect();
 }
