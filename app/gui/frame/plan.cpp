@@ -51,7 +51,7 @@ LessonPlan plan_beside(const PlanInput& in) {
   const bool little = area.width() < little_width * in.scale;
   const float stage_begin = std::round(area.max.x - area.width() * (little ? little_stage : beside_stage));
   const float most_text = std::min(in.text_width, area.width() * (little ? little_text : beside_text));
-  const float rest = stage_begin - between - area.min.x - room_for(in, 1, beside_share + spare).width;
+  const float rest = stage_begin - between - area.min.x - room_for(in, 1, beside_share + 5 * spare).width;
   const float text = std::clamp(rest, std::min(narrowest_text * in.scale, most_text), most_text);
   const float text_end = std::floor(area.min.x + text);
   return {.text = {area.min, {text_end, area.max.y}},
@@ -63,7 +63,7 @@ LessonPlan plan_beside(const PlanInput& in) {
 std::optional<LessonPlan> plan_text_over_tool(const PlanInput& in) {
   const Area& area = in.area;
   if (area.width() >= narrow_width * in.scale || area.height() < enough_height * in.scale) return {};
-  const Size one = room_for(in, 1, beside_share + spare);
+  const Size one = room_for(in, 1, beside_share + 5 * spare);
   const float text = std::floor(area.width() - one.width);
   if (text < least_text * in.scale || one.height > area.height()) return {};
   const float text_end = area.min.x + text, between = grip * in.scale;

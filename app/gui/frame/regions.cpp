@@ -145,7 +145,7 @@ void Regions::lesson_text(const Area& area) {
 
 void Regions::lesson(const Area& area) {
   // Where type is large beside the window, the lines around the pictures are what gives way.
-  const bool one = session_.document().compare != CompareMode::side_by_side;
+  const bool one = session_.document().compare != CompareMode::side_by_side || stage_place() == StagePlace::beside;
   const bool small = area.width() < px(1200) || area.height() < px(one ? 850 : 600);
   const PictureCaptions captions = small ? PictureCaptions::brief : PictureCaptions::full;
   const PlanInput input = plan_input(area, captions);

@@ -37,7 +37,7 @@ std::string take_line(Face face, std::string& text, float width) {
 }  // namespace
 
 PictureMargins picture_margins(float width, PictureCaptions captions) {
-  if (captions == PictureCaptions::brief) return {px(22), px(20)};
+  if (captions == PictureCaptions::brief) return {px(19), px(20)};
   const float notes = px(note_height);
   return width < px(narrow) ? PictureMargins{px(66), px(46) + notes} : PictureMargins{px(34), px(26) + notes};
 }
@@ -72,7 +72,7 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const bool is_narrow = row.width() < px(narrow), two_lines = is_narrow && captions == PictureCaptions::full;
   const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
-  const float size = px(22), top = row.min.y + (line - size) / 2;
+  const float size = std::min(px(22), line), top = row.min.y + (line - size) / 2;
   const float choice_width = has_choice ? std::min(px(136), row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
               space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
