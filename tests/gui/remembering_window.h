@@ -41,6 +41,12 @@ inline std::string geometry_into(const std::filesystem::path& file) {
          "\n";
 }
 
+/// Shell commands for the same: waits until the window has that width, at most 20 s.
+inline std::string wait_for_width(int width) {
+  return "for i in $(seq 200); do xdotool getwindowgeometry --shell $window | grep -qx WIDTH=" + std::to_string(width) +
+         " && break; sleep 0.1; done\n";
+}
+
 inline bool have_xdotool() { return std::system("command -v xdotool >/dev/null 2>&1") == 0; }
 
 }  // namespace ps::test

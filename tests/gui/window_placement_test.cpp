@@ -90,9 +90,10 @@ TEST(WindowPlacement, FullScreenWithoutAWindowManager) {
              "expect window/size 1920x1200\nscreenshot " +
                  (home.folder / "full.png").string() +
                  "\n"
-                 "wait until window/fullscreen off\nwait idle\nexpect window/size 1000x700\nwait 1000\n",
-             geometry_into(seen) + "xdotool windowfocus $window key F11\nsleep 2\n" + geometry_into(seen) +
-                 "xdotool key F11\nsleep 0.5\n" + geometry_into(seen));
+                 "wait until window/fullscreen off\nwait idle\nexpect window/size 1000x700\nwait 2000\n",
+             geometry_into(seen) + "xdotool windowfocus $window key F11\n" + test::wait_for_width(1920) + "sleep 1\n" +
+                 geometry_into(seen) + "xdotool key F11\n" + test::wait_for_width(1000) + "sleep 0.3\n" +
+                 geometry_into(seen));
   std::istringstream words(test::read_file(seen));
   std::string before, whole, after;
   for (std::string* text : {&before, &whole, &after})
