@@ -9,7 +9,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr int steps = 60;             // of the bar's colours
+constexpr int steps = 60;              // of the bar's colours
 constexpr double least_window = 0.01;  // of the bar, between the two handles
 
 bool is_asked(const Session& session, Side side) {
