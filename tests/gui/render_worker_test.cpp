@@ -236,6 +236,28 @@ TEST(RenderWorker, BitsAreThoseOfADirectRender) {
   }
 }
 
+// A finished render that is to be displayed anew is work, although its state is done: who waits for the worker to have
+// nothing to do sees the new display.
+TEST(RenderWorker, IsBusyUntilANewDisplayIsThere) {
+  PictureRequest request;
+  request.scene = load_scene("cgfs/reflections");
+  request.view = {request.scene.camera, 900, 700};
+  RenderWorker worker(std::make_shared<Prepared>(), [] {});
+  worker.request(request);
+  ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
+  Image<Rgb8> levels;
+  worker.collect(levels);
+  for (const double exposure : {2.0, 0.5, 3.0}) {
+    request.settings.exposure = exposure;
+    worker.request(request);
+    ASSERT_TRUE(comes_true([&] { return !worker.busy(); }));
+    EXPECT_TRUE(worker.has_news());
+    worker.collect(levels);
+    EXPECT_EQ(levels, display_frame(worker.result()->frame, request.settings)) << exposure;
+    EXPECT_EQ(worker.status().renders_done, 1U);
+  }
+}
+
 // The levels come from the renderer, tile by tile: of small pictures and of those that are written past the cache, with
 // any display, in float and double, whole and in part.
 TEST(RenderWorker, LevelsAreThoseOfTheFinishedFrame) {

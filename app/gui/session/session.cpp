@@ -121,7 +121,8 @@ bool Session::rendering() const {
 }
 
 bool Session::busy() const {
-  return loading() || rendering() ||
+  return loading() ||
+         std::any_of(renderers_.begin(), renderers_.end(), [](const auto& renderer) { return renderer->busy(); }) ||
          std::any_of(inspectors_.begin(), inspectors_.end(), [](const auto& inspector) { return inspector->busy(); });
 }
 

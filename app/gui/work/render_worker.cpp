@@ -66,7 +66,9 @@ void RenderWorker::request(const PictureRequest& request) {
     wanted_ = request;
     ++display_generation_;
     if (state_ == RenderState::done)
-      job_.start([this, result = result_, generation = generation_](Progress&) { show_whole(result, generation); });
+      job_.start([this, result = result_, generation = generation_](Progress&) {
+        or_fail(generation, [&] { show_whole(result, generation); });
+      });
     return;  // a running render takes the new display up by itself
   }
   const bool running = state_ == RenderState::coarse || state_ == RenderState::full;
@@ -82,7 +84,7 @@ void RenderWorker::request(const PictureRequest& request) {
   state_ = RenderState::coarse;
   message_.clear();
   const Run run{request, rendered_channels_, generation_, display_generation_, next_coarse_divisor()};
-  job_.start([this, run](Progress& progress) { render_both(run, progress); });
+  job_.start([this, run](Progress& progress) { or_fail(run.generation, [&] { render_both(run, progress); }); });
 }
 
 void RenderWorker::cancel() {
@@ -146,22 +148,27 @@ std::optional<PictureRequest> RenderWorker::wanted(std::uint64_t generation) con
   return wanted_;
 }
 
-void RenderWorker::render_both(const Run& run, Progress& progress) {
+/// Does the work of a render; an exception other than Cancelled becomes its message.
+void RenderWorker::or_fail(std::uint64_t generation, const std::function<void()>& work) {
   try {
-    const int divisor = run.coarse_divisor;
-    if (divisor > 1 && std::min(run.request.view.width, run.request.view.height) >= 4 * divisor)
-      render_coarse(run, progress);
-    render_full(run, progress);
+    work();
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
-    if (run.generation != generation_) return;
+    if (generation != generation_) return;
     news_ = true;
     state_ = RenderState::failed;
     message_ = failure_text(error);
   }
   wake();
+}
+
+void RenderWorker::render_both(const Run& run, Progress& progress) {
+  const int divisor = run.coarse_divisor;
+  if (divisor > 1 && std::min(run.request.view.width, run.request.view.height) >= 4 * divisor)
+    render_coarse(run, progress);
+  render_full(run, progress);
 }
 
 void RenderWorker::render_coarse(const Run& run, Progress& progress) {

@@ -75,6 +75,8 @@ class RenderWorker {
   std::shared_ptr<const RenderResult> result() const;
   /// What the colours mean, of the newest whole picture.
   ChannelLegend legend() const;
+  /// A render, or the finished one's new display, is still to come.
+  bool busy() const { return job_.busy(); }
   /// Something has come since collect().
   bool has_news() const { return news_; }
   /// Copies what changed since the last call into `picture` (resizing it as needed) and returns the changed rectangles.
@@ -88,6 +90,7 @@ class RenderWorker {
     std::uint64_t generation = 0, display_generation = 0;
     int coarse_divisor = 1;
   };
+  void or_fail(std::uint64_t generation, const std::function<void()>& work);
   void render_both(const Run& run, Progress& progress);
   void render_coarse(const Run& run, Progress& progress);
   void render_full(const Run& run, Progress& progress);

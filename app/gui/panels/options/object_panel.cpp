@@ -158,7 +158,7 @@ void surface_fields(ObjectEdits& edits, const Scene& scene, std::size_t object) 
   }
   const Material& material = object_material(scene, object);
   Vec3d colour = material.colour;
-  label("Color: red, green, blue");
+  label("Colour: red, green, blue");
   const auto edit = vector_field("color", colour, {.minimum = 0, .maximum = 1}, "Share of the light that it reflects.");
   edits.set("color", "color", scene_colour(colour), edit);
   if (textured) texture_field(edits, scene, material);
