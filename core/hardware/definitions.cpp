@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "raster/setup/draw_stage.h"
+#include "hardware/draw_passes.h"
 #include "raster/setup/textures.h"
 
 namespace ps::hardware {
@@ -47,6 +47,30 @@ int depth_number(DepthValue value) {
   return 0;
 }
 
+/// What holds for the whole picture. `shading` is 0 where nothing is lit.
+Lines of_picture(const PicturePlan& plan, int shading, bool clip_control) {
+  const Settings& s = plan.settings;
+  Lines lines;
+  lines.add("PERSPECTIVE", plan.perspective())
+      .add("AFFINE", plan.affine())
+      .add("CAMERA_RELATIVE", s.camera_relative)
+      .add("SNAPPED", s.vertex_snapping == VertexSnapping::cpu && s.draw == Draw::filled)
+      .add("CLIP_CONTROL", clip_control)
+      .add("SHADING", shading)
+      .add("LIGHTS", static_cast<int>(plan.lights.size()))
+      .add("RADIOMETRIC", s.illumination == Illumination::radiometric)
+      .add("ATTENUATION", s.attenuation)
+      .add("BLINN_PHONG", s.highlight == Highlight::blinn_phong)
+      .add("ONE_LIGHT", lights_separately(plan))
+      .add("SHADOW_MAPS", plan.maps_shadows)
+      .add("SHADOW_FILTER", s.shadow_filter)
+      .add("DEPTH_BY_SHADER", !driver_keeps_depth(plan, clip_control))
+      .add("DEPTH_VALUE", depth_number(plan.depth.value))
+      .add("DEPTH_FORMAT", static_cast<int>(plan.depth.format))
+      .add("DEPTH_REVERSED", plan.depth.larger_is_nearer());
+  return lines;
+}
+
 }  // namespace
 
 std::string definitions(const PicturePlan& plan, const raster::Surface<float>& surface, bool clip_control) {
@@ -61,18 +85,8 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
   const bool opacity = has_uv && material.opacity_map >= 0;
   const bool specular_map = has_uv && layout.light_maps && material.specular_map >= 0;
   const bool ambient_map = has_uv && layout.light_maps && material.ambient_map >= 0;
-  Lines lines;
-  lines.add("PERSPECTIVE", plan.perspective())
-      .add("AFFINE", plan.affine())
-      .add("CAMERA_RELATIVE", s.camera_relative)
-      .add("SNAPPED", s.vertex_snapping == VertexSnapping::cpu && filled)
-      .add("CLIP_CONTROL", clip_control)
-      .add("SHADING", shading_number(s))
-      .add("LIGHTS", static_cast<int>(plan.lights.size()))
-      .add("RADIOMETRIC", s.illumination == Illumination::radiometric)
-      .add("ATTENUATION", s.attenuation)
-      .add("SPECULAR", s.specular && material.specular.has_value())
-      .add("BLINN_PHONG", s.highlight == Highlight::blinn_phong)
+  Lines lines = of_picture(plan, shading_number(s), clip_control);
+  lines.add("SPECULAR", s.specular && material.specular.has_value())
       .add("CORNER_NORMALS", s.normals == Normals::vertex)
       .add("INTERPOLATED_NORMAL", layout.normal != raster::AttributeLayout::absent)
       .add("RENORMALISE", s.renormalise)
@@ -85,18 +99,31 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
       .add("RELIEF", normal_map || relief)
       .add("PARALLAX", relief ? static_cast<int>(s.parallax) : 0)
       .add("PARALLAX_STEPS", s.parallax_steps)
-      .add("ONE_LIGHT", raster::lights_one_by_one(s) && !plan.lights.empty())
-      .add("SHADOW_MAPS", plan.maps_shadows)
-      .add("SHADOW_FILTER", s.shadow_filter)
+      .add("MIRRORS", mirrors(plan, surface))
+      .add("DEFERRED", plan.defers)
+      .add("LIMITS_BY_SHADER", plan.counts_volumes)
+      .add("SHADES_WHOLE_PICTURE", 0)
       .add("TEXTURE_FILTER", static_cast<int>(s.texture_filter))
       .add("ANISOTROPY", raster::reads_mip_levels(s.texture_filter) ? s.anisotropy : 1)
       .add("HARDWARE_TEXTURING", s.hardware_texturing == HardwareTexturing::driver)
-      .add("DEPTH_BY_SHADER", !driver_keeps_depth(plan, clip_control))
-      .add("DEPTH_VALUE", depth_number(plan.depth.value))
-      .add("DEPTH_FORMAT", static_cast<int>(plan.depth.format))
-      .add("DEPTH_REVERSED", plan.depth.larger_is_nearer())
       .add("CHANNELS", plan.channels != Channel::none)
       .add("NORMAL_CHANNEL", layout.shading_normal);
+  return lines.take();
+}
+
+std::string volume_definitions(const PicturePlan& plan, bool clip_control) {
+  Lines lines = of_picture(plan, 0, clip_control);
+  lines.add("RELIEF", 0);
+  return lines.take();
+}
+
+std::string deferred_definitions(const PicturePlan& plan, bool clip_control) {
+  Lines lines = of_picture(plan, shading_number(plan.settings), clip_control);
+  lines.add("RELIEF", 0)
+      .add("SPECULAR", plan.settings.specular)
+      .add("MIRRORS", plan.mirrors)
+      .add("SHADES_WHOLE_PICTURE", 1)
+      .add("TABLE_COLUMNS", surface_table_columns);
   return lines.take();
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "hardware/context.h"
+#include "hardware/environment_maps.h"
+#include "hardware/geometry_buffer.h"
 #include "hardware/mesh_buffers.h"
 #include "hardware/program.h"
 #include "hardware/shadow_maps.h"
@@ -30,8 +32,10 @@ struct Workshop {
   MeshStore meshes;
   TextureStore textures;
   MapStore maps;
+  EnvironmentStore environment;
   std::map<std::string, std::unique_ptr<Program>> programs;  ///< by their definitions
   std::unique_ptr<Target> target;                            ///< of the last picture
+  std::unique_ptr<GeometryBuffer> geometry;                  ///< of the last picture with deferred shading
   unsigned vertex_array = 0, lights = 0;                     ///< made when first needed
 
   const Driver& driver() const { return context.driver(); }

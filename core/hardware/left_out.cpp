@@ -24,10 +24,9 @@ std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& setting
         missing(LeftOutKind::objects, "canvas shapes", "the hardware renderer draws nothing on the canvas", software));
   if (traits.transparent)
     all.push_back(missing(LeftOutKind::effect, "transparent surfaces", "light through a surface needs rays", rays));
-  const bool maps = settings.shadows == Shadows::map && settings.shading == Shading::phong;
-  if (asks_for_shadows(traits, settings) && !maps)
-    all.push_back(missing(LeftOutKind::effect, "shadows", "the hardware renderer has none", rays));
-  if (asks_for_reflections(traits, settings))
+  if (asks_for_shadows(traits, settings) && settings.shadows == Shadows::traced)
+    all.push_back(missing(LeftOutKind::effect, "shadows", "traced shadows need rays", rays));
+  if (asks_for_reflections(traits, settings) && settings.environment == Environment::none)
     all.push_back(missing(LeftOutKind::effect, "reflections", "reflected rays need a ray tracer", rays));
   return all;
 }

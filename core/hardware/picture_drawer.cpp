@@ -6,34 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/matrix.hpp>
-
 #include "base/check.h"
 #include "base/stop.h"
 #include "hardware/definitions.h"
-#include "raster/setup/textures.h"
+#include "hardware/draw_passes.h"
+#include "hardware/picture_units.h"
 
 namespace ps::hardware {
 namespace {
 
-constexpr unsigned lights_binding = 0, maps_binding = 1;
-constexpr int maps_unit = 7;
 constexpr std::size_t light_bytes = 3 * sizeof(Vec4f);
-
-/// The matrix of cofactors is the inverse transpose times the determinant: triangles' own normals.
-Mat3d surface_matrix(const raster::DrawObject& object) {
-  const Mat3d& m = object.linear;
-  return Mat3d(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])) * (object.mirrored ? -1.0 : 1.0);
-}
-
-/// The factor that keeps a depth within 0..1: a power of two, which changes no comparison.
-float depth_factor(const PicturePlan& plan) {
-  if (plan.depth.value == DepthValue::inverse_z)
-    return static_cast<float>(std::exp2(std::floor(std::log2(plan.depth.near))));
-  const Vec2d reach(plan.viewport.columns / plan.projection.scale.x, plan.viewport.rows / plan.projection.scale.y);
-  const double longest = plan.perspective() ? plan.farthest * std::sqrt(1 + dot(reach, reach)) : plan.farthest;
-  return static_cast<float>(std::exp2(-std::floor(std::log2(longest)) - 1));
-}
 
 /// Where a vertex lies before the camera. Without camera-relative positions its place in the world and the camera's are
 /// rounded to float first, as vertex.glsl has them.
@@ -42,18 +24,16 @@ Vec3d camera_position(const PicturePlan& plan, const Vec3d& world) {
   return plan.camera_space.from_world * Vec3d(Vec3f(world) - Vec3f(plan.camera_space.position));
 }
 
-/// The middle of the canvas where samples lie at the centres of pixels, as a driver has them: pixels.
-Vec2d shifted_centre(const PicturePlan& plan) { return plan.projection.centre + Vec2d(0.5) - plan.viewport.sample; }
-
 }  // namespace
 
 PictureDrawer::PictureDrawer(const PicturePlan& plan, Workshop& shop)
     : plan_(plan), shop_(shop), keeps_depth_(driver_keeps_depth(plan, shop.driver().clip_control)),
-      snapped_(plan.objects.size(), 0) {}
+      places_(plan.objects.size()), snapped_(plan.objects.size(), 0) {}
 
 PictureDrawer::~PictureDrawer() {
   glDeleteBuffers(static_cast<GLsizei>(snapped_.size()), snapped_.data());
   glDeleteBuffers(1, &sorted_);
+  glDeleteTextures(1, &surface_table_);
   glDeleteQueries(1, &query_);
 }
 
@@ -61,7 +41,7 @@ TargetShape PictureDrawer::target_shape() const {
   TargetShape shape;
   shape.width = plan_.viewport.columns;
   shape.height = plan_.viewport.rows;
-  shape.stencil = draws_in_passes(plan_);
+  shape.stencil = draw_passes(plan_).size() > 1;
   shape.channels = plan_.channels != Channel::none;
   shape.samples = sample_count(plan_.settings);
   if (keeps_depth_ && plan_.depth.format == DepthFormat::unorm)
@@ -71,9 +51,11 @@ TargetShape PictureDrawer::target_shape() const {
 
 void PictureDrawer::upload() {
   if (!shop_.target || shop_.target->shape() != target_shape()) {
+    shop_.geometry.reset();  // shares the target's depth buffer
     shop_.target.reset();
     shop_.target = std::make_unique<Target>(target_shape());
   }
+  if (plan_.defers && !shop_.geometry) shop_.geometry = std::make_unique<GeometryBuffer>(*shop_.target);
   if (shop_.vertex_array == 0) glGenVertexArrays(1, &shop_.vertex_array);
   glBindVertexArray(shop_.vertex_array);
   upload_lights();
@@ -84,6 +66,8 @@ void PictureDrawer::upload() {
     programs_.back()->use();
     set_surface(*programs_.back(), surface);  // uploads its textures
   }
+  if (plan_.defers) upload_surface_table();
+  if (plan_.counts_volumes) upload_volumes();
   if (plan_.settings.visibility == Visibility::painter)
     make_sorted_runs();
   else
@@ -126,7 +110,8 @@ void PictureDrawer::snap_vertices(std::size_t object) {
   const double steps = std::exp2(shop_.driver().subpixel_bits);
   constexpr double reach = 32768;  // pixels; beyond, the driver clips
   const Vec2d centre = shifted_centre(plan_);
-  std::vector<Vec3f> places(draw.mesh->positions.size(), Vec3f(0));
+  std::vector<Vec3f>& places = places_[object];
+  places.assign(draw.mesh->positions.size(), Vec3f(0));
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Vec3d camera = camera_position(plan_, draw.world(draw.mesh->positions[i]));
     if (plan_.perspective() && !(camera.z > 0)) continue;
@@ -143,17 +128,6 @@ void PictureDrawer::snap_vertices(std::size_t object) {
   glBindBuffer(GL_ARRAY_BUFFER, snapped_[object]);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Vec3f)), corners.data(),
                GL_STREAM_DRAW);
-}
-
-Program& PictureDrawer::program_of(const raster::Surface<float>& surface) {
-  const std::string key = definitions(plan_, surface, shop_.driver().clip_control);
-  std::unique_ptr<Program>& program = shop_.programs[key];
-  if (!program) {
-    program = std::make_unique<Program>("vertex.glsl", "fragment.glsl", shop_.context.api(), key);
-    program->bind_block("Lights", lights_binding);
-    program->bind_block("ShadowMaps", maps_binding);
-  }
-  return *program;
 }
 
 void PictureDrawer::make_runs() {
@@ -236,182 +210,39 @@ void PictureDrawer::bind_streams(std::size_t object) {
   glVertexAttribPointer(static_cast<GLuint>(Stream::snapped), 3, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-void PictureDrawer::set_state() {
-  const Settings& s = plan_.settings;
-  shop_.target->bind();
-  if (shop_.driver().clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  glDisable(GL_DITHER);
-  glDisable(GL_BLEND);
-  glDisable(GL_SCISSOR_TEST);
-  glDepthMask(GL_TRUE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glStencilMask(0xff);
-  shop_.target->clear(plan_.scene->background, plan_.depth.larger_is_nearer() ? 0.0f : 1.0f);
-  if (plan_.region) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(plan_.region->x0, plan_.region->y0, plan_.region->width(), plan_.region->height());
+// As deferred.glsl reads it.
+void PictureDrawer::upload_surface_table() {
+  constexpr std::size_t columns = 2 * surface_table_columns;
+  const std::size_t rows = std::max<std::size_t>((2 * plan_.surfaces.list.size() + columns - 1) / columns, 1);
+  std::vector<Vec4f> texels(rows * columns, Vec4f(0));
+  if (plan_.environment) shop_.environment.bind(plan_.environment, environment_unit);
+  for (std::size_t i = 0; i < plan_.surfaces.list.size(); ++i) {
+    const raster::Surface<float>& surface = plan_.surfaces.list[i];
+    const ShadingMaterial<float>& material = surface.material;
+    texels[2 * i] = {material.specular.value_or(-1.0f), material.specular_colour ? 1.0f : 0.0f,
+                     material.ambient_colour ? 1.0f : 0.0f, surface_error(surface)};
+    const int layer = mirrors(plan_, surface) ? shop_.environment.first_layer(surface.object) : -1;
+    texels[2 * i + 1] = {material.reflective, static_cast<float>(layer), 0.0f, 0.0f};
   }
-  const bool filled = s.draw == Draw::filled;
-  glPolygonMode(GL_FRONT_AND_BACK, filled ? GL_FILL : s.draw == Draw::wireframe ? GL_LINE : GL_POINT);
-  glCullFace(GL_BACK);
-  if (s.visibility == Visibility::depth_buffer && filled)
-    glEnable(GL_DEPTH_TEST);
-  else
-    glDisable(GL_DEPTH_TEST);
+  glGenTextures(1, &surface_table_);
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(surface_table_unit));
+  glBindTexture(GL_TEXTURE_2D, surface_table_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(columns), static_cast<GLsizei>(rows), 0, GL_RGBA,
+               GL_FLOAT, texels.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-// Passes that shade what an earlier one found do so once for each pixel: of several fragments at the buffer's own depth
-// the first counts on in the stencil, and the others no longer find its number there.
-void PictureDrawer::set_step(const raster::DrawStep& step) {
-  const bool first = step.is_first();
-  const GLboolean shades = step.stage != raster::DrawStage::depth_only;
-  glColorMask(shades, shades, shades, shades);
-  glDepthMask(first);
-  glDepthFunc(!first ? GL_EQUAL : plan_.depth.larger_is_nearer() ? GL_GREATER : GL_LESS);
-  const int light = step.stage == raster::DrawStage::one_light ? step.light : 0;
-  if (first) {
-    glDisable(GL_STENCIL_TEST);
-  } else {
-    glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_EQUAL, light % 256, 0xff);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+void PictureDrawer::upload_volumes() {
+  std::vector<Vec3d> centres;
+  for (const raster::DrawObject& object : plan_.objects)
+    centres.push_back(object.mesh->triangles.empty() ? Vec3d(0) : shop_.meshes.get(object.mesh).centre());
+  for (std::size_t light = 0; light < plan_.lights.size(); ++light) {
+    volumes_.emplace_back();
+    for (const VolumeFaces& faces : volume_faces(plan_, light, places_, centres)) volumes_.back().emplace_back(faces);
   }
-  if (light > 0) {
-    glEnablei(GL_BLEND, 0);  // lights after the first add to the picture
-    glBlendFunc(GL_ONE, GL_ONE);
-  } else {
-    glDisable(GL_BLEND);
-  }
-}
-
-void PictureDrawer::set_object(Program& program, std::size_t object) {
-  const raster::DrawObject& draw = plan_.objects[object];
-  const Vec3d centre = draw.world(shop_.meshes.get(draw.mesh).centre());
-  program.set("to_world", draw.linear);
-  program.set("world_shift", Vec3f(centre));
-  const Mat3d& from_world = plan_.camera_space.from_world;
-  program.set("to_camera", plan_.settings.camera_relative ? from_world * draw.linear : from_world);
-  program.set("camera_shift", Vec3f(plan_.camera_space.point(centre)));
-  program.set("normal_matrix", draw.normal_matrix);
-  program.set("surface_matrix", surface_matrix(draw));
-  program.set("object_number", draw.object);
-  program.set("numbered", draw.sphere ? 0 : 1);
-  if (plan_.settings.backface_culling || draw.front_only)
-    glEnable(GL_CULL_FACE);
-  else
-    glDisable(GL_CULL_FACE);
-  const double sense = plan_.camera_space.handedness * (draw.mirrored ? -1 : 1);
-  glFrontFace(sense > 0 ? GL_CCW : GL_CW);
-}
-
-void PictureDrawer::set_view(Program& program) {
-  const Vec2d size(plan_.viewport.columns, plan_.viewport.rows), scale = plan_.projection.scale;
-  const Vec2d centre = shifted_centre(plan_);
-  program.set("canvas_scale", Vec2f(Vec2d(2 * scale.x / size.x, -2 * scale.y / size.y)));
-  program.set("canvas_shift", Vec2f(Vec2d(2 * centre.x / size.x - 1, 2 * centre.y / size.y - 1)));
-  program.set("canvas_size", Vec2f(size));
-  program.set("eye", Vec3f(plan_.camera.position));
-  program.set("backward", Vec3f(-plan_.camera.forward));
-  program.set("camera_right", Vec3f(plan_.camera.right));
-  program.set("camera_up", Vec3f(plan_.camera.up));
-  program.set("camera_forward", Vec3f(plan_.camera.forward));
-  program.set("view_scale", Vec2f(Vec2d(scale.x, -scale.y)));
-  program.set("view_centre", Vec2f(centre));
-  program.set("plane_scale", Vec2f(Vec2d(scale.x, -scale.y)));
-  program.set("plane_centre", Vec2f(centre));
-  program.set("mip_bias", static_cast<float>(plan_.settings.mip_bias));
-}
-
-void PictureDrawer::set_depth(Program& program) {
-  const raster::DepthCode& depth = plan_.depth;
-  program.set("near_z", static_cast<float>(depth.near));
-  program.set("far_share", static_cast<float>(depth.far > 0 ? depth.near / depth.far : 0));
-  program.set("far_z", static_cast<float>(plan_.farthest));
-  program.set("depth_near", static_cast<float>(depth.near));
-  program.set("depth_far", static_cast<float>(depth.far));
-  program.set("depth_factor", depth_factor(plan_));
-  program.set("depth_steps", static_cast<float>(std::exp2(depth.bits)));
-}
-
-void PictureDrawer::set_surface(Program& program, const raster::Surface<float>& surface) {
-  const ShadingMaterial<float>& material = surface.material;
-  const Vec3f none(0);
-  program.set("surface_colour", material.colour);
-  program.set("exponent", material.specular.value_or(1.0f));
-  program.set("specular_colour", Vec4f(material.specular_colour.value_or(none), material.specular_colour ? 1 : 0));
-  program.set("ambient_colour", Vec4f(material.ambient_colour.value_or(none), material.ambient_colour ? 1 : 0));
-  program.set("relief_depth", material.relief_depth);
-  if (plan_.shadow_maps) set_shadows(program, surface);
-  if (!plan_.textures) return;
-  int unit = 0;
-  for (const auto& [name, texture] : {std::pair{"surface", material.texture},
-                                      {"opacity", material.opacity_map},
-                                      {"specular", material.specular_map},
-                                      {"ambient", material.ambient_map},
-                                      {"normal", material.normal_map},
-                                      {"height", material.height_map}}) {
-    if (texture < 0) continue;
-    const MipChain& chain = (*plan_.textures)[static_cast<std::size_t>(texture)];
-    const Vec4<int> layout = shop_.textures.bind(chain, unit, plan_.settings, shop_.driver().max_size);
-    program.set(fmt::format("{}_layout", name), layout);
-    program.set(fmt::format("{}_picture", name), unit);
-    program.set(fmt::format("{}_wrap", name), static_cast<int>(raster::wrap_of(chain, plan_.settings)));
-    ++unit;
-  }
-}
-
-void PictureDrawer::set_shadows(Program& program, const raster::Surface<float>& surface) {
-  const Settings& s = plan_.settings;
-  const Vec2d& scale = plan_.projection.scale;
-  shop_.maps.bind(plan_.shadow_maps, maps_unit, maps_binding);
-  program.set("shadow_depths", maps_unit);
-  program.set("shadow_map_size", s.shadow_map_size);
-  program.set("shadow_bias", static_cast<float>(s.shadow_bias));
-  program.set("shadow_slope_bias", static_cast<float>(s.shadow_slope_bias));
-  const double error = surface.sphere ? s.tessellation / std::min(scale.x, scale.y) : 0;
-  program.set("surface_error_scale", static_cast<float>(error));
-}
-
-void PictureDrawer::draw_runs(const raster::DrawStep& step) {
-  std::optional<std::size_t> bound;
-  for (const DrawRun& run : runs_) {
-    check_stop();
-    Program& program = *programs_[run.surface];
-    program.use();
-    set_view(program);
-    set_depth(program);
-    set_object(program, run.object);
-    set_surface(program, plan_.surfaces.list[run.surface]);
-    program.set("light_number", step.light);
-    if (bound != run.object) bind_streams(run.object);
-    bound = run.object;
-    const auto corners = static_cast<GLsizei>(3 * run.count);
-    const std::size_t first = 3 * run.first;
-    if (sorted_ != 0)
-      // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes the offset as a pointer
-      glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, reinterpret_cast<const void*>(first * sizeof(GLuint)));
-    else
-      glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), corners);
-  }
-}
-
-void PictureDrawer::draw() {
-  glFinish();
-  set_state();
-  for (const raster::DrawStep& step : raster::draw_steps(plan_.settings, plan_.lights.size())) {
-    set_step(step);
-    const bool shades = step.stage != raster::DrawStage::depth_only;
-    if (shades) glBeginQuery(GL_SAMPLES_PASSED, query_);
-    draw_runs(step);
-    if (!shades) continue;
-    glEndQuery(GL_SAMPLES_PASSED);
-    GLuint passed = 0;
-    glGetQueryObjectuiv(query_, GL_QUERY_RESULT, &passed);
-    samples_written_ += passed;
-  }
-  shop_.target->resolve();
-  glFinish();
-  check_gl("drawing");
 }
 
 }  // namespace ps::hardware

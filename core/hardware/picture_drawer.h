@@ -3,9 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "hardware/draw_passes.h"
 #include "hardware/gl_thread.h"
 #include "hardware/picture_plan.h"
-#include "raster/setup/draw_stage.h"
+#include "hardware/volume_buffers.h"
 
 namespace ps::hardware {
 
@@ -40,24 +41,39 @@ class PictureDrawer {
   void make_sorted_runs();
   void bind_streams(std::size_t object);
   std::vector<Stream> streams_of(std::size_t object) const;
+  void upload_surface_table();
+  void upload_volumes();
   void set_state();
-  void set_step(const raster::DrawStep& step);
-  void draw_runs(const raster::DrawStep& step);
+  void set_pass(const DrawPass& pass);
+  unsigned stencil_mask() const;
+  void set_light(Program& program, const DrawPass& pass);
+  void set_facing(std::size_t object);
+  void draw_pass(const DrawPass& pass);
+  void draw_runs(const DrawPass& pass);
+  void draw_whole_picture(const DrawPass& pass);
+  void count_volumes(const std::vector<VolumeBuffers>& volumes);
   void set_object(Program& program, std::size_t object);
   void set_view(Program& program);
   void set_depth(Program& program);
   void set_surface(Program& program, const raster::Surface<float>& surface);
-  void set_shadows(Program& program, const raster::Surface<float>& surface);
+  float surface_error(const raster::Surface<float>& surface) const;
+  void set_shadow_maps(Program& program);
+  void set_environment(Program& program);
+  void set_geometry(Program& program);
   Program& program_of(const raster::Surface<float>& surface);
+  Program& program_of(const char* vertex_file, const char* fragment_file, const std::string& definitions);
   TargetShape target_shape() const;
 
   const PicturePlan& plan_;
   Workshop& shop_;
   bool keeps_depth_;  ///< the driver interpolates it
   std::vector<DrawRun> runs_;
-  std::vector<Program*> programs_;  ///< of each surface
-  std::vector<unsigned> snapped_;   ///< buffers of positions that the processor rounded, of each object
-  unsigned sorted_ = 0;             ///< indices of the corners, where triangles are sorted
+  std::vector<Program*> programs_;          ///< of each surface
+  std::vector<std::vector<Vec3f>> places_;  ///< of each object's vertices, as the processor rounded them
+  std::vector<unsigned> snapped_;           ///< buffers of positions that the processor rounded, of each object
+  unsigned sorted_ = 0;                     ///< indices of the corners, where triangles are sorted
+  unsigned surface_table_ = 0;
+  std::vector<std::vector<VolumeBuffers>> volumes_;  ///< by light
   unsigned query_ = 0;
   std::uint64_t samples_written_ = 0, triangles_ = 0;
 };

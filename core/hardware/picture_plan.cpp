@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <bit>
 
+#include "hardware/draw_passes.h"
 #include "raster/setup/draw_stage.h"
 #include "raster/setup/textures.h"
+#include "raster/shadow/stencil.h"
 
 namespace ps::hardware {
 namespace {
@@ -26,7 +28,6 @@ PicturePlan make_plan(const Scene& scene, const View& view, const Settings& sett
   plan.scene = &scene;
   plan.camera = view.camera;
   plan.settings = settings;
-  plan.settings.deferred_shading = false;  // lacks.h
   plan.channels = request.channels;
   plan.viewport = make_viewport<double>(view, settings);
   plan.projection = raster::make_canvas_projection<double>(plan.viewport);
@@ -36,7 +37,10 @@ PicturePlan make_plan(const Scene& scene, const View& view, const Settings& sett
   plan.surfaces = raster::make_surfaces<float>(scene, plan.objects, settings, request.channels);
   plan.lights = shading_lights<float>(*scene.lights, settings.light_shown);
   if (plan.surfaces.textured) plan.textures = raster::mip_chains(scene, settings.texture_filter, prepared);
-  plan.maps_shadows = raster::uses_shadow_maps(settings, scene) && settings.shading == Shading::phong;
+  plan.maps_shadows = raster::uses_shadow_maps(settings, scene);
+  plan.counts_volumes = raster::uses_stencil(settings, scene);
+  plan.mirrors = raster::uses_environment(settings, scene);
+  plan.defers = raster::defers_shading(settings) && (settings.shading == Shading::phong || !lights_separately(plan));
   plan.farthest = farthest_of(plan);
   plan.region = request.region;
   return plan;
@@ -47,15 +51,19 @@ int sample_count(const Settings& settings) {
   return static_cast<int>(std::bit_floor(static_cast<unsigned>(std::clamp(settings.multisampling, 1, 8))));
 }
 
-bool draws_in_passes(const PicturePlan& plan) {
-  return raster::draw_steps(plan.settings, plan.lights.size()).size() > 1;
+Vec2d shifted_centre(const PicturePlan& plan) { return plan.projection.centre + Vec2d(0.5) - plan.viewport.sample; }
+
+bool mirrors(const PicturePlan& plan, const raster::Surface<float>& surface) {
+  const raster::AttributeLayout& layout = surface.layout;
+  return plan.mirrors && surface.material.reflective > 0 && !layout.reflection_map &&
+         layout.position != raster::AttributeLayout::absent;
 }
 
 bool driver_keeps_depth(const PicturePlan& plan, bool clip_control) {
   if (plan.settings.visibility != Visibility::depth_buffer) return true;  // none is kept
   if (!clip_control || !plan.perspective() || plan.depth.value != DepthValue::inverse_z) return false;
   if (plan.depth.format != DepthFormat::unorm || plan.depth.bits == 24) return true;
-  return plan.depth.bits == 16 && !draws_in_passes(plan);  // no driver keeps a stencil beside 16 bits
+  return plan.depth.bits == 16 && draw_passes(plan).size() == 1;  // no driver keeps a stencil beside 16 bits
 }
 
 }  // namespace ps::hardware

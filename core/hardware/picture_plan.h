@@ -8,11 +8,13 @@
 #include "frame/view.h"
 #include "frame/viewport.h"
 #include "image/mip_chain.h"
+#include "raster/environment/environment_map.h"
 #include "raster/setup/depth_format.h"
 #include "raster/setup/draw_list.h"
 #include "raster/setup/projection.h"
 #include "raster/setup/surface.h"
 #include "raster/shadow/shadow_map.h"
+#include "raster/shadow/shadow_volume.h"
 #include "scene/scene.h"
 
 namespace ps::hardware {
@@ -30,10 +32,15 @@ struct PicturePlan {
   std::vector<raster::DrawObject> objects;
   raster::Surfaces<float> surfaces;
   std::vector<ShadingLight<float>> lights;
-  std::shared_ptr<const std::vector<MipChain>> textures;  ///< null where none is read
-  bool maps_shadows = false;                              ///< light is looked up in shadow maps
-  std::shared_ptr<const raster::ShadowMaps> shadow_maps;  ///< drawn before the picture, where it does
-  double farthest = 1;                                    ///< camera z beyond which nothing lies
+  std::shared_ptr<const std::vector<MipChain>> textures;       ///< null where none is read
+  bool maps_shadows = false;                                   ///< light is looked up in shadow maps
+  std::shared_ptr<const raster::ShadowMaps> shadow_maps;       ///< drawn before the picture, where it does
+  bool mirrors = false;                                        ///< surroundings are looked up in environment maps
+  std::shared_ptr<const raster::EnvironmentMaps> environment;  ///< drawn before the picture, where it does
+  bool counts_volumes = false;                                 ///< shadows are counted in a stencil buffer
+  std::shared_ptr<const std::vector<std::vector<raster::ShadowVolume>>> volumes;  ///< by light, where it does
+  bool defers = false;                                                            ///< shading
+  double farthest = 1;  ///< camera z beyond which nothing lies
   std::optional<TileRect> region;
 
   bool perspective() const { return settings.projection == Projection::perspective; }
@@ -46,8 +53,11 @@ PicturePlan make_plan(const Scene& scene, const View& view, const Settings& sett
 /// Samples of a pixel: the power of two that the rasterizer takes, too.
 int sample_count(const Settings& settings);
 
-/// Are the triangles drawn in several passes, the later of which draw once where the first found something?
-bool draws_in_passes(const PicturePlan& plan);
+/// The middle of the canvas where samples lie at the centres of pixels, as a driver has them: pixels.
+Vec2d shifted_centre(const PicturePlan& plan);
+
+/// Does the surface look up its surroundings in an environment map? A picture of them in its material comes first.
+bool mirrors(const PicturePlan& plan, const raster::Surface<float>& surface);
 
 /// Does the driver interpolate the depth that the options ask for? Otherwise the fragment shader computes it.
 bool driver_keeps_depth(const PicturePlan& plan, bool clip_control);

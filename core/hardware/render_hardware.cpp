@@ -11,6 +11,7 @@
 #include "frame/empty_frame.h"
 #include "frame/eye_directions.h"
 #include "frame/region.h"
+#include "hardware/environment_maps.h"
 #include "hardware/machinery.h"
 #include "hardware/picture_drawer.h"
 #include "image/display.h"
@@ -56,6 +57,13 @@ Frame render_hardware(const Scene& scene, const View& view, const Settings& sett
   stages.done("prepare");
   plan.shadow_maps = draw_maps(plan, prepared, request.priority, progress);
   if (plan.shadow_maps) stages.done("shadow maps");
+  plan.environment = draw_environment(plan, prepared, request.priority, progress);
+  if (plan.environment) stages.done("environment maps");
+  if (plan.counts_volumes) {
+    plan.volumes = std::make_shared<const std::vector<std::vector<raster::ShadowVolume>>>(
+        raster::make_shadow_volumes(scene, plan.objects, settings));
+    stages.done("shadow volumes");
+  }
   on_gl_thread([&](Workshop& shop) {
     shop.meshes.tidy();
     shop.textures.tidy();

@@ -28,7 +28,14 @@ constexpr std::string_view names =
     "#define PARALLAX_OFF 0\n#define PARALLAX_OFFSET 1\n#define PARALLAX_LIMITED 2\n#define PARALLAX_STEEP 3\n"
     "#define PARALLAX_OCCLUSION 4\n";
 
-/// Adds a file's lines, and in the place of each #include those of the file that it names, once.
+/// A name for the preprocessor: "cube.glsl" becomes INCLUDED_cube_glsl.
+std::string guard_of(std::string name) {
+  std::replace(name.begin(), name.end(), '.', '_');
+  return "INCLUDED_" + name;
+}
+
+/// Adds a file's lines, and in the place of each #include those of the file that it names. The compiler passes over all
+/// but the first of a file that it reaches: only it knows which of them stand in a part that is left out.
 void add_file(const std::string& name, ShaderText& shader) {
   const int number = static_cast<int>(shader.files.size());
   shader.files.push_back(name);
@@ -39,11 +46,15 @@ void add_file(const std::string& name, ShaderText& shader) {
     constexpr std::string_view include = "#include \"";
     if (line.rfind(include, 0) != 0) {
       shader.text += line + "\n";
+      // A compiler counts the lines that it passes over, and those of files among them.
+      if (line.rfind("#e", 0) == 0) shader.text += fmt::format("#line {} {}\n", row + 1, number);
       continue;
     }
     const std::string wanted = line.substr(include.size(), line.rfind('"') - include.size());
-    if (std::find(shader.files.begin(), shader.files.end(), wanted) == shader.files.end()) add_file(wanted, shader);
-    shader.text += fmt::format("#line {} {}\n", row + 1, number);
+    const std::string guard = guard_of(wanted);
+    shader.text += fmt::format("#ifndef {0}\n#define {0}\n", guard);
+    add_file(wanted, shader);
+    shader.text += fmt::format("#endif\n#line {} {}\n", row + 1, number);
   }
 }
 

@@ -88,6 +88,16 @@ void Target::bind() const {
   glViewport(0, 0, shape_.width, shape_.height);
 }
 
+int Target::share(int first) const {
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, shape_.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                            GL_RENDERBUFFER, drawn_.depth);
+  for (std::size_t i = 1; i < count(); ++i)
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER,
+                              GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(first) + static_cast<GLenum>(i) - 1,
+                              GL_RENDERBUFFER, drawn_.buffers[i]);
+  return static_cast<int>(count()) - 1;
+}
+
 void Target::resolve() const {
   if (shape_.samples == 1) return;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);

@@ -33,6 +33,9 @@ class Target {
   void bind() const;
   /// Fills the colours with the background, the depth buffer with `depth`, and all else with "nothing is seen".
   void clear(const Vec3d& background, float depth) const;
+  /// Attaches the depth buffer and the channels to the framebuffer that is bound, those as colours from number `first`
+  /// on; returns how many.
+  int share(int first) const;
   /// Makes each pixel the mean of its samples, or in the channels one of them. Nothing to do with one sample.
   void resolve() const;
   /// Copies what was drawn, and resolved, to the frame's channels.

@@ -14,6 +14,11 @@ struct Lighting {
 uniform vec3 eye;       // world space
 uniform vec3 backward;  // towards the viewer in orthographic pictures
 
+#if ONE_LIGHT
+uniform int light_number;  // that of this pass, or -1
+uniform int first_light;   // that of the first pass, which adds what belongs to no light
+#endif
+
 // From a surface point towards the viewer.
 vec3 direction_to_eye(vec3 position) {
 #if PERSPECTIVE

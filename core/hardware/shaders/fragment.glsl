@@ -1,7 +1,14 @@
 // The colour of one fragment (CGFS ch. 13 and 14), in the order of core/raster/clear/shade_fragment.h.
 #include "carried.glsl"
-#if SHADING == PHONG
+#if DEFERRED
+#include "tints.glsl"
+#elif SHADING == PHONG
 #include "lighting.glsl"
+#elif SHADOW_MAPS
+#include "shadows.glsl"
+#endif
+#if MIRRORS && !DEFERRED
+#include "environment.glsl"
 #endif
 #if READS_TEXTURES
 #include "texturing.glsl"
@@ -12,15 +19,38 @@
 #if DEPTH_BY_SHADER
 #include "depth.glsl"
 #endif
+#if LIMITS_BY_SHADER
+#include "limits.glsl"
+#endif
 
+// With deferred shading, what deferred.glsl reads in place of the colour.
+#if DEFERRED
+layout(location = 0) out vec4 geometry_surface;   // the surface's own colour, and its number
+layout(location = 1) out vec4 geometry_normal;    // shading normal, and z
+layout(location = 2) out vec4 geometry_position;  // world space
+layout(location = 3) out vec4 geometry_tint_0;    // specular colour; with Gouraud and flat shading the light
+layout(location = 4) out vec4 geometry_tint_1;    // ambient colour; with Gouraud and flat shading the extra light
+uniform int surface_number;
+#else
 layout(location = 0) out vec4 fragment_colour;
+#endif
 #if CHANNELS
-layout(location = 1) out ivec4 fragment_ids;      // object, triangle, bits of z, bits of the level of detail
-layout(location = 2) out vec4 fragment_normal;    // shading normal, and the cosine of the facing
-layout(location = 3) out vec4 fragment_weights;   // of corners 0 and 1, or -1 without numbers; then u and v
+#if DEFERRED
+layout(location = 5) out ivec4 fragment_ids;
+layout(location = 6) out vec4 fragment_normal;
+layout(location = 7) out vec4 fragment_weights;
+#else
+layout(location = 1) out ivec4 fragment_ids;     // object, triangle, bits of z, bits of the level of detail
+layout(location = 2) out vec4 fragment_normal;   // shading normal, and the cosine of the facing
+layout(location = 3) out vec4 fragment_weights;  // of corners 0 and 1, or -1 without numbers; then u and v
+#endif
 #endif
 
 uniform vec3 surface_colour;
+#if MIRRORS
+uniform float reflective;
+uniform int environment_layer;  // the first of the object's map
+#endif
 uniform int object_number;
 uniform int numbered;  // 0: its triangles have no numbers of their own
 #if TEXTURE
@@ -109,6 +139,9 @@ void main() {
   vec2 uv = surface_uv;
   vec3 colour = surface_colour;
   float level = -1.0;
+#if LIMITS_BY_SHADER
+  if (outside_limits()) discard;
+#endif
 #if OPACITY_MAP
   if (READ(opacity_picture, opacity_layout, opacity_wrap, surface_uv).colour.x < 0.5) discard;
 #endif
@@ -136,23 +169,54 @@ void main() {
   normal = unit_normal;
 #endif
 #if SHADING == PHONG
-  Tints tints = Tints(specular_colour, ambient_colour);
+  Tints tints = Tints(specular_colour, ambient_colour, exponent);
 #if SPECULAR_MAP
   tints.specular.xyz *= READ(specular_picture, specular_layout, specular_wrap, uv).colour;
 #endif
 #if AMBIENT_MAP
   tints.ambient.xyz *= READ(ambient_picture, ambient_layout, ambient_wrap, uv).colour;
 #endif
+#if !DEFERRED
   Lighting lighting = illuminate(AT_FRAGMENT(carried_position), normal, tints, camera_z());
+#endif
 #elif SHADING == GOURAUD
   Lighting lighting = Lighting(AT_FRAGMENT(carried_light), AT_FRAGMENT(carried_extra));
 #elif SHADING == FLAT
   Lighting lighting = Lighting(flat_light, flat_extra);
 #endif
+#if DEFERRED
+  geometry_surface = vec4(colour, float(surface_number));
+  geometry_normal = vec4(normal, camera_z());
+  geometry_position = vec4(AT_FRAGMENT(carried_position), 1.0);
+#if SHADING == PHONG
+  geometry_tint_0 = tints.specular;
+  geometry_tint_1 = tints.ambient;
+#elif SHADING != UNLIT
+  geometry_tint_0 = vec4(lighting.light, 1.0);
+  geometry_tint_1 = vec4(lighting.extra, 1.0);
+#else
+  geometry_tint_0 = geometry_tint_1 = vec4(0.0);
+#endif
+#else
 #if SHADING != UNLIT
+#if SHADOW_MAPS && SHADING != PHONG
+  float visible =
+      light_number < 0 ? 1.0 : visible_share(light_number, AT_FRAGMENT(carried_position), normal, camera_z());
+  lighting = Lighting(lighting.light * visible, lighting.extra * visible);
+#endif
   colour = colour * lighting.light + lighting.extra;
 #endif
+#if MIRRORS
+#if ONE_LIGHT
+  bool first_pass = light_number == first_light;
+#else
+  bool first_pass = true;
+#endif
+  colour =
+      mirror_environment(colour, AT_FRAGMENT(carried_position), unit_normal, reflective, environment_layer, first_pass);
+#endif
   fragment_colour = vec4(colour, 1.0);
+#endif
 #if CHANNELS
   fragment_ids =
       ivec4(object_number, numbered == 1 ? triangle_number : 0, floatBitsToInt(camera_z()), floatBitsToInt(level));

@@ -1,6 +1,7 @@
 // The illumination equation of CGFS ch. 3 and 4, in the order of core/shade/illumination.h, under LIGHTS lights.
 #include "power.glsl"
-#if SHADOW_MAPS
+#include "tints.glsl"
+#if SHADOW_MAPS && SHADING == PHONG
 #include "shadows.glsl"
 #endif
 
@@ -10,17 +11,6 @@ layout(std140) uniform Lights {
   vec4 lights[3 * LIGHTS];
 };
 #endif
-
-#if ONE_LIGHT
-uniform int light_number;  // that of this pass
-#endif
-uniform float exponent;        // of the highlight
-uniform vec4 specular_colour;  // w = 1: the highlight has this colour, 0: that of the surface
-uniform vec4 ambient_colour;   // the same of ambient light
-
-struct Tints {
-  vec4 specular, ambient;  // as the uniforms, after maps of light have changed them
-};
 
 const float pi = 3.14159265358979;
 
@@ -72,7 +62,7 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Li
   vec3 vector = lights[3 * i + 1].xyz;
   vec3 to_light = kind == POINT_LIGHT ? vector - position : vector;
   float intensity = arriving(i, to_light);
-#if SHADOW_MAPS
+#if SHADOW_MAPS && SHADING == PHONG
   float visible = visible_share(i, position, normal, z);
   if (!(visible > 0.0)) return;
   intensity *= visible;
@@ -87,11 +77,11 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Li
     sum.light += colour * diffuse;
   }
 #if SPECULAR
-  float shine = highlight_cosine(normal, to_light, direction_to_eye(position));
+  float shine = tints.exponent < 0.0 ? 0.0 : highlight_cosine(normal, to_light, direction_to_eye(position));
   if (shine > 0.0) {
-    float specular = intensity * power(shine, exponent);
+    float specular = intensity * power(shine, tints.exponent);
 #if RADIOMETRIC
-    specular *= cosine > 0.0 ? (exponent + 8.0) / (8.0 * pi) * cosine : 0.0;
+    specular *= cosine > 0.0 ? (tints.exponent + 8.0) / (8.0 * pi) * cosine : 0.0;
 #endif
     if (tints.specular.w > 0.0)
       sum.extra += tints.specular.xyz * colour * specular;
@@ -106,7 +96,7 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Li
 Lighting illuminate(vec3 position, vec3 normal, Tints tints, float z) {
   Lighting sum = Lighting(vec3(0.0), vec3(0.0));
 #if ONE_LIGHT
-  add_light(light_number, position, normal, tints, z, sum);
+  if (light_number >= 0) add_light(light_number, position, normal, tints, z, sum);
 #elif LIGHTS > 0
   for (int i = 0; i < LIGHTS; ++i) add_light(i, position, normal, tints, z, sum);
 #endif

@@ -1,6 +1,8 @@
 // How much of a light a point sees, from the light's shadow map: core/raster/shadow/shadow_lookup.h. A point light has
 // the six faces of a cube around it, each seen with a right angle of view; a directional one has one square.
 
+#include "cube.glsl"
+
 // Of each light: position and number of its first layer, or -1; right and half the side of the square; up, and 1 for a
 // cube; forward.
 layout(std140) uniform ShadowMaps {
@@ -11,40 +13,12 @@ uniform sampler2DArray shadow_depths;  // along the face's forward axis; a large
 uniform int shadow_map_size;           // texels
 uniform float shadow_bias;             // world units
 uniform float shadow_slope_bias;       // texels; below 0: what filter and slope need
-uniform float surface_error_scale;     // how far triangles lie within a round surface: per unit of z
-
-// Numbers of the faces: +x -x +y -y +z -z.
-int cube_face_of(vec3 v) {
-  int axis = 0;
-  if (abs(v.y) > abs(v.x)) axis = 1;
-  if (abs(v.z) > abs(v[axis])) axis = 2;
-  return 2 * axis + (v[axis] < 0.0 ? 1 : 0);
-}
-
-// In the face's own coordinates: along its right, up and forward.
-vec3 in_face(int face, vec3 v) {
-  if (face == 0) return vec3(-v.z, v.y, v.x);
-  if (face == 1) return vec3(v.z, v.y, -v.x);
-  if (face == 2) return vec3(v.x, -v.z, v.y);
-  if (face == 3) return vec3(v.x, v.z, -v.y);
-  if (face == 4) return v;
-  return vec3(-v.x, v.y, -v.z);
-}
-
-vec3 out_of_face(int face, vec3 v) {
-  if (face == 0) return vec3(v.z, v.y, -v.x);
-  if (face == 1) return vec3(-v.z, v.y, v.x);
-  if (face == 2) return vec3(v.x, v.z, -v.y);
-  if (face == 3) return vec3(v.x, -v.z, v.y);
-  if (face == 4) return v;
-  return vec3(-v.x, v.y, -v.z);
-}
-
-// Texels from the top left.
-vec2 face_position(vec3 local) {
-  float half_size = float(shadow_map_size) / 2.0;
-  return vec2(half_size + half_size * local.x / local.z, half_size - half_size * local.y / local.z);
-}
+// How far triangles lie within a round surface: per unit of z.
+#if SHADES_WHOLE_PICTURE
+float surface_error_scale;  // read for each pixel
+#else
+uniform float surface_error_scale;
+#endif
 
 // Whether the texel's surface is not nearer to the light than the point. One beyond a cube's edge is looked up on the
 // next face, along whose axis the point has another depth.
@@ -55,7 +29,7 @@ bool sees_light(int first_layer, bool cube, int face, ivec2 texel, vec3 from_lig
     vec2 place = vec2(texel) + 0.5;
     vec3 direction = out_of_face(face, vec3((place.x - half_size) / half_size, (half_size - place.y) / half_size, 1.0));
     face = cube_face_of(direction);
-    texel = clamp(ivec2(face_position(in_face(face, direction))), ivec2(0), ivec2(shadow_map_size - 1));
+    texel = clamp(ivec2(face_position(in_face(face, direction), shadow_map_size)), ivec2(0), ivec2(shadow_map_size - 1));
     depth = in_face(face, from_light).z;
   }
   float stored = texelFetch(shadow_depths, ivec3(texel, first_layer + face), 0).r;
@@ -84,7 +58,7 @@ float visible_share(int light, vec3 position, vec3 normal, float z) {
     local = in_face(face, from_light);
     n = in_face(face, normal);
     if (!(local.z > 0.0)) return 1.0;
-    place = face_position(local);
+    place = face_position(local, shadow_map_size);
     texel_width = 2.0 * local.z / float(shadow_map_size);
     along = local / local.z;
   } else {
@@ -94,7 +68,7 @@ float visible_share(int light, vec3 position, vec3 normal, float z) {
     local = vec3(dot(right, from_light), dot(up, from_light), dot(forward, from_light));
     n = vec3(dot(right, normal), dot(up, normal), dot(forward, normal));
     if (!(abs(local.x) < half_side && abs(local.y) < half_side)) return 1.0;
-    place = face_position(vec3(local.xy, half_side));
+    place = face_position(vec3(local.xy, half_side), shadow_map_size);
     texel_width = 2.0 * half_side / float(shadow_map_size);
     along = vec3(0.0, 0.0, 1.0);
   }

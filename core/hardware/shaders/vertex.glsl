@@ -1,6 +1,7 @@
 // Places one corner of a triangle on the canvas, and gives the values that are carried across the triangle. Corners are
 // drawn without indices: corner number gl_VertexID % 3 of triangle gl_VertexID / 3.
 #include "carried.glsl"
+#include "placing.glsl"
 #if SHADING == GOURAUD || SHADING == FLAT
 #include "lighting.glsl"
 #endif
@@ -15,29 +16,13 @@ layout(location = 5) in vec4 normal_0;         // those of the three corners, as
 layout(location = 6) in vec4 normal_1;
 layout(location = 7) in vec4 normal_2;
 #endif
-#if SNAPPED
-layout(location = 8) in vec3 snapped;  // canvas position in pixels, and 1; or zeros where it has none
-#endif
 #if RELIEF
 layout(location = 9) in vec3 triangle_along_u;  // model space
 layout(location = 10) in vec3 triangle_upwards;
 #endif
 
-// The passes over the triangles that compare depths for equality must place them alike.
-invariant gl_Position;
-
-uniform mat3 to_world;
-uniform vec3 world_shift;
-uniform mat3 to_camera;       // from model space, or from the world where positions are not relative to the camera
-uniform vec3 camera_shift;
 uniform mat3 normal_matrix;   // of vertices' normals, as the option normal-transform asks
 uniform mat3 surface_matrix;  // of triangles' own normals
-uniform vec2 canvas_scale;    // from x / z to -1..1 across the canvas; y downwards, as the rows of the picture
-uniform vec2 canvas_shift;
-uniform vec2 canvas_size;     // pixels
-uniform float near_z;
-uniform float far_share;      // near / far, or 0 without a far limit
-uniform float far_z;          // of orthographic pictures
 
 vec3 unit_or_as_is(vec3 v) {
   float size = length(v);
@@ -48,45 +33,11 @@ vec3 world_normal(vec4 normal) {
   return unit_or_as_is(normal.w > 0.0 ? normal_matrix * normal.xyz : surface_matrix * normal.xyz);
 }
 
-vec3 camera_position(vec3 world) {
-#if CAMERA_RELATIVE
-  return to_camera * corner_position + camera_shift;
-#else
-  return to_camera * (world - eye);
-#endif
-}
-
-// The depth that the driver interpolates and stores, times w. It is 1 / z in disguise, which is linear on the screen.
-float clip_depth(float z, float w) {
-#if PERSPECTIVE
-#if DEPTH_REVERSED
-  float depth = (near_z - far_share * z) / (1.0 - far_share);
-#else
-  float depth = (z - near_z) / (1.0 - far_share);
-#endif
-#else
-  float depth = (z - near_z) / (far_z - near_z);
-#endif
-#if CLIP_CONTROL
-  return depth;
-#else
-  return 2.0 * depth - w;
-#endif
-}
-
 void main() {
-  vec3 world = to_world * corner_position + world_shift;
-  vec3 camera = camera_position(world);
-#if PERSPECTIVE
-  float w = camera.z;
-#else
-  float w = 1.0;
-#endif
-  vec2 place = camera.xy * canvas_scale + canvas_shift * w;
-#if SNAPPED
-  if (snapped.z > 0.0) place = (2.0 * snapped.xy / canvas_size - 1.0) * w;
-#endif
-  gl_Position = vec4(place, clip_depth(camera.z, w), w);
+  vec3 world = world_position(corner_position);
+  vec3 camera = camera_position(corner_position, world);
+  float w = clip_w(camera);
+  gl_Position = clip_position(camera);
 
   vec3 own_normal = unit_or_as_is(surface_matrix * triangle_normal);
 #if CORNER_NORMALS
@@ -107,7 +58,7 @@ void main() {
   upwards = to_world * triangle_upwards;
 #endif
 #if SHADING == GOURAUD
-  Lighting lighting = illuminate(world, normal, Tints(specular_colour, ambient_colour), camera.z);
+  Lighting lighting = illuminate(world, normal, Tints(specular_colour, ambient_colour, exponent), camera.z);
   carried_light = lighting.light * share;
   carried_extra = lighting.extra * share;
 #elif SHADING == FLAT
@@ -116,7 +67,7 @@ void main() {
 #else
   vec3 mean = own_normal;
 #endif
-  Lighting lighting = illuminate(to_world * triangle_centre + world_shift, mean, Tints(specular_colour, ambient_colour), camera.z);
+  Lighting lighting = illuminate(to_world * triangle_centre + world_shift, mean, Tints(specular_colour, ambient_colour, exponent), camera.z);
   flat_light = lighting.light;
   flat_extra = lighting.extra;
 #endif

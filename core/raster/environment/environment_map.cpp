@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "options/option.h"
+#include "raster/environment/draw_environment.h"
 #include "raster/environment/map_sources.h"
 #include "raster/renderer.h"
 #include "raster/shadow/map_picture.h"
@@ -20,7 +21,6 @@ constexpr double near_limit = 1e-3;  // world units
 Settings map_settings(const Settings& settings) {
   const Settings defaults;
   Settings plain = settings;
-  plain.renderer = Renderer::rasterizer;
   plain.environment = Environment::none;
   plain.environment_objects = EnvironmentObjects::all;
   plain.projection = Projection::perspective;
@@ -65,17 +65,14 @@ Scene only(const Scene& scene, Keep&& keep) {
 }
 
 EnvironmentMap look_around(const Scene& scene, const Vec3d& centre, int left_out, const Settings& settings,
-                           WorkerPriority priority, Progress& progress) {
-  Prepared own;  // the scene is one of its own; its products would push out the picture's
-  RenderRequest request;
-  request.priority = priority;
+                           const DrawColours& draw) {
   EnvironmentMap map;
   map.centre = centre;
   map.size = settings.environment_size;
   map.left_out = left_out;
   for (const CubeFace& face : cube_faces()) {
     const View view{cube_camera(face, centre), map.size, map.size};
-    map.faces.push_back(render_rasterized(scene, view, map_settings(settings), request, own, progress).colour);
+    map.faces.push_back(draw(scene, view, map_settings(settings)));
   }
   return map;
 }
@@ -117,10 +114,9 @@ Key map_key(std::string_view of, const Scene& scene, const Settings& settings) {
 /// Makes the maps that are not in `prepared`.
 class MapMaker {
  public:
-  MapMaker(const Scene& scene, const Settings& settings, Prepared& prepared, WorkerPriority priority,
-           Progress& progress)
-      : scene_(scene), settings_(settings), prepared_(prepared), priority_(priority), progress_(progress),
-        fixed_only_(shows_static_only(settings)) {}
+  MapMaker(const Scene& scene, const Settings& settings, Prepared& prepared, const DrawColours& draw)
+      : scene_(scene), settings_(settings), prepared_(prepared), draw_(draw), fixed_only_(shows_static_only(settings)) {
+  }
 
   /// The map of a mirror: all other objects, or the static ones among them. One that shows static objects alone depends
   /// on none that moves but on its own place.
@@ -136,7 +132,7 @@ class MapMaker {
     return prepared_.get<EnvironmentMap>(key, [&] {
       const Scene shown =
           only(scene_, [&](const Object& o, std::size_t k) { return k != mirror && !(fixed_only_ && o.dynamic); });
-      return look_around(shown, centre, left_out, settings_, priority_, progress_);
+      return look_around(shown, centre, left_out, settings_, draw_);
     });
   }
 
@@ -152,7 +148,7 @@ class MapMaker {
                         .add(static_cast<std::uint64_t>(left_out));
     return prepared_.get<EnvironmentMap>(key, [&] {
       const Scene room = only(scene_, [&](const Object& o, std::size_t) { return keep(o); });
-      return look_around(room, shadow_casters(room).centre, left_out, settings_, priority_, progress_);
+      return look_around(room, shadow_casters(room).centre, left_out, settings_, draw_);
     });
   }
 
@@ -168,8 +164,7 @@ class MapMaker {
   const Scene& scene_;
   const Settings& settings_;
   Prepared& prepared_;
-  const WorkerPriority priority_;
-  Progress& progress_;
+  const DrawColours& draw_;
   const bool fixed_only_;
   std::optional<std::uint64_t> shown_;
 };
@@ -180,12 +175,11 @@ bool uses_environment(const Settings& settings, const Scene& scene) {
   return settings.environment != Environment::none && settings.draw == Draw::filled && scene_traits(scene).reflective;
 }
 
-std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
-                                                        Prepared& prepared, WorkerPriority priority,
-                                                        Progress& progress) {
+std::shared_ptr<const EnvironmentMaps> draw_environment_maps(const Scene& scene, const Settings& settings,
+                                                             Prepared& prepared, const DrawColours& draw) {
   const auto& objects = scene.geometry->objects;
   auto maps = std::make_shared<EnvironmentMaps>(objects.size());
-  MapMaker maker(scene, settings, prepared, priority, progress);
+  MapMaker maker(scene, settings, prepared, draw);
   std::shared_ptr<const EnvironmentMap> room;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (!(reflective(scene, objects[i]) > 0)) continue;
@@ -202,6 +196,20 @@ std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, cons
     }
   }
   return maps;
+}
+
+std::shared_ptr<const EnvironmentMaps> environment_maps(const Scene& scene, const Settings& settings,
+                                                        Prepared& prepared, WorkerPriority priority,
+                                                        Progress& progress) {
+  Settings own_settings = settings;
+  own_settings.renderer = Renderer::rasterizer;
+  RenderRequest request;
+  request.priority = priority;
+  Prepared own;  // the objects shown are a scene of their own; its products would push out the picture's
+  return draw_environment_maps(scene, own_settings, prepared,
+                               [&](const Scene& shown, const View& view, const Settings& plain) {
+                                 return render_rasterized(shown, view, plain, request, own, progress).colour;
+                               });
 }
 
 void lay_out_environment(const EnvironmentMap& map, Image<Vec3f>& picture) {

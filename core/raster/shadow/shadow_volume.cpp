@@ -19,7 +19,9 @@ using Corners = std::array<CornerIndex, 3>;
 /// World-space vertices in which equal positions are one vertex, so that edges are shared wherever triangles meet.
 struct Welded {
   std::vector<Vec3d> positions;
-  std::vector<Corners> triangles;  ///< without those of zero area
+  std::vector<std::uint32_t> source;   ///< of each, the first such vertex of the mesh
+  std::vector<Corners> triangles;      ///< without those of zero area
+  std::vector<std::uint32_t> numbers;  ///< of each of them, in the mesh
 };
 
 Welded weld(const DrawObject& object) {
@@ -31,13 +33,19 @@ Welded weld(const DrawObject& object) {
     const Vec3d p = object.world(model);
     const auto [entry, fresh] =
         known.try_emplace({p.x + 0.0, p.y + 0.0, p.z + 0.0}, static_cast<CornerIndex>(welded.positions.size()));
-    if (fresh) welded.positions.push_back(p);
+    if (fresh) {
+      welded.positions.push_back(p);
+      welded.source.push_back(static_cast<std::uint32_t>(number.size()));
+    }
     number.push_back(entry->second);
   }
-  for (const MeshTriangle& triangle : object.mesh->triangles) {
+  for (std::size_t i = 0; i < object.mesh->triangles.size(); ++i) {
+    const MeshTriangle& triangle = object.mesh->triangles[i];
     Corners c{number[triangle.position[0]], number[triangle.position[1]], number[triangle.position[2]]};
     if (object.mirrored) std::swap(c[1], c[2]);
-    if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) welded.triangles.push_back(c);
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+    welded.triangles.push_back(c);
+    welded.numbers.push_back(static_cast<std::uint32_t>(i));
   }
   return welded;
 }
@@ -90,18 +98,24 @@ bool faces(const Welded& welded, const Corners& triangle, const Light& light) {
   return dot(normal, light.kind == LightKind::point ? light.position - a : light.direction) > 0;
 }
 
-/// The triangles that cast the shadow, each facing the light.
-std::vector<Corners> lit_triangles(const Welded& welded, const Light& light) {
-  std::vector<Corners> lit, turned;
-  for (const Corners& triangle : welded.triangles) {
-    if (faces(welded, triangle, light))
-      lit.push_back(triangle);
+/// The triangles that cast the shadow, as numbers of welded ones.
+std::vector<LitTriangle> lit_triangles(const Welded& welded, const Light& light) {
+  std::vector<LitTriangle> lit, turned;
+  for (std::uint32_t i = 0; i < welded.triangles.size(); ++i) {
+    if (faces(welded, welded.triangles[i], light))
+      lit.push_back({i, false});
     else
-      turned.push_back({triangle[0], triangle[2], triangle[1]});
+      turned.push_back({i, true});
   }
   // A light inside a closed model meets only backs.
   if (lit.empty() || !is_closed(welded)) lit.insert(lit.end(), turned.begin(), turned.end());
   return lit;
+}
+
+/// Its vertices in the order in which it faces the light.
+Corners facing_light(const Welded& welded, const LitTriangle& lit) {
+  const Corners& c = welded.triangles[lit.triangle];
+  return lit.turned ? Corners{c[0], c[2], c[1]} : c;
 }
 
 /// Where a vertex ends up at the far end: away from the light. Without end all move by the same factor, so that flat
@@ -156,8 +170,11 @@ ShadowVolume make_shadow_volume(const DrawObject& object, const Light& light, co
     for (const Vec3d& p : welded.positions) surface->positions.push_back(extrude(p));
     const auto far = [&](CornerIndex c) { return c + static_cast<CornerIndex>(welded.positions.size()); };
     std::vector<BalancedEdge> edges;
-    for (const Corners& t : lit_triangles(welded, light)) {
-      if (surface->triangles.size() % 1024 == 0) check_stop();
+    volume.source = welded.source;
+    for (const LitTriangle& lit : lit_triangles(welded, light)) {
+      const Corners t = facing_light(welded, lit);
+      volume.lit.push_back({welded.numbers[lit.triangle], lit.turned});
+      if (volume.lit.size() % 1024 == 0) check_stop();
       add_edges(t, edges);
       if (!options.caps) continue;
       surface->triangles.push_back(surface_triangle(t[0], t[1], t[2]));

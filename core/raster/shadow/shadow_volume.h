@@ -14,12 +14,22 @@ struct SilhouetteEdge {
   Vec3d from{0, 0, 0}, to{0, 0, 0};
 };
 
+/// A triangle of an object's mesh that casts its shadow.
+struct LitTriangle {
+  std::uint32_t triangle = 0;  ///< index into the mesh's
+  bool turned = false;         ///< its back faces the light, so its copy in the volume has the other vertex order
+};
+
 /// The space that an object hides from a light, as a closed surface whose triangles face outwards (CGFS ch. 15): the
 /// triangles that face the light, sides that run from the silhouette's edges away from the light, and the lit triangles
 /// again at the far end, seen from behind.
 struct ShadowVolume {
   int object = 0;  ///< index into Geometry::objects
   std::vector<SilhouetteEdge> silhouette;
+  std::vector<LitTriangle> lit;
+  /// The vertices of `surface` are those of the object, of equal ones only the first, and then the same at the far end.
+  /// For each of the first half: the index of the vertex in the object's mesh.
+  std::vector<std::uint32_t> source;
   /// The triangles of `surface`: lit ones and their copies at the far end in turns, or none if caps are left out; then
   /// those of the sides.
   std::size_t caps = 0;

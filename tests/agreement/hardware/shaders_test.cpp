@@ -63,6 +63,42 @@ TEST(HardwareShaders, CompileForOpenGlAndForOpenGlEs) {
   });
 }
 
+TEST(HardwareShaders, ThoseOfPassesCompileForOpenGlAndForOpenGlEs) {
+  PS_NEEDS_HARDWARE(hardware);
+  std::set<std::string> volumes, deferred;
+  for (const char* name : {"cgfs/relief", "cgfs/reflections", "cgpp/teapot"}) {
+    const Scene scene = load_scene(name);
+    Settings settings = settings_for(scene);
+    settings.renderer = hardware;
+    parse_assignment("environment=cube-map", settings);
+    for (const char* shadows : {"none", "map", "stencil-depth-fail"})
+      for (const char* shading : {"phong", "gouraud"})
+        for (const char* depth : {"inverse-z", "distance"})
+          for (const char* projection : {"perspective", "orthographic"}) {
+            for (const auto& [key, value] : {std::pair{"shadows", shadows},
+                                             {"shading", shading},
+                                             {"depth-value", depth},
+                                             {"projection", projection}})
+              parse_assignment(std::string(key) + "=" + value, settings);
+            Prepared prepared;
+            const hardware::PicturePlan plan =
+                hardware::make_plan(scene, {scene.camera, 40, 30}, settings, {}, prepared);
+            volumes.insert(hardware::volume_definitions(plan, false));
+            deferred.insert(hardware::deferred_definitions(plan, false));
+          }
+  }
+  hardware::on_gl_thread([&](hardware::Workshop&) {
+    for (const hardware::Api api : {hardware::Api::desktop, hardware::Api::embedded}) {
+      const hardware::Context context(api);
+      for (const std::string& definitions : volumes)
+        EXPECT_NO_THROW(hardware::Program("volume_vertex.glsl", "volume_fragment.glsl", api, definitions))
+            << definitions;
+      for (const std::string& definitions : deferred)
+        EXPECT_NO_THROW(hardware::Program("whole_picture.glsl", "deferred.glsl", api, definitions)) << definitions;
+    }
+  });
+}
+
 TEST(HardwareShaders, AMistakeIsReportedWithFileAndLine) {
   PS_NEEDS_HARDWARE(hardware);
   hardware::on_gl_thread([&](hardware::Workshop& shop) {
@@ -74,7 +110,7 @@ TEST(HardwareShaders, AMistakeIsReportedWithFileAndLine) {
       FAIL() << "it compiles";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("a shader does not compile: "), std::string::npos) << error.what();
-      EXPECT_NE(std::string(error.what()).find("vertex.glsl:"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("vertex.glsl:42("), std::string::npos) << error.what();
     }
   });
 }

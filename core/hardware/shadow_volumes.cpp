@@ -1,0 +1,66 @@
+#include "hardware/shadow_volumes.h"
+
+#include "base/stop.h"
+#include "raster/shadow/shadow_volume.h"
+
+namespace ps::hardware {
+namespace {
+
+/// Makes corners from the vertices of one volume.
+class VolumeVertices {
+ public:
+  VolumeVertices(const PicturePlan& plan, const raster::DrawObject& object, const raster::ShadowVolume& volume,
+                 const std::vector<Vec3f>& snapped, const Vec3d& mesh_centre)
+      : plan_(plan), object_(object), volume_(volume), snapped_(snapped), mesh_centre_(mesh_centre) {}
+
+  /// A vertex of the object's mesh.
+  void add_near(std::uint32_t mesh_vertex, VolumeCorners& corners) const {
+    corners.places.emplace_back(Vec3f(object_.mesh->positions[mesh_vertex] - mesh_centre_), 0.0f);
+    if (!snapped_.empty()) corners.snapped.push_back(snapped_[mesh_vertex]);
+  }
+  /// A vertex of the volume's surface.
+  void add(std::uint32_t vertex, VolumeCorners& corners) const {
+    if (vertex < volume_.source.size()) return add_near(volume_.source[vertex], corners);
+    corners.places.emplace_back(Vec3f(volume_.surface->positions[vertex] - plan_.camera.position), 1.0f);
+    if (!snapped_.empty()) corners.snapped.emplace_back(0.0f);
+  }
+
+ private:
+  const PicturePlan& plan_;
+  const raster::DrawObject& object_;
+  const raster::ShadowVolume& volume_;
+  const std::vector<Vec3f>& snapped_;
+  Vec3d mesh_centre_;
+};
+
+}  // namespace
+
+std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light,
+                                      const std::vector<std::vector<Vec3f>>& snapped_of,
+                                      const std::vector<Vec3d>& mesh_centres) {
+  std::vector<VolumeFaces> all;
+  std::size_t drawn = 0;
+  for (const raster::ShadowVolume& volume : (*plan.volumes)[light]) {
+    check_stop();
+    while (plan.objects[drawn].object != volume.object) ++drawn;
+    const raster::DrawObject& object = plan.objects[drawn];
+    const VolumeVertices vertices(plan, object, volume, snapped_of[drawn], mesh_centres[drawn]);
+    VolumeFaces& faces = all.emplace_back();
+    faces.object = drawn;
+    const auto& triangles = volume.surface->triangles;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const bool lit_face = i < volume.caps && i % 2 == 0;
+      if (!lit_face) {
+        for (const std::uint32_t vertex : triangles[i].position) vertices.add(vertex, faces.outwards);
+        continue;
+      }
+      const raster::LitTriangle& lit = volume.lit[i / 2];
+      VolumeCorners& corners = lit.turned == object.mirrored ? faces.outwards : faces.inwards;
+      for (const std::uint32_t vertex : object.mesh->triangles[lit.triangle].position)
+        vertices.add_near(vertex, corners);
+    }
+  }
+  return all;
+}
+
+}  // namespace ps::hardware

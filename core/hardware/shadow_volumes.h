@@ -1,0 +1,30 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "hardware/picture_plan.h"
+#include "math/vec.h"
+
+namespace ps::hardware {
+
+/// Corners of the faces of a shadow volume as volume_vertex.glsl reads them, three for each triangle.
+struct VolumeCorners {
+  std::vector<Vec4f> places;
+  std::vector<Vec3f> snapped;  ///< positions on the canvas that the processor has rounded; empty without
+};
+
+/// A shadow volume in two lists: triangles whose vertex order faces out of it, and others. Lit triangles keep the order
+/// in which the picture's own are drawn, so that a driver interpolates the same depth across both.
+struct VolumeFaces {
+  std::size_t object = 0;  ///< index into PicturePlan::objects
+  VolumeCorners outwards, inwards;
+};
+
+/// The volumes of one light. `snapped_of[o][i]` is the rounded position of vertex i of object o, where the processor
+/// rounds. `mesh_centres` are what the positions of the meshes are relative to.
+std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light,
+                                      const std::vector<std::vector<Vec3f>>& snapped_of,
+                                      const std::vector<Vec3d>& mesh_centres);
+
+}  // namespace ps::hardware

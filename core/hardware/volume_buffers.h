@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "hardware/shadow_volumes.h"
+
+namespace ps::hardware {
+
+/// Corners of shadow volumes in the memory of the graphics driver.
+class VolumeBuffers {
+ public:
+  explicit VolumeBuffers(const VolumeFaces& faces);
+  ~VolumeBuffers();
+  VolumeBuffers(VolumeBuffers&& other) noexcept;
+  VolumeBuffers(const VolumeBuffers&) = delete;
+  VolumeBuffers& operator=(const VolumeBuffers&) = delete;
+
+  std::size_t object() const { return object_; }
+  /// Number of corners that face outwards; the others follow.
+  int outwards() const { return outwards_; }
+  int inwards() const { return inwards_; }
+  /// Makes them the input of volume_vertex.glsl.
+  void bind() const;
+
+ private:
+  std::size_t object_ = 0;
+  int outwards_ = 0, inwards_ = 0;
+  unsigned places_ = 0, snapped_ = 0;
+};
+
+}  // namespace ps::hardware
