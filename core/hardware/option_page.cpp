@@ -37,6 +37,8 @@ std::string row(const Option& option, std::string_view choice, std::string_view 
 
 /// What one value is honoured by, if it is.
 std::string honoured_row(const Option& option, const Settings& settings, const std::string& text) {
+  if (option.key == "shadows" && settings.shadows == Shadows::traced)
+    return row(option, text, "no", "traced shadows need rays, and no renderer of triangles has them");
   if (const auto reason = lacks_value(option, option.get(settings), settings)) return row(option, text, "no", *reason);
   if (writes_depth(settings) && !writes_depth({})) return row(option, text, "by gl_FragDepth", "");
   return row(option, text, "yes", "");
