@@ -32,7 +32,7 @@ constexpr std::array all{
          is_one_of<DepthValue, DepthValue::ray_plane>},
     Lack{"clipping", "a driver always clips at the near plane and the sides",
          is_one_of<Clipping, Clipping::near_only, Clipping::none>},
-    Lack{"canvas-fill", "the hardware renderer draws nothing on the canvas"},
+    Lack{"canvas-fill", "the driver fills shapes by its own coverage test", is_one_of<CanvasFill, CanvasFill::rows>},
     Lack{"line-algorithm", "the driver has its own line algorithm"},
     Lack{"coverage", own_coverage},
     Lack{"edge-arithmetic", own_coverage},

@@ -16,12 +16,9 @@ LeftOut missing(LeftOutKind kind, std::string_view what, std::string_view reason
 }  // namespace
 
 std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& settings) {
-  const Remedy rays{"Ray tracer", "renderer=ray-tracer"}, software{"Rasterizer", "renderer=rasterizer"};
+  const Remedy rays{"Ray tracer", "renderer=ray-tracer"};
   std::vector<LeftOut> all;
   if (traits.csg) all.push_back(missing(LeftOutKind::objects, "CSG objects", "their surfaces need rays", rays));
-  if (traits.canvas_items)
-    all.push_back(
-        missing(LeftOutKind::objects, "canvas shapes", "the hardware renderer draws nothing on the canvas", software));
   if (traits.transparent)
     all.push_back(missing(LeftOutKind::effect, "transparent surfaces", "light through a surface needs rays", rays));
   if (asks_for_shadows(traits, settings) && settings.shadows == Shadows::traced)

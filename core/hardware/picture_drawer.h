@@ -51,6 +51,7 @@ class PictureDrawer {
   void draw_pass(const DrawPass& pass);
   void draw_runs(const DrawPass& pass);
   void draw_whole_picture(const DrawPass& pass);
+  void draw_canvas();
   void count_volumes(const std::vector<VolumeBuffers>& volumes);
   void set_object(Program& program, std::size_t object);
   void set_view(Program& program);

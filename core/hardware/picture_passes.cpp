@@ -188,6 +188,7 @@ void PictureDrawer::draw() {
   set_state();
   for (const DrawPass& pass : draw_passes(plan_)) draw_pass(pass);
   shop_.target->resolve();
+  draw_canvas();
   glFinish();
   check_gl("drawing");
 }

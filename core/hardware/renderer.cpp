@@ -22,7 +22,7 @@ std::optional<std::string_view> why_unavailable(const Settings&, const SceneTrai
 }
 
 bool shows_objects(const SceneTraits& traits, const Settings&) {
-  return traits.spheres || traits.triangles || traits.solids;
+  return traits.spheres || traits.triangles || traits.solids || traits.canvas_items;
 }
 
 }  // namespace

@@ -114,6 +114,14 @@ void Target::resolve() const {
   check_gl("resolving samples");
 }
 
+void Target::bind_resolved() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
+  const std::array<GLenum, most_pictures> places{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+                                                 GL_COLOR_ATTACHMENT3};
+  glDrawBuffers(static_cast<GLsizei>(count()), places.data());
+  glViewport(0, 0, shape_.width, shape_.height);
+}
+
 void Target::clear(const Vec3d& background, float depth) const {
   const Vec3f colour(background);
   const std::array<float, 4> rgba{colour.x, colour.y, colour.z, 1};

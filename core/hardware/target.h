@@ -38,6 +38,8 @@ class Target {
   int share(int first) const;
   /// Makes each pixel the mean of its samples, or in the channels one of them. Nothing to do with one sample.
   void resolve() const;
+  /// Draws go to the resolved pictures from now on.
+  void bind_resolved() const;
   /// Copies what was drawn, and resolved, to the frame's channels.
   void read(Frame& frame) const;
 
