@@ -22,6 +22,7 @@ WindowRun run_window(const std::string& arguments, const std::string& before) {
   const auto folder = std::filesystem::temp_directory_path() /
                       ("pixelscope-gui-" + std::to_string(getpid()) + "-" + std::to_string(++count));
   std::filesystem::create_directories(folder);
+  setenv("XDG_PICTURES_DIR", folder.c_str(), 1);  // what a key saves does not land among the sources
   const std::string out = folder / "out", err = folder / "err";
   const std::string command =
       before + " " PIXELSCOPE_BIN_DIR "/pixelscope " + arguments + " >" + out + " 2>" + err + " </dev/null";

@@ -165,7 +165,7 @@ std::string code_lines(const std::string& text, std::size_t signs) {
     if (cut == std::string::npos || cut <= content) cut = rest.find(' ', content);
     if (cut == std::string::npos) break;
     lines.append(rest, 0, cut).push_back('\n');
-    rest = indent + rest.substr(cut + 1);
+    rest.replace(0, cut + 1, indent);
   }
   return lines + rest;
 }

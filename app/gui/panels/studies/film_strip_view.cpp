@@ -128,6 +128,7 @@ std::optional<double> film_strip_view(FilmStripState& state, const StabilityExpe
   forget_other(state, experiment);
   const std::vector<int> columns = columns_of(experiment, above);
   std::vector<double> knobs;
+  knobs.reserve(columns.size());
   for (const int frame : columns) knobs.push_back(experiment.frames[static_cast<std::size_t>(frame)]);
   const auto marked = state.chosen ? std::find(knobs.begin(), knobs.end(), *state.chosen) : knobs.end();
   const int chosen = marked == knobs.end() ? -1 : static_cast<int>(marked - knobs.begin());
