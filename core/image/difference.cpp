@@ -13,7 +13,7 @@
 namespace ps {
 namespace {
 
-constexpr double levels = 255, one_per_cent = 0.01 * levels;
+constexpr double whole_range = 255, one_per_cent = 0.01 * whole_range;
 constexpr double most_gain = 256;
 
 void require_equal_size(const Image<Rgb8>& a, const Image<Rgb8>& b) {
@@ -40,7 +40,9 @@ float relative_difference(Rgb8 a, Rgb8 b) {
   return static_cast<float>(most);
 }
 
-std::uint8_t stored(double level) { return static_cast<std::uint8_t>(std::lround(std::clamp(level, 0.0, levels))); }
+std::uint8_t stored(double level) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(level, 0.0, whole_range)));
+}
 
 /// From black over `colour` in the middle to white.
 Rgb8 through(Rgb8 colour, double t) {
@@ -48,7 +50,7 @@ Rgb8 through(Rgb8 colour, double t) {
   std::array<std::uint8_t, 3> mixed{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double part = middle[i];
-    mixed[i] = stored(t < 0.5 ? part * 2 * t : part + (levels - part) * (2 * t - 1));
+    mixed[i] = stored(t < 0.5 ? part * 2 * t : part + (whole_range - part) * (2 * t - 1));
   }
   return {mixed[0], mixed[1], mixed[2]};
 }
@@ -59,7 +61,7 @@ double full_scale(DifferenceMode mode) {
   switch (mode) {
   case DifferenceMode::absolute:
   case DifferenceMode::sign:
-    return levels;
+    return whole_range;
   case DifferenceMode::relative:
   case DifferenceMode::flip:
     return 1;
@@ -130,7 +132,7 @@ Rgb8 difference_colour(double value, const DifferenceOptions& options) {
   const double t = std::clamp(std::abs(value) * options.gain / full_scale(options.mode), 0.0, 1.0);
   switch (options.mode) {
   case DifferenceMode::absolute:
-    return {stored(t * levels), stored(t * levels), stored(t * levels)};
+    return {stored(t * whole_range), stored(t * whole_range), stored(t * whole_range)};
   case DifferenceMode::sign:
     return through(value < 0 ? of_a : of_b, t);
   case DifferenceMode::relative:
