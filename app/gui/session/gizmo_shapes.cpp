@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <map>
+#include <memory>
 
 #include "base/overloaded.h"
 #include "math/unit.h"
@@ -26,10 +28,15 @@ std::array<Vec3d, 3> axes_of(const Mat3d& rotation) {
   return axes;
 }
 
-Vec3d centre_of(const Scene& scene, const Instance& instance) {
-  const Transform& place = instance.transform;
-  const auto bound = bounding_sphere(*scene.geometry->meshes.at(instance.mesh));
-  return place.rotation * (place.scale * bound.centre) + place.translation;
+Vec3d centre_of(const std::shared_ptr<const Mesh>& mesh) {
+  static std::map<std::weak_ptr<const Mesh>, Vec3d, std::owner_less<>> known;
+  if (const auto found = known.find(mesh); found != known.end()) return found->second;
+  std::erase_if(known, [](const auto& entry) { return entry.first.expired(); });
+  return known[mesh] = bounding_sphere(*mesh).centre;
+}
+
+Vec3d mesh_centre(const Scene& scene, const Instance& instance) {
+  return centre_of(scene.geometry->meshes.at(instance.mesh));
 }
 
 Vec3d centre_of(const Form& form) {
@@ -64,9 +71,8 @@ class Edits {
       // What is in the middle stays there.
       Vec3d scale = place.scale;
       scale[static_cast<int>(drag_.part.axis)] *= travel_;
-      const auto bound = bounding_sphere(*drag_.scene.geometry->meshes.at(instance.mesh));
       set("scale", short_vec(scale));
-      set("translation", short_vec(drag_.gizmo.centre - place.rotation * (scale * bound.centre)));
+      set("translation", short_vec(drag_.gizmo.centre - place.rotation * (scale * mesh_centre(drag_.scene, instance))));
     }
   }
   void solid(const Solid& solid) {
@@ -129,6 +135,11 @@ class Edits {
 };
 
 }  // namespace
+
+Vec3d centre_of(const Scene& scene, const Instance& instance) {
+  const Transform& place = instance.transform;
+  return place.rotation * (place.scale * mesh_centre(scene, instance)) + place.translation;
+}
 
 bool place_gizmo(const Scene& scene, std::size_t object, Gizmo& gizmo) {
   const auto& shape = scene.geometry->objects.at(object).shape;

@@ -6,7 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "frame/viewport.h"
-#include "gui/session/gizmo.h"
+#include "gui/session/gizmo_shapes.h"
 #include "render/story/names.h"
 
 namespace ps::gui {
@@ -72,9 +72,8 @@ std::vector<Handle> handles_of(const Scene& scene, const View& view, const Setti
     else if (const auto* brick = solid ? std::get_if<Brick>(&solid->form) : nullptr)
       add(fmt::format("object.{}.center", i), name, brick->centre, false);
     else if (const auto* instance = std::get_if<Instance>(&objects[i].shape))
-      if (const auto gizmo = gizmo_of(scene, i))
-        add(fmt::format("object.{}.translation", i), name, gizmo->centre, false,
-            instance->transform.translation - gizmo->centre);
+      add(fmt::format("object.{}.translation", i), name, centre_of(scene, *instance), false,
+          instance->transform.translation - centre_of(scene, *instance));
   }
   return handles;
 }
