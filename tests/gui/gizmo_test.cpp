@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gui/session/handles.h"
+#include "gui/tilted_view.h"
 #include "scene/edit.h"
 #include "scene/load.h"
 #include "scene/mesh.h"
@@ -15,17 +16,6 @@
 
 namespace ps::gui::gizmo_test {
 namespace {
-
-View tilted_view() {
-  View view;
-  view.width = 320;
-  view.height = 200;
-  view.camera.position = {1, -2, 0.5};
-  view.camera.right = {0.8, 0, -0.6};
-  view.camera.forward = {0.6, 0, 0.8};
-  view.camera.projection_plane_d = 1.5;
-  return view;
-}
 
 Scene box_scene() {
   return parse_scene("box { center = (4, -1, 5) size = (1, 2, 3) rotation = <30 degrees around the X axis> "

@@ -4,21 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "frame/viewport.h"
+#include "gui/tilted_view.h"
 #include "scene/scene_file.h"
 
 namespace ps::gui::handles_test {
 namespace {
-
-View tilted_view() {
-  View view;
-  view.width = 320;
-  view.height = 200;
-  view.camera.position = {1, -2, 0.5};
-  view.camera.right = {0.8, 0, -0.6};
-  view.camera.forward = {0.6, 0, 0.8};
-  view.camera.projection_plane_d = 1.5;
-  return view;
-}
 
 TEST(Handles, LieOnTheRayOfTheirPixel) {
   const View view = tilted_view();

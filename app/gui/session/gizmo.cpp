@@ -74,6 +74,18 @@ std::optional<double> turned_by(const GizmoDrag& drag, const Vec2d& to) {
 
 }  // namespace
 
+std::string_view deed_word(GizmoDeed deed) {
+  switch (deed) {
+  case GizmoDeed::move:
+    return "move";
+  case GizmoDeed::turn:
+    return "turn";
+  case GizmoDeed::scale:
+    return "scale";
+  }
+  return {};
+}
+
 std::optional<Gizmo> gizmo_of(const Scene& scene, std::size_t object) {
   if (object >= scene.geometry->objects.size()) return {};
   Gizmo gizmo;
@@ -131,8 +143,7 @@ Camera dragged_camera(const GizmoDrag& drag, double travel) {
 void drag_gizmo(Session& session, const GizmoDrag& drag, const Vec2d& to) {
   const auto travel = gizmo_travel(drag, to);
   if (!travel || !std::isfinite(*travel)) return;
-  const char* verb = drag.part.deed == GizmoDeed::move ? "move" : drag.part.deed == GizmoDeed::turn ? "turn" : "scale";
-  session.edit(fmt::format("{} {}", verb, drag.gizmo.name), gizmo_step, [&](Document& document) {
+  session.edit(fmt::format("{} {}", deed_word(drag.part.deed), drag.gizmo.name), gizmo_step, [&](Document& document) {
     if (!drag.gizmo.object)
       document.view.camera = dragged_camera(drag, *travel);
     else

@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "document/scene_edits.h"
@@ -11,6 +12,8 @@
 namespace ps::gui {
 
 enum class GizmoDeed { move, turn, scale };
+/// "move", "turn" or "scale"
+std::string_view deed_word(GizmoDeed deed);
 
 /// One thing to take hold of: what it does, and along or about which axis.
 struct GizmoPart {

@@ -10,6 +10,7 @@
 
 #include "document/document.h"
 #include "document/history.h"
+#include "gui/base/sides.h"
 #include "gui/session/timed_pictures.h"
 #include "gui/work/file_watch.h"
 #include "gui/work/inspect_worker.h"
@@ -17,10 +18,6 @@
 #include "gui/work/render_worker.h"
 
 namespace ps::gui {
-
-inline constexpr std::array both_sides{Side::a, Side::b};
-inline char letter_of(Side side) { return side == Side::a ? 'A' : 'B'; }
-inline std::size_t index_of(Side side) { return side == Side::a ? 0 : 1; }
 
 /// Something that the user should read.
 struct Message {

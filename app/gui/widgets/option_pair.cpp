@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/base/sides.h"
 #include "gui/widgets/option_parts.h"
 
 namespace ps::gui {
 namespace {
 
-constexpr std::array both_sides{Side::a, Side::b};
 constexpr std::array<const char*, 2> menus{"##menu-a", "##menu-b"};
 constexpr double gap = 8;            // between columns, at scale 1
 constexpr double wide_enough = 480;  // at scale 1, for labels and values in one line
 
-std::size_t place_of(Side side) { return side == Side::a ? 0 : 1; }
 std::string_view name_of(Side side) { return side == Side::a ? "a" : "b"; }
 
 /// How the values of a row fit its cells.
@@ -124,7 +123,7 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   if (differ)
     draw.AddRectFilled({start.x - px(5), start.y + px(3)}, {start.x - px(2), end - px(1)}, colour_u32(p.text));
 
-  const std::size_t picked = place_of(context.picked);
+  const std::size_t picked = index_of(context.picked);
   std::array<OptionRowContext, 2> contexts;
   std::array<std::string_view, 2> reasons;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -187,7 +186,7 @@ std::array<OptionRowResult, 2> option_pair(const Option& option, std::array<Sett
   const bool same_need = both_rest && waking_text(*context.waking[0]) == waking_text(*context.waking[1]);
   const auto take = [&](std::optional<Side> clicked) {
     if (!clicked) return;
-    const std::size_t i = place_of(*clicked);
+    const std::size_t i = index_of(*clicked);
     results[i].request = OptionRequest::wake;
     results[i].waking = *context.waking[i];
   };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/check.h"
+#include "math/has_nan.h"
 #include "math/portable.h"
 #include "math/unit.h"
 #include "scene/form_frame.h"
@@ -163,8 +164,6 @@ void build_cylinder(const FormFrame& f, const TessellationView& view, Builder& b
     builder.triangle(high, high_a, high_b);
   }
 }
-
-bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// The loops below end for finite numbers alone.
 void require_finite(const FormFrame& f, const TessellationView& view) {

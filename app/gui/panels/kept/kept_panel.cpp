@@ -9,6 +9,7 @@
 
 #include "base/check.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/overlay.h"
 #include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 #include "options/option.h"
@@ -128,37 +129,22 @@ void kept_panel(Session& session, KeptState& state) {
   if (!state.open || !session.has_scene()) return;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float width = std::min(px(600), display.x - px(40)), height = std::min(px(620), display.y - px(60));
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({width, height});
-  ImGui::SetNextWindowFocus();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(16)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
-  ImGui::Begin("##kept", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  const Overlay window("##kept", {(display.x - width) / 2, (display.y - height) / 2}, {width, height},
+                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings,
+                       state.just_opened);
+  const NameScope names("kept");
   {
-    const NameScope names("kept");
-    {
-      const FontScope title(Face::heading);
-      ImGui::TextUnformatted("Presets and bookmarks");
-    }
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - button_width("Close"));
-    if (button("close", "Close", Emphasis::plain)) state.open = false;
-    ImGui::Dummy({0, px(4)});
-    presets(session, state);
-    ImGui::Dummy({0, px(8)});
-    bookmarks(session, state);
+    const FontScope title(Face::heading);
+    ImGui::TextUnformatted("Presets and bookmarks");
   }
-  const bool outside =
-      ImGui::IsMouseClicked(0) && !state.just_opened &&
-      !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  state.just_opened = false;
-  if (outside) state.open = false;
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - button_width("Close"));
+  if (button("close", "Close", Emphasis::plain)) state.open = false;
+  ImGui::Dummy({0, px(4)});
+  presets(session, state);
+  ImGui::Dummy({0, px(8)});
+  bookmarks(session, state);
+  if (window.left()) state.open = false;
 }
 
 std::vector<PaletteEntry> kept_entries(Session& session, const KeptState& state) {

@@ -2,17 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "math/has_nan.h"
 
 namespace ps::gui {
-namespace {
-
-bool is_finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-}  // namespace
-
 std::optional<Vec2i> first_not_finite(const Image<Vec3f>& colour) {
   for (int y = 0; y < colour.height(); ++y)
     for (int x = 0; x < colour.width(); ++x)

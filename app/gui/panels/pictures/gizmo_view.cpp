@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "gui/base/record.h"
+#include "gui/panels/pictures/marks.h"
 #include "gui/session/handles.h"
-#include "gui/theme/theme.h"
 
 namespace ps::gui {
 namespace {
@@ -35,13 +35,6 @@ float distance_to_line(ImVec2 point, ImVec2 from, ImVec2 to) {
   const float share = square > 0 ? ((point.x - from.x) * way.x + (point.y - from.y) * way.y) / square : 0;
   const float at = std::clamp(share, 0.f, 1.f);
   return distance(point, {from.x + way.x * at, from.y + way.y * at});
-}
-
-/// Light on dark, so that it is seen on a picture of any colour.
-template <class Stroke>
-void twice(bool held, Stroke&& stroke) {
-  stroke(IM_COL32(0, 0, 0, 190), px(held ? 6 : 3.5));
-  stroke(IM_COL32(255, 255, 255, 255), px(held ? 3.5 : 1.5));
 }
 
 void draw_grip(ImDrawList& list, const GizmoMark& mark, const Gizmo& gizmo, bool held) {
@@ -81,27 +74,8 @@ void draw_grip(ImDrawList& list, const GizmoMark& mark, const Gizmo& gizmo, bool
 }
 
 std::string words_of(const Gizmo& gizmo, GizmoPart part) {
-  const char* axis = axis_name(gizmo, part.axis);
-  switch (part.deed) {
-  case GizmoDeed::move:
-    return fmt::format("move {} along {}", gizmo.name, axis);
-  case GizmoDeed::turn:
-    return fmt::format("turn {} about {}", gizmo.name, axis);
-  case GizmoDeed::scale:
-    return fmt::format("scale {} along {}", gizmo.name, axis);
-  }
-  return {};
-}
-
-void name_part(ImDrawList& list, const std::string& text, ImVec2 at, const Area& clip) {
-  ImFont* font = theme().font(Face::body);
-  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-  const float pad = px(6);
-  ImVec2 low{at.x + px(22), at.y - extent.y / 2 - pad};
-  if (low.x + extent.x + 2 * pad > clip.max.x) low.x = at.x - px(22) - extent.x - 2 * pad;
-  list.AddRectFilled(low, {low.x + extent.x + 2 * pad, low.y + extent.y + 2 * pad}, colour_u32(palette().panel, 0.94f),
-                     px(4));
-  list.AddText(font, font->FontSize, {low.x + pad, low.y + pad}, colour_u32(palette().text), text.c_str());
+  return fmt::format("{} {} {} {}", deed_word(part.deed), gizmo.name, part.deed == GizmoDeed::turn ? "about" : "along",
+                     axis_name(gizmo, part.axis));
 }
 
 }  // namespace
@@ -168,18 +142,17 @@ void draw_gizmo(ImDrawList& list, const ShownGizmo& shown, const std::optional<G
     const bool is_held = held == mark.part;
     if (is_held) named = &mark;
     if (!mark.line.empty())
-      twice(is_held, [&](ImU32 colour, float thickness) {
+      light_on_dark(is_held, [&](ImU32 colour, float thickness) {
         list.AddPolyline(mark.line.data(), static_cast<int>(mark.line.size()), colour, ImDrawFlags_None, thickness);
       });
   }
   for (const GizmoMark& mark : shown.marks) draw_grip(list, mark, shown.gizmo, held == mark.part);
-  if (named) name_part(list, words_of(shown.gizmo, named->part), named->grip, clip);
+  if (named) name_plate(list, words_of(shown.gizmo, named->part), named->grip, 22, clip);
   list.PopClipRect();
 }
 
 std::string part_key(const Gizmo& gizmo, GizmoPart part) {
-  const char* deed = part.deed == GizmoDeed::move ? "move" : part.deed == GizmoDeed::turn ? "turn" : "scale";
-  return fmt::format("{}/{}", deed, axis_name(gizmo, part.axis));
+  return fmt::format("{}/{}", deed_word(part.deed), axis_name(gizmo, part.axis));
 }
 
 void record_gizmo(const std::string& prefix, const ShownGizmo& shown, const Area& clip) {

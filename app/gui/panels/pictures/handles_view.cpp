@@ -4,16 +4,15 @@
 #include <numbers>
 
 #include "gui/base/record.h"
-#include "gui/theme/theme.h"
+#include "gui/panels/pictures/marks.h"
 
 namespace ps::gui {
 namespace {
 
 constexpr double reach = 10;  // window pixels at scale 1 within which a handle is taken
 
-/// A mark that is visible on a picture of any colour: light on dark.
 void mark(ImDrawList& list, const Handle& handle, ImVec2 at, float radius) {
-  const auto strokes = [&](ImU32 colour, float thickness) {
+  light_on_dark(false, [&](ImU32 colour, float thickness) {
     list.AddCircle(at, radius, colour, 0, thickness);
     if (handle.is_light) {
       for (int ray = 0; ray < 8; ++ray) {
@@ -26,26 +25,12 @@ void mark(ImDrawList& list, const Handle& handle, ImVec2 at, float radius) {
       list.AddLine({at.x - radius, at.y}, {at.x + radius, at.y}, colour, thickness);
       list.AddLine({at.x, at.y - radius}, {at.x, at.y + radius}, colour, thickness);
     }
-  };
-  strokes(IM_COL32(0, 0, 0, 190), px(3.5));
-  strokes(IM_COL32(255, 255, 255, 255), px(1.5));
+  });
 }
 
 void small_mark(ImDrawList& list, ImVec2 at) {
   list.AddCircleFilled(at, px(4.5), IM_COL32(0, 0, 0, 170));
   list.AddCircleFilled(at, px(3), IM_COL32(255, 255, 255, 255));
-}
-
-void name_plate(ImDrawList& list, const std::string& name, ImVec2 at, const Area& area) {
-  ImFont* font = theme().font(Face::body);
-  const std::string text = "drag " + name;
-  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-  const float pad = px(6);
-  ImVec2 low{at.x + px(18), at.y - extent.y / 2 - pad};
-  if (low.x + extent.x + 2 * pad > area.max.x) low.x = at.x - px(18) - extent.x - 2 * pad;
-  list.AddRectFilled(low, {low.x + extent.x + 2 * pad, low.y + extent.y + 2 * pad}, colour_u32(palette().panel, 0.94f),
-                     px(4));
-  list.AddText(font, font->FontSize, {low.x + pad, low.y + pad}, colour_u32(palette().text), text.c_str());
 }
 
 }  // namespace
@@ -84,7 +69,7 @@ void draw_handles(ImDrawList& list, const std::vector<Handle>& handles, const st
     if (handle.path != held) continue;
     const ImVec2 at = transform.to_window(handle.place, area);
     mark(list, handle, at, px(8));
-    name_plate(list, handle.name, at, area);
+    name_plate(list, "drag " + handle.name, at, 18, area);
   }
   list.PopClipRect();
 }

@@ -11,6 +11,7 @@
 #include "base/word_search.h"
 #include "gui/input/imgui_keys.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/overlay.h"
 #include "gui/widgets/widgets.h"
 #include "scene/load.h"
 
@@ -135,14 +136,8 @@ void open_scene_gallery(SceneGallery& gallery) {
 void scene_gallery(Session& session, SceneGallery& gallery) {
   if (!gallery.open) return;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({px(20), px(20)});
-  ImGui::SetNextWindowSize({display.x - px(40), display.y - px(40)});
-  ImGui::SetNextWindowFocus();
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(24), px(16)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().field);
-  ImGui::Begin("##scenes", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  const Overlay window("##scenes", {px(20), px(20)}, {display.x - px(40), display.y - px(40)},
+                       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, gallery.just_opened);
   const NameScope names("scenes");
   {
     const FontScope title(Face::heading);
@@ -164,15 +159,8 @@ void scene_gallery(Session& session, SceneGallery& gallery) {
   ImGui::EndChild();
   if (!gallery.just_opened && pressed(Key::enter) && !found.empty())
     chosen = builtin_scenes()[found[static_cast<std::size_t>(gallery.selected)]].name;
-  const bool outside =
-      ImGui::IsMouseClicked(0) && !gallery.just_opened &&
-      !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  gallery.just_opened = false;
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
   if (!chosen.empty()) session.open(chosen);
-  if (outside || !chosen.empty()) gallery.open = false;
+  if (window.left() || !chosen.empty()) gallery.open = false;
   std::set<std::uint64_t> ids;
   for (std::size_t i = 0; i < builtin_scenes().size(); ++i) ids.insert(i);
   gallery.thumbnails.update(ids);

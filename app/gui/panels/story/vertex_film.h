@@ -6,7 +6,7 @@
 
 namespace ps::gui {
 
-/// The film of a vertex's way from its model to the canvas.
+/// The animation of a vertex and its model from model space to the canvas.
 struct VertexFilm {
   bool playing = false;
   double time = 0;                    ///< 0 = in the model, 4 = on the canvas

@@ -1,0 +1,22 @@
+#pragma once
+#include <imgui.h>
+
+namespace ps::gui {
+
+/// A window over all others, which a click beside it closes. `just_opened` is set by whoever opens it, so that the
+/// click that did so does not count.
+class Overlay {
+ public:
+  Overlay(const char* id, ImVec2 corner, ImVec2 size, ImGuiWindowFlags flags, bool& just_opened);
+  ~Overlay();
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  /// Whether the mouse was pressed beside the window; to be asked after its content was drawn.
+  bool left() const;
+
+ private:
+  bool& just_opened_;
+};
+
+}  // namespace ps::gui
