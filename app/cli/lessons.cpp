@@ -29,7 +29,7 @@ void print_state(const LessonState& state) {
   fmt::print("    scene {}\n", state.scene);
   for (const std::string& setting : state.set_a) fmt::print("    A: {}\n", setting);
   for (const std::string& setting : state.set_b) fmt::print("    B: {}\n", setting);
-  if (state.pixel) fmt::print("    pixel {},{}\n", state.pixel->x, state.pixel->y);
+  for (const StatePart& part : state.parts) fmt::print("    {} {}\n", part.key, part.value);
 }
 
 void print_blocks(const std::vector<TextBlock>& blocks) {

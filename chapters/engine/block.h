@@ -17,8 +17,9 @@ struct BlockLine {
   SourcePlace place;
 };
 
-/// Carries out one line of a `settings` block: scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare.
-/// Gives false for any other word; throws InputError for a bad value.
+/// Carries out one line of a `settings` block: scene, set, set-b, set-both, mode, stage, sweep, experiment, `edit PATH
+/// VALUE`, and every part of a permalink under its name there, such as camera, pixel, zoom, region, gain, event,
+/// vertex. Gives false for any other word; throws InputError for a bad value.
 bool read_state_line(const BlockLine& line, LessonState& state);
 
 /// Reads a `claim` block: text, metric, bound, mutation, and any line of a `settings` block, which changes the step's

@@ -18,21 +18,24 @@ namespace ps {
 /// The stage of a step that needs no tool: its pictures have all the place.
 inline constexpr std::string_view pictures_stage = "pictures";
 
+/// One part of a document as a permalink names it: "camera", "edit.light.0.position", "gain".
+struct StatePart {
+  std::string key, value;
+  bool operator==(const StatePart&) const = default;
+};
+
 /// What a step puts on the screen. Everything starts from the scene's own settings, so that each step can be shown
 /// without those before it.
 struct LessonState {
-  std::string scene;          ///< name or path as load_scene takes it; "./x" in a lesson is a file beside it
-  std::optional<Vec2i> size;  ///< absent: the scene's canvas
+  std::string scene;  ///< name or path as load_scene takes it; "./x" in a lesson is a file beside it
   std::vector<std::string> set_a, set_b;  ///< "key=value", applied in order
-  std::optional<Vec2i> pixel;             ///< absent: the scene's start pixel
-  Side picked = Side::a;
-  ShownChannel show_a{}, show_b{};
-  CompareMode compare = CompareMode::side_by_side;
-  ScreenMode mode = ScreenMode::lesson;  ///< in which the step is shown, unless it is presented
-  std::string stage;                     ///< the tool that it is about: as Layout::stage has it
-  std::string sweep;                     ///< of the chart, as sweep_text() writes it; empty: the one that is chosen
-  std::string experiment;                ///< of the stability tab; empty: the one that is shown
+  std::vector<StatePart> parts;           ///< all else that a permalink can hold, applied in order, each key once
+  ScreenMode mode = ScreenMode::lesson;   ///< in which the step is shown, unless it is presented
+  std::string stage;                      ///< the tool that it is about: as Layout::stage has it
 };
+
+/// The value of a part, or nullptr if the state leaves it as it is.
+const std::string* part_of(const LessonState& state, std::string_view key);
 
 /// A number that can be measured on the pictures A and B of a state.
 enum class ClaimMetric {
@@ -94,6 +97,16 @@ struct Lesson {
 
 /// Names of all lessons, in the order of their folders.
 std::vector<std::string> lesson_names();
+/// Where a step is.
+struct LessonPlace {
+  std::string lesson;  ///< the folder
+  int step = 0;        ///< from 0
+  bool operator==(const LessonPlace&) const = default;
+};
+/// Reads "NAME" or "NAME/STEP", with STEP from 1. Throws InputError for an unknown lesson (naming the nearest) and for
+/// what is no step's number; whether the lesson has so many steps is not checked.
+LessonPlace parse_lesson_place(std::string_view text);
+
 /// Reads the lesson of that name. Throws InputError for an unknown name (naming the nearest) or a faulty file.
 Lesson load_lesson(const std::string& name);
 /// Reads the text of a lesson.md. `file` is only for messages.
@@ -103,7 +116,16 @@ Lesson parse_lesson(std::string_view text, const std::string& name, const std::s
 /// loaded scene of `now`. Throws InputError when the scene cannot be loaded.
 Document lesson_document(const Lesson& lesson, int step, const Document& now);
 
-/// A document for a state alone.
+/// The document that a permalink encodes, with its scene. A permalink that names a lesson and no scene is one of the
+/// lesson's step ("lesson=cgfs_03_light&step=2", with steps from 0). Throws InputError as parse_permalink() does, and
+/// when the scene or the lesson cannot be loaded.
+Document linked_document(std::string_view link);
+
+/// A document for a state alone. Throws InputError when the scene cannot be loaded or a part does not fit it.
 Document state_document(const LessonState& state, const Document& now);
+
+/// Changes the document by what `change` sets beside a scene: settings and parts. Throws InputError for a part that
+/// does not fit the document's scene, which is then left as it was.
+void change_document(const LessonState& change, Document& document);
 
 }  // namespace ps

@@ -121,8 +121,8 @@ class LessonParser {
         at_place(line.place, [&] {
           if (!read_state_line(line, state))
             throw InputError(line.place, fmt::format("'{} {}'", line.word, line.rest),
-                             "scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare, mode, stage, "
-                             "sweep or experiment");
+                             "scene, set, set-b, set-both, edit, show, mode, stage, sweep, experiment, or a part of a "
+                             "permalink such as size, pixel, camera, zoom, region, gain, event, vertex");
         });
     }
     block_.clear();
