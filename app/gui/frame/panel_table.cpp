@@ -117,7 +117,12 @@ Panel history(Session& session, PanelStates& my) {
 /// The question hides the story, and what is seen around the pixel.
 void update_question(Session& session, PanelStates& my) {
   my.pictures.asked.reset();
-  if (session.pixel() && prediction_pending(session, my.predict))
+  my.pictures.hidden = {};
+  if (!prediction_pending(session, my.predict)) return;
+  const LessonQuestion* question = my.predict.lesson->question();
+  if (question && my.predict.lesson->open() && session.document().mode == ScreenMode::lesson)
+    my.pictures.hidden = question->hidden;
+  if (session.pixel() && asks_about_pixel(my.predict))
     my.pictures.asked = Hover{inspected_side(session), *session.pixel()};
 }
 
@@ -155,6 +160,11 @@ Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
               [&](Values& out) {
                 out.offer("predict/points", [&] { return my.predict.points; });
                 out.offer("predict/asked", [&] { return my.predict.asked; });
+                out.offer("question/open", [&] { return my.predict.lesson->open(); });
+                out.offer("question/points", [&] {
+                  const Judgement* verdict = my.predict.lesson->verdict();
+                  return verdict ? verdict->points : 0;
+                });
               },
           .update =
               [&] {
@@ -475,6 +485,7 @@ bool rows_match_names(const std::vector<Panel>& panels) {
 PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
     : scenes(wake), history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake),
       folder(remember), chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
+  predict.lesson = std::make_unique<LessonQuestions>(wake, remember);
   pictures.meter = std::make_unique<DifferenceMeter>(wake);
   stability.folder = folder.of("stability");
 }
