@@ -26,7 +26,7 @@ GivenAnswer read_answer(const std::string& line) {
 
 /// A field of a table; what a spreadsheet would take for a formula stays text.
 std::string field(std::string text) {
-  if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos) text.insert(0, "'");
+  if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos) text = "'" + text;
   return csv_field(text);
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "engine/question.h"
-#include "gui/panels/studies/background_study.h"
 #include "gui/session/session.h"
+#include "gui/work/background_study.h"
 
 namespace ps::gui {
 
