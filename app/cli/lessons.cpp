@@ -7,21 +7,24 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "engine/answers.h"
+#include "engine/course.h"
 #include "engine/lesson.h"
+#include "engine/lesson_length.h"
 #include "record/value_text.h"
 
 namespace ps::cli {
 namespace {
 
 int list_lessons() {
-  for (const std::string& name : lesson_names()) {
-    const Lesson lesson = load_lesson(name);
-    const auto claims = [&] {
-      std::size_t count = 0;
-      for (const LessonStep& step : lesson.steps) count += step.claims.size();
-      return count;
-    }();
-    fmt::print("{:<34} {} ({}; {} steps, {} claims)\n", name, lesson.title, lesson.source, lesson.steps.size(), claims);
+  for (const CoursePart& part : load_course().parts) {
+    fmt::print("{}\n", part.title);
+    for (const CourseLesson& each : part.lessons) {
+      const Lesson lesson = load_lesson(each.name);
+      const LessonLength length = length_of(lesson);
+      fmt::print("  {:<34} {} ({}; {} steps, {} claims, {} questions, {} min)\n", each.name, lesson.title,
+                 lesson.source, length.steps, length.claims, length.questions, length.minutes());
+      if (!each.after.empty()) fmt::print("  {:<34} after {}\n", "", fmt::join(each.after, ", "));
+    }
   }
   return 0;
 }

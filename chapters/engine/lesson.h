@@ -31,8 +31,11 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-/// Names of all lessons, in the order of their folders.
-std::vector<std::string> lesson_names();
+/// The folders of chapters/ that hold a lesson.md, in alphabetical order.
+std::vector<std::string> lesson_folders();
+/// Names of all lessons: in the order of the course, and behind it those that are not in it. If the course cannot be
+/// read, in that of lesson_folders(). Read once.
+const std::vector<std::string>& lesson_names();
 /// Where a step is.
 struct LessonPlace {
   std::string lesson;  ///< the folder

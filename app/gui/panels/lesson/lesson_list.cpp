@@ -3,18 +3,29 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "engine/course.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
 
+/// The course, or one without parts where it cannot be read, which the lesson menu reports.
+Course readable_course() {
+  try {
+    return load_course();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 std::vector<ListedLesson> readable_lessons() {
   std::vector<ListedLesson> lessons;
+  const Course course = readable_course();
   for (const auto& name : lesson_names()) {
     try {
       const Lesson lesson = load_lesson(name);
-      lessons.push_back({name, lesson.title, lesson.source, length_of(lesson)});
+      lessons.push_back({name, lesson.title, lesson.source, std::string(part_title(course, name)), length_of(lesson)});
     } catch (const InputError&) {
       continue;  // the lesson menu says what is wrong with it
     }
@@ -38,7 +49,12 @@ const std::vector<ListedLesson>& listed_lessons() {
 void lesson_list(Session& session, const ReadLessons& read) {
   const NameScope scope("lessons");
   ImGui::BeginChild("lessons");
+  std::string_view part;
   for (const ListedLesson& lesson : listed_lessons()) {
+    if (lesson.part != part) {
+      part = lesson.part;
+      ImGui::TextDisabled("%s", lesson.part.c_str());
+    }
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string text =
         fmt::format("{}   {} steps, {} min", lesson.title, lesson.length.steps, lesson.length.minutes());

@@ -12,6 +12,7 @@ namespace ps::gui {
 /// A lesson as lists show it.
 struct ListedLesson {
   std::string name, title, source;
+  std::string part;  ///< of the course
   LessonLength length;
 };
 
