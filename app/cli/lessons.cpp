@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "engine/claim.h"
+#include "engine/answers.h"
 #include "engine/lesson.h"
 #include "record/value_text.h"
 
@@ -29,7 +30,7 @@ void print_state(const LessonState& state) {
   fmt::print("    scene {}\n", state.scene);
   for (const std::string& setting : state.set_a) fmt::print("    A: {}\n", setting);
   for (const std::string& setting : state.set_b) fmt::print("    B: {}\n", setting);
-  if (state.pixel) fmt::print("    pixel {},{}\n", state.pixel->x, state.pixel->y);
+  for (const StatePart& part : state.parts) fmt::print("    {} {}\n", part.key, part.value);
 }
 
 void print_blocks(const std::vector<TextBlock>& blocks) {
@@ -60,46 +61,103 @@ int show_lesson(const std::string& name) {
     print_blocks(step.blocks);
     for (const TextBlock& hint : step.hints) fmt::print("\nLook for: {}\n", plain_text(hint));
     for (const Claim& claim : step.claims)
-      fmt::print("\nClaim: {} ({} {} {}; does not hold with the default {})\n", claim.text, metric_key(claim.metric),
-                 bound_text(claim.bound), number_text(claim.number), claim.mutation);
+      fmt::print("\nClaim: {} ({} {}; does not hold with {})\n", claim.text, metric_text(claim.metric),
+                 bound_text(claim.bound), claim.mutation.text);
+    if (step.question) fmt::print("\nQuestion ({}): {}\n", ask_text(*step.question), step.question->text);
   }
   return 0;
 }
 
-/// Checks one claim and prints its row. Gives whether it passed.
-bool check(const Claim& claim) {
+/// What was checked so far.
+struct Tally {
+  std::size_t claims = 0, questions = 0, bugs = 0, failures = 0;
+};
+
+/// Checks one claim and prints its row.
+void check(const Claim& claim, Tally& tally) {
+  ++tally.claims;
   const ClaimResult result = check_claim(claim, interruptible_progress());
   std::string verdict = "ok";
   if (!result.holds)
     verdict = "DOES NOT HOLD";
   else if (!result.has_teeth)
-    verdict = fmt::format("HOLDS WITHOUT {} TOO", claim.mutation);
-  fmt::print("  {:<20} {:>9} {:>2} {:<8} {:>9} with the default {:<18} {:<13} {}\n", metric_key(claim.metric),
-             number_text(result.value), bound_text(claim.bound), number_text(claim.number),
-             number_text(result.mutated_value), claim.mutation, verdict, claim.text);
-  return result.passed();
+    verdict = "HOLDS WITH THE MUTATION TOO";
+  fmt::print("  {:<30} {:>9} {:<12} {:>9} with {:<28} {:<13} {}\n", metric_text(claim.metric),
+             number_text(result.value), bound_text(claim.bound), number_text(result.mutated_value), claim.mutation.text,
+             verdict, claim.text);
+  if (!result.passed()) ++tally.failures;
+}
+
+void check(const LessonQuestion& question, Tally& tally) {
+  ++tally.questions;
+  std::string found;
+  const std::string objection = check_question(question, interruptible_progress(), found);
+  fmt::print("  question {:<21} {} {} {}\n", ask_text(question), found, objection.empty() ? "ok" : "NO: " + objection,
+             question.text);
+  if (!objection.empty()) ++tally.failures;
+}
+
+/// Whether the step can be put on the screen; if not, says why.
+bool check_state(const Lesson& lesson, std::size_t step) {
+  try {
+    lesson_document(lesson, static_cast<int>(step), Document{});
+    return true;
+  } catch (const InputError& error) {
+    fmt::print("  step {} cannot be shown: {}\n", step + 1, error.what());
+    return false;
+  }
+}
+
+/// Of one text: whether its links to steps of other lessons lead to steps that are there.
+void check_links(const std::vector<TextBlock>& blocks, Tally& tally) {
+  for (const TextBlock& block : blocks)
+    for (const TextSpan& span : block.spans) {
+      if (span.link.kind != LinkKind::lesson) continue;
+      const std::size_t steps = load_lesson(span.link.target).steps.size();
+      if (static_cast<std::size_t>(span.link.step) < steps) continue;
+      fmt::print("  the link '{}' leads to step {} of {}, which has {}\n", span.text, span.link.step + 1,
+                 span.link.target, steps);
+      ++tally.failures;
+    }
 }
 
 int check_lessons(std::vector<std::string> names) {
   if (names.empty()) names = lesson_names();
-  std::size_t claims = 0, failures = 0;
+  Tally tally;
   for (const std::string& name : names) {
     const Lesson lesson = load_lesson(name);
     fmt::print("{}\n", name);
-    for (const LessonStep& step : lesson.steps)
-      for (const Claim& claim : step.claims) {
-        ++claims;
-        if (!check(claim)) ++failures;
+    check_links(lesson.blocks, tally);
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+      const LessonStep& step = lesson.steps[i];
+      check_links(step.blocks, tally);
+      check_links(step.hints, tally);
+      if (!check_state(lesson, i)) {
+        ++tally.failures;
+        continue;
       }
+      for (const Claim& claim : step.claims) check(claim, tally);
+      if (step.question) check(*step.question, tally);
+    }
   }
-  fmt::print("{} claims checked, {} failed\n", claims, failures);
-  return failures == 0 ? 0 : 1;
+  fmt::print("{} claims, {} questions, {} bugs checked, {} failed\n", tally.claims, tally.questions, tally.bugs,
+             tally.failures);
+  return tally.failures == 0 ? 0 : 1;
+}
+
+int export_answers(const std::string& student, const std::string& out) {
+  const std::string table = answers_csv(kept_answers(answers_file()), student);
+  if (out.empty())
+    fmt::print("{}", table);
+  else
+    write_file_atomically(out, table);
+  return 0;
 }
 
 }  // namespace
 
 void add_lessons_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("lessons", "list, show or check the lessons");
+  CLI::App* command = app.add_subcommand("lessons", "list, show or check the lessons; export answers");
   command->require_subcommand(0, 1);
   command->add_subcommand("list", "all lessons")->callback([&chosen] { chosen = list_lessons; });
   command->callback([&chosen] {
@@ -111,10 +169,16 @@ void add_lessons_command(CLI::App& app, Action& chosen) {
   show->add_option("NAME", *name, "a lesson")->required();
   show->callback([&chosen, name] { chosen = [name] { return show_lesson(*name); }; });
 
-  CLI::App* check_command =
-      command->add_subcommand("check", "check the claims of the named lessons, or of all; exit status 1 if one fails");
+  CLI::App* check_command = command->add_subcommand(
+      "check", "check claims, questions and links of the named lessons, or of all; exit status 1 if one fails");
   const auto names = std::make_shared<std::vector<std::string>>();
   check_command->add_option("NAME", *names, "lessons");
+  CLI::App* answers = command->add_subcommand("answers", "the answers given in the window so far, as a table (CSV)");
+  const auto student = std::make_shared<std::string>(), out = std::make_shared<std::string>();
+  answers->add_option("--name", *student, "whose answers they are: the first column");
+  answers->add_option("--out", *out, "file to write; without it the table is printed");
+  answers->callback([&chosen, student, out] { chosen = [student, out] { return export_answers(*student, *out); }; });
+
   check_command->callback([&chosen, names] { chosen = [names] { return check_lessons(*names); }; });
 }
 

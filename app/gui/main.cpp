@@ -35,7 +35,7 @@ int run(int argc, char** argv) {
       cli.add_option("--scale", scale, "Size of text and controls, 0.75 to 4")->check(ps::number_from(0.75, 4));
   cli.add_option("--script", shell_options.script, "Run the commands of a script file in the window, then quit");
   cli.add_option("SCENE", app_options.scene, "A .scene or .obj file, or the name of a built-in scene");
-  cli.add_option("--lesson", app_options.lesson, "Open a lesson, by its name");
+  cli.add_option("--lesson", app_options.lesson, "NAME or NAME/STEP: open a lesson, at a step counted from 1");
   cli.add_option("--set", app_options.set, "KEY=VALUE: an option of picture A; may be repeated")
       ->allow_extra_args(false);
   cli.add_option("--set-b", app_options.set_b, "KEY=VALUE: an option of picture B")->allow_extra_args(false);

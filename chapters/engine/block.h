@@ -17,16 +17,21 @@ struct BlockLine {
   SourcePlace place;
 };
 
-/// Carries out one line of a `settings` block: scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare.
-/// Gives false for any other word; throws InputError for a bad value.
+/// Carries out one line of a `settings` block: scene, set, set-b, set-both, mode, stage, sweep, experiment, `edit PATH
+/// VALUE`, and every part of a permalink under its name there, such as camera, pixel, zoom, region, gain, event,
+/// vertex. Gives false for any other word; throws InputError for a bad value.
 bool read_state_line(const BlockLine& line, LessonState& state);
 
-/// Reads a `claim` block: text, metric, bound, mutation, and any line of a `settings` block, which changes the step's
-/// state for this claim alone. `start` is the step's state.
+/// Reads a `claim` block: text, metric, within, bound, mutation, and any line of a `settings` block, which changes the
+/// step's state for this claim alone. `start` is the step's state.
 Claim read_claim(const std::vector<BlockLine>& lines, const LessonState& start, const SourcePlace& place);
 
-/// Reads a `predict` block: ask (colour, winner or rays) and text (the question).
-Prediction read_prediction(const std::vector<BlockLine>& lines, const SourcePlace& place);
+/// Reads a `question` block: ask, text, what its kind needs, and any line of a `settings` block, which holds for the
+/// measurement alone. `start` is the step's state.
+LessonQuestion read_question(const std::vector<BlockLine>& lines, const LessonState& start, const SourcePlace& place);
+
+/// Throws InputError for a rectangle of a metric that is not measured on one.
+void require_within(const Metric& metric);
 
 /// Runs `read()`; an InputError without a place is thrown again with the line's in front of its message.
 template <class Read>

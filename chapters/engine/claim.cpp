@@ -2,127 +2,87 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
-#include "base/number_text.h"
+#include "document/number_list.h"
 #include "engine/block.h"
 #include "options/option.h"
 
 namespace ps {
 namespace {
 
-constexpr std::array<std::string_view, 16> metric_keys{"differing-pixels",
-                                                       "mean-difference",
-                                                       "max-difference",
-                                                       "counter-a",
-                                                       "counter-b",
-                                                       "false-shadow-pixels",
-                                                       "red-a",
-                                                       "green-a",
-                                                       "blue-a",
-                                                       "red-b",
-                                                       "green-b",
-                                                       "blue-b",
-                                                       "object-a",
-                                                       "object-b",
-                                                       "triangle-a",
-                                                       "triangle-b"};
-
-Counter parse_counter(std::string_view key) {
-  for (std::size_t i = 0; i < counter_count; ++i)
-    if (counter_key(static_cast<Counter>(i)) == key) return static_cast<Counter>(i);
-  throw InputError(fmt::format("'{}' is not a counter", key));
-}
-
-bool counts(ClaimMetric metric) { return metric == ClaimMetric::counter_a || metric == ClaimMetric::counter_b; }
-
-void read_metric(const std::string& rest, Claim& claim) {
-  const auto space = rest.find(' ');
-  claim.metric = parse_metric(rest.substr(0, space));
-  const std::string argument = space == std::string::npos ? "" : rest.substr(space + 1);
-  if (counts(claim.metric))
-    claim.counter = parse_counter(argument);
-  else if (!argument.empty())
-    throw InputError(fmt::format("found '{}' after the metric, expected nothing", argument));
-}
-
-/// ">= 1000"
-void read_bound(const std::string& rest, Claim& claim) {
-  const auto space = rest.find(' ');
-  const std::string sign = rest.substr(0, space);
-  const auto number = space == std::string::npos ? std::nullopt : parse_number(rest.substr(space + 1));
-  if (!number) throw InputError(fmt::format("found '{}', expected >=, <= or = and a number", rest));
-  claim.number = *number;
-  for (const ClaimBound bound : {ClaimBound::at_least, ClaimBound::at_most, ClaimBound::equals})
-    if (bound_text(bound) == sign) {
-      claim.bound = bound;
-      return;
+/// What stands behind `mutation`: the key of an option, `metric ...`, or a line of a `settings` block.
+void read_mutation(const BlockLine& line, const Claim& claim, Mutation& mutation) {
+  const auto space = line.rest.find(' ');
+  BlockLine change{line.rest.substr(0, space), {}, line.place};
+  std::string text = line.rest;
+  if (space == std::string::npos) {
+    if (!find_option(line.rest))
+      throw InputError(fmt::format("mutation: '{}' is not an option, nor a line of a settings block", line.rest));
+    mutation.reset.push_back(line.rest);
+    text = "default " + line.rest;
+  } else {
+    change.rest = line.rest.substr(line.rest.find_first_not_of(' ', space));
+    if (change.word == "metric") {
+      mutation.metric = parse_metric(change.rest);
+      mutation.metric.within = claim.metric.within;
+      mutation.changes_metric = true;
+    } else if (!read_state_line(change, mutation.state)) {
+      throw InputError(fmt::format(
+          "mutation: found '{}', expected an option, 'metric ...' or a line of a settings block", line.rest));
     }
-  throw InputError(fmt::format("found '{}', expected >=, <= or =", sign));
+  }
+  mutation.text += (mutation.text.empty() ? "" : "; ") + text;
 }
 
-void read_claim_line(const BlockLine& line, Claim& claim) {
+void read_claim_line(const BlockLine& line, Claim& claim, std::vector<BlockLine>& mutations) {
   if (line.word == "text") {
     claim.text = line.rest;
   } else if (line.word == "metric") {
-    read_metric(line.rest, claim);
+    const auto within = claim.metric.within;
+    claim.metric = parse_metric(line.rest);
+    claim.metric.within = within;
+  } else if (line.word == "within") {
+    claim.metric.within = parse_region_text(line.rest);
   } else if (line.word == "bound") {
-    read_bound(line.rest, claim);
+    claim.bound = parse_bound(line.rest);
   } else if (line.word == "mutation") {
-    if (!find_option(line.rest)) throw InputError(fmt::format("mutation: '{}' is not an option", line.rest));
-    claim.mutation = line.rest;
-  } else if (!read_state_line(line, claim.state)) {
+    mutations.push_back(line);
+  } else if (read_state_line(line, claim.state)) {
+    read_state_line(line, claim.own);
+  } else {
     throw InputError(fmt::format("unknown word '{}' in a claim", line.word));
   }
 }
 
-}  // namespace
-
-std::string_view metric_key(ClaimMetric metric) { return metric_keys.at(static_cast<std::size_t>(metric)); }
-
-ClaimMetric parse_metric(std::string_view key) {
-  for (std::size_t i = 0; i < metric_keys.size(); ++i)
-    if (metric_keys[i] == key) return static_cast<ClaimMetric>(i);
-  throw InputError(fmt::format("'{}' is not a metric, expected one of {}", key, fmt::join(metric_keys, " ")));
+bool has_line(const std::vector<BlockLine>& lines, std::string_view word) {
+  for (const BlockLine& line : lines)
+    if (line.word == word) return true;
+  return false;
 }
 
-std::string_view bound_text(ClaimBound bound) {
-  switch (bound) {
-  case ClaimBound::at_least:
-    return ">=";
-  case ClaimBound::at_most:
-    return "<=";
-  case ClaimBound::equals:
-    return "=";
-  }
-  return "";
+}  // namespace
+
+void require_within(const Metric& metric) {
+  if (metric.within && !reads_pictures(metric.kind))
+    throw InputError(fmt::format("within: '{}' is not measured on a part of the pictures", metric_text(metric)));
 }
 
 Claim read_claim(const std::vector<BlockLine>& lines, const LessonState& start, const SourcePlace& place) {
   Claim claim;
   claim.state = start;
   claim.place = place;
-  bool metric = false, bound = false;
-  for (const BlockLine& line : lines) {
-    at_place(line.place, [&] { read_claim_line(line, claim); });
-    metric = metric || line.word == "metric";
-    bound = bound || line.word == "bound";
-  }
-  if (claim.text.empty() || !metric || !bound || claim.mutation.empty())
+  std::vector<BlockLine> mutations;
+  for (const BlockLine& line : lines) at_place(line.place, [&] { read_claim_line(line, claim, mutations); });
+  if (claim.text.empty() || !has_line(lines, "metric") || !has_line(lines, "bound") || mutations.empty())
     throw InputError(place, "a claim that lacks a line", "text, metric, bound and mutation");
+  at_place(place, [&] { require_within(claim.metric); });
+  claim.mutation.state = claim.state;
+  claim.mutation.metric = claim.metric;
+  for (const BlockLine& line : mutations)
+    at_place(line.place, [&] {
+      read_mutation(line, claim, claim.mutation);
+      require_within(claim.mutation.metric);
+    });
   return claim;
-}
-
-bool keeps_bound(const Claim& claim, double value) {
-  switch (claim.bound) {
-  case ClaimBound::at_least:
-    return value >= claim.number;
-  case ClaimBound::at_most:
-    return value <= claim.number;
-  case ClaimBound::equals:
-    return value == claim.number;
-  }
-  return false;
 }
 
 }  // namespace ps

@@ -1,27 +1,43 @@
 #pragma once
-#include <string_view>
+#include <string>
+#include <vector>
 
-#include "base/progress.h"
-#include "engine/lesson.h"
+#include "engine/metric.h"
+#include "engine/state.h"
 
 namespace ps {
 
-/// "differing-pixels": the metric's name in a lesson file.
-std::string_view metric_key(ClaimMetric metric);
-/// Throws InputError, naming the metrics there are.
-ClaimMetric parse_metric(std::string_view key);
-/// ">=", "<=" or "="
-std::string_view bound_text(ClaimBound bound);
+/// What breaks a claim: options that go back to their defaults on both sides, lines as a step has them, or another
+/// thing that is measured.
+struct Mutation {
+  std::vector<std::string> reset;  ///< keys of options
+  LessonState state;               ///< the claim's with the lines of the mutation
+  Metric metric;                   ///< the claim's, or the one in its place
+  bool changes_metric = false;     ///< nothing on the screen changes
+  std::string text;                ///< "default shadow-epsilon", "scene cgfs/spheres"
+};
 
-/// Measures the claim's number on the pictures of `document`, which must be at the claim's state.
-double measure(const Claim& claim, const Document& document, Progress& progress);
+/// A statement of a lesson that a test checks: a measured number keeps a bound, and no longer does after the mutation,
+/// so that this is what makes it true.
+struct Claim {
+  std::string text;
+  LessonState state;  ///< of the step, with the claim's own lines
+  LessonState own;    ///< the claim's own lines alone
+  Metric metric;
+  Bound bound;
+  Mutation mutation;
+  SourcePlace place;
+};
 
-bool keeps_bound(const Claim& claim, double value);
+/// The document that a claim speaks of. Throws InputError when it cannot be made.
+Document claim_document(const Claim& claim, const Document& now);
+/// The same with the mutation.
+Document mutated_document(const Claim& claim, const Document& now);
 
 /// What a check found.
 struct ClaimResult {
   double value = 0;          ///< with the step's settings
-  double mutated_value = 0;  ///< with the option of the mutation reset
+  double mutated_value = 0;  ///< with the mutation
   bool holds = false;        ///< the value keeps the bound
   bool has_teeth = false;    ///< the mutated value breaks it
   bool passed() const { return holds && has_teeth; }

@@ -25,12 +25,7 @@ std::vector<std::string> lesson_names() {
 }
 
 Lesson load_lesson(const std::string& name) {
-  const std::vector<std::string> names = lesson_names();
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    throw InputError(fmt::format("unknown lesson '{}'{}", name,
-                                 did_you_mean(name, known, "; 'pixelscope-cli lessons list' lists them")));
-  }
+  parse_lesson_place(name);
   const std::filesystem::path file = lesson_file(name);
   return parse_lesson(read_whole_file(file, largest_lesson), name, file.string());
 }

@@ -33,7 +33,7 @@ LessonLength length_of(const Lesson& lesson) {
   for (const LessonStep& step : lesson.steps) {
     length.words += words_in(step.blocks) + words_in(step.hints);
     length.claims += static_cast<int>(step.claims.size());
-    length.questions += step.prediction ? 1 : 0;
+    length.questions += step.question ? 1 : 0;
   }
   return length;
 }

@@ -64,8 +64,8 @@ class LessonParser {
     if (starts_with(text, "```")) {
       block_ = trimmed(text.substr(3));
       block_place_ = place();
-      if (block_ != "settings" && block_ != "claim" && block_ != "predict")
-        throw InputError(place(), fmt::format("a block named '{}'", block_), "```settings, ```claim or ```predict");
+      if (block_ != "settings" && block_ != "claim" && block_ != "question")
+        throw InputError(place(), fmt::format("a block named '{}'", block_), "```settings, ```claim or ```question");
     } else if (starts_with(text, "## ")) {
       begin_step(std::string(trimmed(text.substr(3))));
     } else if (starts_with(text, "# ")) {
@@ -108,10 +108,10 @@ class LessonParser {
 
   void end_block() {
     const bool in_step = !lesson_.steps.empty();
-    if (block_ == "predict") {
+    if (block_ == "question") {
       if (!in_step) throw InputError(block_place_, "a question before the first step", "questions inside steps");
-      if (lesson_.steps.back().prediction) throw InputError(block_place_, "a second question", "one for each step");
-      lesson_.steps.back().prediction = read_prediction(lines_, block_place_);
+      if (lesson_.steps.back().question) throw InputError(block_place_, "a second question", "one for each step");
+      lesson_.steps.back().question = read_question(lines_, lesson_.steps.back().state, block_place_);
     } else if (block_ == "claim") {
       if (!in_step) throw InputError(block_place_, "a claim before the first step", "claims inside steps");
       lesson_.steps.back().claims.push_back(read_claim(lines_, lesson_.steps.back().state, block_place_));
@@ -121,8 +121,8 @@ class LessonParser {
         at_place(line.place, [&] {
           if (!read_state_line(line, state))
             throw InputError(line.place, fmt::format("'{} {}'", line.word, line.rest),
-                             "scene, size, pixel, set, set-b, set-both, show, show-b, picked, compare, mode, stage, "
-                             "sweep or experiment");
+                             "scene, set, set-b, set-both, edit, show, mode, stage, sweep, experiment, or a part of a "
+                             "permalink such as size, pixel, camera, zoom, region, gain, event, vertex");
         });
     }
     block_.clear();

@@ -42,22 +42,70 @@ std::string parse_stage(const std::string& text) {
   return text;
 }
 
-/// A scene that starts with "./" lies in the lesson's own folder.
-std::string scene_of(const BlockLine& line) {
+/// A file that starts with "./" lies in the lesson's own folder.
+std::string file_of(const BlockLine& line) {
   if (line.rest.rfind("./", 0) != 0) return line.rest;
   return (std::filesystem::path(line.place.file).parent_path() / line.rest.substr(2)).string();
 }
 
+/// The words of a step for parts that permalinks name otherwise.
+std::string part_key(const std::string& word, std::string& value) {
+  if (word == "show") return "show-a";
+  if (word != "edit") return word;
+  const auto space = value.find(' ');
+  if (space == std::string::npos)
+    throw InputError(fmt::format("edit: found '{}', expected a property and its value", value));
+  const std::string path = value.substr(0, space);
+  value.erase(0, value.find_first_not_of(' ', space));
+  return "edit." + path;
+}
+
+void apply_parts(const std::vector<StatePart>& parts, Document& document) {
+  for (const StatePart& part : parts)
+    if (!set_permalink_part(document, part.key, part.value))
+      throw InputError(fmt::format("unknown word '{}'", part.key));
+}
+
+/// Adds a part, in place of an earlier one of its key. Gives false if permalinks have none of this name.
+bool add_part(const BlockLine& line, LessonState& state) {
+  std::string value = line.rest;
+  const std::string key = part_key(line.word, value);
+  if (key == "lesson" || key == "step") return false;
+  if (key == "picture-b") value = file_of(line);
+  std::vector<StatePart> parts = state.parts;
+  std::erase_if(parts, [&](const StatePart& part) { return part.key == key; });
+  Document trial;
+  apply_parts(parts, trial);
+  if (!set_permalink_part(trial, key, value)) return false;
+  parts.push_back({key, value});
+  state.parts = std::move(parts);
+  return true;
+}
+
+/// Whether a state arranges the window, which the step after it does not take over.
+bool arranges_window(const LessonState& state) {
+  Document trial;
+  apply_parts(state.parts, trial);
+  return !(trial.layout == Layout{});
+}
+
+void set_part(LessonState& state, std::string key, std::string value) {
+  std::erase_if(state.parts, [&](const StatePart& part) { return part.key == key; });
+  state.parts.push_back({std::move(key), std::move(value)});
+}
+
 }  // namespace
+
+const std::string* part_of(const LessonState& state, std::string_view key) {
+  const auto part =
+      std::find_if(state.parts.begin(), state.parts.end(), [&](const StatePart& each) { return each.key == key; });
+  return part == state.parts.end() ? nullptr : &part->value;
+}
 
 bool read_state_line(const BlockLine& line, LessonState& state) {
   const std::string& rest = line.rest;
   if (line.word == "scene")
-    state.scene = scene_of(line);
-  else if (line.word == "size")
-    state.size = parse_size_text(rest);
-  else if (line.word == "pixel")
-    state.pixel = parse_pixel_text(rest);
+    state.scene = file_of(line);
   else if (line.word == "set")
     add_setting(rest, state.set_a);
   else if (line.word == "set-b")
@@ -65,62 +113,65 @@ bool read_state_line(const BlockLine& line, LessonState& state) {
   else if (line.word == "set-both") {
     add_setting(rest, state.set_a);
     add_setting(rest, state.set_b);
-  } else if (line.word == "show")
-    state.show_a = parse_shown_channel(rest);
-  else if (line.word == "show-b")
-    state.show_b = parse_shown_channel(rest);
-  else if (line.word == "picked" && (rest == "a" || rest == "b"))
-    state.picked = rest == "a" ? Side::a : Side::b;
-  else if (line.word == "compare")
-    state.compare = parse_compare_mode(rest);
-  else if (line.word == "mode")
+  } else if (line.word == "mode")
     state.mode = parse_step_mode(rest);
   else if (line.word == "stage")
     state.stage = parse_stage(rest);
   else if (line.word == "sweep") {
-    state.sweep = sweep_text(parse_sweep_text(rest));
+    set_part(state, "sweep", sweep_text(parse_sweep_text(rest)));
     state.stage = "chart";
   } else if (line.word == "experiment") {
-    state.experiment = find_stability_experiment(rest).key;
+    set_part(state, "experiment", std::string(find_stability_experiment(rest).key));
     state.stage = "stability";
   } else
-    return false;
+    return add_part(line, state);
   return true;
+}
+
+void change_document(const LessonState& change, Document& document) {
+  Document changed = document;
+  for (const std::string& assignment : change.set_a) parse_assignment(assignment, changed.a.settings);
+  for (const std::string& assignment : change.set_b) parse_assignment(assignment, changed.b.settings);
+  apply_parts(change.parts, changed);
+  attach_scene(changed, changed.base);
+  document = std::move(changed);
 }
 
 Document state_document(const LessonState& state, const Document& now) {
   const bool same_scene = now.scene_name == state.scene && !state.scene.empty();
   Document document = open_document(state.scene, same_scene ? now.base : load_scene(state.scene));
-  const Settings start = settings_for(document.base);
-  document.a.settings = document.b.settings = start;
-  for (const std::string& assignment : state.set_a) parse_assignment(assignment, document.a.settings);
-  for (const std::string& assignment : state.set_b) parse_assignment(assignment, document.b.settings);
-  document.a.show = state.show_a;
-  document.b.show = state.show_b;
-  if (state.size) {
-    document.view.width = state.size->x;
-    document.view.height = state.size->y;
-    document.pixel = {-1, -1};  // the start pixel is one of the canvas size
-  }
-  if (state.pixel) document.pixel = *state.pixel;
-  document.picked = state.picked;
-  document.compare = state.compare;
+  document.a.settings = document.b.settings = settings_for(document.base);
+  if (part_of(state, "size")) document.pixel = {-1, -1};  // the start pixel is one of the canvas size
   document.layout = now.layout;
   const bool tool = std::find(bottom_tabs.begin(), bottom_tabs.end(), state.stage) != bottom_tabs.end();
   if (tool) document.layout.bottom_tab = state.stage;
-  if (!state.sweep.empty()) document.layout.sweep = state.sweep;
-  if (!state.experiment.empty()) document.layout.experiment = state.experiment;
   if (tool && document.layout.bottom <= 0) document.layout.bottom = opened_share;
   document.story = carried_over(now.story, same_scene);
+  change_document(state, document);
+  return document;
+}
+
+Document linked_document(std::string_view link) {
+  Document document = parse_permalink(link);
+  if (document.scene_name.empty() && !document.lesson.empty()) {
+    const Lesson lesson = load_lesson(document.lesson);
+    const int last = static_cast<int>(lesson.steps.size()) - 1;
+    return lesson_document(lesson, std::min(document.step, last), document);
+  }
+  attach_scene(document, load_scene(document.scene_name));
   return document;
 }
 
 Document lesson_document(const Lesson& lesson, int step, const Document& now) {
   PS_ASSERT(step >= 0 && static_cast<std::size_t>(step) < lesson.steps.size(), "a step of the lesson");
-  Document document = state_document(lesson.steps[static_cast<std::size_t>(step)].state, now);
+  const LessonState& state = lesson.steps[static_cast<std::size_t>(step)].state;
+  Document before = now;
+  const bool from_here = now.lesson == lesson.name && static_cast<std::size_t>(now.step) < lesson.steps.size();
+  if (from_here && arranges_window(lesson.steps[static_cast<std::size_t>(now.step)].state))
+    before.layout.filled.clear();
+  Document document = state_document(state, before);
   document.lesson = lesson.name;
   document.step = step;
-  const LessonState& state = lesson.steps[static_cast<std::size_t>(step)].state;
   document.mode = now.mode == ScreenMode::presenter ? ScreenMode::presenter : state.mode;
   document.layout.stage = state.stage;
   return document;

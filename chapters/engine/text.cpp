@@ -45,19 +45,19 @@ int parse_step(std::string_view text) {
   return number - 1;
 }
 
-TextLink lesson_link(std::string_view text) {
+}  // namespace
+
+LessonPlace parse_lesson_place(std::string_view text) {
   const auto slash = text.find('/');
   const std::string folder(text.substr(0, slash));
   const std::vector<std::string> names = lesson_names();
   if (std::find(names.begin(), names.end(), folder) == names.end()) {
     const std::vector<std::string_view> known(names.begin(), names.end());
-    throw InputError(fmt::format("unknown lesson '{}'{}", folder, did_you_mean(folder, known, "")));
+    throw InputError(fmt::format("unknown lesson '{}'{}", folder,
+                                 did_you_mean(folder, known, "; 'pixelscope-cli lessons list' lists them")));
   }
-  const int step = slash == std::string_view::npos ? 0 : parse_step(text.substr(slash + 1));
-  return {LinkKind::lesson, folder, step, {}};
+  return {folder, slash == std::string_view::npos ? 0 : parse_step(text.substr(slash + 1))};
 }
-
-}  // namespace
 
 std::string plain_text(const TextBlock& block) {
   std::string text;
@@ -77,7 +77,10 @@ TextLink parse_link(std::string_view target) {
   const std::string_view name = colon == std::string_view::npos ? std::string_view{} : target.substr(colon + 1);
   if (kind == "option") return {LinkKind::option, std::string(option_of_text(name).key), 0, {}};
   if (kind == "step") return {LinkKind::step, {}, parse_step(name), {}};
-  if (kind == "lesson") return lesson_link(name);
+  if (kind == "lesson") {
+    const LessonPlace place = parse_lesson_place(name);
+    return {LinkKind::lesson, place.lesson, place.step, {}};
+  }
   if (kind == "term") {
     if (std::string term = term_of(name); !term.empty()) return {LinkKind::term, std::move(term), 0, {}};
     throw InputError(fmt::format("unknown term '{}'{}", name, did_you_mean(name, glossary_terms(), "")));

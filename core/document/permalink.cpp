@@ -196,24 +196,16 @@ const std::vector<Field>& document_fields() {
 }
 
 /// The part of a key after `prefix`, if it begins so.
-std::optional<std::string> after(const std::string& key, std::string_view prefix) {
+std::optional<std::string_view> after(std::string_view key, std::string_view prefix) {
   return key.starts_with(prefix) ? std::optional(key.substr(prefix.size())) : std::nullopt;
 }
 
-void parse_field(Document& document, const std::string& key, const std::string& value) {
-  if (const auto option = after(key, "a.")) return parse_assignment(*option + "=" + value, document.a.settings);
-  if (const auto option = after(key, "b.")) return parse_assignment(*option + "=" + value, document.b.settings);
-  if (const auto path = after(key, "edit.")) {
-    document.edits.push_back({*path, value});
-    return;
-  }
-  if (key == "pin") return detail::parse_pin({}, value, document.pin);
-  if (const auto part = after(key, "pin.")) return detail::parse_pin(*part, value, document.pin);
+const Field* find_field(std::string_view key) {
   for (const Field& field : document_fields())
-    if (field.key == key) return field.parse(document, value);
+    if (field.key == key) return &field;
   for (const Field& field : detail::story_fields())
-    if (field.key == key) return field.parse(document, value);
-  throw InputError(fmt::format("permalink: unknown part '{}'", key));
+    if (field.key == key) return &field;
+  return nullptr;
 }
 
 }  // namespace
@@ -289,6 +281,25 @@ std::string permalink(const Document& document) {
   return link;
 }
 
+bool set_permalink_part(Document& document, std::string_view key, std::string_view value) {
+  if (const auto option = after(key, "a.")) {
+    parse_assignment(fmt::format("{}={}", *option, value), document.a.settings);
+  } else if (const auto option_b = after(key, "b.")) {
+    parse_assignment(fmt::format("{}={}", *option_b, value), document.b.settings);
+  } else if (const auto path = after(key, "edit.")) {
+    document.edits.push_back({std::string(*path), std::string(value)});
+  } else if (key == "pin") {
+    detail::parse_pin({}, value, document.pin);
+  } else if (const auto part = after(key, "pin.")) {
+    detail::parse_pin(*part, value, document.pin);
+  } else if (const Field* field = find_field(key)) {
+    field->parse(document, value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 Document parse_permalink(std::string_view text) {
   Document document;
   while (!text.empty()) {
@@ -297,7 +308,9 @@ Document parse_permalink(std::string_view text) {
     const auto equals = part.find('=');
     if (equals == std::string_view::npos)
       throw InputError(fmt::format("permalink: found '{}', expected KEY=VALUE", part));
-    parse_field(document, percent_unescape(part.substr(0, equals)), percent_unescape(part.substr(equals + 1)));
+    const std::string key = percent_unescape(part.substr(0, equals));
+    if (!set_permalink_part(document, key, percent_unescape(part.substr(equals + 1))))
+      throw InputError(fmt::format("permalink: unknown part '{}'", key));
     text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
   }
   return document;

@@ -16,6 +16,11 @@ std::string permalink(const Document& document);
 /// and calls attach_scene. Throws InputError for text that permalink() would not write.
 Document parse_permalink(std::string_view text);
 
+/// Sets the part of a document that `key` names in permalinks: "camera", "pixel", "a.shading",
+/// "edit.lights.0.position", "pin". As in a permalink, the scene gets its edits by attach_scene(). Gives false, and
+/// leaves the document alone, if no part has this name; throws InputError for a value that permalink() would not write.
+bool set_permalink_part(Document& document, std::string_view key, std::string_view value);
+
 /// "side-by-side", "split", "difference", "only-a", "only-b"; throws InputError for anything else.
 CompareMode parse_compare_mode(std::string_view text);
 std::string_view compare_key(CompareMode mode);

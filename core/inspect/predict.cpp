@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <initializer_list>
 
 #include "base/check.h"
 #include "inspect/vertex_chain.h"
@@ -13,7 +14,7 @@
 namespace ps {
 namespace {
 
-constexpr std::array<std::string_view, 4> question_keys{"colour", "winner", "rays", "triangle"};
+constexpr std::array<std::string_view, 5> question_keys{"colour", "winner", "rays", "triangle", "tests"};
 constexpr int right_within = 4, wrong_beyond = 64;  // levels
 
 std::string object_text(int object, const Scene& scene) {
@@ -47,16 +48,31 @@ Question parse_question(std::string_view text) {
 
 namespace {
 
-/// Nothing if the renderer does not count every kind of ray.
-std::optional<std::uint64_t> counted_rays(const PixelStory& story) {
-  std::uint64_t rays = 0;
-  for (const Counter counter :
-       {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays}) {
+/// Nothing if the renderer does not count all of these.
+std::optional<std::uint64_t> sum_of(const PixelStory& story, std::initializer_list<Counter> counters) {
+  std::uint64_t sum = 0;
+  for (const Counter counter : counters) {
     const auto count = story.counters.get(counter);
     if (!count) return {};
-    rays += *count;
+    sum += *count;
   }
-  return rays;
+  return sum;
+}
+
+std::optional<std::uint64_t> counted_rays(const PixelStory& story) {
+  return sum_of(story, {Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays});
+}
+
+std::optional<std::uint64_t> counted_tests(const PixelStory& story) {
+  return sum_of(story, {Counter::sphere_tests, Counter::triangle_tests, Counter::solid_tests});
+}
+
+Judgement judge_tests(const Guess& guess, const PixelStory& story) {
+  const int tests = tests_of(story), apart = std::abs(guess.tests - tests);
+  const auto plural = [](int count) { return fmt::format("{} test{}", count, count == 1 ? "" : "s"); };
+  if (apart == 0) return {1, fmt::format("Right: {}.", plural(tests))};
+  const bool close = apart <= tests / 20, near = guess.tests <= 2 * tests && 2 * guess.tests >= tests;
+  return {close ? 1.0 : near ? 0.5 : 0.0, fmt::format("It is {}; you said {}.", plural(tests), plural(guess.tests))};
 }
 
 }  // namespace
@@ -66,6 +82,8 @@ std::optional<std::string_view> not_askable(Question question, const PixelStory&
     return "Only the ray tracer sends rays; ask for the colour or the winner here.";
   if (question == Question::rays && !counted_rays(story))
     return "This renderer does not count its rays; ask for the colour or the winner here.";
+  if (question == Question::tests && (!sends_rays(story.renderer) || !counted_tests(story)))
+    return "Only the ray tracer tests rays against objects; ask for the colour or the winner here.";
   if ((question == Question::winner || question == Question::triangle) && runs_listing(story.renderer))
     return "A listing reports no winner; ask for the colour here.";
   return {};
@@ -93,6 +111,12 @@ int rays_of(const PixelStory& story) {
   return static_cast<int>(*rays);
 }
 
+int tests_of(const PixelStory& story) {
+  const auto tests = counted_tests(story);
+  PS_ASSERT(tests, "asked only where not_askable() has no objection");
+  return static_cast<int>(*tests);
+}
+
 Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene) {
   switch (question) {
   case Question::colour:
@@ -113,6 +137,8 @@ Judgement judge(Question question, const Guess& guess, const PixelStory& story, 
     return {right ? 1.0 : 0.0, right ? fmt::format("Right: {}.", words(shown))
                                      : fmt::format("It is {}; you said {}.", words(shown), words(said))};
   }
+  case Question::tests:
+    return judge_tests(guess, story);
   case Question::rays: {
     const int rays = rays_of(story), apart = std::abs(guess.rays - rays);
     const auto plural = [](int count) { return fmt::format("{} ray{}", count, count == 1 ? "" : "s"); };

@@ -13,13 +13,14 @@
 namespace ps {
 
 enum class Question {
-  colour,   ///< which display levels the pixel has
-  winner,   ///< which object it shows
-  rays,     ///< how many rays were traced for it
-  triangle  ///< which triangle of which object it shows
+  colour,    ///< which display levels the pixel has
+  winner,    ///< which object it shows
+  rays,      ///< how many rays were traced for it
+  triangle,  ///< which triangle of which object it shows
+  tests      ///< how many intersections with spheres, triangles and solids were tested for it
 };
 
-/// "colour", "winner", "rays", "triangle"
+/// "colour", "winner", "rays", "triangle", "tests"
 std::string_view question_key(Question question);
 /// Throws InputError for anything else.
 Question parse_question(std::string_view text);
@@ -30,6 +31,7 @@ struct Guess {
   int object = -1;              ///< index into Geometry::objects; -1 = background
   int rays = 0;
   int triangle = -1;  ///< of the object; Question::triangle only
+  int tests = 0;
 };
 
 /// The right answer, in words.
@@ -49,9 +51,13 @@ std::vector<PixelId> askable_triangles(const Scene& scene);
 int winner_of(const PixelStory& story);
 /// Eye, shadow, reflected and refracted rays that were traced for the pixel.
 int rays_of(const PixelStory& story);
+/// Intersections of its rays with spheres, triangles and solids that were tested; those with boxes of an accelerator
+/// are not among them.
+int tests_of(const PixelStory& story);
 
 /// Compares the guess with the story. A colour earns a full point within 4 levels in every channel, and none beyond 64;
-/// a number of rays half a point if it is off by one.
+/// a number of rays half a point if it is off by one; a number of tests a full one within 5 %, half within a factor
+/// of 2.
 Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene);
 
 }  // namespace ps

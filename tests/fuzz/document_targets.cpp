@@ -66,7 +66,7 @@ Outcome read_lesson(std::string_view bytes) {
     const Lesson lesson = parse_lesson(bytes, "fuzz", "fuzz/lesson.md");
     PS_ASSERT(!lesson.title.empty() && !lesson.steps.empty(), "a lesson has a title and steps");
     for (const LessonStep& step : lesson.steps)
-      for (const Claim& claim : step.claims) PS_ASSERT(std::isfinite(claim.number), "a bound is a number");
+      for (const Claim& claim : step.claims) PS_ASSERT(std::isfinite(claim.bound.number), "a bound is a number");
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "document/permalink.h"
 #include "engine/claim.h"
 #include "engine/lesson_length.h"
 
@@ -73,31 +74,31 @@ TEST(Lesson, ReadsTextStepsAndClaims) {
   EXPECT_EQ(one.state.scene, "cgfs/shadows");
   EXPECT_EQ(one.state.set_a, (std::vector<std::string>{"self-hit=epsilon", "shadow-epsilon=0"}));
   EXPECT_EQ(one.state.set_b, (std::vector<std::string>{"self-hit=epsilon", "renderer=rasterizer"}));
-  EXPECT_EQ(*one.state.pixel, Vec2i(3, 4));
-  EXPECT_EQ(*one.state.size, Vec2i(60, 50));
-  EXPECT_EQ(one.state.show_b, ShownChannel::depth);
-  EXPECT_EQ(one.state.compare, CompareMode::split);
-  EXPECT_EQ(one.state.picked, Side::b);
+  const Document shown = state_document(one.state, Document{});
+  EXPECT_EQ(shown.pixel, Vec2i(3, 4));
+  EXPECT_EQ(Vec2i(shown.view.width, shown.view.height), Vec2i(60, 50));
+  EXPECT_EQ(shown.b.show, ShownChannel::depth);
+  EXPECT_EQ(shown.compare, CompareMode::split);
+  EXPECT_EQ(shown.picked, Side::b);
 }
 
 TEST(Lesson, StepsStartFromTheCommonBlockAlone) {
   const Lesson lesson = parse_lesson(good, "demo", "lesson.md");
   EXPECT_EQ(lesson.steps[1].state.set_a, std::vector<std::string>{"self-hit=epsilon"});
-  EXPECT_FALSE(lesson.steps[1].state.pixel);
+  EXPECT_TRUE(lesson.steps[1].state.parts.empty());
 }
 
 TEST(Lesson, ClaimsAddToTheirStep) {
   const Lesson lesson = parse_lesson(good, "demo", "lesson.md");
   const Claim& claim = lesson.steps[0].claims.at(0);
   EXPECT_EQ(claim.text, "It differs.");
-  EXPECT_EQ(claim.metric, ClaimMetric::differing_pixels);
-  EXPECT_EQ(claim.bound, ClaimBound::at_least);
-  EXPECT_EQ(claim.number, 1000);
-  EXPECT_EQ(claim.mutation, "shadow-epsilon");
+  EXPECT_EQ(metric_text(claim.metric), "differing-pixels");
+  EXPECT_EQ(bound_text(claim.bound), ">= 1000");
+  EXPECT_EQ(claim.mutation.text, "default shadow-epsilon");
+  EXPECT_EQ(claim.mutation.reset, std::vector<std::string>{"shadow-epsilon"});
   EXPECT_EQ(claim.state.set_a.back(), "shadows=none");
   EXPECT_EQ(lesson.steps[0].state.set_a.back(), "shadow-epsilon=0");
-  EXPECT_EQ(lesson.steps[1].claims.at(0).counter, Counter::shadow_rays);
-  EXPECT_EQ(lesson.steps[1].claims.at(0).metric, ClaimMetric::counter_b);
+  EXPECT_EQ(metric_text(lesson.steps[1].claims.at(0).metric), "counter-b shadow-rays");
 }
 
 TEST(Lesson, AStepChoosesASweepOrAnExperimentAndItsStage) {
@@ -108,12 +109,12 @@ TEST(Lesson, AStepChoosesASweepOrAnExperimentAndItsStage) {
   };
   const LessonState chart = state_with("sweep shading=phong,flat;textures");
   EXPECT_EQ(chart.stage, "chart");
-  EXPECT_EQ(chart.sweep, "shading=phong,flat;textures=off,on");
-  EXPECT_EQ(state_with("sweep reflection-depths").sweep, "reflection-depths");
+  EXPECT_EQ(*part_of(chart, "sweep"), "shading=phong,flat;textures=off,on");
+  EXPECT_EQ(*part_of(state_with("sweep reflection-depths"), "sweep"), "reflection-depths");
   const LessonState laboratory = state_with("experiment bvh-holes");
   EXPECT_EQ(laboratory.stage, "stability");
-  EXPECT_EQ(laboratory.experiment, "bvh-holes");
-  EXPECT_EQ(state_with("stage chart").sweep, "");
+  EXPECT_EQ(*part_of(laboratory, "experiment"), "bvh-holes");
+  EXPECT_EQ(part_of(state_with("stage chart"), "sweep"), nullptr);
 }
 
 TEST(Lesson, AStepChoosesItsModeAndItsStage) {
@@ -137,6 +138,71 @@ TEST(Lesson, AStepChoosesItsModeAndItsStage) {
   EXPECT_EQ(alone.layout.stage, pictures_stage);
   EXPECT_EQ(alone.layout.bottom_tab, Layout{}.bottom_tab);
   EXPECT_EQ(alone.layout.bottom, 0);
+}
+
+/// The document of the first step with these lines more in its settings.
+Document document_with(const std::string& lines, const Document& now = {}) {
+  std::string text = good;
+  text.replace(text.find("pixel 3,4"), 9, "pixel 3,4\n" + lines);
+  return lesson_document(parse_lesson(text, "demo", "lesson.md"), 0, now);
+}
+
+TEST(Lesson, AStepSetsWhatAPermalinkCan) {
+  const Document document = document_with(R"(camera 1,2,-3,1,0,0,0,1,0,0,0,1,1,1,1
+edit light.1.position (5, 6, 7)
+zoom 8
+middle 0.25,0.75
+region 1,2,20,10
+gain 16
+event 3
+other-event 4
+vertex 2,5
+look top
+split 0.3
+filled bottom
+pin 7,8
+pin.a.shadows none
+a.threads 1)");
+  // The permalink shows all of it again, under the same names.
+  const std::string link = permalink(document);
+  for (const char* part : {"camera=1,2,-3,1,0,0,0,1,0,0,0,1,1,1,1", "zoom=8", "middle=0.25,0.75", "region=1,2,20,10",
+                           "gain=16", "&event=3", "other-event=4", "vertex=2,5", "look=top", "split=0.3",
+                           "filled=bottom", "pin=7,8", "pin.a.shadows=none", "a.threads=1", "edit.light.1.position="})
+    EXPECT_NE(link.find(part), std::string::npos) << part << " in " << link;
+  EXPECT_EQ(document.scene.lights->at(1).position, Vec3d(5, 6, 7));
+}
+
+TEST(Lesson, ALinkLeadsToAStep) {
+  EXPECT_EQ(parse_lesson_place("cgfs_03_light"), (LessonPlace{"cgfs_03_light", 0}));
+  EXPECT_EQ(parse_lesson_place("cgfs_03_light/4"), (LessonPlace{"cgfs_03_light", 3}));
+  for (const char* wrong : {"cgfs_03_ligt", "cgfs_03_light/0", "cgfs_03_light/", "cgfs_03_light/2x", ""})
+    EXPECT_THROW(parse_lesson_place(wrong), InputError) << wrong;
+  const Document linked = linked_document("lesson=cgfs_03_light&step=3");
+  const Document reached = lesson_document(load_lesson("cgfs_03_light"), 3, Document{});
+  EXPECT_EQ(permalink(linked), permalink(reached));
+  EXPECT_THROW(linked_document("lesson=cgfs_03_ligt"), InputError);
+  EXPECT_THROW(linked_document("step=3"), InputError);
+}
+
+TEST(Lesson, AStepCannotSayWhereItStands) {
+  EXPECT_THROW(document_with("step 3"), InputError);
+  EXPECT_THROW(document_with("lesson cgfs_03_light"), InputError);
+  EXPECT_THROW(document_with("gain many"), InputError);
+  EXPECT_THROW(document_with("edit light.1.position"), InputError);
+  EXPECT_THROW(document_with("edit light.9.position (1, 2, 3)"), InputError);
+}
+
+TEST(Lesson, APanelThatAStepFillsDoesNotStayFilled) {
+  std::string text = good;
+  text.replace(text.find("pixel 3,4"), 9, "filled bottom");
+  const Lesson lesson = parse_lesson(text, "demo", "lesson.md");
+  Document document = lesson_document(lesson, 0, Document{});
+  EXPECT_EQ(document.layout.filled, "bottom");
+  EXPECT_EQ(lesson_document(lesson, 1, document).layout.filled, "");
+  document = lesson_document(lesson, 1, document);
+  document.layout.filled = "right";  // by hand
+  EXPECT_EQ(lesson_document(lesson, 0, document).layout.filled, "bottom");
+  EXPECT_EQ(lesson_document(lesson, 1, document).layout.filled, "right");
 }
 
 TEST(Lesson, TextIsNamedWithItsPlaceInTheFile) {
@@ -194,16 +260,17 @@ TEST(Lesson, FaultsAreNamedWithTheirLine) {
 }
 
 TEST(Lesson, BoundsAreInclusive) {
-  Claim claim;
-  claim.number = 2;
-  EXPECT_TRUE(keeps_bound(claim, 2));
-  EXPECT_FALSE(keeps_bound(claim, 1.5));
-  claim.bound = ClaimBound::at_most;
-  EXPECT_TRUE(keeps_bound(claim, 2));
-  EXPECT_FALSE(keeps_bound(claim, 2.5));
-  claim.bound = ClaimBound::equals;
-  EXPECT_TRUE(keeps_bound(claim, 2));
-  EXPECT_FALSE(keeps_bound(claim, 1));
+  EXPECT_TRUE(parse_bound(">= 2").holds(2));
+  EXPECT_FALSE(parse_bound(">= 2").holds(1.5));
+  EXPECT_TRUE(parse_bound("<= 2").holds(2));
+  EXPECT_FALSE(parse_bound("<= 2").holds(2.5));
+  EXPECT_TRUE(parse_bound("= 2").holds(2));
+  EXPECT_FALSE(parse_bound("= 2").holds(2.001));
+  EXPECT_TRUE(parse_bound("= 2 +- 0.5").holds(1.5));
+  EXPECT_FALSE(parse_bound("= 2 +- 0.5").holds(1.4));
+  EXPECT_EQ(bound_text(parse_bound("= 2 +- 0.5")), "= 2 +- 0.5");
+  for (const char* wrong : {"2", "> 2", ">=", ">= 2 +- 1", "= 2 +-", "= 2 +- -1", "= 2 3"})
+    EXPECT_THROW(parse_bound(wrong), InputError) << wrong;
 }
 
 TEST(Lessons, EveryFolderIsReadAndHasWhatALessonNeeds) {

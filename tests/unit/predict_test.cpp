@@ -79,13 +79,13 @@ TEST(Predict, TrianglesAreDistinguished) {
 TEST(Predict, LessonsAskQuestions) {
   const std::string start = "# T\nsource: S\n\n## Step\n\nText.\n\n```settings\nscene cgfs/spheres\n```\n\n";
   const Lesson lesson =
-      parse_lesson(start + "```predict\nask winner\ntext Which sphere is it?\n```\n", "t", "t/lesson.md");
-  ASSERT_TRUE(lesson.steps.at(0).prediction);
-  EXPECT_EQ(lesson.steps[0].prediction->question, Question::winner);
-  EXPECT_EQ(lesson.steps[0].prediction->text, "Which sphere is it?");
-  EXPECT_FALSE(parse_lesson(start, "t", "t/lesson.md").steps[0].prediction);
-  for (const char* bad : {"```predict\nask size\ntext What?\n```\n", "```predict\nask colour\n```\n",
-                          "```predict\ntext What?\n```\n", "```predict\nask colour\ntext What?\nhint x\n```\n"})
+      parse_lesson(start + "```question\nask winner\ntext Which sphere is it?\n```\n", "t", "t/lesson.md");
+  ASSERT_TRUE(lesson.steps.at(0).question);
+  EXPECT_EQ(lesson.steps[0].question->about, Question::winner);
+  EXPECT_EQ(lesson.steps[0].question->text, "Which sphere is it?");
+  EXPECT_FALSE(parse_lesson(start, "t", "t/lesson.md").steps[0].question);
+  for (const char* bad : {"```question\nask size\ntext What?\n```\n", "```question\nask colour\n```\n",
+                          "```question\ntext What?\n```\n", "```question\nask colour\ntext What?\nhint x\n```\n"})
     EXPECT_THROW(parse_lesson(start + bad, "t", "t/lesson.md"), InputError) << bad;
 }
 

@@ -10,6 +10,7 @@
 
 #include "document/permalink.h"
 #include "document/permalink_file.h"
+#include "engine/lesson.h"
 #include "gui/base/fit.h"
 #include "gui/frame/about.h"
 #include "gui/frame/drop.h"
@@ -146,7 +147,10 @@ App::Parts::Parts(Shell& of, const AppOptions& options, Document document)
   }
   session.start(std::move(document));
   for (const Message& message : words) session.say(message.kind, message.text);
-  if (!options.lesson.empty()) go_to_step(session, options.lesson, 0);
+  if (!options.lesson.empty()) {
+    const LessonPlace place = parse_lesson_place(options.lesson);
+    go_to_step(session, place.lesson, place.step);
+  }
   add_actions();
   offer_values();
 }

@@ -6,7 +6,6 @@
 
 #include "base/check.h"
 #include "base/failure_text.h"
-#include "document/permalink.h"
 #include "document/permalink_file.h"
 #include "engine/lesson.h"
 #include "options/option.h"
@@ -20,13 +19,12 @@ constexpr const char* first_scene = "cgfs/reflections";
 }  // namespace
 
 Document first_document(const AppOptions& options) {
-  if (!options.lesson.empty()) load_lesson(options.lesson);
+  if (!options.lesson.empty()) load_lesson(parse_lesson_place(options.lesson).lesson);
   Document document;
   std::string link = options.permalink;
   if (link.empty() && !options.scene.empty()) link = permalink_in_file(options.scene).value_or("");
   if (!link.empty()) {
-    document = parse_permalink(link);
-    attach_scene(document, load_scene(document.scene_name));
+    document = linked_document(link);
   } else {
     const std::string scene = options.scene.empty() ? first_scene : options.scene;
     document = open_document(scene, load_scene(scene));

@@ -117,7 +117,13 @@ void Regions::question(const Area& area) {
   begin_region(session_, "question", area);
   ImGui::BeginChild("scroll");
   const float top = ImGui::GetCursorPosY();
-  predict_panel(session_, my_.predict);
+  const LessonQuestions& asked = *my_.predict.lesson;
+  if (!prediction_pending(session_, my_.predict))
+    lesson_verdict(*my_.predict.lesson);
+  else if (asked.open() && asked.question()->kind != AskKind::pixel)
+    ask_lesson_question(session_, *my_.predict.lesson);
+  else
+    predict_panel(session_, my_.predict);
   const float height = ImGui::GetCursorPosY() - top + px(20);
   if (std::abs(height - question_height_) > 1) redraw_after(0);
   question_height_ = height;
@@ -134,7 +140,7 @@ void Regions::lesson_text(const Area& area) {
     return;
   }
   Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
-  if (session_.pixel() && prediction_pending(session_, my_.predict)) {  // the step asks before it shows
+  if (prediction_pending(session_, my_.predict) || my_.predict.lesson->verdict()) {  // the step asks before it shows
     text.max.y = std::round(area.max.y - std::min(question_height_, area.height() * most_of_question));
     question({{area.min.x, text.max.y}, {text.max.x, area.max.y}});
   }

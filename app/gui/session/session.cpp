@@ -13,6 +13,7 @@
 #include "base/failure_text.h"
 #include "document/permalink.h"
 #include "document/permalink_file.h"
+#include "engine/lesson.h"
 #include "image/file.h"
 #include "scene/load.h"
 
@@ -285,13 +286,7 @@ void Session::open(const std::string& path_or_name) {
 
 void Session::open_permalink(const std::string& text) {
   load(
-      "permalink",
-      [text] {
-        Document document = parse_permalink(text);
-        attach_scene(document, load_scene(document.scene_name));
-        return document;
-      },
-      Reason::permalink);
+      "permalink", [text] { return linked_document(text); }, Reason::permalink);
 }
 
 void Session::reload() {

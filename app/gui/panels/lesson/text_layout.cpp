@@ -164,14 +164,14 @@ std::vector<Side> control_sides(const TextLink& link) {
   return link.side ? std::vector{*link.side} : std::vector(both_sides.begin(), both_sides.end());
 }
 
+float text_line_height(Face face) {
+  const FontScope font(face);
+  return std::floor(ImGui::GetFontSize() * line_spacing);
+}
+
 void lay_out(const TextBlock& block, std::string_view mark, Face face, float width, std::vector<TextLine>& lines) {
-  if (block.kind == BlockKind::heading) face = Face::bold;
-  float height = 0, space = 0;
-  {
-    const FontScope font(face);
-    height = std::floor(ImGui::GetFontSize() * line_spacing);
-    space = text_width(" ");
-  }
+  if (block.kind == BlockKind::heading && face == Face::body) face = Face::bold;
+  const float height = text_line_height(face), space = width_in(face, " ");
   const bool displayed = display_formula(block) != nullptr;
   const float indent = displayed ? px(22) : mark.empty() ? 0 : std::max(px(22), width_in(face, mark) + px(8));
   const bool follows_item = !lines.empty() && !lines.back().mark.empty();

@@ -45,6 +45,9 @@ struct TextLine {
 /// first; the others are indented as it is. The block must outlive the lines.
 void lay_out(const TextBlock& block, std::string_view mark, Face face, float width, std::vector<TextLine>& lines);
 
+/// The height of a line of words in this face.
+float text_line_height(Face face);
+
 /// The mark of a block in the text: a bullet, a number, or nothing.
 std::string mark_of(const TextBlock& block);
 

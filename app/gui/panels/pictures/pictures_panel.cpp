@@ -87,6 +87,13 @@ void title(Session& session, PicturesState& state, Side side, const Area& row) {
   picture_title(session, side, row, state.captions, is_before ? "before the last change" : "");
 }
 
+/// Hides a picture that would answer an open question.
+void cover_whole(ImDrawList& list, Side side, const Area& area) {
+  list.AddRectFilled(area.min, area.max, colour_u32(palette().panel));
+  draw_notice(list, area, fmt::format("{} is shown after your answer.", letter_of(side)));
+  controls().record(side == Side::a ? "view/a/covered" : "view/b/covered", area.min, area.max, "covered");
+}
+
 /// The picture of one side in its area, with what lies over it.
 void picture(Session& session, PicturesState& state, Side side, const Area& area, std::optional<Split> split) {
   auto& list = *ImGui::GetWindowDrawList();
@@ -120,6 +127,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     return style;
   };
   const auto cover = [&](Side which) {
+    if (state.hidden[index_of(which)]) return cover_whole(list, which, area);
     if (!state.asked || state.asked->side != which) return;
     const Vec2i pixel = state.asked->pixel;
     const ImVec2 at = state.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, area);
@@ -261,7 +269,7 @@ void split_view(Session& session, PicturesState& state, const Area& area) {
 
 /// A and B around the mouse, greatly enlarged, side by side.
 void loupe(const PicturesState& state) {
-  if (!state.loupe || !state.hover || state.asked) return;
+  if (!state.loupe || !state.hover || state.asked || state.hidden[0] || state.hidden[1]) return;
   auto& list = *ImGui::GetForegroundDrawList();
   const float size = px(195), space = px(6), away = px(24);
   const ImVec2 mouse = ImGui::GetIO().MousePos, window = ImGui::GetIO().DisplaySize;
@@ -356,6 +364,8 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     const DifferencePlaces places = difference_places(inner, state.pictures[0].size());
     state.transform = current_transform(session.document(), state.pictures[0].size(), places.picture, state.fit);
     difference_view(session, state, title, places);
+    for (const Side side : both_sides)  // the difference shows both
+      if (state.hidden[index_of(side)]) cover_whole(*ImGui::GetWindowDrawList(), side, inner);
     const float middle = (area.min.x + area.max.x) / 2, space = px(gap) / 2;
     below(session, state, Side::a, {footer.min, {middle - space, footer.max.y}}, "A   ");
     below(session, state, Side::b, {{middle + space, footer.min.y}, footer.max}, "B   ");

@@ -81,7 +81,8 @@ struct PicturesState {
   std::array<std::optional<Area>, 2> notes;  ///< the row for a note below each of them
   PictureTransform transform;                ///< shared by all views
   std::optional<Hover> hover;
-  std::optional<Hover> asked;  ///< the pixel that an open question is about: its surroundings are covered
+  std::optional<Hover> asked;    ///< the pixel that an open question is about: its surroundings are covered
+  std::array<bool, 2> hidden{};  ///< pictures that would answer an open question: covered whole
   PictureDrag drag = PictureDrag::none;
   ImVec2 drag_from{0, 0};
   bool handles = true;                  ///< lights and spheres can be dragged

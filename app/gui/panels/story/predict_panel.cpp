@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/lesson.h"
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/draw.h"
 #include "render/story/names.h"
@@ -17,7 +16,8 @@ constexpr std::array questions{
     Choice{"colour", "Colour", "Red, green and blue of the pixel, 0 to 255."},
     Choice{"winner", "Winner", "The object that the pixel shows."},
     Choice{"rays", "Rays", "Number of rays traced for the pixel: eye, shadow, reflected, refracted."},
-    Choice{"triangle", "Triangle", "The triangle that the pixel shows."}};
+    Choice{"triangle", "Triangle", "The triangle that the pixel shows."},
+    Choice{"tests", "Tests", "Number of intersections with spheres, triangles and solids tested for the pixel."}};
 
 void ask_colour(Guess& guess) {
   static constexpr std::array names{"red", "green", "blue"};
@@ -75,6 +75,13 @@ void ask_rays(Guess& guess) {
     guess.rays = static_cast<int>(rays);
 }
 
+void ask_tests(Guess& guess) {
+  double tests = guess.tests;
+  if (number("tests", tests, {.minimum = 0, .maximum = 1e9, .integer = true, .unit = "tests"}, {.width = px(160)})
+          .changed)
+    guess.tests = static_cast<int>(tests);
+}
+
 const char* sentence_of(Question question) {
   switch (question) {
   case Question::colour:
@@ -85,38 +92,36 @@ const char* sentence_of(Question question) {
     return "How many rays were traced for this pixel?";
   case Question::triangle:
     return "Which triangle does this pixel show?";
+  case Question::tests:
+    return "How many intersections were tested for this pixel?";
   }
   return "";
 }
 
-/// The open lesson's question, if its step asks one that was not asked yet.
+/// The open lesson's question, if its step asks one about its pixel.
 void take_up_lesson(Session& session, PredictState& state) {
-  const Document& document = session.document();
-  const std::string here = document.lesson.empty() ? "" : fmt::format("{}/{}", document.lesson, document.step);
-  if (here == state.lesson) return;
-  state.lesson = here;
+  if (!state.lesson->follow(session)) return;
   state.words.clear();
-  if (here.empty()) return;
-  try {
-    const Lesson lesson = load_lesson(document.lesson);
-    const auto step = static_cast<std::size_t>(document.step);
-    if (step >= lesson.steps.size() || !lesson.steps[step].prediction) return;
-    state.question = lesson.steps[step].prediction->question;
-    state.words = lesson.steps[step].prediction->text;
-    state.asked_pixel = document.pixel;
-    state.asked_settings = session.settings(document.picked);
-    state.answered = false;
-    state.guess = {};
-    state.chosen = false;
-  } catch (const InputError&) {
-    // The lesson's own panel says what is wrong with it.
-  }
+  const LessonQuestion* question = state.lesson->question();
+  if (!question || question->kind != AskKind::pixel) return;
+  state.question = question->about;
+  state.words = question->text;
+  state.asked_pixel = session.document().pixel;
+  state.asked_settings = session.settings(session.document().picked);
+  state.answered = false;
+  state.guess = {};
+  state.chosen = false;
+}
+
+bool asks_otherwise(const PredictState& state) {
+  return state.lesson->open() && state.lesson->question()->kind != AskKind::pixel;
 }
 
 }  // namespace
 
 bool prediction_pending(Session& session, PredictState& state) {
   take_up_lesson(session, state);
+  if (asks_otherwise(state) && session.document().mode == ScreenMode::lesson) return true;
   const auto pixel = session.pixel();
   if (!pixel) return false;
   const Settings& settings = session.settings(inspected_side(session));
@@ -129,8 +134,10 @@ bool prediction_pending(Session& session, PredictState& state) {
     state.chosen = false;
   }
   const bool stands = state.asked_pixel == *pixel && state.asked_settings == settings && !state.answered;
-  return stands && (state.on || !state.words.empty());
+  return stands && (state.on || (!state.words.empty() && state.lesson->open()));
 }
+
+bool asks_about_pixel(const PredictState& state) { return state.on || !asks_otherwise(state); }
 
 void predict_panel(Session& session, PredictState& state) {
   const NameScope scope("predict");
@@ -167,6 +174,9 @@ void predict_panel(Session& session, PredictState& state) {
   case Question::rays:
     ask_rays(state.guess);
     break;
+  case Question::tests:
+    ask_tests(state.guess);
+    break;
   }
   ImGui::Spacing();
   const bool ready = story && story->pixel == *pixel && !session.inspector(side).busy();
@@ -183,6 +193,7 @@ void predict_panel(Session& session, PredictState& state) {
              })) {
     state.judgement = judge(state.question, state.guess, *story, session.scene());
     state.answered = true;
+    if (!state.words.empty()) state.lesson->take(session, state.judgement.sentence, state.judgement);
     ++state.asked;
     state.points += state.judgement.points;
   }
@@ -191,6 +202,7 @@ void predict_panel(Session& session, PredictState& state) {
              {.tooltip = "Shows the story without an answer; no points.", .disabled = {}})) {
     state.judgement = {};
     state.answered = true;
+    if (!state.words.empty()) state.lesson->take(session, "", {});
   }
   if (state.on) {
     same_line_if_room(button_width("Stop asking"));
@@ -200,7 +212,9 @@ void predict_panel(Session& session, PredictState& state) {
 
 void prediction_verdict(Session& session, PredictState& state) {
   const NameScope scope("predict");
-  if (!state.answered || session.pixel() != state.asked_pixel || state.judgement.sentence.empty()) return;
+  const bool beside_text = state.lesson->verdict() && session.document().mode == ScreenMode::lesson;
+  if (beside_text || !state.answered || session.pixel() != state.asked_pixel || state.judgement.sentence.empty())
+    return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::Indent(px(16));
   ImGui::PushTextWrapPos(0);

@@ -1,7 +1,9 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "gui/panels/story/lesson_question.h"
 #include "gui/session/session.h"
 #include "inspect/predict.h"
 
@@ -19,12 +21,16 @@ struct PredictState {
   Judgement judgement;
   int asked = 0;  ///< questions answered so far
   double points = 0;
-  std::string lesson;  ///< the step whose question is open: "name/2"; empty = none
-  std::string words;   ///< of the lesson's question
+  std::string words;                        ///< of the lesson's question about the pixel; empty = none
+  std::unique_ptr<LessonQuestions> lesson;  ///< made by whoever owns the state
 };
 
-/// Whether an open question hides the story. Takes up the lesson's question, and a newly picked pixel.
+/// Whether an open question hides the story. Takes up the lesson's question, and a newly picked pixel. Questions of a
+/// lesson that are not about the picked pixel's story are asked where its text is large: in ScreenMode::lesson.
 bool prediction_pending(Session& session, PredictState& state);
+
+/// Whether the open question is about the picked pixel, whose surroundings answer it.
+bool asks_about_pixel(const PredictState& state);
 
 /// Asks, with a control for the answer.
 void predict_panel(Session& session, PredictState& state);

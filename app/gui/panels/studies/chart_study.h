@@ -2,7 +2,7 @@
 #include <map>
 #include <memory>
 
-#include "gui/panels/studies/background_study.h"
+#include "gui/work/background_study.h"
 #include "study/chart.h"
 #include "study/estimate.h"
 

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "gui/base/values.h"
-#include "gui/panels/studies/background_study.h"
 #include "gui/panels/studies/needs_view.h"
 #include "gui/session/session.h"
+#include "gui/work/background_study.h"
 #include "study/estimate.h"
 #include "study/needs.h"
 

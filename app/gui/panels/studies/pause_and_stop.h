@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "gui/panels/studies/background_study.h"
 #include "gui/widgets/widgets.h"
+#include "gui/work/background_study.h"
 
 namespace ps::gui {
 

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "gui/panels/studies/background_study.h"
 #include "gui/session/session.h"
+#include "gui/work/background_study.h"
 #include "study/stability/pictures.h"
 
 namespace ps::gui {

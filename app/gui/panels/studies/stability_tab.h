@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "gui/base/values.h"
-#include "gui/panels/studies/background_study.h"
 #include "gui/panels/studies/curve_plot.h"
 #include "gui/panels/studies/film_strip_view.h"
 #include "gui/panels/studies/layout_choice.h"
 #include "gui/panels/studies/stability_opening.h"
 #include "gui/session/session.h"
+#include "gui/work/background_study.h"
 #include "study/stability_study.h"
 
 namespace ps::gui {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gui/panels/studies/background_study.h"
+#include "gui/work/background_study.h"
 
 namespace ps::gui {
 

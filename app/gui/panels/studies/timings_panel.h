@@ -5,8 +5,8 @@
 #include <string>
 
 #include "gui/base/values.h"
-#include "gui/panels/studies/background_study.h"
 #include "gui/session/session.h"
+#include "gui/work/background_study.h"
 #include "study/pair_timing.h"
 
 namespace ps::gui {

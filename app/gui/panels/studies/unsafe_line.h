@@ -8,7 +8,7 @@
 
 #include "gui/base/values.h"
 #include "gui/panels/pictures/pictures_panel.h"
-#include "gui/panels/studies/background_study.h"
+#include "gui/work/background_study.h"
 #include "study/unsafe_settings.h"
 
 namespace ps::gui {

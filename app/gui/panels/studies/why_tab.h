@@ -5,9 +5,9 @@
 #include <string>
 
 #include "gui/base/values.h"
-#include "gui/panels/studies/background_study.h"
 #include "gui/platform/texture.h"
 #include "gui/session/session.h"
+#include "gui/work/background_study.h"
 #include "study/difference_by_cause.h"
 #include "study/precision_map.h"
 

@@ -1,0 +1,81 @@
+#include "engine/answers.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "base/csv.h"
+#include "record/value_text.h"
+
+namespace ps {
+namespace {
+
+constexpr std::uintmax_t most_bytes = 16u << 20;
+
+GivenAnswer read_answer(const std::string& line) {
+  const nlohmann::json entry = nlohmann::json::parse(line);
+  return {entry.at("time"),     entry.at("lesson"), entry.at("step"),
+          entry.at("question"), entry.at("answer"), entry.at("points")};
+}
+
+/// A field of a table; what a spreadsheet would take for a formula stays text.
+std::string field(std::string text) {
+  if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos) text = "'" + text;
+  return csv_field(text);
+}
+
+}  // namespace
+
+std::string answer_time() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+
+std::filesystem::path answers_file() {
+  const char* state = std::getenv("XDG_STATE_HOME");
+  const char* home = std::getenv("HOME");
+  if (state && *state) return std::filesystem::path(state) / "pixelscope" / "answers.jsonl";
+  if (home && *home) return std::filesystem::path(home) / ".local/state/pixelscope/answers.jsonl";
+  return {};
+}
+
+std::vector<GivenAnswer> kept_answers(const std::filesystem::path& file) {
+  std::error_code error;
+  if (file.empty() || !std::filesystem::exists(file, error)) return {};
+  std::vector<GivenAnswer> answers;
+  std::istringstream lines(read_whole_file(file, most_bytes));
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    try {
+      answers.push_back(read_answer(line));
+    } catch (const nlohmann::json::exception&) {
+      throw InputError({file.string(), number, 1}, "something else", "an answer, as this program writes it");
+    }
+  }
+  return answers;
+}
+
+void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer) {
+  if (file.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  std::string text = std::filesystem::exists(file, error) ? read_whole_file(file, most_bytes) : "";
+  const nlohmann::json entry{{"time", answer.time},         {"lesson", answer.lesson}, {"step", answer.step},
+                             {"question", answer.question}, {"answer", answer.answer}, {"points", answer.points}};
+  text += entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  write_file_atomically(file, text);
+}
+
+std::string answers_csv(const std::vector<GivenAnswer>& answers, const std::string& student) {
+  std::string table = "student,time,lesson,step,question,answer,points\n";
+  for (const GivenAnswer& each : answers)
+    table += fmt::format("{},{},{},{},{},{},{}\n", field(student), field(each.time), field(each.lesson), each.step + 1,
+                         field(each.question), field(each.answer), exact_number_text(each.points));
+  return table;
+}
+
+}  // namespace ps

@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ps {
+
+/// What a student answered to the question of a step.
+struct GivenAnswer {
+  std::string time;    ///< "2026-11-25T07:12:00Z"
+  std::string lesson;  ///< the folder
+  int step = 0;        ///< from 0
+  std::string question, answer;
+  double points = 0;  ///< 0 to 1
+};
+
+/// The time now, as GivenAnswer has it.
+std::string answer_time();
+
+/// Where the answers of this user are kept from one start to the next: pixelscope/answers.jsonl in the user's state
+/// folder ($XDG_STATE_HOME or ~/.local/state). Empty if there is no such folder.
+std::filesystem::path answers_file();
+
+/// The answers that a file holds, oldest first; none if it is missing. Throws InputError with the line for one that is
+/// no answer.
+std::vector<GivenAnswer> kept_answers(const std::filesystem::path& file);
+/// Adds one to the file, which is made if need be. Throws InputError where it cannot be read or written.
+void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer);
+
+/// "student,time,lesson,step,question,answer,points", with steps from 1.
+std::string answers_csv(const std::vector<GivenAnswer>& answers, const std::string& student);
+
+}  // namespace ps

@@ -1,0 +1,273 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "base/check.h"
+#include "engine/metric.h"
+#include "frame/display_frame.h"
+#include "frame/region.h"
+#include "image/metrics.h"
+#include "options/renderer_kind.h"
+#include "record/value_text.h"
+#include "render/render.h"
+#include "study/stability/experiment.h"
+
+namespace ps {
+namespace {
+
+/// Renders sides of a document, and only what a metric asks for.
+class Bench {
+ public:
+  Bench(const Document& document, Progress& progress) : document_(document), progress_(progress) {}
+
+  const Document& document() const { return document_; }
+  Frame frame(const Settings& settings, Channel channels = Channel::none) {
+    RenderRequest request;
+    request.channels = channels;
+    request.region = document_.view.region;
+    return render(document_.scene, view_of(document_), settings, request, prepared_, progress_);
+  }
+  Frame frame(Side side, Channel channels = Channel::none) { return frame(settings(side), channels); }
+  Image<Rgb8> levels(Side side) { return display_frame(frame(side), settings(side)); }
+  const Settings& settings(Side side) const { return side_of(document_, side).settings; }
+
+  Vec2i pixel() const {
+    const View view = view_of(document_);
+    const Vec2i p = document_.pixel;
+    if (p.x < 0 || p.y < 0 || p.x >= view.width || p.y >= view.height)
+      throw InputError("the metric reads a pixel, but none inside the picture is picked");
+    return p;
+  }
+  PixelId id(Side side) { return frame(side, Channel::ids).ids.at(pixel().x, pixel().y); }
+
+ private:
+  const Document& document_;
+  Progress& progress_;
+  Prepared prepared_;
+};
+
+/// A's shadows against those in double precision with rays that start outside the surface's rounding error. Only pixels
+/// that show the same object in both are counted.
+double false_shadow_pixels(Bench& bench) {
+  Settings exact = bench.settings(Side::a);
+  exact.precision = Precision::float64;
+  exact.self_hit = SelfHit::offset;
+  exact.sphere_test = SphereTest::robust;
+  const Channel channels = Channel::shadow | Channel::ids;
+  const Frame tested = bench.frame(Side::a, channels);
+  const Frame reference = bench.frame(exact, channels);
+  double count = 0;
+  for (int y = 0; y < tested.height(); ++y)
+    for (int x = 0; x < tested.width(); ++x)
+      if (tested.ids.at(x, y) == reference.ids.at(x, y) && (tested.shadow.at(x, y) & ~reference.shadow.at(x, y)) != 0)
+        ++count;
+  return count;
+}
+
+bool counts_rays(Counter counter) {
+  constexpr CounterSet rays{Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays,
+                            Counter::refraction_rays};
+  return rays.contains(counter);
+}
+
+double count_of(Bench& bench, Side side, Counter counter) {
+  const Frame frame = bench.frame(side);
+  if (const auto count = frame.counters.get(counter)) return static_cast<double>(*count);
+  // Who draws fragments sends no ray: a claim may hold that against those who do.
+  if (counts_rays(counter) && picture_way(bench.settings(side).renderer) == PictureWay::fragments) return 0;
+  throw InputError(fmt::format("metric: the picture's renderer does not count {}", counter_key(counter)));
+}
+
+/// The part of a picture that a metric reads. Throws InputError for a rectangle that does not lie inside.
+Image<Rgb8> part_of_picture(const Image<Rgb8>& picture, const std::optional<TileRect>& within) {
+  if (!within) return picture;
+  const TileRect inside = common_part(*within, {0, 0, picture.width(), picture.height()});
+  if (!(inside == *within) || is_empty(inside))
+    throw InputError(fmt::format("within: the rectangle does not lie in the picture of {} x {} pixels", picture.width(),
+                                 picture.height()));
+  Image<Rgb8> part(inside.width(), inside.height());
+  for (int y = 0; y < part.height(); ++y)
+    for (int x = 0; x < part.width(); ++x) part.at(x, y) = picture.at(inside.x0 + x, inside.y0 + y);
+  return part;
+}
+
+Comparison compared(Bench& bench, const Metric& metric) {
+  return compare_channels(part_of_picture(bench.levels(Side::a), metric.within),
+                          part_of_picture(bench.levels(Side::b), metric.within));
+}
+
+int level_of(Rgb8 colour, int channel) { return channel == 0 ? colour.r : channel == 1 ? colour.g : colour.b; }
+
+double level(Bench& bench, Side side, int channel, const Metric& metric) {
+  const Image<Rgb8> picture = bench.levels(side);
+  if (!metric.within) return level_of(picture.at(bench.pixel().x, bench.pixel().y), channel);
+  double sum = 0;
+  const Image<Rgb8> part = part_of_picture(picture, metric.within);
+  for (const Rgb8& colour : part.pixels()) sum += level_of(colour, channel);
+  return sum / static_cast<double>(part.pixels().size());
+}
+
+/// The index of the object of that name; -1 for "background".
+int object_of_name(const Scene& scene, std::string_view name) {
+  const auto& objects = scene.geometry->objects;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (objects[i].name == name) return static_cast<int>(i);
+  if (name == "background") return -1;
+  throw InputError(fmt::format("winner: the scene has no object named '{}'", name));
+}
+
+double experiment_value(const Metric& metric, Progress& progress) {
+  StabilityRun run;
+  run.progress = &progress;
+  const StabilityExperiment& experiment = find_stability_experiment(metric.name);
+  std::vector<std::string> known;
+  for (const StabilityRow& row : experiment.measure(run)) {
+    known.push_back(fmt::format("{} {}", exact_number_text(row.knob), row.series));
+    if (row.series != metric.series || std::abs(row.knob - metric.knob) > 1e-9 * std::abs(metric.knob)) continue;
+    const double value = metric.method == StudyMethod::naive ? row.naive : row.robust;
+    if (!std::isnan(value)) return value;
+  }
+  throw InputError(
+      fmt::format("metric: the experiment '{}' has no such point; it has {}", metric.name, fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+double measure(const Metric& metric, const Document& document, Progress& progress) {
+  Bench bench(document, progress);
+  switch (metric.kind) {
+  case MetricKind::differing_pixels:
+    return static_cast<double>(compared(bench, metric).differing);
+  case MetricKind::mean_difference:
+    return compared(bench, metric).mae;
+  case MetricKind::max_difference:
+    return compared(bench, metric).max;
+  case MetricKind::psnr:
+    return compared(bench, metric).psnr.value_or(std::numeric_limits<double>::infinity());
+  case MetricKind::flip:
+    return compare_images(part_of_picture(bench.levels(Side::a), metric.within),
+                          part_of_picture(bench.levels(Side::b), metric.within))
+        .flip;
+  case MetricKind::counter_a:
+    return count_of(bench, Side::a, metric.counter);
+  case MetricKind::counter_b:
+    return count_of(bench, Side::b, metric.counter);
+  case MetricKind::counter_ratio:
+    return count_of(bench, Side::a, metric.counter) / count_of(bench, Side::b, metric.counter);
+  case MetricKind::false_shadow_pixels:
+    return false_shadow_pixels(bench);
+  case MetricKind::red_a:
+    return level(bench, Side::a, 0, metric);
+  case MetricKind::green_a:
+    return level(bench, Side::a, 1, metric);
+  case MetricKind::blue_a:
+    return level(bench, Side::a, 2, metric);
+  case MetricKind::red_b:
+    return level(bench, Side::b, 0, metric);
+  case MetricKind::green_b:
+    return level(bench, Side::b, 1, metric);
+  case MetricKind::blue_b:
+    return level(bench, Side::b, 2, metric);
+  case MetricKind::object_a:
+    return bench.id(Side::a).object;
+  case MetricKind::object_b:
+    return bench.id(Side::b).object;
+  case MetricKind::triangle_a:
+    return bench.id(Side::a).triangle;
+  case MetricKind::triangle_b:
+    return bench.id(Side::b).triangle;
+  case MetricKind::winner_a:
+    return bench.id(Side::a).object == object_of_name(document.scene, metric.name) ? 1 : 0;
+  case MetricKind::winner_b:
+    return bench.id(Side::b).object == object_of_name(document.scene, metric.name) ? 1 : 0;
+  case MetricKind::experiment:
+    return experiment_value(metric, progress);
+  }
+  return std::nan("");
+}
+
+namespace {
+
+using ValueAt = std::function<double(int x, int y)>;
+
+ValueAt levels_at(Bench& bench, Side side, int channel) {
+  return [picture = bench.levels(side), channel](int x, int y) { return level_of(picture.at(x, y), channel); };
+}
+
+ValueAt ids_at(Bench& bench, Side side, const std::function<double(const PixelId&)>& value) {
+  return [ids = bench.frame(side, Channel::ids).ids, value](int x, int y) { return value(ids.at(x, y)); };
+}
+
+/// What the metric reads at each pixel.
+ValueAt values_of(Bench& bench, const Metric& metric) {
+  const auto winner = [&](Side side) {
+    const int wanted = object_of_name(bench.document().scene, metric.name);
+    return ids_at(bench, side, [wanted](const PixelId& id) { return id.object == wanted ? 1 : 0; });
+  };
+  const auto object = [](const PixelId& id) { return id.object; };
+  const auto triangle = [](const PixelId& id) { return id.triangle; };
+  switch (metric.kind) {
+  case MetricKind::red_a:
+    return levels_at(bench, Side::a, 0);
+  case MetricKind::green_a:
+    return levels_at(bench, Side::a, 1);
+  case MetricKind::blue_a:
+    return levels_at(bench, Side::a, 2);
+  case MetricKind::red_b:
+    return levels_at(bench, Side::b, 0);
+  case MetricKind::green_b:
+    return levels_at(bench, Side::b, 1);
+  case MetricKind::blue_b:
+    return levels_at(bench, Side::b, 2);
+  case MetricKind::object_a:
+    return ids_at(bench, Side::a, object);
+  case MetricKind::object_b:
+    return ids_at(bench, Side::b, object);
+  case MetricKind::triangle_a:
+    return ids_at(bench, Side::a, triangle);
+  case MetricKind::triangle_b:
+    return ids_at(bench, Side::b, triangle);
+  case MetricKind::winner_a:
+    return winner(Side::a);
+  case MetricKind::winner_b:
+    return winner(Side::b);
+  case MetricKind::differing_pixels:
+  case MetricKind::max_difference: {
+    const bool counted = metric.kind == MetricKind::differing_pixels;
+    return [a = bench.levels(Side::a), b = bench.levels(Side::b), counted](int x, int y) {
+      int most = 0;
+      for (int channel = 0; channel < 3; ++channel)
+        most = std::max(most, std::abs(level_of(a.at(x, y), channel) - level_of(b.at(x, y), channel)));
+      return counted ? std::min(most, 1) : most;
+    };
+  }
+  case MetricKind::mean_difference:
+  case MetricKind::psnr:
+  case MetricKind::flip:
+  case MetricKind::counter_a:
+  case MetricKind::counter_b:
+  case MetricKind::counter_ratio:
+  case MetricKind::false_shadow_pixels:
+  case MetricKind::experiment:
+    break;
+  }
+  throw InputError(fmt::format("'{}' does not read a single pixel", metric_text(metric)));
+}
+
+}  // namespace
+
+Image<unsigned char> places_within(const Metric& metric, const Bound& bound, const Document& document,
+                                   Progress& progress) {
+  Bench bench(document, progress);
+  const ValueAt value = values_of(bench, metric);
+  const View view = view_of(document);
+  Image<unsigned char> places(view.width, view.height);
+  for (int y = 0; y < view.height; ++y)
+    for (int x = 0; x < view.width; ++x) places.at(x, y) = bound.holds(value(x, y)) ? 1 : 0;
+  return places;
+}
+
+}  // namespace ps

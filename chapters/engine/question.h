@@ -1,0 +1,73 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/check.h"
+#include "engine/metric.h"
+#include "engine/state.h"
+#include "image/image.h"
+#include "inspect/predict.h"
+
+/// Questions of a lesson's step. The right answer is never written down: it is measured.
+
+namespace ps {
+
+enum class AskKind {
+  choice,  ///< one of several sentences; right is the one whose bound the metric keeps
+  number,  ///< the metric's value
+  click,   ///< a pixel of the pictures at which the metric keeps the bound
+  pixel    ///< about the picked pixel, as core/inspect/predict.h asks
+};
+
+/// One of the sentences of AskKind::choice.
+struct AnswerChoice {
+  Bound bound;           ///< kept by the metric: this is the right one
+  std::string text;      ///< the answer
+  std::string feedback;  ///< what is wrong about it, or more about it if it is right
+};
+
+struct LessonQuestion {
+  AskKind kind = AskKind::choice;
+  std::string text;
+  Question about = Question::colour;         ///< AskKind::pixel
+  LessonState state;                         ///< in which it is measured: the step's, with the question's own lines
+  Metric metric;                             ///< all but AskKind::pixel
+  std::vector<AnswerChoice> choices;         ///< AskKind::choice
+  Bound bound;                               ///< AskKind::click
+  double tolerance = 0;                      ///< AskKind::number: how far off an answer may be
+  std::string unit;                          ///< AskKind::number
+  std::string why;                           ///< said after the answer; may be empty
+  std::array<bool, 2> hidden{false, false};  ///< the pictures of A and B that are covered until it is answered
+  SourcePlace place;
+};
+
+/// "choice", "number", "click", "colour", "winner", "rays", "triangle", "tests"
+std::string_view ask_text(const LessonQuestion& question);
+
+/// What is known of the right answer to a question of the first three kinds.
+struct MeasuredAnswer {
+  double value = 0;             ///< of the metric; choice and number
+  Image<unsigned char> places;  ///< click: 1 where the answer is right
+};
+
+/// Measures the right answer. Throws InputError when it cannot be measured, and Cancelled. Not for AskKind::pixel.
+MeasuredAnswer measure_answer(const LessonQuestion& question, Progress& progress);
+
+/// What a student answers; only the member of the question's kind counts.
+struct StudentAnswer {
+  int choice = -1;
+  double number = 0;
+  Vec2i place{-1, -1};
+};
+
+/// One point or none, and a sentence that says what is right.
+Judgement judge(const LessonQuestion& question, const StudentAnswer& answer, const MeasuredAnswer& right);
+
+/// Why a question is not a good one: no choice is right or several are, a wrong one has no sentence, every place is
+/// right or none, the pixel's story does not answer it. Empty if it is one. `found` is set to the measured answer in
+/// words.
+std::string check_question(const LessonQuestion& question, Progress& progress, std::string& found);
+
+}  // namespace ps
