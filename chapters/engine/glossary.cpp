@@ -22,6 +22,13 @@ std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
+/// What words are compared by: their case and hyphens do not count, so that a link can write hyphens for blanks.
+std::string key_of_words(std::string_view words) {
+  std::string key = in_lower_case(words);
+  std::replace(key.begin(), key.end(), '-', ' ');
+  return key;
+}
+
 std::string_view without_blanks(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
@@ -73,7 +80,7 @@ const std::map<std::string, std::string>& terms_of_words() {
       return found;
     }
     for (const RawEntry& entry : raw_entries(text))
-      for (const std::string& word : entry.words) found.emplace(in_lower_case(word), entry.words.front());
+      for (const std::string& word : entry.words) found.emplace(key_of_words(word), entry.words.front());
     return found;
   }();
   return terms;
@@ -101,7 +108,7 @@ std::vector<GlossaryEntry> parse_glossary(std::string_view text, const std::stri
     if (!entries.empty() && in_lower_case(entries.back().term) >= in_lower_case(term))
       throw InputError(place, fmt::format("'{}' behind '{}'", term, entries.back().term), "terms in order");
     for (const std::string& word : raw.words)
-      if (const auto [other, is_new] = seen.emplace(in_lower_case(word), term); !is_new)
+      if (const auto [other, is_new] = seen.emplace(key_of_words(word), term); !is_new)
         throw InputError(place, fmt::format("'{}' for a second time", word),
                          fmt::format("it under '{}' alone", other->second));
     entries.push_back({term, {raw.words.begin() + 1, raw.words.end()}, read_definition(raw, file)});
@@ -125,14 +132,14 @@ const GlossaryEntry* find_entry(std::string_view words) {
 
 std::string term_of(std::string_view words) {
   const auto& terms = terms_of_words();
-  const auto found = terms.find(in_lower_case(words));
+  const auto found = terms.find(key_of_words(words));
   return found == terms.end() ? std::string() : found->second;
 }
 
 std::vector<std::string_view> glossary_terms() {
   std::vector<std::string_view> terms;
   for (const auto& [word, term] : terms_of_words())
-    if (word == in_lower_case(term)) terms.push_back(term);
+    if (word == key_of_words(term)) terms.push_back(term);
   return terms;
 }
 

@@ -17,7 +17,7 @@ struct GlossaryEntry {
 /// All terms in the order of the alphabet. Throws InputError when the file is missing or faulty.
 const std::vector<GlossaryEntry>& glossary();
 
-/// The entry of a term or one of its forms, in whatever case; nullptr for other words.
+/// The entry of a term or one of its forms, in whatever case and with hyphens for blanks; nullptr for other words.
 const GlossaryEntry* find_entry(std::string_view words);
 
 /// The term that these words are a form of, without reading definitions; empty for other words, and where there is no

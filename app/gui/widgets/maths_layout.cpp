@@ -12,10 +12,11 @@ namespace {
 // Shares of the em of the text, after The TeXbook, appendix G, for a sans serif font.
 constexpr float least_raise = 0.38f, least_drop = 0.18f;          // baselines of scripts
 constexpr float raise_below_top = 0.3f, drop_above_foot = 0.08f;  // the same for a high base, from its edges
-constexpr float script_gap = 0.04f, scripts_apart = 0.2f;
+constexpr float script_gap = 0.03f, scripts_apart = 0.2f;
 constexpr float fraction_gap = 0.14f, fraction_edge = 0.1f, fraction_up = 0.66f, fraction_down = 0.66f;
 constexpr float root_gap = 0.12f, accent_gap = 0.1f, slant = 0.07f;
-constexpr float limit_gap = 0.16f;
+constexpr float limit_gap = 0.2f;
+constexpr float inner_space = 3.0f / 18, delimiter_gap = 0.08f;
 constexpr float delimiter_in_font = 0.62f;  // up to this reach from the axis, the font's own delimiter does
 constexpr float column_gap = 0.9f, row_gap = 0.3f, line_of_row = 1.25f;
 
@@ -31,6 +32,31 @@ struct Style {
 
 float whole(float length) { return std::round(length); }
 
+/// Has edges of its own, such as a bar or high delimiters, from which its neighbours keep away.
+bool is_inner(const MathsNode& node) {
+  return std::holds_alternative<MathsFraction>(node.what) || std::holds_alternative<MathsFence>(node.what) ||
+         std::holds_alternative<MathsMatrix>(node.what);
+}
+
+/// Between a node and the one before it, in em.
+float space_before(const MathsRow& nodes, const std::vector<MathsRole>& roles, std::size_t i, Style style) {
+  const bool script = style.size == MathsSize::script;
+  const auto space = static_cast<float>(maths_space(roles[i - 1], roles[i], script));
+  if (space > 0 || script || (!is_inner(nodes[i - 1]) && !is_inner(nodes[i]))) return space;
+  const auto takes_none = [](const MathsNode& node) { return std::holds_alternative<MathsSpace>(node.what); };
+  const bool at_edge = roles[i - 1] == MathsRole::opening || roles[i] == MathsRole::closing;
+  const bool operators = roles[i - 1] == MathsRole::relation || roles[i] == MathsRole::relation;
+  return at_edge || operators || takes_none(nodes[i - 1]) || takes_none(nodes[i]) ? 0 : inner_space;
+}
+
+/// Primes are high already: they are neither raised nor made smaller.
+bool primes_alone(const MathsRow& row) {
+  return !row.empty() && std::all_of(row.begin(), row.end(), [](const MathsNode& node) {
+    const auto* sign = std::get_if<MathsSign>(&node.what);
+    return sign && sign->text == "′";
+  });
+}
+
 class Layout {
  public:
   explicit Layout(const MathsFont& font) : font_(font), rule_(maths_rule(font)) {}
@@ -39,9 +65,7 @@ class Layout {
                Style style) const {
     MathsBox box;
     for (std::size_t i = begin; i < end; ++i) {
-      if (i > begin)
-        box.width += font_.em(style.size) *
-                     static_cast<float>(maths_space(roles[i - 1], roles[i], style.size == MathsSize::script));
+      if (i > begin) box.width += font_.em(style.size) * space_before(nodes, roles, i, style);
       const MathsBox next = node(nodes[i], style);
       box.add(next, box.width);
       box.width += next.width;
@@ -84,24 +108,31 @@ class Layout {
     return box;
   }
 
+  /// How far a superscript must move to the right of a slanted letter, whose top leans there.
+  float overhang(const MathsSign& sign, Style style) const {
+    const InkBox ink = font_.ink(sign.style, style.size, sign.text);
+    return std::clamp(ink.right - ink.advance + slant * em(style), 0.0f, 2 * slant * em(style));
+  }
+
   MathsBox set(const MathsScripts& scripts, Style style) const {
     const auto* sign = std::get_if<MathsSign>(&scripts.base.front().what);
     if (sign && sign->limits && style.setting == Setting::displayed) return with_limits(scripts, style);
     const float e = em(style);
     MathsBox box = row(scripts.base, style);
-    const MathsBox sub = row(scripts.sub, style.script()), super = row(scripts.super, style.script());
+    const bool primes = primes_alone(scripts.super);
+    const MathsBox sub = row(scripts.sub, style.script()),
+                   super = row(scripts.super, primes ? style.cell() : style.script());
     const bool high = !sign || (sign->large && style.setting == Setting::displayed);
     float raise = least_raise * e, drop = least_drop * e;
     if (high) {
       raise = std::max(raise, box.above - raise_below_top * e);
       drop = std::max(drop, box.below + drop_above_foot * e);
     }
-    raise = whole(std::max(raise, super.below + 0.25f * e));
+    raise = primes && !high ? 0 : whole(std::max(raise, super.below + 0.25f * e));
     drop = whole(drop);
-    if (!scripts.sub.empty() && !scripts.super.empty())
+    if (!scripts.sub.empty() && !scripts.super.empty() && !primes)
       drop = std::max(drop, whole(sub.above - (raise - super.below) + scripts_apart * e));
-    // A superscript of a slanted letter stands to the right of the letter's top.
-    const float lean = sign && sign->style == MathsStyle::italic ? slant * e : 0;
+    const float lean = sign && sign->style == MathsStyle::italic ? overhang(*sign, style) : 0;
     const float x = box.width + script_gap * e;
     if (!scripts.super.empty()) box.add(super, x + lean, -raise);
     if (!scripts.sub.empty()) box.add(sub, x, drop);
@@ -185,11 +216,12 @@ class Layout {
       return drawn_delimiter(sign, end, e, whole(a + reach), whole(reach - a));
     };
     const MathsBox left = delimiter(opening, DelimiterEnd::opening), right = delimiter(closing, DelimiterEnd::closing);
+    const float gap = reach > delimiter_in_font * e ? delimiter_gap * e : 0;
     MathsBox box;
     box.add(left, 0);
-    box.add(inside, left.width);
-    box.add(right, left.width + inside.width);
-    box.width = left.width + inside.width + right.width;
+    box.add(inside, left.width + gap);
+    box.add(right, left.width + inside.width + 2 * gap);
+    box.width = left.width + inside.width + right.width + 2 * gap;
     return box;
   }
 

@@ -9,6 +9,7 @@ namespace ps::gui {
 namespace {
 
 constexpr float line_of_em = 0.075f;  // as thick as the strokes of the body font
+constexpr float accent_line_of_em = 0.06f;
 constexpr int curve_points = 12;
 
 float line_width(float em) { return std::max(1.0f, em * line_of_em); }
@@ -42,14 +43,15 @@ Shape parenthesis(float em, float top, float bottom) {
 Shape brace(float em, float top, float bottom) {
   const float width = 0.46f * em, x0 = 0.08f * em, x1 = 0.22f * em, x2 = 0.38f * em, middle = (top + bottom) / 2,
               bend = std::min(0.3f * em, (bottom - top) / 4);
-  Shape shape{width, {{}}};
-  auto& line = shape.lines[0];
-  add_curve(line, {x2, top}, {x1, top}, {x1, top + bend * 0.4f}, {x1, top + bend});
-  line.push_back({x1, middle - bend});
-  add_curve(line, {x1, middle - bend}, {x1, middle - bend * 0.3f}, {x1, middle}, {x0, middle});
-  add_curve(line, {x0, middle}, {x1, middle}, {x1, middle + bend * 0.3f}, {x1, middle + bend});
-  line.push_back({x1, bottom - bend});
-  add_curve(line, {x1, bottom - bend}, {x1, bottom - bend * 0.4f}, {x1, bottom}, {x2, bottom});
+  // Two lines, since one that turns back at the middle would have a spike there.
+  Shape shape{width, {{}, {}}};
+  auto &upper = shape.lines[0], &lower = shape.lines[1];
+  add_curve(upper, {x2, top}, {x1, top}, {x1, top + bend * 0.4f}, {x1, top + bend});
+  upper.push_back({x1, middle - bend});
+  add_curve(upper, {x1, middle - bend}, {x1, middle - bend * 0.3f}, {x1, middle}, {x0, middle});
+  add_curve(lower, {x0, middle}, {x1, middle}, {x1, middle + bend * 0.3f}, {x1, middle + bend});
+  lower.push_back({x1, bottom - bend});
+  add_curve(lower, {x1, bottom - bend}, {x1, bottom - bend * 0.4f}, {x1, bottom}, {x2, bottom});
   return shape;
 }
 
@@ -64,7 +66,7 @@ Shape shape_of(std::string_view delimiter, float em, float top, float bottom) {
   if (delimiter == "⟨" || delimiter == "⟩") return {bracket, {{{foot, top}, {0.1f * em, middle}, {foot, bottom}}}};
   if (delimiter == "|") return {2 * x0, {{{x0, top}, {x0, bottom}}}};
   if (delimiter == "‖") {
-    const float second = x0 + std::max(2.0f, std::round(0.18f * em));
+    const float second = x0 + std::max(3.0f, std::round(0.2f * em));
     return {x0 + second, {{{x0, top}, {x0, bottom}}, {{second, top}, {second, bottom}}}};
   }
   return {};
@@ -83,7 +85,7 @@ MathsBox drawn_delimiter(std::string_view delimiter, DelimiterEnd end, float em,
 }
 
 bool always_drawn(std::string_view delimiter) {
-  constexpr std::array<std::string_view, 6> drawn{"⌊", "⌋", "⌈", "⌉", "⟨", "⟩"};
+  constexpr std::array<std::string_view, 7> drawn{"‖", "⌊", "⌋", "⌈", "⌉", "⟨", "⟩"};
   return std::find(drawn.begin(), drawn.end(), delimiter) != drawn.end();
 }
 
@@ -138,7 +140,7 @@ MathsBox drawn_accent(MathsAccent accent, float em, float width, float rule) {
   MathsBox box{width, 0, 0, {}, {}, {}};
   switch (accent) {
   case MathsAccent::vector: {
-    const float head = 0.13f * em, y = -head;
+    const float head = 0.12f * em, y = -head;
     box.above = 2 * head;
     box.strokes = {stroke(em, {{0, y}, {width, y}}),
                    stroke(em, {{width - head, y - head}, {width, y}, {width - head, y + head}})};
@@ -155,6 +157,7 @@ MathsBox drawn_accent(MathsAccent accent, float em, float width, float rule) {
     box.rules = {{0, -rule, width, rule}};
     break;
   }
+  for (MathsStroke& line : box.strokes) line.thickness = std::max(1.0f, accent_line_of_em * em);
   return box;
 }
 

@@ -39,11 +39,12 @@ std::string words_of_line(const TextLine& line) {
   const TextSpan* formula = nullptr;  // whose words are there already
   float end = 0;
   for (const TextPiece& piece : line.pieces) {
+    const bool apart = piece.x > end + 1;
+    end = piece.x + piece.width;
     if (piece.formula && piece.span == formula) continue;
-    if (!words.empty() && piece.x > end) words += ' ';
+    if (!words.empty() && apart) words += ' ';
     words += piece.formula ? std::string_view(piece.span->text) : piece.text;
     formula = piece.formula ? piece.span : nullptr;
-    end = piece.x + piece.width;
   }
   return words;
 }
