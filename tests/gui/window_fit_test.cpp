@@ -2,6 +2,8 @@
 // of old and new screens, with common and with large type.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <sstream>
 
 #include "engine/lesson.h"
@@ -76,15 +78,16 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
 }
 
 TEST_P(WindowFit, NothingIsCutInAnyStepOfALesson) {
-  // Pictures are waited for on two screens alone, of every second lesson each: it takes long. Otherwise a step is
+  // Pictures are waited for on four screens alone, of every fourth lesson each: it takes long. Otherwise a step is
   // looked at as soon as it is drawn.
-  const std::string screen = GetParam().size + " " + GetParam().type;
-  const int waited = screen == "1366x768 1" ? 0 : screen == "1920x1080 1" ? 1 : 2;
+  constexpr std::array waiting{"1366x768 1", "1920x1080 1", "1024x768 1", "1366x768 1.5"};
+  const auto* const found = std::find(waiting.begin(), waiting.end(), GetParam().size + " " + GetParam().type);
+  const auto waited = found - waiting.begin();  // of the lessons; on other screens none
   std::string commands = "wait idle\n";
   std::vector<FitPlace> places;
   int number = 0;
   for (const std::string& name : ps::lesson_names()) {
-    const std::string wait = number++ % 2 == waited ? "wait idle\n" : "wait frames 4\n";
+    const std::string wait = number++ % std::ssize(waiting) == waited ? "wait idle\n" : "wait frames 4\n";
     const auto steps = ps::load_lesson(name).steps.size();
     for (std::size_t step = 0; step < steps; ++step) {
       if (step > 0 || !places.empty()) commands += (step == 0 ? "key ]\n" : "key Shift+PageDown\n") + wait;
