@@ -6,10 +6,12 @@
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/lesson_files.h"
 #include "engine/answers.h"
 #include "engine/course.h"
 #include "engine/lesson.h"
 #include "engine/lesson_length.h"
+#include "engine/metric_words.h"
 #include "record/value_text.h"
 
 namespace ps::cli {
@@ -86,8 +88,8 @@ void check(const Claim& claim, Tally& tally) {
   else if (!result.has_teeth)
     verdict = "HOLDS WITH THE MUTATION TOO";
   fmt::print("  {:<30} {:>9} {:<12} {:>9} with {:<28} {:<13} {}\n", metric_text(claim.metric),
-             number_text(result.value), bound_text(claim.bound), number_text(result.mutated_value), claim.mutation.text,
-             verdict, claim.text);
+             measured_text(result.value), bound_text(claim.bound), measured_text(result.mutated_value),
+             claim.mutation.text, verdict, claim.text);
   if (!result.passed()) ++tally.failures;
 }
 
@@ -160,7 +162,8 @@ int export_answers(const std::string& student, const std::string& out) {
 }  // namespace
 
 void add_lessons_command(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("lessons", "list, show or check the lessons; export answers");
+  CLI::App* command =
+      app.add_subcommand("lessons", "list, show, check or print the lessons; export answers; begin one");
   command->require_subcommand(0, 1);
   command->add_subcommand("list", "all lessons")->callback([&chosen] { chosen = list_lessons; });
   command->callback([&chosen] {
@@ -169,13 +172,14 @@ void add_lessons_command(CLI::App& app, Action& chosen) {
 
   CLI::App* show = command->add_subcommand("show", "the text of one lesson");
   const auto name = std::make_shared<std::string>();
-  show->add_option("NAME", *name, "a lesson")->required();
+  show->add_option("NAME", *name, "a lesson, or the folder of one")->required();
   show->callback([&chosen, name] { chosen = [name] { return show_lesson(*name); }; });
 
   CLI::App* check_command = command->add_subcommand(
       "check", "check claims, questions and links of the named lessons, or of all; exit status 1 if one fails");
   const auto names = std::make_shared<std::vector<std::string>>();
-  check_command->add_option("NAME", *names, "lessons");
+  check_command->add_option("NAME", *names, "lessons, or folders of lessons");
+  add_lesson_file_commands(*command, chosen);
   CLI::App* answers = command->add_subcommand("answers", "the answers given in the window so far, as a table (CSV)");
   const auto student = std::make_shared<std::string>(), out = std::make_shared<std::string>();
   answers->add_option("--name", *student, "whose answers they are: the first column");

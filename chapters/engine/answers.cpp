@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/csv.h"
+#include "base/number_text.h"
 #include "record/value_text.h"
 
 namespace ps {
@@ -26,7 +27,9 @@ GivenAnswer read_answer(const std::string& line) {
 
 /// A field of a table; what a spreadsheet would take for a formula stays text.
 std::string field(std::string text) {
-  if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos) text = "'" + text;
+  constexpr std::string_view begins_formula = "=+-@\t\r";
+  const bool plain = text.empty() || begins_formula.find(text.front()) == std::string_view::npos;
+  if (!plain && !parse_number(text)) text = "'" + text;
   return csv_field(text);
 }
 
@@ -73,7 +76,8 @@ void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer) {
 std::string answers_csv(const std::vector<GivenAnswer>& answers, const std::string& student) {
   std::string table = "student,time,lesson,step,question,answer,points\n";
   for (const GivenAnswer& each : answers)
-    table += fmt::format("{},{},{},{},{},{},{}\n", field(student), field(each.time), field(each.lesson), each.step + 1,
+    table += fmt::format("{},{},{},{},{},{},{}\n", field(student), field(each.time),
+                         field(std::filesystem::path(each.lesson).filename().string()), each.step + 1,
                          field(each.question), field(each.answer), exact_number_text(each.points));
   return table;
 }

@@ -8,7 +8,7 @@ namespace ps {
 /// What a student answered to the question of a step.
 struct GivenAnswer {
   std::string time;    ///< "2026-11-25T07:12:00Z"
-  std::string lesson;  ///< the folder
+  std::string lesson;  ///< as Lesson::name
   int step = 0;        ///< from 0
   std::string question, answer;
   double points = 0;  ///< 0 to 1
@@ -27,7 +27,8 @@ std::vector<GivenAnswer> kept_answers(const std::filesystem::path& file);
 /// Adds one to the file, which is made if need be. Throws InputError where it cannot be read or written.
 void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer);
 
-/// "student,time,lesson,step,question,answer,points", with steps from 1.
+/// "student,time,lesson,step,question,answer,points", with steps from 1 and without the path of a lesson of one's own.
+/// What a spreadsheet would take for a formula gets a quote in front.
 std::string answers_csv(const std::vector<GivenAnswer>& answers, const std::string& student);
 
 }  // namespace ps

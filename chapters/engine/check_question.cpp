@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "engine/metric_words.h"
 #include "engine/question.h"
-#include "record/value_text.h"
 #include "render/render.h"
 
 namespace ps {
@@ -21,7 +21,7 @@ int right_choice(const LessonQuestion& question, double value) {
 std::string ending(const std::string& sentence) { return sentence.empty() ? "" : " " + sentence; }
 
 std::string with_unit(double value, const std::string& unit) {
-  return number_text(value) + (unit.empty() ? "" : " " + unit);
+  return measured_text(value) + (unit.empty() ? "" : " " + unit);
 }
 
 /// What is wrong with the choices, or nothing.
@@ -53,7 +53,10 @@ std::string check_pixel(const LessonQuestion& question, Progress& progress, std:
   const PixelStory story = inspect(document.scene, view_of(document), side_of(document, document.picked).settings,
                                    document.pixel, prepared, progress);
   if (const auto objection = not_askable(question.about, story)) return std::string(*objection);
-  found = judge(question.about, Guess{{-1, -1, -1}, -2, -1, -2, -1}, story, document.scene).sentence;
+  // Nothing that can be right, so that the sentence names the answer.
+  const std::string sentence =
+      judge(question.about, Guess{{-1, -1, -1}, -2, -1, -2, -1}, story, document.scene).sentence;
+  found = sentence.substr(0, sentence.find("; you said"));
   return {};
 }
 

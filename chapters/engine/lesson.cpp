@@ -43,9 +43,9 @@ const std::vector<std::string>& lesson_names() {
 }
 
 Lesson load_lesson(const std::string& name) {
-  parse_lesson_place(name);
-  const std::filesystem::path file = lesson_file(name);
-  return parse_lesson(read_whole_file(file, largest_lesson), name, file.string());
+  const LessonPlace place = parse_lesson_place(name);
+  const std::filesystem::path file = lesson_file(place.lesson);
+  return parse_lesson(read_whole_file(file, largest_lesson), place.lesson, file.string());
 }
 
 }  // namespace ps

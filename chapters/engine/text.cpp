@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 
 #include "base/check.h"
 #include "base/spelling.h"
 #include "engine/glossary.h"
 #include "engine/lesson.h"
+#include "engine/lesson_place.h"
 #include "options/option.h"
 
 namespace ps {
 namespace {
-
-constexpr int most_steps = 1000;
 
 std::vector<std::string_view> linked_panels() {
   std::vector<std::string_view> names(bottom_tabs.begin(), bottom_tabs.end());
@@ -36,18 +34,9 @@ const Option& option_of_text(std::string_view key) {
   throw InputError(fmt::format("unknown option '{}'{}", key, did_you_mean(std::string(key), keys, "")));
 }
 
-/// A step's number as people count, from 1; from 0 in the result.
-int parse_step(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most_steps)
-    throw InputError(fmt::format("found the step '{}', expected a whole number from 1", text));
-  return number - 1;
-}
-
 }  // namespace
 
-LessonPlace parse_lesson_place(std::string_view text) {
+LessonPlace parse_built_in_place(std::string_view text) {
   const auto slash = text.find('/');
   const std::string folder(text.substr(0, slash));
   const std::vector<std::string> names = lesson_names();
@@ -56,7 +45,7 @@ LessonPlace parse_lesson_place(std::string_view text) {
     throw InputError(fmt::format("unknown lesson '{}'{}", folder,
                                  did_you_mean(folder, known, "; 'pixelscope-cli lessons list' lists them")));
   }
-  return {folder, slash == std::string_view::npos ? 0 : parse_step(text.substr(slash + 1))};
+  return {folder, slash == std::string_view::npos ? 0 : parse_step_number(text.substr(slash + 1))};
 }
 
 std::string plain_text(const TextBlock& block) {
@@ -76,9 +65,9 @@ TextLink parse_link(std::string_view target) {
   const std::string_view kind = target.substr(0, colon);
   const std::string_view name = colon == std::string_view::npos ? std::string_view{} : target.substr(colon + 1);
   if (kind == "option") return {LinkKind::option, std::string(option_of_text(name).key), 0, {}};
-  if (kind == "step") return {LinkKind::step, {}, parse_step(name), {}};
+  if (kind == "step") return {LinkKind::step, {}, parse_step_number(name), {}};
   if (kind == "lesson") {
-    const LessonPlace place = parse_lesson_place(name);
+    const LessonPlace place = parse_built_in_place(name);
     return {LinkKind::lesson, place.lesson, place.step, {}};
   }
   if (kind == "term") {

@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 #include "base/check.h"
+#include "inspect/guess_text.h"
 #include "inspect/vertex_chain.h"
 #include "options/renderer_kind.h"
 #include "render/story/names.h"
@@ -115,6 +116,22 @@ int tests_of(const PixelStory& story) {
   const auto tests = counted_tests(story);
   PS_ASSERT(tests, "asked only where not_askable() has no objection");
   return static_cast<int>(*tests);
+}
+
+std::string guess_text(Question question, const Guess& guess, const Scene& scene) {
+  switch (question) {
+  case Question::colour:
+    return fmt::format("{} {} {}", guess.colour[0], guess.colour[1], guess.colour[2]);
+  case Question::winner:
+    return object_text(guess.object, scene);
+  case Question::triangle:
+    return guess.object < 0 ? object_text(-1, scene) : primitive_name(scene, {guess.object, guess.triangle});
+  case Question::rays:
+    return fmt::format("{}", guess.rays);
+  case Question::tests:
+    return fmt::format("{}", guess.tests);
+  }
+  return {};
 }
 
 Judgement judge(Question question, const Guess& guess, const PixelStory& story, const Scene& scene) {

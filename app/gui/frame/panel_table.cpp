@@ -54,7 +54,8 @@ Panel lesson(Session& session, PanelStates& my) {
                 out.offer("lesson/page", [&] { return my.lessons.text.page + 1; });
                 out.offer("lesson/line-length", [&] { return my.lessons.text.line_length; });
                 out.offer_below("flash/", [](std::string_view name) { return script_text(flashes(name)); });
-              }};
+              },
+          .update = [&] { my.lessons.update(session); }};
 }
 
 /// What the row of an option asks the chart for.
@@ -117,17 +118,17 @@ Panel history(Session& session, PanelStates& my) {
 void update_question(Session& session, PanelStates& my) {
   my.pictures.asked.reset();
   my.pictures.hidden = {};
-  if (!prediction_pending(session, my.predict)) return;
-  const LessonQuestion* question = my.predict.lesson->question();
-  if (question && my.predict.lesson->open() && session.document().mode == ScreenMode::lesson)
-    my.pictures.hidden = question->hidden;
-  if (session.pixel() && asks_about_pixel(my.predict))
+  const bool pending = prediction_pending(session, my.predict);
+  const LessonQuestions& questions = *my.predict.lesson;
+  my.lessons.holds_back = questions.asked_beside_text(session);
+  if (my.lessons.holds_back) my.pictures.hidden = questions.question()->hidden;
+  if (pending && session.pixel() && asks_about_pixel(session, my.predict))
     my.pictures.asked = Hover{inspected_side(session), *session.pixel()};
 }
 
 bool draw_pixel(Session& session, PanelStates& my, const PanelHost& host) {
   if (prediction_pending(session, my.predict)) {
-    if (session.document().mode == ScreenMode::lesson)
+    if (session.document().mode == ScreenMode::lesson || my.predict.lesson->asked_beside_text(session))
       ImGui::TextWrapped("The story is shown after your answer.");  // the question is beside the text
     else
       predict_panel(session, my.predict);
@@ -160,6 +161,7 @@ Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
                 out.offer("predict/points", [&] { return my.predict.points; });
                 out.offer("predict/asked", [&] { return my.predict.asked; });
                 out.offer("question/open", [&] { return my.predict.lesson->open(); });
+                out.offer("question/given", [&] { return my.predict.lesson->given(); });
                 out.offer("question/points", [&] {
                   const Judgement* verdict = my.predict.lesson->verdict();
                   return verdict ? verdict->points : 0;
@@ -170,7 +172,7 @@ Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
                 update_pin(session, my.pixel.pin);
                 update_question(session, my);
               },
-          .busy = [&] { return pin_busy(my.pixel.pin); }};
+          .busy = [&] { return pin_busy(my.pixel.pin) || my.predict.lesson->measuring(); }};
 }
 
 // --- below the pictures ---
@@ -312,9 +314,10 @@ bool rows_match_names(const std::vector<Panel>& panels) {
 }  // namespace
 
 PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
-    : scenes(wake), history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake), listing(wake),
-      folder(remember), chart(wake), stability(wake), needs(wake), why(wake), timings(wake), unsafe(wake) {
-  predict.lesson = std::make_unique<LessonQuestions>(wake, remember);
+    : scenes(wake), lessons(wake), history(wake), pixel(wake), space(wake), microscope(wake), pixels(wake),
+      listing(wake), folder(remember), chart(wake), stability(wake), needs(wake), why(wake), timings(wake),
+      unsafe(wake) {
+  predict.lesson = std::make_unique<LessonQuestions>(wake, remember, lessons);
   pictures.meter = std::make_unique<DifferenceMeter>(wake);
   stability.folder = folder.of("stability");
 }

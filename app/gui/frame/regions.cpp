@@ -112,18 +112,31 @@ const Panel& Regions::staged() const {
   return panel(stage.empty() || stage == pictures_stage ? "right" : stage);
 }
 
+/// Below the text, where the step asks before it shows; returns what room is left.
+Area Regions::above_question(const Area& area) {
+  const LessonQuestions& asked = *my_.predict.lesson;
+  const bool pending = session_.document().mode != ScreenMode::explore && prediction_pending(session_, my_.predict);
+  if (!pending && !asked.asked_beside_text(session_) && !asked.verdict()) return area;
+  const float top = std::round(area.max.y - std::min(question_height_, area.height() * most_of_question));
+  question({{area.min.x, top}, area.max});
+  return {area.min, {area.max.x, top}};
+}
+
 /// As high as it was when it was drawn last; what is higher than its place can be scrolled.
 void Regions::question(const Area& area) {
   begin_region(session_, "question", area);
   ImGui::BeginChild("scroll");
   const float top = ImGui::GetCursorPosY();
-  const LessonQuestions& asked = *my_.predict.lesson;
-  if (!prediction_pending(session_, my_.predict))
-    lesson_verdict(*my_.predict.lesson);
-  else if (asked.open() && asked.question()->kind != AskKind::pixel)
-    ask_lesson_question(session_, *my_.predict.lesson);
-  else
+  LessonQuestions& asked = *my_.predict.lesson;
+  const bool pending = prediction_pending(session_, my_.predict);
+  if (pending && asked.asked_beside_text(session_) && asked.question()->kind != AskKind::pixel)
+    ask_lesson_question(session_, asked);
+  else if (pending)
     predict_panel(session_, my_.predict);
+  else if (asked.open())
+    way_back_to_question(session_, asked);
+  else
+    lesson_verdict(asked);
   const float height = ImGui::GetCursorPosY() - top + px(20);
   if (std::abs(height - question_height_) > 1) redraw_after(0);
   question_height_ = height;
@@ -140,10 +153,7 @@ void Regions::lesson_text(const Area& area) {
     return;
   }
   Area text{area.min, {area.max.x + px(text_overlap), area.max.y}};
-  if (prediction_pending(session_, my_.predict) || my_.predict.lesson->verdict()) {  // the step asks before it shows
-    text.max.y = std::round(area.max.y - std::min(question_height_, area.height() * most_of_question));
-    question({{area.min.x, text.max.y}, {text.max.x, area.max.y}});
-  }
+  text = above_question(text);
   begin_region(session_, "lesson", text, lesson->title);
   panel("lesson").draw({.filled = session_.document().layout.filled == "lesson"});
   ImGui::EndChild();
@@ -298,7 +308,8 @@ void Regions::left(const Area& area) {
   if (my_.lessons.open(session_)) {
     const float height = area.height(), grip = px(6);
     float divide = std::round(std::min(height * lesson_share_, height - px(least_options_height)));
-    panel_in(panel("lesson"), "lesson", {area.min, {area.max.x, area.min.y + divide}});
+    const Area upper{area.min, {area.max.x, area.min.y + divide}};
+    panel_in(panel("lesson"), "lesson", above_question(upper));
     if (divider("split/lesson", SplitterAxis::up_down, {area.min.x, area.min.y + divide}, area.width(), divide,
                 height * 0.2f, height * 0.8f))
       lesson_share_ = divide / height;

@@ -34,6 +34,7 @@ class Regions {
   bool tool(const Panel& panel, bool filled);
   void stage(const Area& area, bool folded);
   void question(const Area& area);
+  Area above_question(const Area& area);
   void lesson_text(const Area& area);
   void pictures(const Area& area, double least_share, PictureCaptions captions);
   Area first_look(const Area& area);

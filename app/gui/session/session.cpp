@@ -14,6 +14,7 @@
 #include "document/permalink.h"
 #include "document/permalink_file.h"
 #include "engine/lesson.h"
+#include "engine/lesson_place.h"
 #include "image/file.h"
 #include "scene/load.h"
 
@@ -273,6 +274,11 @@ void Session::show_entry() {
 void Session::start(Document document, const std::string& drag) { take_up(std::move(document), Reason::open, drag); }
 
 void Session::open(const std::string& path_or_name) {
+  if (const std::string folder = lesson_folder_at(path_or_name); !folder.empty()) {
+    load(
+        folder, [folder, now = document_] { return lesson_document(load_lesson(folder), 0, now); }, Reason::permalink);
+    return;
+  }
   try {
     if (const auto link = permalink_in_file(path_or_name)) return open_permalink(*link);
   } catch (const InputError& error) {
@@ -360,7 +366,7 @@ void Session::take_up(Document document, Reason reason, const std::string& drag)
     std::erase_if(messages_, [](const Message& message) {
       return message.kind != Message::Kind::error || message.text.ends_with(still_open);
     });
-    note_recent(document.scene_name);
+    note_recent(is_own_lesson(document.lesson) ? document.lesson : document.scene_name);
     break;
   case Reason::reload:
     keep_place(document_, document);

@@ -3,15 +3,17 @@
 
 #include "gui/widgets/draw.h"
 #include "gui/widgets/key_focus.h"
+#include "gui/widgets/text_field.h"
 
 namespace ps::gui {
 namespace {
 
 std::string begun_by_key;  ///< the field that Enter was pressed on: typing begins in the next frame
 
-}  // namespace
+enum class FieldIcon { none, lens };
 
-bool search_box(std::string_view name, std::string& text, std::string_view hint, const ControlStyle& style) {
+TextEdit typed_field(std::string_view name, std::string& text, std::string_view hint, const ControlStyle& style,
+                     FieldIcon icon) {
   const Palette& p = palette();
   const float width = full_width(style), clear = ImGui::GetFrameHeight();
   const std::string id = "##" + full_name(name), shown_hint(hint);
@@ -21,9 +23,13 @@ bool search_box(std::string_view name, std::string& text, std::string_view hint,
     begun_by_key.clear();
   }
   ImGui::SetNextItemWidth(width);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(28), ImGui::GetStyle().FramePadding.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      {px(icon == FieldIcon::lens ? 28 : 8), ImGui::GetStyle().FramePadding.y});
   ImGui::PushStyleColor(ImGuiCol_TextDisabled, p.text_quiet);
-  bool changed = ImGui::InputTextWithHint(id.c_str(), shown_hint.c_str(), &text);
+  TextEdit edit;
+  edit.changed = ImGui::InputTextWithHint(id.c_str(), shown_hint.c_str(), &text);
+  edit.entered = ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
+                                                ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)));
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
@@ -32,17 +38,19 @@ bool search_box(std::string_view name, std::string& text, std::string_view hint,
   controls().record(name, text);
   style_tooltip(style);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 lens{min.x + px(14), (min.y + max.y) / 2 - px(1)};
-  draw.AddCircle(lens, px(4.5), colour_u32(p.text_quiet), 16, px(1.5));
-  draw.AddLine({lens.x + px(3), lens.y + px(3)}, {lens.x + px(7), lens.y + px(7)}, colour_u32(p.text_quiet), px(1.5));
-  if (text.empty()) return changed;
+  if (icon == FieldIcon::lens) {
+    const ImVec2 lens{min.x + px(14), (min.y + max.y) / 2 - px(1)};
+    draw.AddCircle(lens, px(4.5), colour_u32(p.text_quiet), 16, px(1.5));
+    draw.AddLine({lens.x + px(3), lens.y + px(3)}, {lens.x + px(7), lens.y + px(7)}, colour_u32(p.text_quiet), px(1.5));
+  }
+  if (text.empty()) return edit;
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetItemAllowOverlap();
   ImGui::SetCursorScreenPos({start.x + width - clear, start.y});
   const std::string clear_name = std::string(name) + "/clear";
   if (hit_area(clear_name, {clear, clear}, {})) {
     text.clear();
-    changed = true;
+    edit.changed = true;
   }
   const float x = start.x + width - clear / 2, y = (min.y + max.y) / 2, arm = px(3.5);
   const ImU32 ink = colour_u32(ImGui::IsItemHovered() ? p.text : p.text_quiet);
@@ -50,7 +58,17 @@ bool search_box(std::string_view name, std::string& text, std::string_view hint,
   draw.AddLine({x - arm, y + arm}, {x + arm, y - arm}, ink, px(1.5));
   controls().record(clear_name, "clear");
   ImGui::SetCursorScreenPos(after);
-  return changed;
+  return edit;
+}
+
+}  // namespace
+
+bool search_box(std::string_view name, std::string& text, std::string_view hint, const ControlStyle& style) {
+  return typed_field(name, text, hint, style, FieldIcon::lens).changed;
+}
+
+TextEdit text_field(std::string_view name, std::string& text, std::string_view hint, const ControlStyle& style) {
+  return typed_field(name, text, hint, style, FieldIcon::none);
 }
 
 }  // namespace ps::gui

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "gui/panels/lesson/claim_view.h"
 #include "gui/panels/lesson/step_options.h"
 #include "gui/panels/lesson/text_needs.h"
 #include "gui/panels/lesson/text_pages.h"
@@ -28,10 +29,34 @@ TextBlock block_of(BlockKind kind, const std::string& text) {
 struct OwnBlocks {
   TextBlock source, title;
   std::vector<TextBlock> options;  ///< what the step is about, with controls
+  TextBlock claims_title;
+  std::vector<TextBlock> claims;  ///< the sentences that are measured; none while a question is open
 };
 
-OwnBlocks own_blocks(const Session& session, const Lesson& lesson, const LessonStep& step) {
-  OwnBlocks own{block_of(BlockKind::paragraph, lesson.source), block_of(BlockKind::paragraph, step.title), {}};
+/// The lines of the claims, each with what is measured below it.
+void lay_out_claims(const OwnBlocks& own, const LessonClaims& claims, float width, std::vector<TextLine>& lines) {
+  if (own.claims.empty()) return;
+  lay_out(own.claims_title, {}, Face::body, width, lines);
+  for (std::size_t i = 0; i < own.claims.size(); ++i) {
+    const std::size_t first = lines.size();
+    lay_out(own.claims[i], {}, Face::body, width, lines);
+    for (std::size_t line = first; line < lines.size(); ++line) lines[line].stays_with_next = true;
+    TextLine measured;
+    measured.gap = px(1);
+    measured.height = claim_line_height(claims, i, width);
+    measured.claim = i;
+    lines.push_back(std::move(measured));
+  }
+}
+
+OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Lesson& lesson, const LessonStep& step) {
+  OwnBlocks own{block_of(BlockKind::paragraph, lesson.source),
+                block_of(BlockKind::paragraph, step.title),
+                {},
+                block_of(BlockKind::heading, "Measured"),
+                {}};
+  if (!shelf.holds_back)
+    for (const Claim& claim : shelf.claims.claims()) own.claims.push_back(block_of(BlockKind::paragraph, claim.text));
   if (session.document().mode == ScreenMode::explore) return own;  // they stand below in the options panel
   for (const Option* option : step_options(step)) {
     TextBlock& block = own.options.emplace_back(block_of(BlockKind::paragraph, std::string(option->label) + " "));
@@ -56,8 +81,10 @@ std::vector<TextLine> column_of(const Session& session, LessonShelf& shelf, cons
   }
   lay_out(own.title, {}, Face::heading, width, lines);
   for (const TextBlock& block : step.blocks) add(block, mark_of(block));
-  for (const TextBlock& hint : step.hints) add(hint, "→");
+  if (!shelf.holds_back)
+    for (const TextBlock& hint : step.hints) add(hint, "→");
   for (const TextBlock& option : own.options) add(option, {});
+  lay_out_claims(own, shelf.claims, width, lines);
   return lines;
 }
 
@@ -114,7 +141,10 @@ void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>
   for (std::size_t i = starts[page]; i < end; ++i) {
     if (i > starts[page]) at.y += lines[i].gap;
     ImGui::SetCursorScreenPos(at);
-    if (auto clicked = draw_line(session, lines[i])) shelf.followed = std::move(clicked);
+    if (lines[i].claim)
+      claim_line(session, shelf.claims, *lines[i].claim, ImGui::GetContentRegionAvail().x);
+    else if (auto clicked = draw_line(session, lines[i]))
+      shelf.followed = std::move(clicked);
     at.y += lines[i].height;
   }
 }
@@ -187,7 +217,8 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
   if (!lesson || lesson->steps.empty()) return;
   const int index = std::clamp(session.document().step, 0, static_cast<int>(lesson->steps.size()) - 1);
   follow_step(session, shelf.text);
-  const OwnBlocks own = own_blocks(session, *lesson, lesson->steps[static_cast<std::size_t>(index)]);
+  if (!shelf.holds_back) shelf.claims.follow(session, *lesson, shelf.version());
+  const OwnBlocks own = own_blocks(session, shelf, *lesson, lesson->steps[static_cast<std::size_t>(index)]);
   ImGui::BeginChild("text", {0, -(ImGui::GetFrameHeightWithSpacing() + px(2))}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   turn_by_wheel(shelf.text);

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -7,9 +8,11 @@
 
 #include "engine/lesson.h"
 #include "gui/panels/lesson/glossary_sheet.h"
+#include "gui/panels/lesson/lesson_claims.h"
 #include "gui/panels/lesson/text_view.h"
 #include "gui/panels/options/waking_cache.h"
 #include "gui/session/session.h"
+#include "gui/work/file_watch.h"
 
 namespace ps::gui {
 
@@ -35,13 +38,23 @@ inline constexpr const char* read_lessons_key = "app/read-lessons";
 /// From lines of a name each.
 std::set<std::string> parse_read_lessons(const std::string& lines);
 
-/// The lesson that the document names, read when it is first needed.
+/// The lesson that the document names, read when it is first needed, and again when its file is saved.
 class LessonShelf {
  public:
+  /// `wake` may be called from any thread.
+  explicit LessonShelf(std::function<void()> wake) : claims(wake), wake_(std::move(wake)) {}
+
   /// The open lesson, or nullptr. What cannot be read becomes a message of the session, once.
   const Lesson* open(Session& session);
+  /// Once per frame: reads the open lesson anew if its file was saved since, and shows the step again. With an error in
+  /// the file, which becomes a message, the lesson stays as it was.
+  void update(Session& session);
+  /// Grows each time a lesson is read. What follows from open() is up to date while this is the same.
+  int version() const { return version_; }
+  LessonClaims claims;  ///< of the open step
   ReadPage text, caption;
-  bool blank = false;  ///< the presenter's window is black, so that all look at the speaker
+  bool holds_back = false;  ///< a question is open: hints and claims come after its answer
+  bool blank = false;       ///< the presenter's window is black, so that all look at the speaker
   WakingCache wakings;
   ReadLessons read;
   GlossaryState glossary;
@@ -49,8 +62,13 @@ class LessonShelf {
   std::optional<LinkTarget> followed;  ///< what was clicked in the text, until the window takes it
 
  private:
+  void load(Session& session);
+
+  std::function<void()> wake_;
   std::string name_;
   std::optional<Lesson> lesson_;
+  int version_ = 0;
+  std::unique_ptr<FileWatch> watch_;  // since a lesson was first opened
 };
 
 /// Puts a step on the screen: its scene, settings, channels and pixel. One step of the history.

@@ -4,6 +4,8 @@
 #include <limits>
 #include <sstream>
 
+#include "base/resources.h"
+#include "engine/lesson_place.h"
 #include "gui/panels/lesson/lesson_panel.h"
 
 namespace ps::gui {
@@ -14,13 +16,34 @@ const Lesson* LessonShelf::open(Session& session) {
   if (wanted != name_) {
     name_ = wanted;
     lesson_.reset();
-    try {
-      lesson_ = load_lesson(wanted);
-    } catch (const InputError& error) {
-      session.say(Message::Kind::error, error.what());
-    }
+    load(session);
+    if (!watch_) watch_ = std::make_unique<FileWatch>(wake_);
+    watch_->watch({lesson_file(name_)});
   }
   return lesson_ ? &*lesson_ : nullptr;
+}
+
+void LessonShelf::load(Session& session) {
+  ++version_;
+  try {
+    lesson_ = load_lesson(name_);
+  } catch (const InputError& error) {
+    session.say(Message::Kind::error, error.what());
+  }
+}
+
+void LessonShelf::update(Session& session) {
+  if (!watch_ || !watch_->take_changed() || session.document().lesson != name_) return;
+  const std::string file = lesson_file(name_).string();
+  for (std::size_t i = session.messages().size(); i-- > 0;)
+    if (session.messages()[i].text.starts_with(file)) session.dismiss(i);  // it may have been mended
+  try {
+    lesson_ = load_lesson(name_);
+  } catch (const InputError& error) {
+    return session.say(Message::Kind::error, error.what());
+  }
+  ++version_;
+  go_to_step(session, name_, session.document().step);
 }
 
 void go_to_step(Session& session, const std::string& name, int step) {
@@ -29,6 +52,7 @@ void go_to_step(Session& session, const std::string& name, int step) {
     if (lesson.steps.empty()) return;
     const int last = static_cast<int>(lesson.steps.size()) - 1;
     const int target = std::clamp(step, 0, last);
+    if (is_own_lesson(lesson.name) && session.document().lesson != lesson.name) session.note_recent(lesson.name);
     session.edit(fmt::format("{}, step {}", lesson.title, target + 1),
                  [&](Document& document) { document = lesson_document(lesson, target, document); });
   } catch (const InputError& error) {

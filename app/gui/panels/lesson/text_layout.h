@@ -37,8 +37,9 @@ struct TextLine {
   std::vector<TextPiece> pieces;
   std::string mark;  ///< in front of the first line of an item: "•", "1."
   bool begins_block = false;
-  bool stays_with_next = false;     ///< of a heading, and of what needs are said of
-  std::optional<ControlNeed> need;  ///< in place of pieces
+  bool stays_with_next = false;      ///< of a heading, and of what needs are said of
+  std::optional<ControlNeed> need;   ///< in place of pieces
+  std::optional<std::size_t> claim;  ///< in place of pieces: what is measured for this claim of the step
 };
 
 /// Adds the lines of a block in lines of at most this width, which end between words. `mark` stands in front of the

@@ -132,7 +132,7 @@ void picture_input(Session& session, PicturesState& state, Side side, const Area
   const bool on_picture = pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y;
   const Side under = split_at && io.MousePos.x >= *split_at ? other_side(side) : side;
 
-  if (hovered && on_picture) state.hover = Hover{under, pixel};
+  if (hovered && on_picture && !state.hidden[index_of(under)]) state.hover = Hover{under, pixel};
   if (hovered) zoom_by_wheel(session, state, area);
   if (ImGui::IsItemActivated()) {
     state.drag = drag_of_button(io, split_at);

@@ -87,7 +87,7 @@ void title(Session& session, PicturesState& state, Side side, const Area& row) {
   picture_title(session, side, row, state.captions, is_before ? "before the last change" : "");
 }
 
-/// Hides a picture that would answer an open question.
+/// Hides a picture that would answer an open question. `area` is where it is seen.
 void cover_whole(ImDrawList& list, Side side, const Area& area) {
   list.AddRectFilled(area.min, area.max, colour_u32(palette().panel));
   draw_notice(list, area, fmt::format("{} is shown after your answer.", letter_of(side)));
@@ -127,7 +127,11 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     return style;
   };
   const auto cover = [&](Side which) {
-    if (state.hidden[index_of(which)]) return cover_whole(list, which, area);
+    if (state.hidden[index_of(which)]) {
+      const ImVec2 low = list.GetClipRectMin(), high = list.GetClipRectMax();
+      return cover_whole(list, which,
+                         {{std::max(low.x, area.min.x), area.min.y}, {std::min(high.x, area.max.x), area.max.y}});
+    }
     if (!state.asked || state.asked->side != which) return;
     const Vec2i pixel = state.asked->pixel;
     const ImVec2 at = state.transform.to_window({pixel.x + 0.5, pixel.y + 0.5}, area);
@@ -234,6 +238,8 @@ double pixels_of(Vec2i picture_size, const Area& area, PictureFit fit) {
 
 void below(Session& session, PicturesState& state, Side side, const Area& footer, const std::string& lead = {}) {
   auto& note = state.notes[index_of(side)];
+  note.reset();
+  if (state.hidden[index_of(side)]) return;  // its counters would answer the question as well
   note = picture_note(footer, state.captions);
   if (note) note = left_out_line(session, side, *note);
   picture_footer(session, side, state.changes[index_of(side)], footer, state.captions, lead);

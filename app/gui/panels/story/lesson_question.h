@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/question.h"
+#include "gui/panels/lesson/lesson_panel.h"
 #include "gui/session/session.h"
 #include "gui/work/background_study.h"
 
@@ -14,41 +15,60 @@ namespace ps::gui {
 /// The question of the open step, its measured answer, and what was answered so far.
 class LessonQuestions {
  public:
-  /// `wake` may be called from any thread. `remember`: answers are kept from one start to the next.
-  LessonQuestions(const std::function<void()>& wake, bool remember);
+  /// `wake` may be called from any thread. `remember`: answers are kept from one start to the next. `lessons` must
+  /// outlive it.
+  LessonQuestions(const std::function<void()>& wake, bool remember, LessonShelf& lessons);
 
-  /// Takes up the open step's question, once for each step. Answers whether it is another one than before.
+  /// Takes up the open step's question, once for each step and each time that the lesson was read. Answers whether it
+  /// did.
   bool follow(Session& session);
   /// The question of the open step; nullptr while it asks none, and where lessons are not read.
   const LessonQuestion* question() const { return question_ ? &*question_ : nullptr; }
   /// Whether it is still to be answered.
   bool open() const { return question_ && !verdict(); }
+  /// Whether it is, and stands beside the lesson's text; the presenter's window has no place for it.
+  bool asked_beside_text(const Session& session) const;
   /// The verdict on this step's answer; nullptr before it was given.
   const Judgement* verdict() const;
+  /// What was answered, in words; empty for a question that was passed over.
+  std::string given() const;
   /// Keeps what was answered.
   void take(Session& session, const std::string& answer, const Judgement& judgement);
   /// The step's question is asked anew.
-  void ask_again() { answered_.erase(here_); }
+  void ask_again();
 
   /// The right answer, once it is measured.
   std::shared_ptr<const MeasuredAnswer> right() const { return measuring_.found(); }
+  bool measuring() const { return measuring_.running(); }
   /// Why it could not be measured.
   std::string failure() const { return measuring_.message(); }
   StudentAnswer answer;
+  std::string typed;           ///< AskKind::number
   Vec2i pixel_before{-1, -1};  ///< that the step picks: a click moves it
 
  private:
+  struct Answered {
+    std::string words;
+    Judgement judgement;
+  };
+
+  LessonShelf& lessons_;
   std::string here_;  // "name/2"
+  int version_ = -1;  // of the lesson
   std::optional<LessonQuestion> question_;
-  std::map<std::string, Judgement> answered_;  // by step
+  std::map<std::string, Answered> answered_;  // by step
   bool remember_ = false;
+  std::string trouble_;  // with the answers that are kept, until it is said
   BackgroundStudy<MeasuredAnswer> measuring_;
 };
 
 /// Asks a question that is not about the picked pixel's story, with controls for the answer.
 void ask_lesson_question(Session& session, LessonQuestions& questions);
 
-/// The verdict on the answer, with a button to be asked again.
+/// Says that the open question is about another pixel, or other options, than are shown, with a button that leads back.
+void way_back_to_question(Session& session, const LessonQuestions& questions);
+
+/// The question with the verdict on its answer, and a button to be asked again.
 void lesson_verdict(LessonQuestions& questions);
 
 }  // namespace ps::gui

@@ -7,6 +7,7 @@
 
 #include "gui/panels/lesson/lesson_panel.h"
 #include "gui/widgets/draw.h"
+#include "inspect/guess_text.h"
 #include "render/story/names.h"
 
 namespace ps::gui {
@@ -113,15 +114,15 @@ void take_up_lesson(Session& session, PredictState& state) {
   state.chosen = false;
 }
 
-bool asks_otherwise(const PredictState& state) {
-  return state.lesson->open() && state.lesson->question()->kind != AskKind::pixel;
+bool asks_otherwise(const Session& session, const PredictState& state) {
+  return state.lesson->asked_beside_text(session) && state.lesson->question()->kind != AskKind::pixel;
 }
 
 }  // namespace
 
 bool prediction_pending(Session& session, PredictState& state) {
   take_up_lesson(session, state);
-  if (asks_otherwise(state) && session.document().mode == ScreenMode::lesson) return true;
+  if (asks_otherwise(session, state)) return true;
   const auto pixel = session.pixel();
   if (!pixel) return false;
   const Settings& settings = session.settings(inspected_side(session));
@@ -137,7 +138,9 @@ bool prediction_pending(Session& session, PredictState& state) {
   return stands && (state.on || (!state.words.empty() && state.lesson->open()));
 }
 
-bool asks_about_pixel(const PredictState& state) { return state.on || !asks_otherwise(state); }
+bool asks_about_pixel(const Session& session, const PredictState& state) {
+  return state.on || !asks_otherwise(session, state);
+}
 
 void predict_panel(Session& session, PredictState& state) {
   const NameScope scope("predict");
@@ -193,12 +196,14 @@ void predict_panel(Session& session, PredictState& state) {
              })) {
     state.judgement = judge(state.question, state.guess, *story, session.scene());
     state.answered = true;
-    if (!state.words.empty()) state.lesson->take(session, state.judgement.sentence, state.judgement);
+    if (!state.words.empty())
+      state.lesson->take(session, guess_text(state.question, state.guess, session.scene()), state.judgement);
     ++state.asked;
     state.points += state.judgement.points;
   }
   ImGui::SameLine();
-  if (button("skip", "Show me", Emphasis::quiet,
+  const bool of_lesson = !state.words.empty();
+  if (button("skip", of_lesson ? "Skip" : "Show me", Emphasis::quiet,
              {.tooltip = "Shows the story without an answer; no points.", .disabled = {}})) {
     state.judgement = {};
     state.answered = true;
@@ -212,8 +217,8 @@ void predict_panel(Session& session, PredictState& state) {
 
 void prediction_verdict(Session& session, PredictState& state) {
   const NameScope scope("predict");
-  const bool beside_text = state.lesson->verdict() && session.document().mode == ScreenMode::lesson;
-  if (beside_text || !state.answered || session.pixel() != state.asked_pixel || state.judgement.sentence.empty())
+  if (state.lesson->verdict() || !state.answered || session.pixel() != state.asked_pixel ||
+      state.judgement.sentence.empty())
     return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::Indent(px(16));

@@ -26,11 +26,11 @@ struct PredictState {
 };
 
 /// Whether an open question hides the story. Takes up the lesson's question, and a newly picked pixel. Questions of a
-/// lesson that are not about the picked pixel's story are asked where its text is large: in ScreenMode::lesson.
+/// lesson that are not about the picked pixel's story hide it too, while they are asked beside the text.
 bool prediction_pending(Session& session, PredictState& state);
 
 /// Whether the open question is about the picked pixel, whose surroundings answer it.
-bool asks_about_pixel(const PredictState& state);
+bool asks_about_pixel(const Session& session, const PredictState& state);
 
 /// Asks, with a control for the answer.
 void predict_panel(Session& session, PredictState& state);

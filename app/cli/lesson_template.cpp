@@ -1,0 +1,116 @@
+#include "cli/lesson_template.h"
+
+namespace ps::cli {
+
+const std::string_view lesson_template = R"(# A title of your own
+source: where it comes from
+
+What is above the first step introduces the lesson. The fenced block below holds for all steps. A scene of your own lies
+in this folder and begins with `./`; the names of built-in scenes are listed by `pixelscope-cli scenes`.
+
+```settings
+scene ./balls.scene
+set-both renderer=ray-tracer
+```
+
+## The first step
+
+A step is a heading, its text, a block of settings and what to look for. Picture A has shadows here, picture B has none.
+A name in bold, such as **Shadows**, leads to the option. Write a control into the text like this: [[shadows]].
+
+```settings
+set-b shadows=none
+pixel 200,402
+```
+
+The next block is a claim: a sentence, what is measured for it, the bound, and a mutation that must break it. The claim
+is measured while the step is open.
+
+```claim
+text The shadows cover more than 20,000 pixels.
+metric differing-pixels
+bound >= 20000
+mutation shadows
+```
+
+> Lines like this one say what to look for. They are shown after the question is answered, where there is one.
+
+## A step that asks
+
+A question covers the picture that would answer it. The right answer is measured and is never written down.
+
+```settings
+set-b shadows=none
+pixel 200,402
+```
+
+```question
+ask choice
+text How many shadow rays does B cast?
+metric counter-b shadow-rays
+choice = 0: None at all. | A surface in B never asks whether a light is blocked.
+choice = 360000: One for each pixel. | That would be the number of eye rays.
+why The option Shadows is set to none in B.
+hide b
+```
+
+> Compare the two pictures where the balls stand on the ground.
+
+## A question with a number
+
+A number is right within a tolerance. There are also `ask click` for a place in a picture, and `ask colour`, `winner`,
+`rays`, `triangle` and `tests`, which are about the picked pixel.
+
+```settings
+size 300x200
+```
+
+```question
+ask number
+text How many eye rays does A cast with one ray for each pixel?
+metric counter-a eye-rays
+tolerance 600
+unit rays
+why The picture has 300 columns and 200 rows.
+```
+)";
+
+const std::string_view lesson_template_scene =
+    R"(# A scene of your own. Sizes are in units of the world, colours from 0 to 255.
+title = "Two balls"
+canvas_size = 600 x 600
+viewport_size = 1 x 1
+projection_plane_d = 1
+background = white
+start_pixel = (200, 402)
+
+sphere {
+    name = red
+    center = (0, -1, 3)
+    radius = 1
+    color = (255, 0, 0)
+    specular = 500
+}
+
+sphere {
+    name = green
+    center = (-2, 0, 4)
+    radius = 1
+    color = (0, 255, 0)
+    specular = 10
+}
+
+sphere {
+    name = ground
+    center = (0, -5001, 0)
+    radius = 5000
+    color = (255, 255, 0)
+    specular = 1000
+}
+
+light { type = ambient  intensity = 0.2 }
+light { type = point  intensity = 0.6  position = (2, 1, 0) }
+light { type = directional  intensity = 0.2  direction = (1, 4, 4) }
+)";
+
+}  // namespace ps::cli

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include "base/number_text.h"
+#include "gui/panels/story/lesson_question.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/text_field.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr std::string_view no_number = "This is not a number. Write 0.5 with a point, and 30000 without a comma.";
+
+/// A list of sentences, broken into lines, with a round mark in front of each.
+void ask_choice(const LessonQuestion& question, StudentAnswer& answer) {
+  const float indent = px(24), width = ImGui::GetContentRegionAvail().x - indent;
+  for (std::size_t i = 0; i < question.choices.size(); ++i) {
+    const std::string lines = in_lines(question.choices[i].text, width);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = text_height(lines) + px(8);
+    const bool chosen = answer.choice == static_cast<int>(i);
+    if (hit_area(fmt::format("choice/{}", i), {indent + width, height}, {})) answer.choice = static_cast<int>(i);
+    const bool hovered = ImGui::IsItemHovered();
+    controls().record(fmt::format("choice/{}", i), chosen ? "on" : "off");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end{at.x + indent + width, at.y + height};
+    if (hovered) list.AddRectFilled(at, end, colour_u32(palette().field_hover), px(3));
+    const ImVec2 middle{at.x + px(11), at.y + px(4) + ImGui::GetFontSize() / 2};
+    list.AddCircle(middle, px(6), colour_u32(palette().text), 0, px(1.5));
+    if (chosen) list.AddCircleFilled(middle, px(3.5), colour_u32(palette().text));
+    draw_lines({at.x + indent, at.y + px(4)}, lines, palette().text);
+  }
+}
+
+/// Answers whether Enter ended the typing.
+bool ask_number(const LessonQuestion& question, LessonQuestions& questions) {
+  const float unit = question.unit.empty() ? 0 : text_width(question.unit) + px(8);
+  const float width = std::min(px(180), ImGui::GetContentRegionAvail().x - unit);
+  const TextEdit edit = text_field("number", questions.typed, "a number", {.width = width});
+  if (!question.unit.empty()) {
+    ImGui::SameLine(0, px(8));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(question.unit.c_str());
+  }
+  const auto number = parse_number(questions.typed);
+  if (!number && !questions.typed.empty()) value_paragraph("no-number", no_number);
+  questions.answer.number = number.value_or(0);
+  return edit.entered && number;
+}
+
+void ask_click(const Session& session, LessonQuestions& questions) {
+  const auto pixel = session.pixel();
+  const bool clicked = pixel && *pixel != questions.pixel_before;
+  questions.answer.place = clicked ? *pixel : Vec2i{-1, -1};
+  value_paragraph("place", clicked ? fmt::format("You have clicked pixel ({}, {}).", pixel->x, pixel->y)
+                                   : "Click the place in a picture; you can click again.");
+}
+
+/// How the answer reads; empty as long as there is none.
+std::string answer_text(const LessonQuestions& questions) {
+  const LessonQuestion& question = *questions.question();
+  const StudentAnswer& answer = questions.answer;
+  switch (question.kind) {
+  case AskKind::choice:
+    return answer.choice < 0 ? "" : question.choices.at(static_cast<std::size_t>(answer.choice)).text;
+  case AskKind::number:
+    if (!parse_number(questions.typed)) return "";
+    return question.unit.empty() ? questions.typed : fmt::format("{} {}", questions.typed, question.unit);
+  case AskKind::click:
+    return answer.place.x < 0 ? "" : fmt::format("pixel ({}, {})", answer.place.x, answer.place.y);
+  case AskKind::pixel:
+    break;
+  }
+  return "";
+}
+
+/// Why there is nothing to judge yet.
+std::string_view missing_answer(const LessonQuestions& questions) {
+  switch (questions.question()->kind) {
+  case AskKind::choice:
+    return "Choose an answer first.";
+  case AskKind::number:
+    return questions.typed.empty() ? "Type a number first." : no_number;
+  case AskKind::click:
+    return "Click a pixel of a picture first.";
+  case AskKind::pixel:
+    break;
+  }
+  return "";
+}
+
+void question_text(const LessonQuestion& question) {
+  const FontScope font(Face::bold);
+  value_paragraph("text", question.text);
+}
+
+}  // namespace
+
+void ask_lesson_question(Session& session, LessonQuestions& questions) {
+  const NameScope scope("question");
+  const LessonQuestion& question = *questions.question();
+  question_text(question);
+  ImGui::Spacing();
+  bool entered = false;
+  switch (question.kind) {
+  case AskKind::choice:
+    ask_choice(question, questions.answer);
+    break;
+  case AskKind::number:
+    entered = ask_number(question, questions);
+    break;
+  case AskKind::click:
+    ask_click(session, questions);
+    break;
+  case AskKind::pixel:
+    break;
+  }
+  ImGui::Spacing();
+  const auto right = questions.right();
+  const std::string failure = questions.failure(), given = answer_text(questions);
+  const std::string reason = !failure.empty() ? failure
+                             : given.empty()  ? std::string(missing_answer(questions))
+                             : !right         ? "The answer is being measured."
+                                              : "";
+  const bool answered = button("answer", "Answer", Emphasis::primary,
+                               {.tooltip = "Shows whether the answer is right.", .disabled = reason});
+  if ((answered || entered) && reason.empty()) {
+    questions.take(session, given, judge(question, questions.answer, *right));
+    return;
+  }
+  same_line_if_room(button_width("Skip"));
+  if (button("skip", "Skip", Emphasis::quiet,
+             {.tooltip = "Goes on without an answer; nothing is kept.", .disabled = {}}))
+    questions.take(session, "", {});
+}
+
+void way_back_to_question(Session& session, const LessonQuestions& questions) {
+  const NameScope scope("question");
+  question_text(*questions.question());
+  quiet_text("The question is about the pixel and the options that the step begins with.");
+  if (button("back", "Back to the question", Emphasis::primary,
+             {.tooltip = "Puts this step's pixel and options back.", .disabled = {}}))
+    go_to_step(session, session.document().lesson, session.document().step);
+}
+
+void lesson_verdict(LessonQuestions& questions) {
+  const Judgement* verdict = questions.verdict();
+  if (!verdict) return;
+  const NameScope scope("question");
+  question_text(*questions.question());
+  ImGui::Spacing();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::Indent(px(16));
+  value_paragraph("verdict", verdict->sentence.empty() ? "You have skipped it." : verdict->sentence);
+  ImGui::Unindent(px(16));
+  if (!verdict->sentence.empty())
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        at, {at.x + px(8), ImGui::GetItemRectMax().y},
+        colour_u32(verdict->points >= 0.5 ? palette().right_mark : palette().wrong_mark));
+  if (button("again", "Ask again", Emphasis::quiet, {.tooltip = "The question is open again.", .disabled = {}}))
+    questions.ask_again();
+}
+
+}  // namespace ps::gui

@@ -1,0 +1,53 @@
+#include "engine/lesson_place.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "base/check.h"
+#include "base/resources.h"
+
+namespace ps {
+namespace {
+
+constexpr int most_steps = 1000;
+
+bool is_built_in(std::string_view name) {
+  const std::vector<std::string> names = lesson_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+int parse_step_number(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most_steps)
+    throw InputError(fmt::format("found the step '{}', expected a whole number from 1", text));
+  return number - 1;
+}
+
+std::string lesson_folder_at(const std::filesystem::path& path) {
+  const std::string text_name = lesson_file("x").filename().string();
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::absolute(path, error).lexically_normal();
+  if (path.empty() || error) return {};
+  if (folder.filename() == text_name || !folder.has_filename()) folder = folder.parent_path();
+  return std::filesystem::is_regular_file(folder / text_name, error) ? folder.string() : std::string{};
+}
+
+bool is_own_lesson(std::string_view name) { return name.find('/') != std::string_view::npos; }
+
+LessonPlace parse_lesson_place(std::string_view text) {
+  if (is_built_in(text.substr(0, text.find('/')))) return parse_built_in_place(text);
+  if (std::string folder = lesson_folder_at(text); !folder.empty()) return {std::move(folder), 0};
+  const auto slash = text.rfind('/');
+  if (slash == std::string_view::npos) return parse_built_in_place(text);
+  if (std::string folder = lesson_folder_at(text.substr(0, slash)); !folder.empty())
+    return {std::move(folder), parse_step_number(text.substr(slash + 1))};
+  throw InputError(fmt::format("'{}' is neither a lesson nor a folder with a file lesson.md", text));
+}
+
+}  // namespace ps

@@ -1,0 +1,94 @@
+// Answers of students: kept, read back, exported as a table that a spreadsheet reads without running anything.
+#include "engine/answers.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "base/check.h"
+#include "support/run_cli.h"
+
+namespace lesson_answers_test {
+namespace {
+
+using namespace ps;
+
+GivenAnswer answer(const std::string& words) {
+  return {"2026-11-25T07:12:00Z", "cgfs_03_light", 2, "Which \"colour\"?", words, 0.5};
+}
+
+TEST(LessonAnswers, AreKeptAndReadBack) {
+  const test::ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "new" / "answers.jsonl";
+  EXPECT_TRUE(kept_answers(file).empty());
+  keep_answer(file, answer("51 0 0"));
+  keep_answer(file, answer("a \"quoted\" line\nand ünother"));
+  const auto kept = kept_answers(file);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].time, "2026-11-25T07:12:00Z");
+  EXPECT_EQ(kept[0].lesson, "cgfs_03_light");
+  EXPECT_EQ(kept[0].step, 2);
+  EXPECT_EQ(kept[0].question, "Which \"colour\"?");
+  EXPECT_EQ(kept[0].answer, "51 0 0");
+  EXPECT_EQ(kept[0].points, 0.5);
+  EXPECT_EQ(kept[1].answer, "a \"quoted\" line\nand ünother");
+}
+
+TEST(LessonAnswers, ADamagedFileIsNamedWithItsLineAndLeftAsItIs) {
+  const test::ScratchFolder folder;
+  for (const std::string bad : {"{\"time\":", "[]", "{}", "{\"time\":1,\"lesson\":2}", "\xff\xfe", ""}) {
+    const std::filesystem::path file = folder.path() / "answers.jsonl";
+    std::filesystem::remove(file);
+    keep_answer(file, answer("one"));
+    std::ofstream(file, std::ios::app) << bad << "\n";
+    try {
+      kept_answers(file);
+      ADD_FAILURE() << "accepted " << bad;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find(file.string() + ":2:1:"), 0u) << error.what();
+    }
+  }
+}
+
+TEST(LessonAnswers, NothingOfTheTableIsAFormula) {
+  for (const std::string formula : {"=1+1", "+x", "-2+3", "@SUM(A1)", "\t=1", "\r=1"}) {
+    const std::string table = answers_csv({answer(formula)}, formula);
+    EXPECT_NE(table.find("'" + formula), std::string::npos) << table;
+    EXPECT_EQ(table.find("\n" + formula), std::string::npos) << table;
+    EXPECT_EQ(table.find("," + formula), std::string::npos) << table;
+  }
+  EXPECT_NE(answers_csv({answer("-3")}, "Ada").find(",-3,"), std::string::npos);  // a number is none
+}
+
+TEST(LessonAnswers, TheTableHasARowForEach) {
+  EXPECT_EQ(answers_csv({answer("51, 0"), answer("it")}, "Ada"),
+            "student,time,lesson,step,question,answer,points\n"
+            "Ada,2026-11-25T07:12:00Z,cgfs_03_light,3,\"Which \"\"colour\"\"?\",\"51, 0\",0.5\n"
+            "Ada,2026-11-25T07:12:00Z,cgfs_03_light,3,\"Which \"\"colour\"\"?\",it,0.5\n");
+}
+
+TEST(LessonAnswers, TheCommandExportsThem) {
+  const test::ScratchFolder folder;
+  const char* before = std::getenv("XDG_STATE_HOME");
+  const std::string old = before ? before : "";
+  setenv("XDG_STATE_HOME", folder.path().c_str(), 1);
+  EXPECT_EQ(answers_file(), folder.path() / "pixelscope" / "answers.jsonl");
+  keep_answer(answers_file(), answer("it"));
+  const auto printed = test::run_cli({"lessons", "answers", "--name", "Ada"});
+  const auto written = test::run_cli({"lessons", "answers", "--name", "Ada", "--out", folder.file("table.csv")});
+  std::ofstream(answers_file(), std::ios::app) << "no answer\n";
+  const auto damaged = test::run_cli({"lessons", "answers"});
+  before ? setenv("XDG_STATE_HOME", old.c_str(), 1) : unsetenv("XDG_STATE_HOME");
+  EXPECT_EQ(printed.status, 0) << printed.err;
+  EXPECT_EQ(printed.out, answers_csv({answer("it")}, "Ada"));
+  EXPECT_EQ(written.status, 0) << written.err;
+  std::ifstream table(folder.file("table.csv"));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(table), {}), printed.out);
+  EXPECT_EQ(damaged.status, 2);
+  EXPECT_NE(damaged.err.find("answers.jsonl:2:1"), std::string::npos) << damaged.err;
+}
+
+}  // namespace
+}  // namespace lesson_answers_test

@@ -1,0 +1,228 @@
+// Lessons in a folder of one's own: begun from a template, checked, and printed; what the check must not let through.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "base/resources.h"
+#include "document/permalink.h"
+#include "engine/handout.h"
+#include "engine/lesson_place.h"
+#include "image/file.h"
+#include "support/run_cli.h"
+
+namespace lesson_folder_test {
+namespace {
+
+using namespace ps;
+using test::run_cli;
+using test::ScratchFolder;
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A folder with the template's lesson, in which `from` is replaced.
+struct OwnLesson {
+  explicit OwnLesson(const std::string& from = {}, const std::string& to = {}) {
+    const auto made = run_cli({"lessons", "new", path()});
+    EXPECT_EQ(made.status, 0) << made.err;
+    std::string text = text_of(path() + "/lesson.md");
+    if (!from.empty()) {
+      const auto at = text.find(from);
+      EXPECT_NE(at, std::string::npos) << from;
+      text.replace(at, from.size(), to);
+      std::ofstream(path() + "/lesson.md", std::ios::binary) << text;
+    }
+  }
+  std::string path() const { return folder.file("mine"); }
+  ScratchFolder folder;
+};
+
+TEST(LessonFolder, TheTemplatePassesTheCheck) {
+  const OwnLesson lesson;
+  const auto checked = run_cli({"lessons", "check", lesson.path()});
+  EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+  EXPECT_TRUE(checked.out.ends_with("1 claims, 2 questions, 0 bugs checked, 0 failed\n")) << checked.out;
+}
+
+TEST(LessonFolder, NothingThatIsThereIsOverwritten) {
+  const OwnLesson lesson;
+  const std::string before = text_of(lesson.path() + "/lesson.md");
+  const auto again = run_cli({"lessons", "new", lesson.path()});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_NE(again.err.find("lesson.md exists already"), std::string::npos) << again.err;
+  EXPECT_EQ(text_of(lesson.path() + "/lesson.md"), before);
+}
+
+TEST(LessonFolder, TheCheckRefusesWhatIsNotTrue) {
+  struct Case {
+    std::string from, to, complaint;
+  };
+  for (const Case& each : {Case{"bound >= 20000", "bound >= 300000", "DOES NOT HOLD"},
+                           Case{"mutation shadows", "mutation shadow-epsilon", "HOLDS WITH THE MUTATION TOO"},
+                           Case{"choice = 0: None", "choice = 1: None", "NO: no choices are right"},
+                           Case{"choice = 360000: One", "choice >= 0: One", "NO: several choices are right"},
+                           Case{" | That would be the number of eye rays.", "", "has no sentence"},
+                           Case{"size 300x200", "scene ./none.scene", "step 3 cannot be shown"}}) {
+    const OwnLesson lesson(each.from, each.to);
+    const auto checked = run_cli({"lessons", "check", lesson.path()});
+    EXPECT_EQ(checked.status, 1) << each.to << checked.err;
+    EXPECT_NE(checked.out.find(each.complaint), std::string::npos) << checked.out;
+    EXPECT_TRUE(checked.out.ends_with(" 1 failed\n")) << checked.out;
+  }
+}
+
+TEST(LessonFolder, AFaultIsNamedWithItsPlace) {
+  const OwnLesson lesson("bound >= 20000", "bound 20000");
+  for (const std::string command : {"check", "show", "handout"}) {
+    std::vector<std::string> arguments{"lessons", command, lesson.path()};
+    if (command == "handout") arguments.insert(arguments.end(), {"--out", lesson.folder.file("x.html")});
+    const auto refused = run_cli(arguments);
+    EXPECT_EQ(refused.status, 2) << command;
+    EXPECT_NE(refused.err.find("mine/lesson.md:28: found '20000', expected >=, <= or = and a number"),
+              std::string::npos)
+        << refused.err;
+  }
+}
+
+TEST(LessonFolder, PlacesAreNamesFoldersAndSteps) {
+  const OwnLesson lesson;
+  const std::string path = lesson.path();
+  EXPECT_EQ(parse_lesson_place(path), (LessonPlace{path, 0}));
+  EXPECT_EQ(parse_lesson_place(path + "/"), (LessonPlace{path, 0}));
+  EXPECT_EQ(parse_lesson_place(path + "/3"), (LessonPlace{path, 2}));
+  EXPECT_EQ(parse_lesson_place(path + "/lesson.md"), (LessonPlace{path, 0}));
+  EXPECT_EQ(load_lesson(path).name, path);
+  EXPECT_TRUE(is_own_lesson(path));
+  EXPECT_FALSE(is_own_lesson("cgfs_03_light"));
+  EXPECT_EQ(lesson_folder_at("chapters/cgfs_03_light"),
+            (std::filesystem::current_path() / "chapters/cgfs_03_light").string());
+  EXPECT_EQ(lesson_folder_at(""), "");
+  EXPECT_EQ(lesson_folder_at("assets"), "");
+  EXPECT_EQ(lesson_folder_at(path + "/lesson.md/x"), "");
+  for (const std::string& wrong : {path + "/0", path + "/x", path + "/3/4", std::string("/nowhere/at/all")})
+    EXPECT_THROW(parse_lesson_place(wrong), InputError) << wrong;
+  const Document linked = linked_document("lesson=" + percent_escape(path) + "&step=1");
+  EXPECT_EQ(linked.lesson, path);
+  EXPECT_EQ(linked.step, 1);
+  EXPECT_EQ(linked.scene_name, path + "/balls.scene");
+}
+
+// --- handouts ---
+
+/// Whether every element of the page is closed, in order.
+bool is_balanced(std::string_view html) {
+  std::vector<std::string> open;
+  for (auto at = html.find('<'); at != std::string_view::npos; at = html.find('<', at + 1)) {
+    const auto end = html.find('>', at);
+    if (end == std::string_view::npos) return false;
+    const std::string_view tag = html.substr(at + 1, end - at - 1);
+    if (tag.starts_with("!") || tag.ends_with("/")) continue;
+    const std::string name(tag.substr(tag.starts_with("/") ? 1 : 0).substr(0, tag.find_first_of(" \n", 1)));
+    if (!tag.starts_with("/"))
+      open.push_back(name);
+    else if (open.empty() || open.back() != name)
+      return false;
+    else
+      open.pop_back();
+  }
+  return open.empty();
+}
+
+std::size_t count_of(std::string_view text, std::string_view word) {
+  std::size_t count = 0;
+  for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+std::string from_base64(std::string_view text) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0, held = 0;
+  for (const char c : text.substr(0, text.find('='))) {
+    bits = bits << 6 | static_cast<unsigned>(digits.find(c));
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes += static_cast<char>(bits >> held & 0xff);
+  }
+  return bytes;
+}
+
+std::string handout(const OwnLesson& lesson, const std::string& how = {}) {
+  std::vector<std::string> arguments{"lessons", "handout", lesson.path(), "--out", lesson.folder.file("page.html")};
+  if (!how.empty()) arguments.push_back(how);
+  const auto made = run_cli(arguments);
+  EXPECT_EQ(made.status, 0) << made.err;
+  return text_of(lesson.folder.file("page.html"));
+}
+
+TEST(LessonHandout, NeedsNothingElse) {
+  const OwnLesson lesson;
+  const std::string page = handout(lesson);
+  EXPECT_TRUE(is_balanced(page));
+  EXPECT_EQ(count_of(page, "http"), 1u);  // the name of the markup itself
+  EXPECT_NE(page.find("xmlns=\"http://www.w3.org/1999/xhtml\""), std::string::npos);
+  EXPECT_EQ(count_of(page, "src=\"data:image/png;base64,"), count_of(page, "src="));
+  EXPECT_NE(page.find("The shadows cover more than 20,000 pixels."), std::string::npos);
+  EXPECT_NE(page.find("pixels that differ: "), std::string::npos);
+  EXPECT_NE(page.find("How many shadow rays does B cast?"), std::string::npos);
+  EXPECT_NE(page.find("pixelscope --permalink"), std::string::npos);
+}
+
+TEST(LessonHandout, OnlyTheTeachersHasTheAnswers) {
+  const OwnLesson lesson;
+  const std::string student = handout(lesson), teacher = handout(lesson, "--teacher");
+  EXPECT_TRUE(is_balanced(teacher));
+  EXPECT_EQ(student.find("<h2>Answers</h2>"), std::string::npos);
+  EXPECT_EQ(student.find("never asks whether a light is blocked"), std::string::npos);
+  EXPECT_NE(teacher.find("never asks whether a light is blocked"), std::string::npos);
+  EXPECT_NE(teacher.find("60000 rays"), std::string::npos);
+  EXPECT_EQ(count_of(student, "<img "), 5u);  // B of the second step answers its question
+  EXPECT_EQ(count_of(student, "is shown in the program after your answer"), 1u);
+  EXPECT_EQ(count_of(teacher, "<img "), 6u);
+}
+
+TEST(LessonHandout, ItsPicturesAreThoseOfTheRenderCommand) {
+  const OwnLesson lesson;
+  const std::string page = handout(lesson);
+  constexpr std::string_view before = "base64,", link = "--permalink '";
+  const auto at = page.find(before) + before.size();
+  const auto made = lesson.folder.write("embedded.png", from_base64(page.substr(at, page.find('"', at) - at)));
+  const auto from = page.find(link) + link.size();
+  std::string permalink = page.substr(from, page.find('\'', from) - from);
+  for (auto amp = permalink.find("&amp;"); amp != std::string::npos; amp = permalink.find("&amp;", amp))
+    permalink.replace(amp++, 5, "&");
+  const auto rendered = run_cli({"render", "--permalink", permalink, "--out", lesson.folder.file("rendered.png")});
+  ASSERT_EQ(rendered.status, 0) << rendered.err;
+  EXPECT_EQ(load_levels(made), load_levels(lesson.folder.file("rendered.png")));
+}
+
+TEST(LessonHandout, TextsAreEscaped) {
+  const Lesson lesson = parse_lesson(
+      "# A < B & C\nsource: \"x\"\n\n1 < 2 & `a<b>`\n\n- one\n- *two*\n\n3. three\n\n## S\n\n```settings\nscene "
+      "cgfs/spheres\n```\n",
+      "demo", "lesson.md");
+  const std::string html = block_html(lesson.blocks);
+  EXPECT_EQ(html, "<p>1 &lt; 2 &amp; <code>a&lt;b&gt;</code></p>\n<ul>\n<li>one</li>\n<li><em>two</em></li>\n</ul>\n"
+                  "<ol start=\"3\">\n<li>three</li>\n</ol>\n");
+  EXPECT_TRUE(is_balanced(handout_index({lesson})));
+  EXPECT_NE(handout_index({lesson}).find("<a href=\"demo.html\">A &lt; B &amp; C</a>"), std::string::npos);
+}
+
+TEST(LessonHandout, WhatCannotBeMadeIsRefused) {
+  const ScratchFolder folder;
+  EXPECT_EQ(run_cli({"lessons", "handout", "--out", folder.file("x.html")}).status, 2);
+  EXPECT_EQ(run_cli({"lessons", "handout", "cgfs_03_light", "--all", "--out", folder.file("x")}).status, 2);
+  EXPECT_EQ(run_cli({"lessons", "handout", "cgfs_03_ligt", "--out", folder.file("x.html")}).status, 2);
+  EXPECT_EQ(run_cli({"lessons", "handout", "cgfs_03_light", "--out", folder.file("no/x.html")}).status, 2);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+}  // namespace
+}  // namespace lesson_folder_test
