@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/handout.h"
+#include "engine/maths_writers.h"
 #include "image/svg.h"
 
 namespace ps {
@@ -17,12 +18,14 @@ std::string linked(const TextSpan& span, std::string html) {
   case LinkKind::option:
   case LinkKind::panel:
   case LinkKind::lesson:
+  case LinkKind::term:
     return html;
   }
   return html;
 }
 
 std::string span_html(const TextSpan& span) {
+  if (span.formula) return mathml(*span.formula);
   const std::string text = xml_escaped(span.text);
   switch (span.style) {
   case TextStyle::plain:
