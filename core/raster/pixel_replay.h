@@ -16,6 +16,9 @@ struct CoveringTriangle {
   PixelId id;        ///< its true triangle, also of a sphere
   float depth = 0;   ///< encoded, as it is compared
   bool cut = false;  ///< clipping made edges of it
+  bool operator==(const CoveringTriangle& other) const {
+    return ref.batch == other.ref.batch && ref.index == other.ref.index && depth == other.depth;
+  }
 };
 
 /// Values of one fragment from elsewhere, in place of the rasterizer's own. Absent ones stay its own.

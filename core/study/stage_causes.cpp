@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 #include "frame/display_frame.h"
 #include "options/option.h"
@@ -105,8 +106,13 @@ StageRequest stage_request(const Scene& scene, const View& view, const Settings&
 StageSplit split_by_stage(const StageRequest& request, StudyControl& control,
                           const std::function<void(const StudyStatus&)>& update) {
   Prepared prepared;
-  StageRepair repair(request, prepared, control);
-  const Frame &theirs = repair.theirs(), &ours = repair.ours();
+  const auto frame_of = [&](const Settings& settings) {
+    RenderRequest how;
+    how.channels = Channel::ids;
+    return render(request.scene, request.view, settings, how, prepared, control.progress());
+  };
+  const Frame theirs = frame_of(request.other), ours = frame_of(request.ours);
+  std::unique_ptr<StageRepair> repair;  // made for the first pixel that differs
   const Image<Rgb8> a = display_frame(theirs, request.other), b = display_frame(ours, request.ours);
   StageSplit split;
   split.causes = Image<StageCause>(a.width(), a.height());
@@ -117,14 +123,14 @@ StageSplit split_by_stage(const StageRequest& request, StudyControl& control,
       const LevelDifference difference = difference_of(a.at(x, y), b.at(x, y));
       const bool colour = difference.largest > request.bound, id = theirs.ids.at(x, y) != ours.ids.at(x, y);
       if (!colour && !id) continue;
-      const RepairedPixel found = repair.cause_of({x, y}, a.at(x, y));
+      if (!repair) repair = std::make_unique<StageRepair>(request, prepared, control);
+      const RepairedPixel found = repair->cause_of({x, y}, a.at(x, y));
       split.causes.at(x, y) = found.cause;
       const double error = colour ? difference.sum : 0;
       add(split.shares[static_cast<std::size_t>(found.cause)], colour, id, error);
       add(split.whole, colour, id, error);
       if (colour) split.largest = std::max(split.largest, difference.largest);
-      if (found.cause == StageCause::coverage && id)
-        split.edge_distance = std::max(split.edge_distance, found.edge_distance);
+      if (found.cause == StageCause::coverage) split.edge_distance = std::max(split.edge_distance, found.edge_distance);
     }
   }
   return split;

@@ -43,8 +43,8 @@ struct StageSplit {
   std::array<StageShare, stage_cause_count> shares{};  ///< they add up to `whole`
   StageShare whole;
   int largest = 0;  ///< difference of one channel, levels of 255
-  /// Of pixels that show another triangle because of coverage alone: how far the sample lies from the nearest edge of
-  /// the two triangles, pixels. The largest of them.
+  /// Of pixels that show another triangle, if only of the same object, because of coverage alone: how far the sample
+  /// lies from the nearest edge of the two triangles, pixels. The largest of them.
   double edge_distance = 0;
   const StageShare& share(StageCause cause) const { return shares[static_cast<std::size_t>(cause)]; }
   /// Of the pixels, from 0 to 1; 0 where none differs.

@@ -15,12 +15,6 @@ using raster::CoveringTriangle;
 using raster::GivenFragment;
 using raster::ReplayMaps;
 
-Frame frame_of(const StageRequest& request, const Settings& settings, Prepared& prepared, StudyControl& control) {
-  RenderRequest how;
-  how.channels = Channel::ids;
-  return render(request.scene, request.view, settings, how, prepared, control.progress());
-}
-
 std::shared_ptr<const StageValues> stages_of(const StageRequest& request, Prepared& prepared, StudyControl& control) {
   return renderer_row(request.other.renderer)
       .stage_values(request.scene, request.view, request.other, prepared, control.progress());
@@ -50,15 +44,14 @@ Settings honoured_settings(const Settings& settings, const StageValues& stages) 
 }
 
 StageRepair::StageRepair(const StageRequest& request, Prepared& prepared, StudyControl& control)
-    : request_(request), control_(control), theirs_(frame_of(request, request.other, prepared, control)),
-      ours_(frame_of(request, request.ours, prepared, control)), stages_(stages_of(request, prepared, control)),
+    : request_(request), control_(control), stages_(stages_of(request, prepared, control)),
       replay_(request.scene, request.view, request.ours, prepared, control.progress()) {
   replay_.give_maps(stages_->shadow_maps, stages_->environment, stages_->in_shadow);
   const Settings honoured = honoured_settings(request.other, *stages_);
   Settings ours = request.ours;
   ours.renderer = honoured.renderer;
   if (!(ours == honoured)) {
-    const Frame without = frame_of(request, honoured, prepared, control);
+    const Frame without = render(request.scene, request.view, honoured, {}, prepared, control.progress());
     without_effects_ = display_frame(without, honoured);
   }
 }
@@ -162,7 +155,7 @@ void StageRepair::add_texels(Vec2i pixel, GivenFragment& given) const {
 bool StageRepair::coverage(Pixel& pixel) {
   if (pixel.ours.value_or(PixelId{}) != pixel.theirs) {
     const Covering covering = with_their_coverage(pixel, Touched::whole);
-    return covering.size() != pixel.covering.size() && shows(pixel, covering);
+    return covering != pixel.covering && shows(pixel, covering);
   }
   // The same triangle: its stencil, which the faces of shadow volumes have counted in.
   if (stages_->in_shadow.empty() || !pixel.ours) return false;
@@ -179,7 +172,7 @@ bool StageRepair::depth(Pixel& pixel) {
 bool StageRepair::clipping(Pixel& pixel) {
   if (pixel.ours.value_or(PixelId{}) != pixel.theirs) {
     const Covering covering = with_their_coverage(pixel, Touched::cut);
-    return covering.size() != pixel.covering.size() && shows(pixel, covering);
+    return covering != pixel.covering && shows(pixel, covering);
   }
   if (!pixel.ours) return false;
   const CoveringTriangle& seen = pixel.covering[find(pixel.covering, *pixel.ours)];
@@ -228,6 +221,7 @@ std::optional<StageCause> StageRepair::together(Pixel& pixel) {
 }
 
 double StageRepair::edge_distance(const Pixel& pixel) const {
+  if (pixel.ours.value_or(PixelId{}) == pixel.theirs) return 0;
   double least = INFINITY;
   for (const PixelId& id : {pixel.theirs, pixel.ours.value_or(PixelId{})})
     if (const auto piece = replay_.nearest_piece(id, pixel.at))

@@ -11,7 +11,7 @@ namespace ps {
 
 struct RepairedPixel {
   StageCause cause = StageCause::unexplained;
-  double edge_distance = 0;  ///< of the sample from the nearest edge of both triangles: pixels
+  double edge_distance = 0;  ///< of the sample from the nearest edge of both triangles, pixels; 0 where there is one
 };
 
 /// Draws single pixels of the rasterizer again with the values of one stage after the other taken from another
@@ -19,9 +19,6 @@ struct RepairedPixel {
 class StageRepair {
  public:
   StageRepair(const StageRequest& request, Prepared& prepared, StudyControl& control);
-
-  const Frame& theirs() const { return theirs_; }
-  const Frame& ours() const { return ours_; }
 
   /// The cause of a pixel that differs; `wanted` is what the other renderer shows.
   RepairedPixel cause_of(Vec2i pixel, const Rgb8& wanted);
@@ -62,7 +59,6 @@ class StageRepair {
 
   const StageRequest& request_;
   StudyControl& control_;
-  Frame theirs_, ours_;
   std::shared_ptr<const StageValues> stages_;
   raster::PixelReplay replay_;
   Image<Rgb8> without_effects_;

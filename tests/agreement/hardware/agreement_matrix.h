@@ -7,49 +7,38 @@
 
 namespace ps::test {
 
-/// What two renderers may differ in.
-enum class Agreement {
-  bounded,   ///< at most 20 of 360,000 triangles, and as many colours
-  explained  ///< more, for a reason that `why` states
-};
-
-/// Hardware against the rasterizer at the driver's sub-pixel bits: one scene under these assignments, once for each way
-/// of rounding vertices.
+/// Hardware against the rasterizer at the driver's sub-pixel bits: one scene under these assignments. Unless they say
+/// otherwise without shadows, reflections and environment maps.
 struct MatrixRow {
   std::string scene;
-  std::vector<std::string> assignments;
-  Agreement agreement = Agreement::bounded;
-  std::string why;    ///< one sentence, where it is `explained`
-  int side = 600;     ///< pixels
+  std::vector<std::string> assignments{};
+  int side = 300;     ///< pixels
+  std::string why{};  ///< one sentence, where more than the bound differs; empty: the bound holds
+  std::string name() const;
+  /// Triangles that may differ, and as many colours: 20 of 360,000 pixels.
+  long bound() const { return 20L * side * side / 360000; }
+};
+
+/// The renderers of triangles against the ray tracer, in pictures of 300 x 300 pixels.
+struct RayRow {
+  std::string scene;
+  std::vector<std::string> assignments{};
+  std::string why;  ///< one sentence: what differs
   std::string name() const;
 };
 
-/// A renderer against the ray tracer.
-struct RayRow {
-  std::string scene;
-  std::vector<std::string> assignments;
-  std::string why;  ///< one sentence: what differs
-};
-
-struct MeasuredRow {
-  long pixels = 0, seen = 0;
-  StageSplit split;
-};
-
-std::vector<MatrixRow> matrix_rows();
+std::vector<MatrixRow> scene_rows();
+std::vector<MatrixRow> option_rows();
 std::vector<RayRow> ray_rows();
 
 /// `snapping` is the value of vertex-snapping.
-MeasuredRow measure(const MatrixRow& row, Renderer hardware, const std::string& snapping);
+StageSplit measure(const MatrixRow& row, Renderer hardware, const std::string& snapping);
 
-/// Colours and ids against the ray tracer.
 struct RayDifference {
-  long pixels = 0, ids = 0, colours = 0;
-  double rms = 0;  ///< of the levels of all channels
+  long ids = 0;
+  long colours = 0;  ///< that differ by more than one level of 255
+  double rms = 0;    ///< of the levels of all channels
 };
 RayDifference against_rays(const RayRow& row, Renderer renderer);
-
-/// The whole page assets/gallery/agreement.md.
-std::string agreement_page(Renderer hardware);
 
 }  // namespace ps::test
