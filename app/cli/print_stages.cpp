@@ -40,7 +40,7 @@ int print_stages(const Document& document, const Settings& b, const StageOutput&
     require_no_input(output.picture, files_of(document.scene));
   }
   const Settings& a = document.a.settings;
-  if (const auto reason = why_no_stages(document.scene, a, b)) throw InputError(*reason);
+  if (const auto reason = why_no_stages(scene_traits(document.scene), a, b)) throw InputError(*reason);
   StudyControl control;
   forward_interrupts(control.progress());
   const StageSplit split = split_by_stage(stage_request(document.scene, view_of(document), a, b), control);

@@ -107,8 +107,9 @@ double edge_distance(const TriangleSetup<float>& setup, const CoverageGrid& grid
   double least = INFINITY;
   for (std::size_t i = 0; i < 3; ++i) {
     // A step is the edge's extent times the units of a pixel.
-    const double length =
-        std::hypot(static_cast<double>(setup.edges.step_x[i]), static_cast<double>(setup.edges.step_y[i])) / unit;
+    const double x = static_cast<double>(setup.edges.step_x[i]) / unit;
+    const double y = static_cast<double>(setup.edges.step_y[i]) / unit;
+    const double length = std::sqrt(x * x + y * y);
     least = std::min(least, static_cast<double>(values[i]) / length / unit);
   }
   return least;

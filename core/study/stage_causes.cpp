@@ -79,18 +79,24 @@ double StageSplit::part(StageCause cause) const {
   return whole.pixels == 0 ? 0 : static_cast<double>(share(cause).pixels) / static_cast<double>(whole.pixels);
 }
 
-std::optional<std::string> why_no_stages(const Scene& scene, const Settings& a, const Settings& b) {
+std::optional<std::string> why_no_stages(const SceneTraits& traits, const Settings& a, const Settings& b) {
   if (!((gives_stages(a) && is_rasterizer(b)) || (gives_stages(b) && is_rasterizer(a))))
     return "One picture needs renderer = rasterizer, and the other a renderer that gives the values of its stages, "
            "such "
            "as hardware.";
   for (const Settings* settings : {&a, &b}) {
     if (const auto reason = renderer_kind(settings->renderer).inactive
-                                ? renderer_kind(settings->renderer).inactive(*settings, scene_traits(scene))
+                                ? renderer_kind(settings->renderer).inactive(*settings, traits)
                                 : std::nullopt)
       return std::string(*reason);
     if (settings->draw != Draw::filled) return "Lines and points have no stages to compare: set draw = filled.";
   }
+  return {};
+}
+
+std::optional<Renderer> renderer_with_stages() {
+  for (const RendererRow& row : renderer_table())
+    if (row.stage_values) return row.renderer;
   return {};
 }
 

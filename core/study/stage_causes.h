@@ -61,7 +61,10 @@ struct StageRequest {
 
 /// Why the difference between two pictures cannot be divided this way, or nothing if it can. Either may be the
 /// rasterizer's.
-std::optional<std::string> why_no_stages(const Scene& scene, const Settings& a, const Settings& b);
+std::optional<std::string> why_no_stages(const SceneTraits& traits, const Settings& a, const Settings& b);
+
+/// The first renderer that gives the values of its stages, or nothing where the program has none.
+std::optional<Renderer> renderer_with_stages();
 
 /// The request for two pictures of which one is the rasterizer's.
 StageRequest stage_request(const Scene& scene, const View& view, const Settings& a, const Settings& b);

@@ -52,7 +52,8 @@ std::string table_of(const MeasuredMatrix& matrix, int side) {
     if (row.row.side != side) continue;
     table += line_of(row);
     if (!row.row.why.empty() && row.snapping == "cpu")
-      reasons += fmt::format("- `{}`: {}\n", row.row.name(), row.row.why);
+      reasons += fmt::format("- `{}`{}: {}\n", row.row.name(),
+                             row.row.explained == Explained::for_driver ? ", rounded by the driver" : "", row.row.why);
   }
   return table + "\n" + reasons;
 }
@@ -107,11 +108,11 @@ std::string agreement_page(const MeasuredMatrix& matrix) {
   page += R"(
 ## Ties
 
-A sample that lies exactly on an edge belongs to one of two triangles by the top-left rule, which the driver has, too: of
+A sample that lies exactly on an edge belongs to one of two triangles by the top-left rule, which the driver has, too. Of
 triangles within the picture, with vertices on corners and centres of pixels, no sample differs. Where a triangle leaves
-the picture, the driver cuts it at the border. The new vertices are rounded to sub-pixels, which turns the edges a little,
-and samples that lay on them change sides: 829 of 849,161 where a third of all triangles leave the picture. The
-rasterizer cuts one pixel outside of the border.
+the picture, the driver cuts it at the border. The new vertices are rounded to sub-pixels, so the edges turn a little.
+Samples that lay on them change sides: 829 of 849,161 where many triangles leave the picture. The rasterizer cuts one
+pixel outside of the border.
 )";
   return page;
 }

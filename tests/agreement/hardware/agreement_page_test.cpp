@@ -50,7 +50,7 @@ void expect_near(const Lines& page, const Lines& now) {
 void expect_bounds(const MeasuredMatrix::Row& row) {
   const std::string name = row.row.name() + " " + row.snapping;
   const StageSplit& split = row.split;
-  if (row.row.why.empty()) {
+  if (row.row.holds_bound(row.snapping)) {
     EXPECT_LE(split.whole.ids, row.row.bound()) << name;
     EXPECT_LE(split.whole.colours, row.row.bound()) << name;
     EXPECT_LE(split.edge_distance, std::exp2(-hardware::availability().driver->subpixel_bits)) << name;

@@ -84,13 +84,15 @@ TEST(HardwareStages, NothingDiffersWithoutAFault) {
 TEST(HardwareStages, AreRefusedForOtherPairs) {
   PS_NEEDS_HARDWARE(hardware);
   const StageRequest request = request_of(faults.front(), hardware);
-  EXPECT_FALSE(why_no_stages(request.scene, request.ours, request.other));
-  EXPECT_FALSE(why_no_stages(request.scene, request.other, request.ours));
-  EXPECT_TRUE(why_no_stages(request.scene, request.ours, request.ours));
-  EXPECT_TRUE(why_no_stages(request.scene, request.other, request.other));
+  const SceneTraits traits = scene_traits(request.scene);
+  EXPECT_FALSE(why_no_stages(traits, request.ours, request.other));
+  EXPECT_FALSE(why_no_stages(traits, request.other, request.ours));
+  EXPECT_TRUE(why_no_stages(traits, request.ours, request.ours));
+  EXPECT_TRUE(why_no_stages(traits, request.other, request.other));
   Settings lines = request.other;
   lines.draw = Draw::wireframe;
-  EXPECT_TRUE(why_no_stages(request.scene, request.ours, lines));
+  EXPECT_EQ(renderer_with_stages(), hardware);
+  EXPECT_TRUE(why_no_stages(traits, request.ours, lines));
 }
 
 }  // namespace
