@@ -408,12 +408,6 @@ Panel needs(Session& session, PanelStates& my) {
               }};
 }
 
-std::string why_status(const WhyTabState& why) {
-  if (why.causes.running()) return "Causes: rendering pictures between A and B";
-  if (why.stages.running()) return "Stages: drawing pixels again";
-  return why.precision.running() ? "Precision: rendering in double" : "";
-}
-
 Panel why(Session& session, PanelStates& my) {
   return {.name = "why",
           .use = PanelUse::study,

@@ -7,9 +7,9 @@
 namespace ps::test {
 namespace {
 
-constexpr const char* step_of_depth =
-    "The sheets are nearer to each other than a step of the depth buffer, and where the driver's depth and the "
-    "rasterizer's are rounded to different steps, another sheet is seen.";
+constexpr const char* step_of_depth = "The sheets are nearer to each other than a step of the depth buffer. Another "
+                                      "one is seen where the driver's depth and "
+                                      "the rasterizer's are rounded to different steps.";
 constexpr const char* border_of_texels =
     "Where a sample lies on the border of two texels, the last bits of its texture coordinates decide between them.";
 constexpr const char* whole_ratio = "The number of lookups is rounded up, and where the sides of a footprint have a "

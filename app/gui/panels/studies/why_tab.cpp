@@ -153,6 +153,12 @@ bool why_tab(Session& session, WhyTabState& state, bool filled) {
   return fill;
 }
 
+std::string why_status(const WhyTabState& state) {
+  if (state.causes.running()) return "Causes: rendering pictures between A and B";
+  if (state.stages.running()) return "Stages: drawing pixels again";
+  return state.precision.running() ? "Precision: rendering in double" : "";
+}
+
 void add_why_actions(Actions& actions, Session& session, WhyTabState& state, std::function<void()> show) {
   actions.add({.name = "why-stages",
                .label = "Stages: where hardware and rasterizer part",

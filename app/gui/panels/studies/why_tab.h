@@ -57,6 +57,8 @@ struct WhyTabState {
 /// whole window; answers whether that shall change.
 bool why_tab(Session& session, WhyTabState& state, bool filled);
 void update_why(WhyTabState& state);
+/// What it is working at, for the line at the lower edge.
+std::string why_status(const WhyTabState& state);
 /// `show` opens the tab.
 void add_why_actions(Actions& actions, Session& session, WhyTabState& state, std::function<void()> show);
 /// What scripts may ask for. The state must outlive the offers.
