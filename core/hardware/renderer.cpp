@@ -5,6 +5,7 @@
 #include "hardware/left_out.h"
 #include "hardware/machinery.h"
 #include "hardware/render_hardware.h"
+#include "hardware/stage_values.h"
 
 namespace ps {
 namespace {
@@ -46,7 +47,8 @@ RendererRow hardware_renderer_row() {
           .fast_path = [](const Settings&, const SceneTraits&, Channel) { return hardware::hardware_path(); },
           .left_out = hardware::left_out,
           .shows_objects = shows_objects,
-          .subject = [](const SceneTraits&, const Settings&) { return std::string("the hardware renderer"); }};
+          .subject = [](const SceneTraits&, const Settings&) { return std::string("the hardware renderer"); },
+          .stage_values = hardware::stage_values};
 }
 
 }  // namespace ps

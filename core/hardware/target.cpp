@@ -163,4 +163,13 @@ void Target::read(Frame& frame) const {
   }
 }
 
+Image<float> Target::read_depth() const {
+  Image<float> depths(shape_.width, shape_.height, Unfilled{});
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, shape_.width, shape_.height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.pixels().data());
+  check_gl("reading the depth buffer");
+  return depths;
+}
+
 }  // namespace ps::hardware

@@ -42,6 +42,8 @@ class Target {
   void bind_resolved() const;
   /// Copies what was drawn, and resolved, to the frame's channels.
   void read(Frame& frame) const;
+  /// Copies the depth buffer, 0 to 1, of a target with one sample per pixel.
+  Image<float> read_depth() const;
 
  private:
   static constexpr std::size_t most_pictures = 4;

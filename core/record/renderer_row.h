@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,10 @@
 
 namespace ps {
 
+struct StageValues;  // raster/stage_values.h
+
 /// A renderer, as everything above the renderers knows it: one row of the table in render/renderer_table.h. All
-/// functions are there.
+/// functions are there but the last.
 struct RendererRow {
   Renderer renderer{};  ///< its number; add_renderer() gives one to those that come with a program
 
@@ -32,6 +35,9 @@ struct RendererRow {
   bool (*shows_objects)(const SceneTraits& traits, const Settings& settings) = nullptr;
   /// Its name as the subject of a sentence: "the ray tracer".
   std::string (*subject)(const SceneTraits& traits, const Settings& settings) = nullptr;
+  /// What it has after each of its stages, or nullptr: it does not give that. Throws as render() does.
+  std::shared_ptr<const StageValues> (*stage_values)(const Scene& scene, const View& view, const Settings& settings,
+                                                     Prepared& prepared, Progress& progress) = nullptr;
 };
 
 }  // namespace ps

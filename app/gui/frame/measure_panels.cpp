@@ -4,6 +4,7 @@
 
 #include "base/kept_inputs.h"
 #include "gui/frame/file_questions.h"
+#include "gui/frame/show_panel.h"
 #include "gui/panels/studies/timings_panel.h"
 #include "scene/load.h"
 
@@ -128,11 +129,6 @@ Panel needs(Session& session, PanelStates& my) {
               }};
 }
 
-std::string why_status(const WhyTabState& why) {
-  if (why.causes.running()) return "Causes: rendering pictures between A and B";
-  return why.precision.running() ? "Precision: rendering in double" : "";
-}
-
 Panel why(Session& session, PanelStates& my) {
   return {.name = "why",
           .use = PanelUse::study,
@@ -141,15 +137,17 @@ Panel why(Session& session, PanelStates& my) {
           .heading = "WHY",
           .brief = "Why",
           .command = "Why: what makes A and B differ",
-          .help = "Which option makes A and B differ, and which pixels float gets wrong.",
+          .help = "Which option or stage makes A and B differ, and which pixels float gets wrong.",
           .draw = [&](const Context& context) { return why_tab(session, my.why, context.filled); },
+          .actions = [&](Actions& to) { add_why_actions(to, session, my.why, [&] { show_panel(session, "why"); }); },
           .publish = [&](Values& out) { offer_why_values(out, my.why); },
           .update =
               [&] {
                 hold_while_rendering(session, my.why.causes);
+                hold_while_rendering(session, my.why.stages);
                 update_why(my.why);
               },
-          .busy = [&] { return my.why.causes.running() || my.why.precision.running(); },
+          .busy = [&] { return my.why.running(); },
           .status = [&] { return why_status(my.why); }};
 }
 

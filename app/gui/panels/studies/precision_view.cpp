@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "gui/panels/pictures/picture_text.h"
+#include "gui/panels/studies/pixel_map.h"
 #include "gui/panels/studies/why_tab.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
@@ -16,26 +17,6 @@ namespace ps::gui {
 namespace {
 
 constexpr double legend_width = 208, gap_legend_width = 150;  // pixels at scale 1
-
-/// A map that fits the room; a click picks the pixel. Answers the pixel under the mouse.
-std::optional<Vec2i> map_picture(const char* name, const Texture& texture, ImVec2 room, Session& session, Side side) {
-  const auto w = static_cast<float>(texture.width()), h = static_cast<float>(texture.height());
-  const float shrink = std::min(room.x / std::max(w, 1.f), room.y / std::max(h, 1.f));
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size{std::max(w * shrink, 1.f), std::max(h * shrink, 1.f)};
-  const bool clicked = ImGui::InvisibleButton(name, size);
-  controls().record(name, fmt::format("{}x{}", texture.width(), texture.height()));
-  ImGui::GetWindowDrawList()->AddImage(texture.id(), at, {at.x + size.x, at.y + size.y});
-  if (!ImGui::IsItemHovered() && !clicked) return {};
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const Vec2i pixel{std::clamp(static_cast<int>((mouse.x - at.x) / shrink), 0, texture.width() - 1),
-                    std::clamp(static_cast<int>((mouse.y - at.y) / shrink), 0, texture.height() - 1)};
-  if (clicked)
-    session.navigate([&](Document& document) {
-      document.pixel = pixel;
-      document.picked = side;
-    });
-  return pixel;
-}
 
 bool faultless(const PrecisionMap& map) { return map.count(PrecisionFault::none) == map.faults.pixels().size(); }
 
@@ -81,33 +62,6 @@ void gap_legend(float room, bool wide) {
   ImGui::Dummy({room, at.y + line - from.y});
 }
 
-/// The pixel of a fault that is nearest to the middle of all of its kind.
-std::optional<Vec2i> typical(const PrecisionMap& map, PrecisionFault fault) {
-  Vec2d middle{0, 0};
-  double count = 0;
-  const auto each = [&](const auto& visit) {
-    for (int y = 0; y < map.faults.height(); ++y)
-      for (int x = 0; x < map.faults.width(); ++x)
-        if (map.faults.at(x, y) == fault) visit(x, y);
-  };
-  each([&](int x, int y) {
-    middle += Vec2d(x, y);
-    ++count;
-  });
-  if (count == 0) return {};
-  middle /= count;
-  std::optional<Vec2i> best;
-  double least = INFINITY;
-  each([&](int x, int y) {
-    const double distance = std::hypot(x - middle.x, y - middle.y);
-    if (distance < least) {
-      least = distance;
-      best = Vec2i(x, y);
-    }
-  });
-  return best;
-}
-
 void fault_row(Session& session, const PrecisionFound& found, PrecisionFault fault) {
   const Rgb8 c = precision_fault_colour(fault);
   const std::uint64_t count = found.map.count(fault);
@@ -130,7 +84,7 @@ void fault_row(Session& session, const PrecisionFound& found, PrecisionFault fau
   controls().record("fault/" + fault_key(fault), std::to_string(count));
   tooltip(count > 0 ? "Click: picks one of these pixels." : "No pixel.");
   if (!clicked) return;
-  if (const auto pixel = typical(found.map, fault))
+  if (const auto pixel = typical_pixel(found.map.faults, fault))
     session.navigate([&](Document& document) {
       document.pixel = *pixel;
       document.picked = found.side;
@@ -195,14 +149,14 @@ void precision_view(Session& session, WhyTabState& state) {
   std::optional<Vec2i> pixel;
   ImGui::BeginGroup();
   map_title("against double", "Pixels that differ from a rendering in double, in the colours at the left.");
-  pixel = map_picture("faults", state.textures[0], each, session, found.side);
+  pixel = pixel_map("faults", state.textures[0], each, session, found.side);
   if (faultless(found.map)) over_map("no pixel differs from double");
   ImGui::EndGroup();
   ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
   map_title("second surface", "Distance to the second surface, in units in the last place of the stored depth: dark = "
                               "1, light = 2^24, red = below 1, white = no second surface.");
-  if (const auto here = map_picture("gaps", state.textures[1], each, session, found.side)) pixel = here;
+  if (const auto here = pixel_map("gaps", state.textures[1], each, session, found.side)) pixel = here;
   if (!beside) gap_legend(each.x, true);
   ImGui::EndGroup();
   if (beside) {

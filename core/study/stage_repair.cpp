@@ -1,0 +1,246 @@
+#include "study/stage_repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "frame/display_frame.h"
+#include "options/option.h"
+#include "render/renderer_table.h"
+
+namespace ps {
+namespace {
+
+using raster::CoveringTriangle;
+using raster::GivenFragment;
+using raster::ReplayMaps;
+
+std::shared_ptr<const StageValues> stages_of(const StageRequest& request, Prepared& prepared, StudyControl& control) {
+  return renderer_row(request.other.renderer)
+      .stage_values(request.scene, request.view, request.other, prepared, control.progress());
+}
+
+std::size_t find(const std::vector<CoveringTriangle>& covering, const PixelId& id) {
+  const auto found =
+      std::find_if(covering.begin(), covering.end(), [&](const CoveringTriangle& c) { return c.id == id; });
+  return static_cast<std::size_t>(found - covering.begin());
+}
+
+}  // namespace
+
+Settings honoured_settings(const Settings& settings, const StageValues& stages) {
+  const RendererKind& kind = renderer_kind(settings.renderer);
+  Settings honoured = settings;
+  for (const Option& option : option_table()) {
+    const bool lacks = (kind.lacks_option && kind.lacks_option(option, settings)) ||
+                       (kind.lacks_value && kind.lacks_value(option, option.get(settings), settings));
+    if (lacks) option.set(honoured, option.default_value());
+  }
+  honoured.subpixel_bits = stages.subpixel_bits;
+  honoured.threads = settings.threads;
+  honoured.simd = settings.simd;
+  honoured.renderer = renderer_for(PictureWay::fragments);
+  return honoured;
+}
+
+StageRepair::StageRepair(const StageRequest& request, Prepared& prepared, StudyControl& control)
+    : request_(request), control_(control), stages_(stages_of(request, prepared, control)),
+      replay_(request.scene, request.view, request.ours, prepared, control.progress()) {
+  replay_.give_maps(stages_->shadow_maps, stages_->environment, stages_->in_shadow);
+  const Settings honoured = honoured_settings(request.other, *stages_);
+  Settings ours = request.ours;
+  ours.renderer = honoured.renderer;
+  if (!(ours == honoured)) {
+    const Frame without = render(request.scene, request.view, honoured, {}, prepared, control.progress());
+    without_effects_ = display_frame(without, honoured);
+  }
+}
+
+bool StageRepair::equal(const Pixel& pixel, const Vec3f& colour) const {
+  const Rgb8 levels = display_pixel(Vec3d(colour), display_transform(request_.ours));
+  return std::max({std::abs(levels.r - pixel.wanted.r), std::abs(levels.g - pixel.wanted.g),
+                   std::abs(levels.b - pixel.wanted.b)}) <= request_.bound;
+}
+
+/// Do these triangles show what theirs shows?
+bool StageRepair::shows(const Pixel& pixel, const Covering& covering) const {
+  const int winner = replay_.winner(covering);
+  if (winner < 0) return pixel.theirs.object < 0 && equal(pixel, replay_.background(pixel.at));
+  const CoveringTriangle& seen = covering[static_cast<std::size_t>(winner)];
+  return seen.id == pixel.theirs && equal(pixel, replay_.shade(seen, pixel.at));
+}
+
+std::optional<float> StageRepair::their_depth(const PixelId& id, Vec2i pixel) {
+  if (id.object < 0) return {};
+  const StageValues::Seen* seen = &stages_->seen;
+  if (seen->triangles.at(pixel.x, pixel.y) != id) {
+    const std::pair<int, int> key{id.object, id.triangle};
+    auto found = alone_.find(key);
+    if (found == alone_.end()) {
+      control_.wait_here();
+      found = alone_.emplace(key, stages_->draw_alone(id)).first;
+    }
+    seen = &found->second;
+  }
+  if (seen->triangles.at(pixel.x, pixel.y) != id) return {};
+  return seen->depth.at(pixel.x, pixel.y);
+}
+
+/// Has clipping cut the triangle, or left nothing of it that is not turned away?
+bool StageRepair::was_cut(const PixelId& id, Vec2i pixel) {
+  if (id.object < 0) return false;
+  const auto piece = replay_.nearest_piece(id, pixel);
+  return piece ? piece->cut : replay_.uncut(id, pixel).has_value();
+}
+
+StageRepair::Covering StageRepair::with_their_coverage(const Pixel& pixel, Touched touched) {
+  const auto counts = [&](const PixelId& id) { return was_cut(id, pixel.at) == (touched == Touched::cut); };
+  Covering covering = pixel.covering;
+  if (pixel.ours && counts(*pixel.ours) && !their_depth(*pixel.ours, pixel.at))
+    std::erase_if(covering, [&](const CoveringTriangle& c) { return c.id == *pixel.ours; });
+  if (pixel.theirs.object >= 0 && find(covering, pixel.theirs) == covering.size() && counts(pixel.theirs)) {
+    auto piece = replay_.nearest_piece(pixel.theirs, pixel.at);
+    if (!piece) piece = replay_.uncut(pixel.theirs, pixel.at);
+    // In drawing order, which decides between equal depths.
+    if (piece) {
+      const auto later = std::find_if(covering.begin(), covering.end(), [&](const CoveringTriangle& c) {
+        return std::pair(c.id.object, c.id.triangle) > std::pair(piece->id.object, piece->id.triangle);
+      });
+      covering.insert(later, *piece);
+    }
+  }
+  return covering;
+}
+
+bool StageRepair::depths_prefer_theirs(const Pixel& pixel) {
+  if (!pixel.ours) return false;
+  const auto theirs = their_depth(pixel.theirs, pixel.at), ours = their_depth(*pixel.ours, pixel.at);
+  if (!theirs || !ours) return false;
+  if (*theirs == *ours) return true;  // whichever was drawn first
+  return stages_->larger_is_nearer ? *theirs > *ours : *theirs < *ours;
+}
+
+StageRepair::Covering StageRepair::without_ours(const Pixel& pixel, const Covering& covering) {
+  Covering rest = covering;
+  std::erase_if(rest, [&](const CoveringTriangle& c) { return pixel.ours && c.id == *pixel.ours; });
+  return rest;
+}
+
+GivenFragment StageRepair::interpolated(Vec2i pixel) const {
+  const auto at = [&]<class T>(const Image<T>& image) -> std::optional<T> {
+    if (image.empty()) return {};
+    return image.at(pixel.x, pixel.y);
+  };
+  GivenFragment given;
+  given.z = at(stages_->seen.z);
+  given.position = at(stages_->position);
+  given.normal = at(stages_->normal);
+  given.uv = at(stages_->uv);
+  given.light = at(stages_->light);
+  given.extra = at(stages_->extra);
+  return given;
+}
+
+void StageRepair::add_texels(Vec2i pixel, GivenFragment& given) const {
+  const auto at = [&](const Image<Vec3f>& image) -> std::optional<Vec3f> {
+    if (image.empty()) return {};
+    return image.at(pixel.x, pixel.y);
+  };
+  given.surface = at(stages_->surface);
+  given.mapped_normal = at(stages_->mapped_normal);
+  given.specular = at(stages_->specular);
+  given.ambient = at(stages_->ambient);
+}
+
+bool StageRepair::coverage(Pixel& pixel) {
+  if (pixel.ours.value_or(PixelId{}) != pixel.theirs) {
+    const Covering covering = with_their_coverage(pixel, Touched::whole);
+    return covering != pixel.covering && shows(pixel, covering);
+  }
+  // The same triangle: its stencil, which the faces of shadow volumes have counted in.
+  if (stages_->in_shadow.empty() || !pixel.ours) return false;
+  const std::size_t seen = find(pixel.covering, *pixel.ours);
+  return equal(pixel, replay_.shade(pixel.covering[seen], pixel.at, {}, ReplayMaps::given));
+}
+
+bool StageRepair::depth(Pixel& pixel) {
+  if (pixel.ours.value_or(PixelId{}) == pixel.theirs || find(pixel.covering, pixel.theirs) == pixel.covering.size())
+    return false;
+  return depths_prefer_theirs(pixel) && shows(pixel, without_ours(pixel, pixel.covering));
+}
+
+bool StageRepair::clipping(Pixel& pixel) {
+  if (pixel.ours.value_or(PixelId{}) != pixel.theirs) {
+    const Covering covering = with_their_coverage(pixel, Touched::cut);
+    return covering != pixel.covering && shows(pixel, covering);
+  }
+  if (!pixel.ours) return false;
+  const CoveringTriangle& seen = pixel.covering[find(pixel.covering, *pixel.ours)];
+  return seen.cut && equal(pixel, replay_.shade(seen, pixel.at, replay_.whole_triangle_at(seen, pixel.at)));
+}
+
+bool StageRepair::interpolation(const Pixel& pixel) {
+  if (!pixel.ours || *pixel.ours != pixel.theirs) return false;
+  return equal(pixel,
+               replay_.shade(pixel.covering[find(pixel.covering, *pixel.ours)], pixel.at, interpolated(pixel.at)));
+}
+
+bool StageRepair::filtering(const Pixel& pixel) {
+  if (!pixel.ours || *pixel.ours != pixel.theirs) return false;
+  GivenFragment given;
+  add_texels(pixel.at, given);
+  // A stencil is no texture: coverage() has tried it.
+  const ReplayMaps maps = stages_->in_shadow.empty() ? ReplayMaps::given : ReplayMaps::own;
+  return equal(pixel, replay_.shade(pixel.covering[find(pixel.covering, *pixel.ours)], pixel.at, given, maps));
+}
+
+bool StageRepair::missing_effect(const Pixel& pixel) const {
+  if (without_effects_.empty()) return false;
+  const Rgb8 levels = without_effects_.at(pixel.at.x, pixel.at.y);
+  return std::max({std::abs(levels.r - pixel.wanted.r), std::abs(levels.g - pixel.wanted.g),
+                   std::abs(levels.b - pixel.wanted.b)}) <= request_.bound;
+}
+
+// Values of all stages up to one, from the first on.
+std::optional<StageCause> StageRepair::together(Pixel& pixel) {
+  if (depths_prefer_theirs(pixel) && shows(pixel, without_ours(pixel, with_their_coverage(pixel, Touched::whole))))
+    return StageCause::depth_tie;
+  if (pixel.theirs.object < 0) return {};
+  auto piece = replay_.nearest_piece(pixel.theirs, pixel.at);
+  if (!piece) piece = replay_.uncut(pixel.theirs, pixel.at);
+  if (!piece) return {};
+  if (piece->cut && equal(pixel, replay_.shade(*piece, pixel.at, replay_.whole_triangle_at(*piece, pixel.at))))
+    return StageCause::clipping;
+  GivenFragment given = interpolated(pixel.at);
+  const bool stencil = !stages_->in_shadow.empty();
+  if (equal(pixel, replay_.shade(*piece, pixel.at, given, stencil ? ReplayMaps::given : ReplayMaps::own)))
+    return StageCause::interpolation;
+  add_texels(pixel.at, given);
+  if (equal(pixel, replay_.shade(*piece, pixel.at, given, ReplayMaps::given))) return StageCause::filtering;
+  return {};
+}
+
+double StageRepair::edge_distance(const Pixel& pixel) const {
+  if (pixel.ours.value_or(PixelId{}) == pixel.theirs) return 0;
+  double least = INFINITY;
+  for (const PixelId& id : {pixel.theirs, pixel.ours.value_or(PixelId{})})
+    if (const auto piece = replay_.nearest_piece(id, pixel.at))
+      least = std::min(least, std::abs(replay_.within_edges(*piece, pixel.at)));
+  return least;
+}
+
+RepairedPixel StageRepair::cause_of(Vec2i at, const Rgb8& wanted) {
+  Pixel pixel{at, wanted, stages_->seen.triangles.at(at.x, at.y), replay_.covering(at), {}};
+  if (const int winner = replay_.winner(pixel.covering); winner >= 0)
+    pixel.ours = pixel.covering[static_cast<std::size_t>(winner)].id;
+  const auto found = [&](StageCause cause) { return RepairedPixel{cause, edge_distance(pixel)}; };
+  if (coverage(pixel)) return found(StageCause::coverage);
+  if (depth(pixel)) return found(StageCause::depth_tie);
+  if (clipping(pixel)) return found(StageCause::clipping);
+  if (interpolation(pixel)) return found(StageCause::interpolation);
+  if (filtering(pixel)) return found(StageCause::filtering);
+  if (missing_effect(pixel)) return found(StageCause::missing_effect);
+  return found(together(pixel).value_or(StageCause::unexplained));
+}
+
+}  // namespace ps
