@@ -67,8 +67,6 @@ std::vector<RawEntry> raw_entries(std::string_view text) {
   return entries;
 }
 
-std::filesystem::path glossary_file() { return chapter_dir() / "glossary.md"; }
-
 /// Each word in lower case with the term that it is a form of. Read before any definition, since these have links.
 const std::map<std::string, std::string>& terms_of_words() {
   static const std::map<std::string, std::string> terms = [] {

@@ -16,6 +16,8 @@ std::filesystem::path scene_dir();
 std::filesystem::path chapter_dir();
 /// The order of the lessons.
 std::filesystem::path course_file();
+/// The terms of the lessons and what they mean.
+std::filesystem::path glossary_file();
 /// The text of the lesson in this folder of chapter_dir(), and its listing; either may be missing.
 std::filesystem::path lesson_file(std::string_view folder);
 std::filesystem::path listing_file(std::string_view folder);
