@@ -159,7 +159,7 @@ struct Describer {
     case FragmentEvent::Depth::passed:
       return text + ": passed the depth test";
     case FragmentEvent::Depth::failed:
-      return text + fmt::format(": failed the depth test, {} stored", against_text(e.depth_new, e.depth_stored));
+      return text + ": failed the depth test" + depth_against_text(e);
     case FragmentEvent::Depth::off:
       return text + ": depth test off";
     }
@@ -179,7 +179,9 @@ struct Describer {
                               vector_text(e.row->end_colours[1]), vector_text(e.row->colour),
                               number_text(e.row->along_row));
   }
-  std::string operator()(const CoverageEvent& e) const { return fmt::format("{}: {}", event_key(e.strategy), e.how); }
+  std::string operator()(const CoverageEvent& e) const {
+    return e.strategy ? fmt::format("{}: {}", event_key(*e.strategy), e.how) : e.how;
+  }
   std::string operator()(const WriteEvent& e) const {
     if (e.id.object < 0 && mixing_of(e) == Mixing::adds)
       return fmt::format("a shape adds its colour {} to {}: {}", vector_text(e.shaded), vector_text(e.before),
