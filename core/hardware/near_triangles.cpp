@@ -3,7 +3,7 @@
 namespace ps::hardware {
 namespace {
 
-constexpr double margin = 2;  // pixels: lines and points are one wide, and drivers round positions to a fraction of one
+constexpr double margin = 1;  // pixels: lines and points are one wide, and drivers round positions to a fraction of one
 
 /// Sides of the neighbourhood, or of the plane through the eye, that a vertex lies beyond, as bits.
 using Beyond = std::uint8_t;

@@ -92,7 +92,7 @@ StencilEvent StoryDrawer::stencil_event(std::size_t light) {
 }
 
 void StoryDrawer::report_stencil(const DrawPass& pass, const Outcome& outcome, double z) {
-  if (pass.light < 0 || !outcome.stencil) return;
+  if (pass.light < 0 || !outcome.stencil || volumes_[static_cast<std::size_t>(pass.light)].empty()) return;
   recorder_.event([&] {
     StencilEvent event = stencil_event(static_cast<std::size_t>(pass.light));
     event.surface_z = z;

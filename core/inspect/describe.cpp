@@ -58,9 +58,11 @@ struct Describer {
   }
   std::string operator()(const TextureEvent& e) const {
     const std::string use = e.use == TextureUse::surface ? "" : fmt::format(" for {}", event_key(e.use));
-    return fmt::format("texture read{} at uv {}, level {}: {} of {}", use, vector_text(e.uv), number_text(e.level),
-                       vector_text(e.result),
-                       e.texels.size() == 1 ? "1 texel" : fmt::format("{} texels", e.texels.size()));
+    const std::string texels = e.texels.empty()       ? ""
+                               : e.texels.size() == 1 ? " of 1 texel"
+                                                      : fmt::format(" of {} texels", e.texels.size());
+    return fmt::format("texture read{} at uv {}, level {}: {}{}", use, vector_text(e.uv), number_text(e.level),
+                       vector_text(e.result), texels);
   }
   std::string operator()(const LightEvent& e) const {
     return fmt::format("{}: {}", light_name(scene, e.light), light_effect_text(scene, e, LightWords::whole));

@@ -74,7 +74,7 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
     case RejectReason::not_covered:
       break;
     }
-    if (is_tessellated(c.scene, winner.id))
+    if (is_tessellated(c.scene, winner.id) && !c.two_rasterizers())
       return says(
           PartingCause::tessellation,
           fmt::format("{} is drawn as triangles, and the triangles in {} do not reach this pixel", name, letter),
@@ -87,7 +87,7 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
                               name, letter),
                   {"fill-rule"});
     return says(PartingCause::coverage, text,
-                {"subpixel-bits", "coverage", "edge-arithmetic", "sample-position", "fill-rule"});
+                {"subpixel-bits", "coverage", "edge-arithmetic", "sample-position", "fill-rule", "renderer"});
   }
   if (fate.event < 0) {
     if (lost.story.listing) return left_out_by_listing(c, winner, won, says, letter);
@@ -104,7 +104,7 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
             ? fmt::format("{} fails the depth test in {}{}", name, letter, depth_against_text(*fragment))
             : fmt::format("{} is drawn in {} too, but painted over later", name, letter);
     const bool by_order = differs(c, "visibility");
-    const bool other_triangles = differs(c, "tessellation") || c.a.story.renderer != c.b.story.renderer;
+    const bool other_triangles = differs(c, "tessellation") || c.two_ways();
     if (!by_order && other_triangles && (is_tessellated(c.scene, winner.id) || is_tessellated(c.scene, fate.winner)))
       return says(PartingCause::tessellation, text + "; curved surfaces are drawn there as triangles",
                   {"tessellation"});
