@@ -59,6 +59,7 @@ void print_story(const PixelStory& story, const Scene& scene, const View& view) 
     fmt::print("{:{}}{}\n", "", 2 * depth_of(story, i), describe(story.events[i], scene));
   if (story.triangles_elsewhere > 0)
     fmt::print("{} triangles lie elsewhere in the picture\n", story.triangles_elsewhere);
+  if (!story.not_reported.empty()) fmt::print("{}\n", story.not_reported);
   fmt::print("\n");
   for (const LedgerLine& line : story.ledger)
     fmt::print("{:<32}{:{}}{}\n", line.value == Vec3d{0, 0, 0} ? "" : vector_text(line.value), "", 2 * line.level,

@@ -48,7 +48,7 @@ int depth_number(DepthValue value) {
 }
 
 /// What holds for the whole picture. `shading` is 0 where nothing is lit.
-Lines of_picture(const PicturePlan& plan, int shading, bool clip_control) {
+Lines of_picture(const PicturePlan& plan, int shading, bool clip_control, ProgramUse use) {
   const Settings& s = plan.settings;
   Lines lines;
   lines.add("PERSPECTIVE", plan.perspective())
@@ -67,13 +67,15 @@ Lines of_picture(const PicturePlan& plan, int shading, bool clip_control) {
       .add("DEPTH_BY_SHADER", !driver_keeps_depth(plan, clip_control))
       .add("DEPTH_VALUE", depth_number(plan.depth.value))
       .add("DEPTH_FORMAT", static_cast<int>(plan.depth.format))
-      .add("DEPTH_REVERSED", plan.depth.larger_is_nearer());
+      .add("DEPTH_REVERSED", plan.depth.larger_is_nearer())
+      .add("STORY", use == ProgramUse::story);
   return lines;
 }
 
 }  // namespace
 
-std::string definitions(const PicturePlan& plan, const raster::Surface<float>& surface, bool clip_control) {
+std::string definitions(const PicturePlan& plan, const raster::Surface<float>& surface, bool clip_control,
+                        ProgramUse use) {
   const Settings& s = plan.settings;
   const raster::AttributeLayout& layout = surface.layout;
   const ShadingMaterial<float>& material = surface.material;
@@ -85,7 +87,7 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
   const bool opacity = has_uv && material.opacity_map >= 0;
   const bool specular_map = has_uv && layout.light_maps && material.specular_map >= 0;
   const bool ambient_map = has_uv && layout.light_maps && material.ambient_map >= 0;
-  Lines lines = of_picture(plan, shading_number(s), clip_control);
+  Lines lines = of_picture(plan, shading_number(s), clip_control, use);
   lines.add("SPECULAR", s.specular && material.specular.has_value())
       .add("CORNER_NORMALS", s.normals == Normals::vertex)
       .add("INTERPOLATED_NORMAL", layout.normal != raster::AttributeLayout::absent)
@@ -111,17 +113,18 @@ std::string definitions(const PicturePlan& plan, const raster::Surface<float>& s
   return lines.take();
 }
 
-std::string volume_definitions(const PicturePlan& plan, bool clip_control) {
-  Lines lines = of_picture(plan, 0, clip_control);
+std::string volume_definitions(const PicturePlan& plan, bool clip_control, ProgramUse use) {
+  Lines lines = of_picture(plan, 0, clip_control, use);
   lines.add("RELIEF", 0);
   return lines.take();
 }
 
-std::string deferred_definitions(const PicturePlan& plan, bool clip_control) {
-  Lines lines = of_picture(plan, shading_number(plan.settings), clip_control);
+std::string deferred_definitions(const PicturePlan& plan, bool clip_control, ProgramUse use) {
+  Lines lines = of_picture(plan, shading_number(plan.settings), clip_control, use);
   lines.add("RELIEF", 0)
       .add("SPECULAR", plan.settings.specular)
       .add("MIRRORS", plan.mirrors)
+      .add("DEFERRED", 1)
       .add("SHADES_WHOLE_PICTURE", 1)
       .add("TABLE_COLUMNS", surface_table_columns);
   return lines.take();

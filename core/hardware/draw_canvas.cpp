@@ -26,7 +26,7 @@ void set_blend(Blend blend) {
 }  // namespace
 
 // On the finished picture, whose pixels have one sample each: shapes on the canvas have no depth.
-void PictureDrawer::draw_canvas() {
+void PictureDrawer::draw_canvas(const std::function<void(const CanvasDraw&)>& draw_one) {
   const CanvasShapes shapes = canvas_shapes(plan_, shop_.driver().subpixel_bits);
   if (shapes.corners.empty()) return;
   shop_.target->bind_resolved();
@@ -52,13 +52,14 @@ void PictureDrawer::draw_canvas() {
   glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(CanvasCorner), colours);
   glEnablei(GL_BLEND, 0);
   glBlendEquation(GL_FUNC_ADD);
-  for (const CanvasDraw& draw : shapes.draws) {
-    set_blend(draw.blend);
-    glDrawArrays(draw.lines ? GL_LINES : GL_TRIANGLES, static_cast<GLint>(draw.first),
-                 static_cast<GLsizei>(draw.count));
-  }
+  for (const CanvasDraw& draw : shapes.draws) draw_one(draw);
   glDisable(GL_BLEND);
   glDeleteBuffers(1, &buffer);
+}
+
+void PictureDrawer::draw_shape(const CanvasDraw& draw) {
+  set_blend(draw.blend);
+  glDrawArrays(draw.lines ? GL_LINES : GL_TRIANGLES, static_cast<GLint>(draw.first), static_cast<GLsizei>(draw.count));
 }
 
 }  // namespace ps::hardware

@@ -11,6 +11,7 @@
 #include "hardware/mesh_buffers.h"
 #include "hardware/program.h"
 #include "hardware/shadow_maps.h"
+#include "hardware/story_target.h"
 #include "hardware/target.h"
 #include "hardware/texture_store.h"
 
@@ -36,7 +37,10 @@ struct Workshop {
   std::map<std::string, std::unique_ptr<Program>> programs;  ///< by their definitions
   std::unique_ptr<Target> target;                            ///< of the last picture
   std::unique_ptr<GeometryBuffer> geometry;                  ///< of the last picture with deferred shading
-  unsigned vertex_array = 0, lights = 0;                     ///< made when first needed
+  std::unique_ptr<Target> story_picture;                     ///< the same of the last story of a pixel
+  std::unique_ptr<GeometryBuffer> story_geometry;
+  std::unique_ptr<StoryTarget> story;
+  unsigned vertex_array = 0, lights = 0;  ///< made when first needed
 
   const Driver& driver() const { return context.driver(); }
 };

@@ -17,13 +17,6 @@ namespace {
 
 constexpr std::size_t light_bytes = 3 * sizeof(Vec4f);
 
-/// Where a vertex lies before the camera. Without camera-relative positions its place in the world and the camera's are
-/// rounded to float first, as vertex.glsl has them.
-Vec3d camera_position(const PicturePlan& plan, const Vec3d& world) {
-  if (plan.settings.camera_relative) return plan.camera_space.point(world);
-  return plan.camera_space.from_world * Vec3d(Vec3f(world) - Vec3f(plan.camera_space.position));
-}
-
 }  // namespace
 
 PictureDrawer::PictureDrawer(const PicturePlan& plan, Workshop& shop)
@@ -177,6 +170,7 @@ void PictureDrawer::make_sorted_runs() {
     if (runs_.empty() || runs_.back().object != order[i].object || runs_.back().surface != surface)
       runs_.push_back({order[i].object, surface, i, 0});
     ++runs_.back().count;
+    sorted_triangles_.push_back(order[i].triangle);
     for (std::uint32_t k = 0; k < 3; ++k) corners.push_back(3 * order[i].triangle + k);
   }
   triangles_ = order.size();
@@ -235,13 +229,17 @@ void PictureDrawer::upload_surface_table() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void PictureDrawer::upload_volumes() {
+std::vector<VolumeFaces> PictureDrawer::faces_of(std::size_t light) const {
   std::vector<Vec3d> centres;
   for (const raster::DrawObject& object : plan_.objects)
     centres.push_back(object.mesh->triangles.empty() ? Vec3d(0) : shop_.meshes.get(object.mesh).centre());
+  return volume_faces(plan_, light, places_, centres);
+}
+
+void PictureDrawer::upload_volumes() {
   for (std::size_t light = 0; light < plan_.lights.size(); ++light) {
     volumes_.emplace_back();
-    for (const VolumeFaces& faces : volume_faces(plan_, light, places_, centres)) volumes_.back().emplace_back(faces);
+    for (const VolumeFaces& faces : faces_of(light)) volumes_.back().emplace_back(faces);
   }
 }
 

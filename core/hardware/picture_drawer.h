@@ -1,8 +1,11 @@
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "hardware/canvas_shapes.h"
 #include "hardware/draw_passes.h"
 #include "hardware/gl_thread.h"
 #include "hardware/picture_plan.h"
@@ -33,7 +36,7 @@ class PictureDrawer {
   std::uint64_t samples_written() const { return samples_written_; }
   std::uint64_t triangles() const { return triangles_; }
 
- private:
+ protected:
   void upload_lights();
   void upload_object(std::size_t object);
   void snap_vertices(std::size_t object);
@@ -49,10 +52,20 @@ class PictureDrawer {
   void set_light(Program& program, const DrawPass& pass);
   void set_facing(std::size_t object);
   void draw_pass(const DrawPass& pass);
+  /// Gives the program all that it needs to draw triangles of the run in this pass.
+  void prepare_run(Program& program, const DrawRun& run, const DrawPass& pass);
+  void draw_triangles(const DrawRun& run) const;
   void draw_runs(const DrawPass& pass);
-  void draw_whole_picture(const DrawPass& pass);
-  void draw_canvas();
+  void draw_whole_picture(Program& program, const DrawPass& pass);
+  Program& deferred_program();
+  /// `draw_one` has each shape drawn in its turn.
+  void draw_canvas(const std::function<void(const CanvasDraw&)>& draw_one);
+  static void draw_shape(const CanvasDraw& draw);
   void count_volumes(const std::vector<VolumeBuffers>& volumes);
+  /// The state in which the faces of volumes are drawn, but for what they do to the stencil buffer.
+  void set_volume_state(Program& program);
+  Program& volume_program();
+  std::vector<VolumeFaces> faces_of(std::size_t light) const;
   void set_object(Program& program, std::size_t object);
   void set_view(Program& program);
   void set_depth(Program& program);
@@ -62,17 +75,19 @@ class PictureDrawer {
   void set_environment(Program& program);
   void set_geometry(Program& program);
   Program& program_of(const raster::Surface<float>& surface);
-  Program& program_of(const char* vertex_file, const char* fragment_file, const std::string& definitions);
+  Program& program_of(const char* vertex_file, const char* fragment_file, const std::string& definitions,
+                      std::span<const char* const> captured = {});
   TargetShape target_shape() const;
 
   const PicturePlan& plan_;
   Workshop& shop_;
   bool keeps_depth_;  ///< the driver interpolates it
   std::vector<DrawRun> runs_;
-  std::vector<Program*> programs_;          ///< of each surface
-  std::vector<std::vector<Vec3f>> places_;  ///< of each object's vertices, as the processor rounded them
-  std::vector<unsigned> snapped_;           ///< buffers of positions that the processor rounded, of each object
-  unsigned sorted_ = 0;                     ///< indices of the corners, where triangles are sorted
+  std::vector<Program*> programs_;               ///< of each surface
+  std::vector<std::vector<Vec3f>> places_;       ///< of each object's vertices, as the processor rounded them
+  std::vector<unsigned> snapped_;                ///< buffers of positions that the processor rounded, of each object
+  unsigned sorted_ = 0;                          ///< indices of the corners, where triangles are sorted
+  std::vector<std::uint32_t> sorted_triangles_;  ///< numbers of the triangles in their meshes, where they are sorted
   unsigned surface_table_ = 0;
   std::vector<std::vector<VolumeBuffers>> volumes_;  ///< by light
   unsigned query_ = 0;

@@ -82,35 +82,44 @@ void PictureDrawer::set_facing(std::size_t object) {
   glFrontFace(sense > 0 ? GL_CCW : GL_CW);
 }
 
+void PictureDrawer::prepare_run(Program& program, const DrawRun& run, const DrawPass& pass) {
+  program.use();
+  set_view(program);
+  set_depth(program);
+  set_object(program, run.object);
+  set_facing(run.object);
+  set_surface(program, plan_.surfaces.list[run.surface]);
+  program.set("surface_number", static_cast<int>(run.surface));
+  set_light(program, pass);
+}
+
+void PictureDrawer::draw_triangles(const DrawRun& run) const {
+  const auto corners = static_cast<GLsizei>(3 * run.count);
+  const std::size_t first = 3 * run.first;
+  if (sorted_ != 0)
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes the offset as a pointer
+    glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, reinterpret_cast<const void*>(first * sizeof(GLuint)));
+  else
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), corners);
+}
+
 void PictureDrawer::draw_runs(const DrawPass& pass) {
   std::optional<std::size_t> bound;
   for (const DrawRun& run : runs_) {
     check_stop();
-    Program& program = *programs_[run.surface];
-    program.use();
-    set_view(program);
-    set_depth(program);
-    set_object(program, run.object);
-    set_facing(run.object);
-    set_surface(program, plan_.surfaces.list[run.surface]);
-    program.set("surface_number", static_cast<int>(run.surface));
-    set_light(program, pass);
+    prepare_run(*programs_[run.surface], run, pass);
     if (bound != run.object) bind_streams(run.object);
     bound = run.object;
-    const auto corners = static_cast<GLsizei>(3 * run.count);
-    const std::size_t first = 3 * run.first;
-    if (sorted_ != 0)
-      // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes the offset as a pointer
-      glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, reinterpret_cast<const void*>(first * sizeof(GLuint)));
-    else
-      glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), corners);
+    draw_triangles(run);
   }
 }
 
+Program& PictureDrawer::deferred_program() {
+  return program_of("whole_picture.glsl", "deferred.glsl", deferred_definitions(plan_, shop_.driver().clip_control));
+}
+
 // Deferred shading of all pixels that show a surface.
-void PictureDrawer::draw_whole_picture(const DrawPass& pass) {
-  Program& program =
-      program_of("whole_picture.glsl", "deferred.glsl", deferred_definitions(plan_, shop_.driver().clip_control));
+void PictureDrawer::draw_whole_picture(Program& program, const DrawPass& pass) {
   program.use();
   set_view(program);
   set_light(program, pass);
@@ -120,26 +129,35 @@ void PictureDrawer::draw_whole_picture(const DrawPass& pass) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-// Counts the faces of a light's shadow volumes: depth-fail those behind the surface, depth-pass those before it (CGFS
-// ch. 15). Faces beyond a far limit are left out unless the options ask for all of them.
-void PictureDrawer::count_volumes(const std::vector<VolumeBuffers>& volumes) {
-  const Settings& s = plan_.settings;
-  const GLint zero = 0;
-  glClearBufferiv(GL_STENCIL, 0, &zero);
+Program& PictureDrawer::volume_program() {
+  return program_of("volume_vertex.glsl", "volume_fragment.glsl",
+                    volume_definitions(plan_, shop_.driver().clip_control));
+}
+
+// Faces beyond a far limit are left out unless the options ask for all of them.
+void PictureDrawer::set_volume_state(Program& program) {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glDepthMask(GL_FALSE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(plan_.depth.larger_is_nearer() ? GL_GREATER : GL_LESS);
   glDisable(GL_CULL_FACE);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_ALWAYS, 0, stencil_mask());
-  Program& program =
-      program_of("volume_vertex.glsl", "volume_fragment.glsl", volume_definitions(plan_, shop_.driver().clip_control));
+  glFrontFace(plan_.camera_space.handedness > 0 ? GL_CCW : GL_CW);
   program.use();
   set_view(program);
   set_depth(program);
-  if (s.volume_depth_clamp) program.set("far_limit", 0.0f);
-  glFrontFace(plan_.camera_space.handedness > 0 ? GL_CCW : GL_CW);
+  if (plan_.settings.volume_depth_clamp) program.set("far_limit", 0.0f);
+}
+
+// Counts the faces of a light's shadow volumes: depth-fail those behind the surface, depth-pass those before it (CGFS
+// ch. 15).
+void PictureDrawer::count_volumes(const std::vector<VolumeBuffers>& volumes) {
+  const Settings& s = plan_.settings;
+  const GLint zero = 0;
+  glClearBufferiv(GL_STENCIL, 0, &zero);
+  Program& program = volume_program();
+  set_volume_state(program);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 0, stencil_mask());
   const bool fail = s.shadows == Shadows::stencil_depth_fail;
   const auto count = [&](GLenum face, GLenum change) {
     glStencilOpSeparate(face, GL_KEEP, fail ? change : GL_KEEP, fail ? GL_KEEP : change);
@@ -173,7 +191,7 @@ void PictureDrawer::draw_pass(const DrawPass& pass) {
   set_pass(pass);
   if (pass.counted) glBeginQuery(GL_SAMPLES_PASSED, query_);
   if (plan_.defers && pass.shades())
-    draw_whole_picture(pass);
+    draw_whole_picture(deferred_program(), pass);
   else
     draw_runs(pass);
   if (!pass.counted) return;
@@ -188,7 +206,7 @@ void PictureDrawer::draw() {
   set_state();
   for (const DrawPass& pass : draw_passes(plan_)) draw_pass(pass);
   shop_.target->resolve();
-  draw_canvas();
+  draw_canvas(draw_shape);
   glFinish();
   check_gl("drawing");
 }

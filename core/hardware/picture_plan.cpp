@@ -46,6 +46,11 @@ PicturePlan make_plan(const Scene& scene, const View& view, const Settings& sett
   return plan;
 }
 
+Vec3d camera_position(const PicturePlan& plan, const Vec3d& world) {
+  if (plan.settings.camera_relative) return plan.camera_space.point(world);
+  return plan.camera_space.from_world * Vec3d(Vec3f(world) - Vec3f(plan.camera_space.position));
+}
+
 int sample_count(const Settings& settings) {
   if (settings.draw != Draw::filled) return 1;
   return static_cast<int>(std::bit_floor(static_cast<unsigned>(std::clamp(settings.multisampling, 1, 8))));

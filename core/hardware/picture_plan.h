@@ -51,6 +51,10 @@ struct PicturePlan {
 PicturePlan make_plan(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                       Prepared& prepared);
 
+/// Where a point of the world lies before the camera. Without camera-relative positions its place and the camera's are
+/// rounded to float first, as vertex.glsl has them.
+Vec3d camera_position(const PicturePlan& plan, const Vec3d& world);
+
 /// Samples of a pixel: the power of two that the rasterizer takes, too.
 int sample_count(const Settings& settings);
 

@@ -35,10 +35,11 @@ Program& PictureDrawer::program_of(const raster::Surface<float>& surface) {
   return program_of("vertex.glsl", "fragment.glsl", key);
 }
 
-Program& PictureDrawer::program_of(const char* vertex_file, const char* fragment_file, const std::string& definitions) {
+Program& PictureDrawer::program_of(const char* vertex_file, const char* fragment_file, const std::string& definitions,
+                                   std::span<const char* const> captured) {
   std::unique_ptr<Program>& program = shop_.programs[fragment_file + definitions];
   if (!program) {
-    program = std::make_unique<Program>(vertex_file, fragment_file, shop_.context.api(), definitions);
+    program = std::make_unique<Program>(vertex_file, fragment_file, shop_.context.api(), definitions, captured);
     program->bind_block("Lights", lights_binding);
     program->bind_block("ShadowMaps", maps_binding);
   }

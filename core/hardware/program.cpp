@@ -38,12 +38,16 @@ class Shader {
 
 }  // namespace
 
-Program::Program(std::string_view vertex_file, std::string_view fragment_file, Api api, std::string_view definitions) {
+Program::Program(std::string_view vertex_file, std::string_view fragment_file, Api api, std::string_view definitions,
+                 std::span<const char* const> captured) {
   const Shader vertex(GL_VERTEX_SHADER, shader_text(vertex_file, ShaderStage::vertex, api, definitions));
   const Shader fragment(GL_FRAGMENT_SHADER, shader_text(fragment_file, ShaderStage::fragment, api, definitions));
   program_ = glCreateProgram();
   glAttachShader(program_, vertex.id());
   glAttachShader(program_, fragment.id());
+  if (!captured.empty())
+    glTransformFeedbackVaryings(program_, static_cast<GLsizei>(captured.size()), captured.data(),
+                                GL_INTERLEAVED_ATTRIBS);
   glLinkProgram(program_);
   GLint linked = 0;
   glGetProgramiv(program_, GL_LINK_STATUS, &linked);

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -11,8 +12,10 @@ namespace ps::hardware {
 /// A vertex and a fragment shader, compiled and linked. Belongs to the context that is current.
 class Program {
  public:
-  /// Throws InputError with the compiler's first message and the file and line that it is about.
-  Program(std::string_view vertex_file, std::string_view fragment_file, Api api, std::string_view definitions);
+  /// `captured`: outputs of the vertex shader that transform feedback keeps, one after the other. Throws InputError
+  /// with the compiler's first message and the file and line that it is about.
+  Program(std::string_view vertex_file, std::string_view fragment_file, Api api, std::string_view definitions,
+          std::span<const char* const> captured = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

@@ -17,13 +17,29 @@
 #include "image/display.h"
 
 namespace ps::hardware {
-namespace {
 
-void require_room(const View& view, const Driver& driver) {
+const Driver& require_driver(const View& view) {
+  if (!availability().driver) throw InputError(availability().reason);
+  const Driver& driver = *availability().driver;
   if (std::max(view.width, view.height) > driver.max_size)
     throw InputError(fmt::format("a picture of {} x {} pixels: this graphics driver draws at most {} along a side",
                                  view.width, view.height, driver.max_size));
+  return driver;
 }
+
+void draw_ahead(PicturePlan& plan, Prepared& prepared, WorkerPriority priority, Progress& progress,
+                const std::function<void(const char* stage)>& done) {
+  plan.shadow_maps = draw_maps(plan, prepared, priority, progress);
+  if (plan.shadow_maps) done("shadow maps");
+  plan.environment = draw_environment(plan, prepared, priority, progress);
+  if (plan.environment) done("environment maps");
+  if (!plan.counts_volumes) return;
+  plan.volumes = std::make_shared<const std::vector<std::vector<raster::ShadowVolume>>>(
+      raster::make_shadow_volumes(*plan.scene, plan.objects, plan.settings));
+  done("shadow volumes");
+}
+
+namespace {
 
 /// The channels that no driver fills.
 void fill_rest(const View& view, const Settings& settings, Frame& frame) {
@@ -49,21 +65,12 @@ class Stages {
 
 Frame render_hardware(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                       Prepared& prepared, Progress& progress) {
-  if (!availability().driver) throw InputError(availability().reason);
-  require_room(view, *availability().driver);
+  require_driver(view);
   Frame frame = empty_frame<float>(view, request);
   Stages stages(frame);
   PicturePlan plan = make_plan(scene, view, settings, request, prepared);
   stages.done("prepare");
-  plan.shadow_maps = draw_maps(plan, prepared, request.priority, progress);
-  if (plan.shadow_maps) stages.done("shadow maps");
-  plan.environment = draw_environment(plan, prepared, request.priority, progress);
-  if (plan.environment) stages.done("environment maps");
-  if (plan.counts_volumes) {
-    plan.volumes = std::make_shared<const std::vector<std::vector<raster::ShadowVolume>>>(
-        raster::make_shadow_volumes(scene, plan.objects, settings));
-    stages.done("shadow volumes");
-  }
+  draw_ahead(plan, prepared, request.priority, progress, [&](const char* stage) { stages.done(stage); });
   on_gl_thread([&](Workshop& shop) {
     shop.meshes.tidy();
     shop.textures.tidy();

@@ -45,6 +45,7 @@ RendererRow hardware_renderer_row() {
           .inspect = hardware::inspect_hardware,
           .counts = {Counter::triangles_in, Counter::pixels_written, Counter::nan_pixels},
           .fast_path = [](const Settings&, const SceneTraits&, Channel) { return hardware::hardware_path(); },
+          .own_coverage = true,
           .left_out = hardware::left_out,
           .shows_objects = shows_objects,
           .subject = [](const SceneTraits&, const Settings&) { return std::string("the hardware renderer"); },

@@ -17,7 +17,7 @@ constexpr std::string_view embedded_head =
     "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
     "precision highp sampler2DArray;\n";
 
-/// Numbers that files compare their definitions with, after the enums of options/settings.h.
+/// Numbers that files compare their definitions with, after the enums of options/settings.h and story_pages.h.
 constexpr std::string_view names =
     "#define UNLIT 0\n#define PHONG 1\n#define GOURAUD 2\n#define FLAT 3\n"
     "#define AMBIENT_LIGHT 0\n#define POINT_LIGHT 1\n#define DIRECTIONAL_LIGHT 2\n"
@@ -26,7 +26,13 @@ constexpr std::string_view names =
     "#define DEPTH_INVERSE_Z 0\n#define DEPTH_Z 1\n#define DEPTH_DISTANCE 2\n"
     "#define DEPTH_PLAIN 0\n#define DEPTH_UNIT_FLOAT 1\n#define DEPTH_UNORM 2\n"
     "#define PARALLAX_OFF 0\n#define PARALLAX_OFFSET 1\n#define PARALLAX_LIMITED 2\n#define PARALLAX_STEEP 3\n"
-    "#define PARALLAX_OCCLUSION 4\n";
+    "#define PARALLAX_OCCLUSION 4\n"
+    "#define PAGE_SEEN 0\n#define PAGE_WEIGHTS 1\n#define PAGE_SCREEN 2\n#define PAGE_NORMAL 3\n"
+    "#define PAGE_UNMAPPED 4\n#define PAGE_UV 5\n#define PAGE_COLOUR 6\n#define PAGE_TEXEL 7\n"
+    "#define PAGE_STORED 8\n#define PAGE_TANGENT 9\n#define PAGE_BITANGENT 10\n#define PAGE_RELIEF 11\n"
+    "#define PAGE_LIGHT 12\n#define PAGE_EXTRA 13\n#define PAGE_SHADED 14\n#define PAGE_TO_LIGHT 15\n"
+    "#define PAGE_TERMS 16\n#define PAGE_MIRRORED 17\n#define PAGE_MIRROR_PLACE 18\n"
+    "#define PAGE_MIRROR_DIRECTION 19\n#define PAGE_UNMIRRORED 20\n";
 
 /// A name for the preprocessor: "cube.glsl" becomes INCLUDED_cube_glsl.
 std::string guard_of(std::string name) {

@@ -51,11 +51,13 @@ std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const bool lit_face = i < volume.caps && i % 2 == 0;
       if (!lit_face) {
+        faces.outwards.triangles.push_back(i);
         for (const std::uint32_t vertex : triangles[i].position) vertices.add(vertex, faces.outwards);
         continue;
       }
       const raster::LitTriangle& lit = volume.lit[i / 2];
       VolumeCorners& corners = lit.turned == object.mirrored ? faces.outwards : faces.inwards;
+      corners.triangles.push_back(i);
       for (const std::uint32_t vertex : object.mesh->triangles[lit.triangle].position)
         vertices.add_near(vertex, corners);
     }

@@ -11,7 +11,8 @@ namespace ps::hardware {
 /// Corners of the faces of a shadow volume as volume_vertex.glsl reads them, three for each triangle.
 struct VolumeCorners {
   std::vector<Vec4f> places;
-  std::vector<Vec3f> snapped;  ///< positions on the canvas that the processor has rounded; empty without
+  std::vector<std::size_t> triangles;  ///< of the volume's surface: one for every three corners
+  std::vector<Vec3f> snapped;          ///< positions on the canvas that the processor has rounded; empty without
 };
 
 /// A shadow volume in two lists: triangles whose vertex order faces out of it, and others. Lit triangles keep the order

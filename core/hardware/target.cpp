@@ -139,6 +139,37 @@ void Target::clear(const Vec3d& background, float depth) const {
   glClearBufferfv(GL_COLOR, 3, zeros.data());
 }
 
+void Target::resolve_pixel(Vec2i pixel) const {
+  if (shape_.samples == 1) return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
+  const int x = pixel.x, y = pixel.y;
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glBlitFramebuffer(x, y, x + 1, y + 1, x, y, x + 1, y + 1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+Vec3f Target::read_pixel(Vec2i pixel) const {
+  Vec3f colour;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  glReadPixels(pixel.x, pixel.y, 1, 1, GL_RGB, GL_FLOAT, &colour.x);
+  return colour;
+}
+
+float Target::read_depth(Vec2i pixel) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
+  float depth = 0;
+  glReadPixels(pixel.x, pixel.y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+  return depth;
+}
+
+int Target::read_stencil(Vec2i pixel) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
+  GLuint count = 0;
+  glReadPixels(pixel.x, pixel.y, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_INT, &count);
+  return static_cast<int>(count);
+}
+
 void Target::read(Frame& frame) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);

@@ -40,6 +40,14 @@ class Target {
   void resolve() const;
   /// Draws go to the resolved pictures from now on.
   void bind_resolved() const;
+  /// The same for one pixel's colour.
+  void resolve_pixel(Vec2i pixel) const;
+  /// One pixel's colour, as resolved.
+  Vec3f read_pixel(Vec2i pixel) const;
+  /// One pixel's number in the depth buffer, from 0 to 1. Only with one sample.
+  float read_depth(Vec2i pixel) const;
+  /// One pixel's number in the stencil buffer. Only with one sample.
+  int read_stencil(Vec2i pixel) const;
   /// Copies what was drawn, and resolved, to the frame's channels.
   void read(Frame& frame) const;
   /// Copies the depth buffer, 0 to 1, of a target with one sample per pixel.

@@ -58,9 +58,11 @@ struct Describer {
   }
   std::string operator()(const TextureEvent& e) const {
     const std::string use = e.use == TextureUse::surface ? "" : fmt::format(" for {}", event_key(e.use));
-    return fmt::format("texture read{} at uv {}, level {}: {} of {}", use, vector_text(e.uv), number_text(e.level),
-                       vector_text(e.result),
-                       e.texels.size() == 1 ? "1 texel" : fmt::format("{} texels", e.texels.size()));
+    const std::string texels = e.texels.empty()       ? ""
+                               : e.texels.size() == 1 ? " of 1 texel"
+                                                      : fmt::format(" of {} texels", e.texels.size());
+    return fmt::format("texture read{} at uv {}, level {}: {}{}", use, vector_text(e.uv), number_text(e.level),
+                       vector_text(e.result), texels);
   }
   std::string operator()(const LightEvent& e) const {
     return fmt::format("{}: {}", light_name(scene, e.light), light_effect_text(scene, e, LightWords::whole));
@@ -159,7 +161,7 @@ struct Describer {
     case FragmentEvent::Depth::passed:
       return text + ": passed the depth test";
     case FragmentEvent::Depth::failed:
-      return text + fmt::format(": failed the depth test, {} stored", against_text(e.depth_new, e.depth_stored));
+      return text + ": failed the depth test" + depth_against_text(e);
     case FragmentEvent::Depth::off:
       return text + ": depth test off";
     }
@@ -179,7 +181,9 @@ struct Describer {
                               vector_text(e.row->end_colours[1]), vector_text(e.row->colour),
                               number_text(e.row->along_row));
   }
-  std::string operator()(const CoverageEvent& e) const { return fmt::format("{}: {}", event_key(e.strategy), e.how); }
+  std::string operator()(const CoverageEvent& e) const {
+    return e.strategy ? fmt::format("{}: {}", event_key(*e.strategy), e.how) : e.how;
+  }
   std::string operator()(const WriteEvent& e) const {
     if (e.id.object < 0 && mixing_of(e) == Mixing::adds)
       return fmt::format("a shape adds its colour {} to {}: {}", vector_text(e.shaded), vector_text(e.before),

@@ -92,6 +92,7 @@ std::string story_json(const PixelStory& story, const Scene& scene, const View& 
     if (const auto count = story.counters.get(counter)) value = *count;
   }
   json["triangles-elsewhere"] = story.triangles_elsewhere;
+  if (!story.not_reported.empty()) json["not-reported"] = story.not_reported;
   if (story.listing) json["listing"] = listing_json(*story.listing);
   json["provenance"] = provenance_json(provenance);
   return json.dump(2, ' ', false, Json::error_handler_t::replace);

@@ -43,6 +43,7 @@ std::string story_markdown(const PixelStory& story, const Scene& scene, const Vi
   }
   if (story.triangles_elsewhere > 0)
     text += fmt::format("- {} triangles lie elsewhere in the picture\n", story.triangles_elsewhere);
+  if (!story.not_reported.empty()) text += fmt::format("\n{}\n", plain(story.not_reported));
   text += "\n## The colour as a sum\n\n| term | red | green | blue |\n|---|---:|---:|---:|\n";
   for (const LedgerLine& line : story.ledger) {
     std::string term;

@@ -195,27 +195,30 @@ struct FragmentEvent {
   PixelId id;
   std::array<Vec2d, 3> corners{};        ///< canvas, pixels from the top left
   std::array<double, 3> corner_depth{};  ///< camera-space z of the vertices
-  std::array<double, 3>
-      edges{};  ///< edge function values at the sample, entry i for the edge opposite vertex i; positive = inside
-  std::array<bool, 3> tie_owned{};     ///< edge passes exactly through the sample and this triangle owns it
-  std::array<double, 3> weights_2d{};  ///< screen-space barycentric weights
-  std::array<double, 3> weights{};     ///< perspective-correct weights
+  /// Edge function values at the sample, entry i for the edge opposite vertex i; positive = inside. Graphics drivers do
+  /// not report them.
+  std::optional<std::array<double, 3>> edges;
+  std::optional<std::array<bool, 3>> tie_owned;  ///< edge passes exactly through the sample and this triangle owns it
+  std::array<double, 3> weights_2d{};            ///< screen-space barycentric weights
+  std::array<double, 3> weights{};               ///< perspective-correct weights
   double z = 0, inverse_z = 0;
   enum class Depth { passed, failed, off } depth = Depth::off;
   /// Which pass over the triangles it belongs to: with an early depth pass or deferred shading there are two.
   enum class Pass { only, depth_first, shading } pass = Pass::only;
-  int samples = 1, samples_covered = 1;    ///< of the pixel, with multisampling
-  double depth_stored = 0, depth_new = 0;  ///< in the stored depth value; meaningless when off
+  int samples = 1, samples_covered = 1;  ///< of the pixel, with multisampling
+  /// In the stored depth value; meaningless when off. With multisampling those of the first covered sample, which
+  /// graphics drivers do not report.
+  std::optional<double> depth_stored, depth_new;
   bool back_face = false;
-  int sphere_triangle = -1;  ///< index among the triangles of a tessellated sphere; -1 for triangles of a model
-  int clipped_into = 1;      ///< number of triangles that clipping made of the original
+  int sphere_triangle = -1;         ///< index among the triangles of a tessellated sphere; -1 for triangles of a model
+  std::optional<int> clipped_into;  ///< number of triangles that clipping made of the original
 };
 
 /// How a coverage strategy other than plain edge functions decided about the pixel (options/settings.h). A child of the
 /// fragment, or of the rejection, that followed from it.
 struct CoverageEvent {
   PixelId id;
-  Coverage strategy = Coverage::edge_function;
+  std::optional<Coverage> strategy;  ///< absent where a graphics driver has one of its own
   bool covered = false;
   std::string how;             ///< "row 12 is covered from column 3 to 17"
   std::vector<double> values;  ///< what was compared: edge values, weights or volumes, as the strategy has them

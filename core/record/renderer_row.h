@@ -29,6 +29,8 @@ struct RendererRow {
   CounterSet counts;
   /// Which machinery draws a whole picture, and why nothing faster.
   FastPath (*fast_path)(const Settings& settings, const SceneTraits& traits, Channel channels) = nullptr;
+  /// It decides by itself which samples a triangle covers, and reports no edges: those of the rasterizer are not its.
+  bool own_coverage = false;
   /// What it cannot show of such a scene, with the reason and what shows it.
   std::vector<LeftOut> (*left_out)(const SceneTraits& traits, const Settings& settings) = nullptr;
   /// Does it show any object of such a scene?

@@ -62,6 +62,7 @@ class TriangleReporter {
   FragmentEvent fragment(int pixel, int triangle) const {
     FragmentEvent event;
     event.id = id_of(triangle);
+    event.clipped_into = 1;
     const auto corners = reader_.below(triangle, "corner");
     for (std::size_t k = 0; k < 3 && k < corners.size(); ++k) {
       event.corners[k] = on_canvas(reader_.last<Vec2d>(corners[k], "on the canvas").value_or(Vec2d(0)));
@@ -71,11 +72,13 @@ class TriangleReporter {
     const Vec2d sample = on_canvas(std::get<Vec2d>(reader_.value_of(pixel)));
     const double area = doubled_area(places[0], places[1], places[2]), turn = area < 0 ? -1 : 1;
     double sum = 0;
+    std::array<double, 3>& edges = event.edges.emplace();
+    std::array<bool, 3>& tie_owned = event.tie_owned.emplace();
     for (std::size_t k = 0; k < 3; ++k) {
       // Rows are filled with both ends, so that what lies outside by less than a pixel is drawn as well.
-      event.edges[k] = turn * doubled_area(places[(k + 1) % 3], places[(k + 2) % 3], sample);
-      event.tie_owned[k] = event.edges[k] == 0;
-      event.weights_2d[k] = area != 0 ? event.edges[k] / std::abs(area) : 0;
+      edges[k] = turn * doubled_area(places[(k + 1) % 3], places[(k + 2) % 3], sample);
+      tie_owned[k] = edges[k] == 0;
+      event.weights_2d[k] = area != 0 ? edges[k] / std::abs(area) : 0;
       event.weights[k] = event.weights_2d[k] / event.corner_depth[k];
       sum += event.weights[k];
     }

@@ -99,7 +99,7 @@ std::optional<double> depth_at(const Scene& scene, const Settings& settings, Vec
   for (const Event& event : story.events)
     if (const auto* fragment = std::get_if<FragmentEvent>(&event.data))
       if (fragment->depth == FragmentEvent::Depth::passed && fragment->samples == fragment->samples_covered)
-        return fragment->depth_new;
+        return fragment->depth_new.value();
   return {};
 }
 

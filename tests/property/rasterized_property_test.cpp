@@ -296,7 +296,7 @@ TEST(Rasterized, InterpolatesOneOverZ) {
     // The book's example: t = 5/6 of the way from x = -300 to x = 60 is x = 0.
     const PixelStory story = inspect(scene, view, settings, {300, 299}, prepared, progress);
     for (const Event& event : story.events)
-      if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) return fragment->depth_new;
+      if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) return fragment->depth_new.value();
     return 0.0;
   };
   EXPECT_NEAR(depth_at("z"), 8.6667, 1e-3);

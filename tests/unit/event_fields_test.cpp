@@ -51,9 +51,14 @@ std::vector<EventData> sample_events() {
   reject.edges = {{1, 2, 3}};
   FragmentEvent fragment;
   fragment.sphere_triangle = 4;
+  fragment.edges = {{1, 2, 3}};
+  fragment.tie_owned = {{true, false, false}};
+  fragment.depth_stored = fragment.depth_new = 0.5;
+  fragment.clipped_into = 1;
   fragment.samples = 4;
   fragment.pass = FragmentEvent::Pass::shading;
   CoverageEvent coverage;
+  coverage.strategy = Coverage::scanline;
   coverage.how = "row 12";
   coverage.values = {1, 2};
   ReuseEvent reuse;

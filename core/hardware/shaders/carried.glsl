@@ -39,6 +39,9 @@ CARRIED_FLAT int triangle_number;
 CARRIED_FLAT vec3 along_u;      // world space, any length
 CARRIED_FLAT vec3 upwards;
 #endif
+#if STORY
+CARRIED vec3 story_screen;      // weights on the screen, times w
+#endif
 #if SHADING == GOURAUD
 CARRIED vec3 carried_light;
 CARRIED vec3 carried_extra;

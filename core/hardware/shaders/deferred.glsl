@@ -5,7 +5,12 @@
 #include "environment.glsl"
 #endif
 
+#if STORY
+#include "story.glsl"
+vec4 fragment_colour;
+#else
 layout(location = 0) out vec4 fragment_colour;
+#endif
 
 uniform sampler2D geometry_surface;
 uniform sampler2D geometry_normal;
@@ -30,6 +35,9 @@ void main() {
   vec3 tint_0 = texelFetch(geometry_tint_0, at, 0).xyz;
   vec3 tint_1 = texelFetch(geometry_tint_1, at, 0).xyz;
   vec3 colour = surface.xyz;
+#if STORY
+  Lighting story_lighting = Lighting(vec3(1.0), vec3(0.0));
+#endif
 #if SHADING == PHONG
 #if SHADOW_MAPS
   surface_error_scale = constants.w;
@@ -37,8 +45,14 @@ void main() {
   Tints tints = Tints(vec4(tint_0, constants.y), vec4(tint_1, constants.z), constants.x);
   Lighting lighting = illuminate(position, normal.xyz, tints, normal.w);
   colour = colour * lighting.light + lighting.extra;
+#if STORY
+  story_lighting = lighting;
+#endif
 #elif SHADING != UNLIT
   colour = colour * tint_0 + tint_1;
+#if STORY
+  story_lighting = Lighting(tint_0, tint_1);
+#endif
 #endif
 #if MIRRORS
   vec2 mirror = of_surface(int(surface.w), 1).xy;
@@ -53,4 +67,10 @@ void main() {
     colour = mirror_environment(colour, position, unit_normal, mirror.x, int(mirror.y), first_pass);
 #endif
   fragment_colour = vec4(colour, 1.0);
+#if STORY
+  story_value = vec4(0.0);
+  if (story_page == PAGE_NORMAL) story_value = vec4(normal.xyz, 0.0);
+  if (story_page == PAGE_COLOUR) story_value = vec4(surface.xyz, -1.0);
+  report_shading(story_lighting, fragment_colour);
+#endif
 }

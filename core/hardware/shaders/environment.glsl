@@ -4,6 +4,12 @@
 
 uniform sampler2DArray environment_faces;
 uniform int environment_size;  // texels along a side of a face
+#if STORY
+vec4 story_mirrored = vec4(0.0);  // what the map shows, and on which face, or -1
+vec4 story_mirror_place = vec4(0.0);  // position on the face, texels
+vec3 story_mirror_direction = vec3(0.0);
+vec3 story_unmirrored = vec3(0.0);  // colour before it was mixed
+#endif
 
 vec3 environment_texel(ivec2 at, int layer) {
   return texelFetch(environment_faces, ivec3(clamp(at, ivec2(0), ivec2(environment_size - 1)), layer), 0).rgb;
@@ -29,5 +35,12 @@ vec3 mirror_environment(vec3 colour, vec3 position, vec3 normal, float reflectiv
   if (!first_pass) return rest;
   vec3 to_eye = direction_to_eye(position);
   vec3 direction = normal * (2.0 * dot(normal, to_eye)) - to_eye;
+#if STORY
+  int face = cube_face_of(direction);
+  story_mirrored = vec4(look_up_environment(direction, first_layer), float(face));
+  story_mirror_place = vec4(face_position(in_face(face, direction), environment_size), reflective, 0.0);
+  story_mirror_direction = direction;
+  story_unmirrored = colour;
+#endif
   return rest + look_up_environment(direction, first_layer) * reflective;
 }

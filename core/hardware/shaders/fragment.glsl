@@ -23,27 +23,38 @@
 #include "limits.glsl"
 #endif
 
+// The inspector asks for pages in place of the outputs.
+#if STORY
+#define OUTPUT(place)
+#else
+#define OUTPUT(place) layout(location = place) out
+#endif
+
 // With deferred shading, what deferred.glsl reads in place of the colour.
 #if DEFERRED
-layout(location = 0) out vec4 geometry_surface;   // the surface's own colour, and its number
-layout(location = 1) out vec4 geometry_normal;    // shading normal, and z
-layout(location = 2) out vec4 geometry_position;  // world space
-layout(location = 3) out vec4 geometry_tint_0;    // specular colour; with Gouraud and flat shading the light
-layout(location = 4) out vec4 geometry_tint_1;    // ambient colour; with Gouraud and flat shading the extra light
+OUTPUT(0) vec4 geometry_surface;   // the surface's own colour, and its number
+OUTPUT(1) vec4 geometry_normal;    // shading normal, and z
+OUTPUT(2) vec4 geometry_position;  // world space
+OUTPUT(3) vec4 geometry_tint_0;    // specular colour; with Gouraud and flat shading the light
+OUTPUT(4) vec4 geometry_tint_1;    // ambient colour; with Gouraud and flat shading the extra light
 uniform int surface_number;
 #else
-layout(location = 0) out vec4 fragment_colour;
+OUTPUT(0) vec4 fragment_colour;
 #endif
 #if CHANNELS
 #if DEFERRED
-layout(location = 5) out ivec4 fragment_ids;
-layout(location = 6) out vec4 fragment_normal;
-layout(location = 7) out vec4 fragment_weights;
+OUTPUT(5) ivec4 fragment_ids;
+OUTPUT(6) vec4 fragment_normal;
+OUTPUT(7) vec4 fragment_weights;
 #else
-layout(location = 1) out ivec4 fragment_ids;     // object, triangle, bits of z, bits of the level of detail
-layout(location = 2) out vec4 fragment_normal;   // shading normal, and the cosine of the facing
-layout(location = 3) out vec4 fragment_weights;  // of corners 0 and 1, or -1 without numbers; then u and v
+OUTPUT(1) ivec4 fragment_ids;     // object, triangle, bits of z, bits of the level of detail
+OUTPUT(2) vec4 fragment_normal;   // shading normal, and the cosine of the facing
+OUTPUT(3) vec4 fragment_weights;  // of corners 0 and 1, or -1 without numbers; then u and v
 #endif
+#endif
+
+#if STORY
+#include "story.glsl"
 #endif
 
 uniform vec3 surface_colour;
@@ -140,10 +151,19 @@ void main() {
   vec3 colour = surface_colour;
   float level = -1.0;
 #if LIMITS_BY_SHADER
+#if STORY
+  story_outside = outside_limits();
+#else
   if (outside_limits()) discard;
 #endif
+#endif
 #if OPACITY_MAP
-  if (READ(opacity_picture, opacity_layout, opacity_wrap, surface_uv).colour.x < 0.5) discard;
+  bool cut_out = READ(opacity_picture, opacity_layout, opacity_wrap, surface_uv).colour.x < 0.5;
+#if STORY
+  story_cut_out = cut_out;
+#else
+  if (cut_out) discard;
+#endif
 #endif
 #if INTERPOLATED_NORMAL
   vec3 normal = AT_FRAGMENT(carried_normal);
@@ -163,6 +183,10 @@ void main() {
 #endif
 #if NORMAL_MAP
   normal = mapped_normal(normal, READ(normal_picture, normal_layout, normal_wrap, uv).colour);
+#endif
+#if STORY
+  vec3 story_surface = colour;
+  Lighting story_lighting = Lighting(vec3(1.0), vec3(0.0));
 #endif
   vec3 unit_normal = unit_or_zero(normal);
 #if RENORMALISE
@@ -205,6 +229,9 @@ void main() {
   lighting = Lighting(lighting.light * visible, lighting.extra * visible);
 #endif
   colour = colour * lighting.light + lighting.extra;
+#if STORY
+  story_lighting = lighting;
+#endif
 #endif
 #if MIRRORS
 #if ONE_LIGHT
@@ -227,5 +254,65 @@ void main() {
 #endif
   fragment_normal = vec4(NORMAL_CHANNEL == 1 ? unit_normal : vec3(0.0), -dot(ray, face_normal) / length(ray));
   fragment_weights = vec4(numbered == 1 ? max(carried_weights.xy, 0.0) : vec2(-1.0), uv);
+#endif
+#if STORY
+  vec3 unmapped = INTERPOLATED_NORMAL == 1 ? AT_FRAGMENT(carried_normal) : face_normal;
+  float depth = gl_FragCoord.z;
+#if DEPTH_BY_SHADER
+  depth = gl_FragDepth;
+#endif
+#if PERSPECTIVE
+  vec3 screen = story_screen * gl_FragCoord.w;
+#else
+  vec3 screen = story_screen;
+#endif
+  vec4 texel = vec4(0.0);
+#if TEXTURE
+  texel = vec4(of_surface.colour, asked_level(footprint_on(surface_layout, dx, dy)));
+#endif
+  story_value = vec4(0.0);
+  switch (story_page) {
+    case PAGE_SEEN:
+      story_value = vec4(object_number, triangle_number, gl_FrontFacing, (story_cut_out ? 1 : 0) + (story_outside ? 2 : 0));
+      break;
+    case PAGE_WEIGHTS:
+      story_value = vec4(carried_weights, camera_z());
+      break;
+    case PAGE_SCREEN:
+      story_value = vec4(screen, depth);
+      break;
+    case PAGE_NORMAL:
+      story_value = vec4(normal, 0.0);
+      break;
+    case PAGE_UNMAPPED:
+      story_value = vec4(unmapped, 0.0);
+      break;
+    case PAGE_UV:
+      story_value = vec4(surface_uv, uv);
+      break;
+    case PAGE_COLOUR:
+      story_value = vec4(story_surface, level);
+      break;
+    case PAGE_TEXEL:
+      story_value = texel;
+      break;
+#if RELIEF
+    case PAGE_STORED:
+      story_value = story_stored;
+      break;
+    case PAGE_TANGENT:
+      story_value = vec4(story_tangent, 0.0);
+      break;
+    case PAGE_BITANGENT:
+      story_value = vec4(story_bitangent, 0.0);
+      break;
+    case PAGE_RELIEF:
+      story_value = story_relief;
+      break;
+#endif
+  }
+#if !DEFERRED
+  report_shading(story_lighting, fragment_colour);
+#endif
 #endif
 }

@@ -12,6 +12,13 @@ layout(std140) uniform Lights {
 };
 #endif
 
+#if STORY
+// Of light number story_light, for the inspector.
+uniform int story_light;
+vec4 story_to_light = vec4(0.0);  // not normalised; and its cosine with the normal
+vec4 story_terms = vec4(0.0);     // cosine of the highlight, diffuse, specular, share that reaches the point
+#endif
+
 const float pi = 3.14159265358979;
 
 // However near a light is, no more arrives.
@@ -57,13 +64,25 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Li
       sum.extra += tints.ambient.xyz * colour * lights[3 * i].w;
     else
       sum.light += colour * lights[3 * i].w;
+#if STORY
+    if (i == story_light) story_terms = vec4(0.0, lights[3 * i].w, 0.0, 1.0);
+#endif
     return;
   }
   vec3 vector = lights[3 * i + 1].xyz;
   vec3 to_light = kind == POINT_LIGHT ? vector - position : vector;
   float intensity = arriving(i, to_light);
+#if STORY
+  if (i == story_light) {
+    story_to_light = vec4(to_light, dot(normal, to_light) / (length(normal) * length(to_light)));
+    story_terms = vec4(0.0, 0.0, 0.0, 1.0);
+  }
+#endif
 #if SHADOW_MAPS && SHADING == PHONG
   float visible = visible_share(i, position, normal, z);
+#if STORY
+  if (i == story_light) story_terms.w = visible;
+#endif
   if (!(visible > 0.0)) return;
   intensity *= visible;
 #endif
@@ -75,13 +94,22 @@ void add_light(int i, vec3 position, vec3 normal, Tints tints, float z, inout Li
     diffuse *= 1.0 / pi;
 #endif
     sum.light += colour * diffuse;
+#if STORY
+    if (i == story_light) story_terms.y = diffuse;
+#endif
   }
 #if SPECULAR
   float shine = tints.exponent < 0.0 ? 0.0 : highlight_cosine(normal, to_light, direction_to_eye(position));
+#if STORY
+  if (i == story_light) story_terms.x = shine;
+#endif
   if (shine > 0.0) {
     float specular = intensity * power(shine, tints.exponent);
 #if RADIOMETRIC
     specular *= cosine > 0.0 ? (tints.exponent + 8.0) / (8.0 * pi) * cosine : 0.0;
+#endif
+#if STORY
+    if (i == story_light) story_terms.z = specular;
 #endif
     if (tints.specular.w > 0.0)
       sum.extra += tints.specular.xyz * colour * specular;

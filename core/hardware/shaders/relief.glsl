@@ -1,6 +1,13 @@
 // Normal mapping and parallax mapping, as in core/shade/normal_mapping.h and core/shade/parallax_mapping.h. A triangle's
 // frame is the directions in which u grows and v falls.
 
+#if STORY
+vec4 story_stored = vec4(0.0);  // normal in tangent space; 1 where the map was used
+vec3 story_tangent = vec3(0.0);
+vec3 story_bitangent = vec3(0.0);
+vec4 story_relief = vec4(0.0);  // shift from top to bottom in u and v; depth that was met; 1 where there is a relief
+#endif
+
 #if NORMAL_MAP
 // A stored normal in the world; the surface's own where the map or the frame holds nothing usable.
 vec3 mapped_normal(vec3 surface_normal, vec3 texel) {
@@ -11,6 +18,11 @@ vec3 mapped_normal(vec3 surface_normal, vec3 texel) {
   vec3 side = cross(normal, tangent);
   vec3 bitangent = dot(side, upwards) < 0.0 ? -side : side;
   vec3 stored = texel * 2.0 - 1.0;
+#if STORY
+  story_stored = vec4(stored, 1.0);
+  story_tangent = tangent;
+  story_bitangent = bitangent;
+#endif
   vec3 turned = tangent * stored.x + bitangent * stored.y + normal * stored.z;
   float square = dot(turned, turned);
   return square > 0.0 ? turned / sqrt(square) : normal;
@@ -56,6 +68,9 @@ vec2 relief_uv(vec2 uv, vec3 normal, vec3 to_eye, Footprint footprint) {
   vec2 shift;
   if (!relief_shift(normal, to_eye, shift)) return uv;
   float below = depth_below(uv, footprint);
+#if STORY
+  story_relief = vec4(shift, below, 1.0);
+#endif
 #if PARALLAX == PARALLAX_OFFSET || PARALLAX == PARALLAX_LIMITED
   return uv + shift * below;
 #else
@@ -76,6 +91,9 @@ vec2 relief_uv(vec2 uv, vec3 normal, vec3 to_eye, Footprint footprint) {
     }
 #endif
   }
+#if STORY
+  story_relief.z = met;
+#endif
   return uv + shift * met;
 #endif
 }

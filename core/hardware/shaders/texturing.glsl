@@ -17,6 +17,13 @@ struct Footprint {
   vec2 dx, dy;
 };
 
+#if STORY
+// The level of detail that the derivatives ask for.
+float asked_level(Footprint footprint) {
+  return 0.5 * log2(max(dot(footprint.dx, footprint.dx), dot(footprint.dy, footprint.dy))) + mip_bias;
+}
+#endif
+
 #if HARDWARE_TEXTURING
 
 TextureRead read_texture(sampler2D picture, ivec4 layout_of, int wrap, vec2 uv, Footprint footprint) {

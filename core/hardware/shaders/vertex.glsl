@@ -21,6 +21,16 @@ layout(location = 9) in vec3 triangle_along_u;  // model space
 layout(location = 10) in vec3 triangle_upwards;
 #endif
 
+#if STORY
+// What a vertex reports of itself to the inspector: where light was computed for it, and how much.
+out vec3 story_point;         // world space
+out vec3 story_point_normal;
+out vec3 story_point_light;
+out vec3 story_point_extra;
+out vec4 story_point_to_light;  // of light number story_light: see lighting.glsl
+out vec4 story_point_terms;
+#endif
+
 uniform mat3 normal_matrix;   // of vertices' normals, as the option normal-transform asks
 uniform mat3 surface_matrix;  // of triangles' own normals
 
@@ -70,5 +80,26 @@ void main() {
   Lighting lighting = illuminate(to_world * triangle_centre + world_shift, mean, Tints(specular_colour, ambient_colour, exponent), camera.z);
   flat_light = lighting.light;
   flat_extra = lighting.extra;
+#endif
+#if STORY
+#if PERSPECTIVE
+  story_screen = carried_weights * w;
+#else
+  story_screen = carried_weights;
+#endif
+  story_point = world;
+  story_point_normal = normal;
+  story_point_light = story_point_extra = vec3(0.0);
+  story_point_to_light = story_point_terms = vec4(0.0);
+#if SHADING == FLAT
+  story_point = to_world * triangle_centre + world_shift;
+  story_point_normal = mean;
+#endif
+#if SHADING == GOURAUD || SHADING == FLAT
+  story_point_light = lighting.light;
+  story_point_extra = lighting.extra;
+  story_point_to_light = story_to_light;
+  story_point_terms = story_terms;
+#endif
 #endif
 }

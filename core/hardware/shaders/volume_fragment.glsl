@@ -4,9 +4,21 @@
 #if DEPTH_BY_SHADER
 #include "depth.glsl"
 #endif
+#if STORY
+layout(location = 0) out vec4 story_value;  // camera z; 1 for a front; 1 outside the limits
+#endif
 
 void main() {
+#if STORY
+#if PERSPECTIVE
+  float z = 1.0 / gl_FragCoord.w;
+#else
+  float z = carried_z.x;
+#endif
+  story_value = vec4(z, gl_FrontFacing, outside_limits(), 0.0);
+#else
   if (outside_limits()) discard;
+#endif
 #if DEPTH_BY_SHADER
   gl_FragDepth = encoded_depth();
 #endif

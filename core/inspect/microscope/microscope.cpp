@@ -10,8 +10,10 @@
 #include "inspect/microscope/enlarge.h"
 #include "inspect/microscope/fragments.h"
 #include "inspect/microscope/texels.h"
+#include "inspect/vertex_chain.h"
 #include "options/renderer_kind.h"
 #include "render/render.h"
+#include "render/renderer_table.h"
 #include "render/story/names.h"
 #include "render/story/story_tree.h"
 
@@ -49,6 +51,10 @@ Microscope::Microscope(Scene scene, const View& view, const Settings& settings, 
   if (detail_ == MicroDetail::whole) draw_enlarged(enlarged_pixels, prepared, progress);
   switch (picture_way(settings.renderer)) {
   case PictureWay::fragments:
+    if (renderer_row(settings.renderer).own_coverage) {
+      find_driver_sample(prepared, progress);
+      break;
+    }
     fragments_ = make_micro_fragments(scene_, view, settings, pixel, prepared, progress);
     samples_ = fragments_->samples();
     break;
@@ -111,6 +117,22 @@ void Microscope::find_ray_samples(Prepared& prepared, Progress& progress) {
   }
 }
 
+/// The pixel's sample with the triangle that it shows. Where a driver has the samples of a pixel with several, the
+/// story does not have.
+void Microscope::find_driver_sample(Prepared& prepared, Progress& progress) {
+  const PixelStory story = inspect(scene_, view_, settings_, pixel_, prepared, progress);
+  int shown = -1;
+  for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
+    const auto* fragment = std::get_if<FragmentEvent>(&story.events[static_cast<std::size_t>(i)].data);
+    if (!fragment) continue;
+    if (fragment->samples > 1) return;
+    if (fragment->depth != FragmentEvent::Depth::failed) shown = i;
+  }
+  const PixelId seen = shown_triangle(story);
+  samples_.push_back({make_viewport<double>(view_, settings_).sample, seen.object >= 0,
+                      seen.object < 0 ? nothing_seen : primitive_name(scene_, seen), shown});
+}
+
 MicroReading Microscope::read(const Vec2d& point, Prepared& prepared, Progress& progress) const {
   if (fragments_) return fragments_->read(point);
   MicroReading reading;
@@ -118,6 +140,11 @@ MicroReading Microscope::read(const Vec2d& point, Prepared& prepared, Progress& 
   const EnlargedView narrow = enlarge(view_, settings_, Vec2d(pixel_) + point - ray_window / 2, ray_window, 1);
   reading.ray = inspect(scene_, narrow.view, narrow.settings, {0, 0}, prepared, progress);
   const auto& events = reading.ray->events;
+  if (draws_fragments(settings_.renderer)) {
+    const PixelId seen = shown_triangle(*reading.ray);
+    reading.seen = seen.object < 0 ? nothing_seen : primitive_name(scene_, seen);
+    return reading;
+  }
   const int eye = eye_ray(events);
   reading.seen = eye < 0 ? nothing_seen : met_by(events, eye, scene_);
   const auto lookups = eye < 0 ? std::vector<int>{} : events_of_ray<TextureEvent>(events, eye);

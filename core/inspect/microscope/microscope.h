@@ -63,9 +63,9 @@ struct MicroReading {
   Vec2d point{0.5, 0.5};  ///< on the grid that vertices and samples lie on (rasterizer), or anywhere (ray tracer)
   std::vector<MicroTriangle> triangles;  ///< in drawing order
   int front = -1;                        ///< of them, the one that would be seen at the point; -1 = none
-  std::optional<PixelStory> ray;         ///< of the ray through the point (ray tracer)
-  std::optional<MicroTexture> texture;   ///< read by the triangle in front, or where the ray hits
-  std::string seen;                      ///< "triangle 7 of cube 1", "the background"
+  std::optional<PixelStory> ray;        ///< of the ray through the point (ray tracer), or of a pixel around it (driver)
+  std::optional<MicroTexture> texture;  ///< read by the triangle in front, or where the ray hits
+  std::string seen;                     ///< "triangle 7 of cube 1", "the background"
 };
 
 /// One of the pixel's own samples.
@@ -104,7 +104,8 @@ class Microscope {
   /// coarse picture was made.
   const std::optional<PixelSurroundings>& surroundings() const { return surroundings_; }
   /// What there is at a point of the pixel or its margin. Rasterizer: the edge functions and weights are those of the
-  /// kernel with its sample moved there. Ray tracer: the story of a ray through the point.
+  /// kernel with its sample moved there. Ray tracer: the story of a ray through the point. A graphics driver, which
+  /// reports no edges: the story of a picture of one small pixel around the point.
   MicroReading read(const Vec2d& point, Prepared& prepared, Progress& progress) const;
 
   /// The rasterizer's part, in the precision that the settings ask for.
@@ -115,6 +116,7 @@ class Microscope {
   void draw_enlarged(int pixels, Prepared& prepared, Progress& progress);
   bool has_edge() const;
   void find_ray_samples(Prepared& prepared, Progress& progress);
+  void find_driver_sample(Prepared& prepared, Progress& progress);
 
   Scene scene_;
   View view_;

@@ -72,7 +72,7 @@ class Aligner {
 std::vector<AlignedRow> align_stories(const PixelStory& a, const PixelStory& b, const Scene& scene) {
   const EventTree tree_a(a), tree_b(b);
   const Renderer way_a = steps_of(a), way_b = steps_of(b);
-  if (way_a != way_b) {
+  if (sends_rays(way_a) != sends_rays(way_b)) {
     const bool ray_first = sends_rays(way_a);
     auto rows = parting::align_ray_and_fragment(ray_first ? tree_a : tree_b, ray_first ? tree_b : tree_a, scene);
     if (!ray_first)

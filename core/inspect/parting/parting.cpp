@@ -81,7 +81,7 @@ std::optional<Parting> part_at_display(const Comparison& c) {
 /// A ray and a fragment that see neighbouring triangles of one model, which differ only in colour.
 std::optional<Parting> part_at_inner_edge(const Comparison& c, const std::vector<int>& rays_a,
                                           const std::vector<int>& rays_b) {
-  if (c.a.story.renderer == c.b.story.renderer) return std::nullopt;
+  if (!c.two_ways()) return std::nullopt;
   const Sighting a = top_sighting(c.a.story, rays_a.empty() ? -1 : rays_a.front());
   const Sighting b = top_sighting(c.b.story, rays_b.empty() ? -1 : rays_b.front());
   if (a.id == b.id || a.id.object != b.id.object) return std::nullopt;
@@ -92,8 +92,18 @@ std::optional<Parting> part_at_inner_edge(const Comparison& c, const std::vector
 std::optional<Parting> part_at_canvas(const Comparison& c) {
   const auto drawn = [](const PixelStory& story) {
     std::vector<int> found;
-    for (int i = 0; i < static_cast<int>(story.events.size()); ++i)
-      if (event_at<LineEvent>(story, i) || event_at<WriteEvent>(story, i)) found.push_back(i);
+    for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
+      const auto* write = event_at<WriteEvent>(story, i);
+      if (!write && !event_at<LineEvent>(story, i)) continue;
+      // Light that is added pass by pass draws a surface once.
+      const auto* fragment =
+          write ? event_at<FragmentEvent>(story, story.events[static_cast<std::size_t>(i)].parent) : nullptr;
+      const auto* before = found.empty() ? nullptr : event_at<WriteEvent>(story, found.back());
+      if (fragment && fragment->pass == FragmentEvent::Pass::shading && before && before->id == write->id)
+        found.back() = i;
+      else
+        found.push_back(i);
+    }
     return found;
   };
   const auto of_a = drawn(c.a.story), of_b = drawn(c.b.story);

@@ -14,12 +14,13 @@ namespace {
 
 /// Depths that are equal within the rounding of two interpolations or of the stored bits.
 bool nearly_tied(const FragmentEvent& fragment) {
-  const double size = std::max(std::abs(fragment.depth_stored), std::abs(fragment.depth_new));
-  return std::abs(fragment.depth_stored - fragment.depth_new) <= 1e-4 * size;
+  if (!fragment.depth_stored || !fragment.depth_new) return false;
+  const double stored = *fragment.depth_stored, own = *fragment.depth_new;
+  return std::abs(stored - own) <= 1e-4 * std::max(std::abs(stored), std::abs(own));
 }
 
-bool through_an_edge(const std::array<double, 3>& edges) {
-  return std::any_of(edges.begin(), edges.end(), [](double e) { return e == 0; });
+bool through_an_edge(const std::optional<std::array<double, 3>>& edges) {
+  return edges && std::any_of(edges->begin(), edges->end(), [](double e) { return e == 0; });
 }
 
 /// A listing reports only triangles that reach the pixel: why it lacks the triangle that won in the other story.
@@ -73,20 +74,20 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
     case RejectReason::not_covered:
       break;
     }
-    if (is_tessellated(c.scene, winner.id))
+    if (is_tessellated(c.scene, winner.id) && !c.two_rasterizers())
       return says(
           PartingCause::tessellation,
           fmt::format("{} is drawn as triangles, and the triangles in {} do not reach this pixel", name, letter),
           {"tessellation"});
     const auto* fragment = event_at<FragmentEvent>(won.story, winner.seen);
-    if ((fragment && through_an_edge(fragment->edges)) || (reject->edges && through_an_edge(*reject->edges)))
+    if ((fragment && through_an_edge(fragment->edges)) || through_an_edge(reject->edges))
       return says(PartingCause::fill_rule,
                   fmt::format("An edge of {} passes exactly through the sample, and the fill rule of {} gives the "
                               "sample to the neighbour",
                               name, letter),
                   {"fill-rule"});
     return says(PartingCause::coverage, text,
-                {"subpixel-bits", "coverage", "edge-arithmetic", "sample-position", "fill-rule"});
+                {"subpixel-bits", "coverage", "edge-arithmetic", "sample-position", "fill-rule", "renderer"});
   }
   if (fate.event < 0) {
     if (lost.story.listing) return left_out_by_listing(c, winner, won, says, letter);
@@ -98,12 +99,12 @@ std::optional<Parting> why_lost(const Comparison& c, const StorySide& won, const
   const auto* fragment = event_at<FragmentEvent>(lost.story, fate.event);
   if (!fragment) return std::nullopt;
   if (fragment->depth == FragmentEvent::Depth::failed || fate.painted_over) {
-    const std::string text = fragment->depth == FragmentEvent::Depth::failed
-                                 ? fmt::format("{} fails the depth test in {}, {} stored", name, letter,
-                                               against_text(fragment->depth_new, fragment->depth_stored))
-                                 : fmt::format("{} is drawn in {} too, but painted over later", name, letter);
+    const std::string text =
+        fragment->depth == FragmentEvent::Depth::failed
+            ? fmt::format("{} fails the depth test in {}{}", name, letter, depth_against_text(*fragment))
+            : fmt::format("{} is drawn in {} too, but painted over later", name, letter);
     const bool by_order = differs(c, "visibility");
-    const bool other_triangles = differs(c, "tessellation") || c.a.story.renderer != c.b.story.renderer;
+    const bool other_triangles = differs(c, "tessellation") || c.two_ways();
     if (!by_order && other_triangles && (is_tessellated(c.scene, winner.id) || is_tessellated(c.scene, fate.winner)))
       return says(PartingCause::tessellation, text + "; curved surfaces are drawn there as triangles",
                   {"tessellation"});

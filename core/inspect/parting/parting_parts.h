@@ -20,6 +20,10 @@ struct Comparison {
   bool with_listing() const { return a.story.listing || b.story.listing; }
   bool both_rays() const { return sends_rays(a.story.renderer) && sends_rays(b.story.renderer); }
   bool both_fragments() const { return draws_fragments(a.story.renderer) && draws_fragments(b.story.renderer); }
+  /// Two renderers that share their triangles but not their arithmetic.
+  bool two_rasterizers() const { return both_fragments() && !with_listing() && a.story.renderer != b.story.renderer; }
+  /// Two renderers that make the same surface of different things.
+  bool two_ways() const { return a.story.renderer != b.story.renderer && !two_rasterizers(); }
   /// Relative difference below which two numbers count as the same. Renderers that share their arithmetic must agree to
   /// the last bit; other arithmetic, or a ray that starts a little elsewhere, moves all that follows in the last
   /// digits; a ray and a fragment see a point through other roundings, and snapped vertices move it a little more.

@@ -40,7 +40,9 @@ Parting light_differs(const Comparison& c, int event_a, int event_b, const Sight
     return says(PartingCause::light_model, because(c, {*key}));
   if (differs(c, "interpolation")) return says(PartingCause::interpolation, because(c, {"interpolation"}));
   if (differs(c, "precision")) return says(PartingCause::precision, because(c, {"precision"}));
-  if (c.a.story.renderer != c.b.story.renderer) {
+  if (c.two_rasterizers())
+    return says(PartingCause::interpolation, ": the two renderers interpolate with arithmetic of their own");
+  if (c.two_ways()) {
     const FragmentEvent* fragment = fragment_of(c, a, b);
     if (fragment && is_tessellated(c.scene, fragment->id))
       return says(PartingCause::tessellation,
@@ -92,7 +94,8 @@ std::optional<Parting> part_at_shadow(const Comparison& c, int index_a, int inde
           first_differing(c, {"shadows", "volume-caps", "volume-length", "volume-depth-clamp", "stencil-bits",
                               "shadow-map-size", "shadow-bias", "shadow-slope-bias", "shadow-filter", "near", "far"}))
     return says(PartingCause::missing_shadow, because(c, {*key}));
-  if (c.a.story.renderer != c.b.story.renderer)
+  if (c.two_rasterizers()) return says(PartingCause::missing_shadow, ": the two renderers round differently");
+  if (c.two_ways())
     return says(PartingCause::missing_shadow, ": the renderers compute shadows with different algorithms");
   return std::nullopt;
 }
@@ -117,9 +120,11 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
                 fmt::format("The texture is read at ({}, {}) in A and at ({}, {}) in B", number_text(read_a.uv.x),
                             number_text(read_a.uv.y), number_text(read_b.uv.x), number_text(read_b.uv.y)) +
                     because(c, {"interpolation"}));
+  const bool texels_known = !read_a.texels.empty() && !read_b.texels.empty();
   if (differs(c, "texture-filter") || differs(c, "texture-wrap") || differs(c, "anisotropy"))
     return says(PartingCause::filter,
-                fmt::format("A blends {} texels and B {}", read_a.texels.size(), read_b.texels.size()) +
+                (texels_known ? fmt::format("A blends {} texels and B {}", read_a.texels.size(), read_b.texels.size())
+                              : std::string("A and B filter the texture differently")) +
                     because(c, {"texture-filter", "texture-wrap", "anisotropy"}));
   if (!c.same(read_a.level, read_b.level))
     return says(PartingCause::level, fmt::format("A reads mip level {} and B level {}", number_text(read_a.level),
@@ -127,6 +132,11 @@ std::optional<Parting> part_at_texture(const Comparison& c, const Sighting& a, c
                                          because(c, {"mip-bias", "renderer"}));
   if (differs(c, "precision"))
     return says(PartingCause::precision, "The texels' weights differ" + because(c, {"precision"}));
+  if (!texels_known)
+    return says(
+        PartingCause::filter,
+        fmt::format("The texture is {} in A and {} in B: the two renderers filter it with arithmetic of their own",
+                    vector_text(read_a.result), vector_text(read_b.result)));
   if (!same_texels(c, read_a, read_b)) return says(PartingCause::filter, "A and B read different texels");
   return says(PartingCause::unexplained, "Unexplained: the same texels give different colours");
 }

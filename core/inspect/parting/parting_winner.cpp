@@ -21,7 +21,7 @@ std::optional<int> root_taken(const PixelStory& story, const Sighting& sighting)
 
 /// The surfaces on both sides count as one and the same. The triangles of a tessellated sphere share its id.
 bool same_surface(const Comparison& c, const Sighting& a, const Sighting& b) {
-  if (c.a.story.renderer != c.b.story.renderer && a.id.object == b.id.object) return true;
+  if (c.two_ways() && a.id.object == b.id.object) return true;
   return a.id == b.id;
 }
 

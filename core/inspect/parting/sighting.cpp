@@ -22,6 +22,16 @@ int child_of(const std::vector<Event>& events, int parent) {
   return -1;
 }
 
+/// The fragments that shade the same surface light by light, each in a pass of its own.
+std::vector<int> passes_of(const PixelStory& story, const PixelId& id) {
+  std::vector<int> passes;
+  for (int i = 0; i < static_cast<int>(story.events.size()); ++i) {
+    const auto* fragment = std::get_if<FragmentEvent>(&story.events[static_cast<std::size_t>(i)].data);
+    if (fragment && fragment->pass == FragmentEvent::Pass::shading && fragment->id == id) passes.push_back(i);
+  }
+  return passes;
+}
+
 }  // namespace
 
 Sighting sight_of_ray(const PixelStory& story, int ray) {
@@ -53,9 +63,15 @@ Sighting sight_of_fragments(const PixelStory& story) {
   const auto* fragment = std::get_if<FragmentEvent>(&story.events[static_cast<std::size_t>(sighting.seen)].data);
   if (!fragment) return Sighting{};
   sighting.id = fragment->id;
-  sighting.lights = events_below<LightEvent>(story.events, sighting.seen);
   sighting.textures = events_below<TextureEvent>(story.events, sighting.seen);
-  sighting.shade = child_of<ShadeEvent>(story.events, sighting.seen);
+  const std::vector<int> passes = passes_of(story, sighting.id);
+  if (passes.size() < 2) {
+    sighting.lights = events_below<LightEvent>(story.events, sighting.seen);
+    sighting.shade = child_of<ShadeEvent>(story.events, sighting.seen);
+    return sighting;
+  }
+  for (const int pass : passes)
+    for (const int light : events_below<LightEvent>(story.events, pass)) sighting.lights.push_back(light);
   return sighting;
 }
 

@@ -14,7 +14,7 @@ struct Sighting {
   PixelId id;                     ///< what was seen; no object for the background
   std::vector<int> lights;        ///< LightEvents, in order
   std::vector<int> textures;      ///< TextureEvents, in order
-  int shade = -1;                 ///< ShadeEvent
+  int shade = -1;                 ///< ShadeEvent; -1 where there is one for each light
   std::vector<int> mirrored_ray;  ///< RayEvents of the reflection, at most one
   std::vector<int> refracted_ray;
 };

@@ -111,10 +111,12 @@ void fill_piece(const Pass<Real>& pass, const CanvasTriangle& item, const std::a
         FragmentEvent event;
         for (std::size_t i = 0; i < 3; ++i) {
           event.corners[i] = canvas_pixels(fixed[i], pass.grid.subpixel_bits);
-          event.tie_owned[i] = values[i] == 0;
           event.weights_2d[i] = event.weights[i] = static_cast<double>(w[i]);
         }
         event.edges = edges_in_pixels(values, pass.grid.subpixel_bits);
+        event.tie_owned = {values[0] == 0, values[1] == 0, values[2] == 0};
+        event.depth_stored = event.depth_new = 0;
+        event.clipped_into = 1;
         return event;
       });
       recorder.event([&] { return WriteEvent{{}, Vec3d(before), Vec3d(colour), Vec3d(after)}; });

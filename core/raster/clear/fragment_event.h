@@ -43,10 +43,10 @@ FragmentEvent fragment_event(const Pass<Real>& pass, const TriangleSetup<Real>& 
   const int bits = pass.grid.subpixel_bits;
   const std::array<Real, 3> weights = space_weights(pass, setup, fragment);
   event.edges = edges_in_pixels(values, bits);
+  event.tie_owned = {values[0] == 0, values[1] == 0, values[2] == 0};
   for (std::size_t i = 0; i < 3; ++i) {
     event.corners[i] = canvas_pixels(setup.triangle->corners[i], bits);
     event.corner_depth[i] = static_cast<double>(setup.triangle->z[i]);
-    event.tie_owned[i] = values[i] == 0;
     event.weights_2d[i] = static_cast<double>(fragment.weights[i]);
     event.weights[i] = static_cast<double>(weights[i]);
   }

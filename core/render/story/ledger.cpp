@@ -187,6 +187,7 @@ void add_write(const PixelStory& story, const Scene& scene, int index, Lines& li
   case Mixing::adds:
     if (lines.empty()) lines.push_back({0, "background", write.before, index});
     lines.push_back({0, fmt::format("{}: added colour", name), write.shaded, index});
+    append(lines, shading_of_write(story, scene, index, 1, 1));
     return;
   case Mixing::filters:
     lines.clear();

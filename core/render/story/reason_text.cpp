@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "record/value_text.h"
+
 namespace ps {
 
 std::string_view outcome_text(TestOutcome outcome) {
@@ -87,6 +89,11 @@ std::string behind_camera_text(const FragmentEvent& fragment) {
   if (behind == 0) return {};
   if (behind == 3) return "all its vertices lie behind the camera";
   return behind == 1 ? "one of its vertices lies behind the camera" : "two of its vertices lie behind the camera";
+}
+
+std::string depth_against_text(const FragmentEvent& fragment) {
+  if (!fragment.depth_stored || !fragment.depth_new) return {};
+  return fmt::format(", {} stored", against_text(*fragment.depth_new, *fragment.depth_stored));
 }
 
 }  // namespace ps

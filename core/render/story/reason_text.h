@@ -23,4 +23,7 @@ std::string reject_count_text(RejectReason reason, std::size_t count);
 /// behind the camera"; a perspective projection turns those upside down. Empty if all lie before it.
 std::string behind_camera_text(const FragmentEvent& fragment);
 
+/// ", 0.4 against 0.5 stored": what a failed depth test compared; empty where the renderer does not report it.
+std::string depth_against_text(const FragmentEvent& fragment);
+
 }  // namespace ps

@@ -148,11 +148,20 @@ void add_fragment_remarks(const PixelStory& story, std::size_t writes, std::vect
 /// Which lights are blocked at the visible surface, wholly or in part.
 void add_shadow_remarks(const PixelStory& story, std::vector<std::string>& parts) {
   std::map<int, double> current, seen;  // share by light
+  PixelId written;
+  bool further_pass = false;  // over what is written: a light that is blocked there adds nothing
   for (const Event& event : story.events) {
-    if (std::holds_alternative<FragmentEvent>(event.data)) current.clear();
+    if (const auto* fragment = std::get_if<FragmentEvent>(&event.data)) {
+      current.clear();
+      further_pass = fragment->pass == FragmentEvent::Pass::shading && fragment->id == written;
+    }
     const auto* light = std::get_if<LightEvent>(&event.data);
-    if (light && light->visible < 1 && !light->below_horizon) current[light->light] = light->visible;
-    if (std::holds_alternative<WriteEvent>(event.data)) seen = current;
+    if (light && light->visible < 1 && !light->below_horizon)
+      (further_pass ? seen : current)[light->light] = light->visible;
+    const auto* write = std::get_if<WriteEvent>(&event.data);
+    if (!write) continue;
+    if (!further_pass) seen = current;
+    written = write->id;
   }
   for (const auto& [light, share] : seen)
     parts.push_back(share > 0 ? fmt::format("{} % of light {} reaches it", number_text(100 * share), light)

@@ -1,6 +1,7 @@
 // Every shader compiles as GLSL 3.30 and as GLSL ES 3.00, in all the variants that options and scenes ask for.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <set>
 
@@ -15,6 +16,8 @@
 namespace ps {
 namespace {
 
+constexpr std::array uses{hardware::ProgramUse::picture, hardware::ProgramUse::story};
+
 /// The definitions of all surfaces of a picture.
 void add_definitions(const Scene& scene, const Settings& settings, std::set<std::string>& all) {
   Prepared prepared;
@@ -22,7 +25,8 @@ void add_definitions(const Scene& scene, const Settings& settings, std::set<std:
     RenderRequest request;
     request.channels = channels;
     const hardware::PicturePlan plan = hardware::make_plan(scene, {scene.camera, 40, 30}, settings, request, prepared);
-    for (const auto& surface : plan.surfaces.list) all.insert(hardware::definitions(plan, surface, false));
+    for (const auto& surface : plan.surfaces.list)
+      for (const hardware::ProgramUse use : uses) all.insert(hardware::definitions(plan, surface, false, use));
   }
 }
 
@@ -83,8 +87,10 @@ TEST(HardwareShaders, ThoseOfPassesCompileForOpenGlAndForOpenGlEs) {
             Prepared prepared;
             const hardware::PicturePlan plan =
                 hardware::make_plan(scene, {scene.camera, 40, 30}, settings, {}, prepared);
-            volumes.insert(hardware::volume_definitions(plan, false));
-            deferred.insert(hardware::deferred_definitions(plan, false));
+            for (const hardware::ProgramUse use : uses) {
+              volumes.insert(hardware::volume_definitions(plan, false, use));
+              deferred.insert(hardware::deferred_definitions(plan, false, use));
+            }
           }
   }
   hardware::on_gl_thread([&](hardware::Workshop&) {
@@ -110,7 +116,7 @@ TEST(HardwareShaders, AMistakeIsReportedWithFileAndLine) {
       FAIL() << "it compiles";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("a shader does not compile: "), std::string::npos) << error.what();
-      EXPECT_NE(std::string(error.what()).find("vertex.glsl:42("), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("vertex.glsl:52("), std::string::npos) << error.what();
     }
   });
 }

@@ -11,6 +11,7 @@
 #include "gui/widgets/draw.h"
 #include "inspect/microscope/event_of_triangle.h"
 #include "inspect/microscope/micro_svg.h"
+#include "options/renderer_kind.h"
 #include "record/value_text.h"
 
 namespace ps::gui {
@@ -214,9 +215,14 @@ void numbers_table(const MicroTable& table) {
 }
 
 void ray_text(const PixelStory& story) {
+  const bool ray = sends_rays(story.renderer);
   ImGui::PushTextWrapPos(0);
-  value_text("ray", "A ray through the point: " + story.verdict);
+  value_text("ray", (ray ? "A ray through the point: " : "A small pixel around the point: ") + story.verdict);
   ImGui::PopTextWrapPos();
+  if (story.not_reported.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  value_paragraph("not-reported", story.not_reported + " So no edges and no samples of triangles are drawn here.");
+  ImGui::PopStyleColor();
 }
 
 void texel_views(MicroscopePanelState& state, const MicroTexture& texture, float size) {

@@ -68,6 +68,14 @@ void work(const PixelStory& story, const std::string& name) {
   ImGui::EndTable();
 }
 
+/// What the renderer cannot report of its steps.
+void not_reported(const PixelStory& story, const std::string& name) {
+  if (story.not_reported.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
+  value_paragraph(name + "/not-reported", story.not_reported);
+  ImGui::PopStyleColor();
+}
+
 std::string event_count(const PixelStory& story) {
   return fmt::format("{} event{}", story.events.size(), story.events.size() == 1 ? "" : "s");
 }
@@ -84,6 +92,7 @@ void full_story(Session& session, PixelPanelState& state, Side side, const Pixel
   if (section("events", "What happened", state.events_open, event_count(story)))
     if (const auto clicked = story_tree_view(name, story, session.scene(), tree, pinned))
       select_event(session, side, *clicked);
+  if (state.events_open) not_reported(story, name);
   if (section("sum", "The colour as a sum", state.sum_open))
     if (const int clicked = ledger_view(name, story, tree.selected, pinned); clicked >= 0)
       select_event(session, side, clicked);
@@ -142,6 +151,7 @@ void short_story(Session& session, PixelPanelState& state, Side side, const Pixe
     }
   if (section(name + "/events", "What happened", state.both_events_open[index], event_count(story)))
     if (const auto clicked = story_tree_view(name, story, session.scene(), tree)) select(*clicked);
+  if (state.both_events_open[index]) not_reported(story, name);
   ImGui::PopID();
 }
 

@@ -1,0 +1,164 @@
+#include <bit>
+#include <string>
+
+#include "hardware/story_drawer.h"
+#include "raster/setup/textures.h"
+
+namespace ps::hardware {
+namespace {
+
+Vec3d three(const Vec4f& value) { return Vec3d(Vec3f(value)); }
+
+/// Pixels from the top left; what lies behind the camera is where division by its w puts it.
+Vec2d on_canvas(const PicturePlan& plan, const Vec4f& clip) {
+  const Vec4d at(clip);
+  return {(at.x / at.w + 1) / 2 * plan.viewport.columns, (at.y / at.w + 1) / 2 * plan.viewport.rows};
+}
+
+FragmentEvent::Pass name_of(const DrawPass& pass) {
+  switch (pass.kind) {
+  case DrawPass::Kind::whole:
+    return FragmentEvent::Pass::only;
+  case DrawPass::Kind::depth:
+  case DrawPass::Kind::geometry:
+    return FragmentEvent::Pass::depth_first;
+  case DrawPass::Kind::shade:
+  case DrawPass::Kind::light:
+    return FragmentEvent::Pass::shading;
+  }
+  return FragmentEvent::Pass::only;
+}
+
+}  // namespace
+
+const CapturedTriangle& StoryDrawer::corners_of(NearTriangle& triangle, const DrawPass& pass) {
+  if (!triangle.corners) triangle.corners = capture(triangle, pass, -1);
+  return *triangle.corners;
+}
+
+FragmentEvent StoryDrawer::fragment_event(NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
+                                          const Outcome& outcome) {
+  FragmentEvent event;
+  event.id = triangle.id;
+  event.sphere_triangle = triangle.sphere_triangle;
+  event.back_face = !triangle.front;
+  const Vec4f weights = page(asked.program, Page::weights, asked.covered, asked.draw);
+  const Vec4f screen = page(asked.program, Page::screen, asked.covered, asked.draw);
+  const CapturedTriangle& corners = corners_of(triangle, pass);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int axis = static_cast<int>(k);
+    event.weights[k] = static_cast<double>(weights[axis]);
+    event.weights_2d[k] = static_cast<double>(screen[axis]);
+    event.corners[k] = on_canvas(plan_, corners[k].clip);
+    event.corner_depth[k] = static_cast<double>(corners[k].camera_z.x);
+  }
+  event.z = static_cast<double>(weights.w);
+  event.inverse_z = 1 / event.z;
+  event.depth = outcome.depth;
+  event.pass = name_of(pass);
+  event.samples = samples();
+  event.samples_covered = std::popcount(triangle.covered);
+  if (outcome.depth == FragmentEvent::Depth::off || samples() > 1) return event;
+  if (outcome.stored) event.depth_stored = *outcome.stored;
+  event.depth_new = outcome.stored_after ? *outcome.stored_after : static_cast<double>(screen.w);
+  return event;
+}
+
+// What the surface itself brings: relief, texture, normal map.
+void StoryDrawer::report_surface(const NearTriangle& triangle, const Asked& asked) {
+  const raster::Surface<float>& surface = plan_.surfaces.list[triangle.run.surface];
+  const Settings& s = plan_.settings;
+  const auto ask = [&](Page what) { return page(asked.program, what, asked.covered, asked.draw); };
+  if (s.draw != Draw::filled || surface.layout.uv == raster::AttributeLayout::absent) return;
+  const Vec4d uv(ask(Page::uv));
+  if (surface.layout.relief)
+    if (const Vec4d relief(ask(Page::relief)); relief.w > 0)
+      recorder_.event([&] {
+        ParallaxEvent event;
+        event.texture = surface.material.height_map;
+        event.from = {uv.x, uv.y};
+        event.to = {uv.z, uv.w};
+        event.shift = {relief.x, relief.y};
+        event.depth = relief.z;
+        return event;
+      });
+  if (s.textures && surface.material.texture >= 0) {
+    const Vec4f texel = ask(Page::texel);
+    recorder_.event([&] {
+      TextureEvent event;
+      event.texture = surface.material.texture;
+      event.uv = {uv.z, uv.w};
+      event.level = raster::reads_mip_levels(s.texture_filter) ? static_cast<double>(texel.w) : 0;
+      event.result = three(texel);
+      return event;
+    });
+  }
+  if (!surface.layout.mapped_normal) return;
+  const Vec4f stored = ask(Page::stored);
+  if (!(stored.w > 0)) return;
+  recorder_.event([&] {
+    return NormalMapEvent{surface.material.normal_map,
+                          {uv.z, uv.w},
+                          three(stored),
+                          three(ask(Page::tangent)),
+                          three(ask(Page::bitangent)),
+                          three(ask(Page::unmapped)),
+                          three(ask(Page::normal))};
+  });
+}
+
+void StoryDrawer::report_mirror(const NearTriangle& triangle, const Asked& asked) {
+  const raster::Surface<float>& surface = plan_.surfaces.list[triangle.run.surface];
+  if (!mirrors(plan_, surface)) return;
+  const auto& map = (*plan_.environment)[static_cast<std::size_t>(surface.object)];
+  const auto ask = [&](Page what) { return page(asked.program, what, asked.covered, asked.draw); };
+  const Vec4f place = ask(Page::mirror_place);
+  if (!map || !(place.z > 0)) return;
+  const Vec4f mirrored = ask(Page::mirrored);
+  recorder_.event([&] {
+    return EnvironmentEvent{map->centre,
+                            three(ask(Page::mirror_direction)),
+                            static_cast<int>(mirrored.w),
+                            {static_cast<double>(place.x), static_cast<double>(place.y)},
+                            three(mirrored),
+                            map->left_out};
+  });
+  recorder_.event([&] {
+    return ReflectionEvent{static_cast<double>(place.z), three(ask(Page::unmirrored)), three(mirrored),
+                           three(ask(Page::shaded))};
+  });
+}
+
+void StoryDrawer::report_write(NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
+                               const Outcome& outcome) {
+  if (outcome.depth == FragmentEvent::Depth::failed) return;
+  const bool whole_picture = plan_.defers;
+  if (outcome.written == 0) return report_lights(triangle, asked, pass, outcome);  // by the stencil buffer
+  if (!whole_picture) report_surface(triangle, asked);
+  const Vec4f shaded = page(asked.program, Page::shaded, asked.covered, asked.draw);
+  if (plan_.settings.lighting && plan_.settings.draw == Draw::filled) {
+    report_lights(triangle, asked, pass, outcome);
+    const auto ask = [&](Page what) { return page(asked.program, what, asked.covered, asked.draw); };
+    const bool mirrors_here = mirrors(plan_, plan_.surfaces.list[triangle.run.surface]);
+    const Vec4f unmirrored = mirrors_here ? ask(Page::unmirrored) : shaded;
+    recorder_.event([&] {
+      return ShadeEvent{three(ask(Page::colour)), three(ask(Page::light)), three(ask(Page::extra)), three(unmirrored)};
+    });
+  }
+  report_mirror(triangle, asked);
+  if (samples() > 1)
+    recorder_.event([&] {
+      CoverageEvent event;
+      event.id = triangle.id;
+      event.covered = true;
+      event.tests = samples();
+      for (int sample = 0; sample < samples(); ++sample)
+        if (((outcome.written >> sample) & 1u) != 0) event.values.push_back(sample);
+      event.how = std::to_string(event.values.size()) + " of " + std::to_string(event.tests) + " samples are written";
+      return event;
+    });
+  recorder_.event([&] { return WriteEvent{triangle.id, outcome.before, three(shaded), outcome.after}; });
+  if (pass.counted && samples() == 1) recorder_.count(Counter::pixels_written);
+}
+
+}  // namespace ps::hardware

@@ -1,0 +1,187 @@
+// The story of a hardware pixel is what the driver did: at random pixels its last colour and depth are the picture's,
+// bit for bit. The picture is drawn whole by its own programs; the story asks other programs, triangle by triangle.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+#include <random>
+#include <set>
+
+#include "agreement/hardware/hardware_pair.h"
+#include "base/timer.h"
+#include "hardware/gl_thread.h"
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "support/environment.h"
+
+namespace ps {
+namespace {
+
+constexpr int width = 240, height = 180;
+
+/// PIXELSCOPE_STORY_PIXELS asks for more of each scene, PIXELSCOPE_TEST_SEED for others. Half of them are drawn from
+/// those that show a surface.
+int pixels_of_scene() { return static_cast<int>(test::number_from("PIXELSCOPE_STORY_PIXELS", 16)); }
+unsigned seed() { return test::test_seed(21); }
+
+struct StoryCase {
+  const char* scene;
+  std::vector<std::string> assignments;
+  std::string name() const { return fmt::format("{} {}", scene, fmt::join(assignments, " ")); }
+};
+
+const std::vector<StoryCase> cases{
+    {"cgfs/shading", {}},
+    {"cgfs/shadows", {"shadows=stencil-depth-fail"}},
+    {"octree/attenuation", {"shadows=stencil-depth-pass", "deferred-shading=on"}},
+    {"lab/inside-shadow", {"shadows=map", "shadow-filter=3"}},
+    {"octree/attenuation", {"shadows=map", "shading=gouraud"}},
+    {"cgfs/crates", {"multisampling=4"}},
+    {"cgfs/shadows", {"multisampling=4", "shadows=stencil-depth-fail"}},
+    {"cgfs/reflections", {"environment=cube-map", "deferred-shading=on"}},
+    {"cgfs/reflections", {"environment=cube-map"}},
+    {"cgfs/relief", {}},
+    {"cgfs/fence", {"texture-filter=mipmap", "early-depth=on"}},
+    {"cgpp/teapot", {"shading=gouraud"}},
+    {"octree/headline", {"shading=flat"}},
+    {"lab/cornell", {"light-passes=many"}},
+    {"lab/hierarchy", {"visibility=painter"}},
+    {"cgfs/cubes", {"depth-format=unorm", "depth-bits=16"}},
+    {"cgfs/depth", {"depth-value=distance", "interpolation=affine"}},
+    {"cgfs/behind", {"vertex-snapping=cpu", "backface-culling=off"}},
+    {"cgfs/brick-wall", {"hardware-texturing=driver", "projection=orthographic"}},
+    {"cgfs/wireframe", {}},
+};
+
+std::array<std::uint32_t, 3> bits(const Vec3d& colour) {
+  const Vec3f rounded(colour);
+  return {std::bit_cast<std::uint32_t>(rounded.x), std::bit_cast<std::uint32_t>(rounded.y),
+          std::bit_cast<std::uint32_t>(rounded.z)};
+}
+std::uint32_t bits(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
+
+Vec2i any_pixel(std::mt19937& random) {
+  const int x = static_cast<int>(random() % width);
+  return {x, static_cast<int>(random() % height)};
+}
+
+std::vector<Vec2i> pixels_with_surface(const Frame& seen) {
+  std::vector<Vec2i> pixels;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (seen.ids.at(x, y).object >= 0) pixels.emplace_back(x, y);
+  return pixels;
+}
+
+/// The last write, and the fragment that it belongs to.
+struct LastWrite {
+  const WriteEvent* write = nullptr;
+  const FragmentEvent* fragment = nullptr;
+};
+LastWrite last_write(const PixelStory& story) {
+  LastWrite last;
+  for (const Event& event : story.events)
+    if (const auto* write = std::get_if<WriteEvent>(&event.data)) {
+      last.write = write;
+      last.fragment = event.parent < 0
+                          ? nullptr
+                          : std::get_if<FragmentEvent>(&story.events[static_cast<std::size_t>(event.parent)].data);
+    }
+  return last;
+}
+
+/// Each write brings what the story's program says that it shades.
+void expect_writes_as_shaded(const PixelStory& story, const std::string& where) {
+  for (const Event& event : story.events) {
+    const auto* write = std::get_if<WriteEvent>(&event.data);
+    if (!write || write->id.object < 0) continue;
+    const auto after = bits(write->after);
+    const bool replaces = after == bits(write->shaded);
+    const bool adds = after == bits(Vec3d(Vec3f(write->before) + Vec3f(write->shaded)));
+    EXPECT_TRUE(replaces || adds) << where;
+  }
+}
+
+/// The faces of shadow volumes that it reports make what the stencil buffer holds.
+int expect_stencil_as_counted(const PixelStory& story, int stencil_bits, const std::string& where) {
+  int counted = 0;
+  for (const Event& event : story.events)
+    if (const auto* stencil = std::get_if<StencilEvent>(&event.data)) {
+      EXPECT_EQ(stencil->count & ((1 << stencil_bits) - 1), stencil->stored) << where;
+      counted += stencil->crossings.empty() ? 0 : 1;
+    }
+  return counted;
+}
+
+TEST(HardwareStory, EndsWithThePicturesColourAndDepth) {
+  PS_NEEDS_HARDWARE(hardware);
+  const int count = pixels_of_scene();
+  double slowest = 0, total = 0;
+  long stories = 0;
+  for (const StoryCase& one : cases) {
+    SCOPED_TRACE(one.name());
+    const Scene scene = load_scene(one.scene);
+    Settings settings = settings_for(scene);
+    settings.renderer = hardware;
+    for (const std::string& assignment : one.assignments) parse_assignment(assignment, settings);
+    const View view{scene.camera, width, height};
+    Prepared prepared;
+    Progress progress;
+    RenderRequest request;
+    request.channels = Channel::ids | Channel::depth | Channel::barycentric;
+    const Frame seen = render(scene, view, settings, request, prepared, progress);
+    const Frame frame = render(scene, view, settings, {}, prepared, progress);
+    const std::vector<Vec2i> surfaces = pixels_with_surface(seen);
+    ASSERT_FALSE(surfaces.empty());
+    std::mt19937 random(seed());
+    std::set<std::array<std::uint32_t, 3>> colours;
+    int written = 0, counted = 0;
+    for (int i = 0; i < count; ++i) {
+      const Vec2i pixel = i % 2 == 0 ? any_pixel(random) : surfaces.at(random() % surfaces.size());
+      const std::string where = fmt::format("pixel {},{}", pixel.x, pixel.y);
+      const Timer timer;
+      const PixelStory story = inspect(scene, view, settings, pixel, prepared, progress);
+      total += timer.milliseconds();
+      slowest = std::max(slowest, timer.milliseconds());
+      ++stories;
+      EXPECT_EQ(bits(story.linear), bits(Vec3d(frame.colour.at(pixel.x, pixel.y)))) << where;
+      colours.insert(bits(story.linear));
+      const LastWrite last = last_write(story);
+      const bool shows = seen.ids.at(pixel.x, pixel.y).object >= 0;  // with several samples, the first of them
+      EXPECT_TRUE(last.write || !shows) << where;
+      if (settings.multisampling > 1) {
+        written += last.write != nullptr;
+        continue;
+      }
+      EXPECT_TRUE(shows || !last.write) << where;
+      hardware::on_gl_thread([&](hardware::Workshop& shop) {
+        EXPECT_EQ(bits(static_cast<double>(shop.story_picture->read_depth(pixel))),
+                  bits(static_cast<double>(shop.target->read_depth(pixel))))
+            << where;
+      });
+      if (!last.write) continue;
+      ++written;
+      EXPECT_EQ(bits(last.write->after), bits(story.linear)) << where;
+      expect_writes_as_shaded(story, where);
+      counted += expect_stencil_as_counted(story, settings.stencil_bits, where);
+      ASSERT_TRUE(last.fragment) << where;
+      EXPECT_EQ(last.fragment->id, seen.ids.at(pixel.x, pixel.y)) << where;
+      EXPECT_EQ(bits(last.fragment->z), std::bit_cast<std::uint32_t>(seen.depth.at(pixel.x, pixel.y))) << where;
+      if (last.fragment->sphere_triangle >= 0) continue;
+      const Vec3f weights = seen.barycentric.at(pixel.x, pixel.y);
+      EXPECT_EQ(std::max(static_cast<float>(last.fragment->weights[0]), 0.0f), weights.x) << where;
+      EXPECT_EQ(std::max(static_cast<float>(last.fragment->weights[1]), 0.0f), weights.y) << where;
+    }
+    fmt::print("{}: {} of {} pixels show a surface, {} colours, {} stencil counts, seed {}\n", one.name(), written,
+               count, colours.size(), counted, seed());
+    EXPECT_GE(written, count / 2);
+  }
+  fmt::print("{} stories, {:.1f} ms each, {:.1f} ms the slowest\n", stories, total / static_cast<double>(stories),
+             slowest);
+}
+
+}  // namespace
+}  // namespace ps
