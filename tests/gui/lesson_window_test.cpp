@@ -55,7 +55,7 @@ std::string lesson_text(const std::string& title, const std::string& settings) {
 TEST(LessonWindow, AFolderOfOnesOwnIsReadAgainWhenItIsSaved) {
   const fs::path state = state_folder("own"), own = state / "mine", other = state / "other";
   fs::create_directories(own);
-  fs::copy("tests/gui/files/questions", own, fs::copy_options::overwrite_existing);
+  fs::copy("tests/gui/files/questions", own, fs::copy_options::recursive);
   fs::copy(own, other);
   const std::string file = (own / "lesson.md").string();
   plays(state,
@@ -75,6 +75,35 @@ TEST(LessonWindow, AFolderOfOnesOwnIsReadAgainWhenItIsSaved) {
   const std::string recent = remembered.get("session/recent");
   EXPECT_NE(recent.find(own.string()), std::string::npos) << recent;
   EXPECT_NE(recent.find(other.string()), std::string::npos) << recent;
+}
+
+/// Everything fits, in every state of the questions and of the claims. `pages`: of the text of the answered first step,
+/// on the last of which the claims are.
+void expect_questions_fit(const std::string& screen, const std::string& type, int pages) {
+  const std::string fits = "wait frames 3\nexpect window/cut \"\"\nexpect window/overlap \"\"\n";
+  std::string commands = "wait idle\n" + fits + "click question/choice/1\n" + fits +
+                         "click question/answer\nwait idle\n" + fits + "expect lesson/pages " + std::to_string(pages) +
+                         "\n";
+  for (int page = 1; page < pages; ++page) commands += "key PageDown\n" + fits;
+  commands += "wait until lesson/claim/1/state holds\n" + fits +
+              "click lesson/claim/1/break\nwait idle\nwait until lesson/claim/1/state broken\n" + fits +
+              "click lesson/claim/1/mend\nwait idle\n" + fits;
+  for (const std::string& answer :
+       {"click question/number\ntype 57,600\nkey Enter\n" + fits + "click question/skip\n",
+        "click-pixel A 60,150\n" + fits + "click question/answer\n",
+        "click-pixel A 60,150\n" + fits + "click question/back\nwait idle\n" + fits + "click predict/answer\n"})
+    commands += "key Shift+PageDown\nwait idle\n" + fits + answer + "wait idle\n" + fits;
+  const auto folder = ps::fresh_output_folder("gui-lesson-fit-" + screen + "-" + type);
+  const auto run =
+      ps::test::play(commands + "quit\n", folder, screen, "--scale " + type + " --lesson tests/gui/files/questions");
+  EXPECT_EQ(run.status, 0) << screen << " type " << type << ": " << run.errors;
+}
+
+TEST(LessonWindow, QuestionsAndClaimsFitSmallScreens) {
+  expect_questions_fit("1024x768", "1", 1);
+  expect_questions_fit("1366x768", "1", 1);
+  expect_questions_fit("1024x768", "1.5", 4);
+  expect_questions_fit("1366x768", "1.5", 4);
 }
 
 }  // namespace
