@@ -7,7 +7,8 @@ set(PIXELSCOPE_JETBRAINS /usr/share/fonts/truetype/jetbrains-mono CACHE PATH "Fo
 
 if(PIXELSCOPE_GUI)
   foreach(font ${PIXELSCOPE_INTER}/Inter-Regular.otf ${PIXELSCOPE_INTER}/Inter-SemiBold.otf
-               ${PIXELSCOPE_INTER}/Inter-Italic.otf ${PIXELSCOPE_JETBRAINS}/JetBrainsMono-Regular.ttf
+               ${PIXELSCOPE_INTER}/Inter-Italic.otf ${PIXELSCOPE_INTER}/Inter-SemiBoldItalic.otf
+               ${PIXELSCOPE_JETBRAINS}/JetBrainsMono-Regular.ttf
                ${PIXELSCOPE_JETBRAINS}/JetBrainsMono-Bold.ttf)
     if(EXISTS ${font})
       file(COPY ${font} DESTINATION ${PIXELSCOPE_FONT_DIR})

@@ -8,20 +8,26 @@
 #include <optional>
 
 #include "base/spelling.h"
+#include "engine/formula_marks.h"
+#include "engine/glossary.h"
+#include "engine/maths_writers.h"
+#include "engine/place_in_text.h"
 #include "options/option.h"
 
 namespace ps {
 namespace {
 
-constexpr unsigned markdown_flags = MD_FLAG_COLLAPSEWHITESPACE | MD_FLAG_NOHTML | MD_FLAG_NOINDENTEDCODEBLOCKS |
-                                    MD_FLAG_WIKILINKS | MD_FLAG_LATEXMATHSPANS;
+constexpr unsigned markdown_flags =
+    MD_FLAG_COLLAPSEWHITESPACE | MD_FLAG_NOHTML | MD_FLAG_NOINDENTEDCODEBLOCKS | MD_FLAG_WIKILINKS;
 constexpr std::string_view blanks = " \t\r\n";
 
-/// Makes blocks of what md4c reports. That reports no positions, but its texts point into what it reads.
+/// Makes blocks of what md4c reports. That reports no positions, but its texts point into what it reads: the source
+/// with its formulas hidden.
 class MarkdownReader {
  public:
-  MarkdownReader(std::string_view text, const std::string& file, int first_line)
-      : text_(text), file_(file), first_line_(first_line) {}
+  MarkdownReader(std::string_view source, const SourcePlace& start)
+      : source_(source), start_(start), formulas_(find_formulas(source, start)),
+        hidden_(hide_formulas(source, formulas_)), text_(hidden_) {}
 
   StepText read() {
     MD_PARSER parser{};
@@ -43,7 +49,7 @@ class MarkdownReader {
     };
     const int ended = md_parse(text_.data(), static_cast<MD_SIZE>(text_.size()), &parser, this);
     if (error_) std::rethrow_exception(error_);
-    if (ended != 0) throw InputError({file_, first_line_, 1}, "text that cannot be read", "CommonMark");
+    if (ended != 0) throw InputError(start_, "text that cannot be read", "CommonMark");
     return std::move(result_);
   }
 
@@ -62,13 +68,7 @@ class MarkdownReader {
     }
   }
 
-  SourcePlace place_of(std::size_t offset) const {
-    const std::string_view before = text_.substr(0, offset);
-    const auto line = std::count(before.begin(), before.end(), '\n');
-    const auto newline = before.rfind('\n');
-    const std::size_t column = newline == std::string_view::npos ? offset : offset - newline - 1;
-    return {file_, first_line_ + static_cast<int>(line), static_cast<int>(column) + 1};
-  }
+  SourcePlace place_of(std::size_t offset) const { return place_in(source_, offset, start_); }
 
   /// The next sign behind what was read.
   SourcePlace next_place() const { return place_of(std::min(text_.find_first_not_of(blanks, read_to_), text_.size())); }
@@ -160,8 +160,16 @@ class MarkdownReader {
 
   void end() {
     if (block_.spans.empty()) refuse("an item without text");
+    require_display_alone();
     (in_quote_ ? result_.hints : result_.blocks).push_back(std::move(block_));
     block_ = {};
+  }
+
+  void require_display_alone() const {
+    for (const TextSpan& span : block_.spans)
+      if (span.formula && span.formula->form == FormulaForm::display &&
+          (block_.spans.size() > 1 || block_.kind != BlockKind::paragraph || in_quote_))
+        throw InputError(display_place_, "'$$' inside a text", "a paragraph of its own, or single '$'");
   }
 
   void enter_span(MD_SPANTYPE type, void* detail) {
@@ -181,9 +189,9 @@ class MarkdownReader {
     case MD_SPAN_DEL:
     case MD_SPAN_U:
       refuse("struck or underlined text");
-    case MD_SPAN_LATEXMATH:
+    case MD_SPAN_LATEXMATH:  // formulas are read here, not by md4c
     case MD_SPAN_LATEXMATH_DISPLAY:
-      refuse("a formula between '$'", "words; \\$ for the sign itself");
+      return;
     }
   }
 
@@ -209,6 +217,8 @@ class MarkdownReader {
       styles_.pop_back();
       return name_strong_text();
     case MD_SPAN_EM:
+      styles_.pop_back();
+      return name_term();
     case MD_SPAN_CODE:
       return styles_.pop_back();
     case MD_SPAN_IMG:
@@ -237,6 +247,14 @@ class MarkdownReader {
     if (last.style == TextStyle::strong && last.link.kind == LinkKind::none) last.link = link_of_name(last.text);
   }
 
+  /// A term of the glossary in emphasis leads there.
+  void name_term() {
+    if (block_.spans.empty() || linked_) return;
+    TextSpan& last = block_.spans.back();
+    if (last.style != TextStyle::emphasis || last.formula || last.link.kind != LinkKind::none) return;
+    if (std::string term = term_of(last.text); !term.empty()) last.link = {LinkKind::term, std::move(term), 0, {}};
+  }
+
   TextStyle style() const {
     return styles_.empty() ? TextStyle::plain : *std::max_element(styles_.begin(), styles_.end());
   }
@@ -246,8 +264,10 @@ class MarkdownReader {
     const std::size_t at = ours ? static_cast<std::size_t>(text.data() - text_.data()) : read_to_;
     switch (type) {
     case MD_TEXT_NORMAL:
-      if (ours) require_no_loose_marks(text, at);
-      append(text);
+      if (ours)
+        append_with_formulas(text, at);
+      else
+        append(text);
       break;
     case MD_TEXT_CODE:
       append(text);
@@ -279,19 +299,49 @@ class MarkdownReader {
     }
   }
 
+  /// A text of the source, from byte `at`.
+  void append_with_formulas(std::string_view text, std::size_t at) {
+    require_no_loose_marks(text, at);
+    while (!text.empty()) {
+      const std::size_t hidden = std::min(text.find(hidden_byte), text.size());
+      if (hidden > 0) append(text.substr(0, hidden));
+      text.remove_prefix(hidden);
+      at += hidden;
+      if (text.empty()) return;
+      const auto mark = std::find_if(formulas_.begin(), formulas_.end(),
+                                     [&](const FormulaMark& each) { return at >= each.begin && at < each.end; });
+      if (at == mark->begin) add_formula(*mark);
+      const std::size_t length = std::min(mark->end - at, text.size());
+      text.remove_prefix(length);
+      at += length;
+    }
+  }
+
+  void add_formula(const FormulaMark& mark) {
+    const SourcePlace place = place_of(mark.begin + mark.sign_length());
+    TextSpan span{{}, style(), link_};
+    span.formula = read_formula(mark.notation(source_), mark.form, place);
+    span.text = plain_maths(*span.formula);
+    if (mark.form == FormulaForm::display) display_place_ = place_of(mark.begin);
+    block_.spans.push_back(std::move(span));
+  }
+
   void append(std::string_view text) {
     const bool same = !block_.spans.empty() && block_.spans.size() > (linked_ ? link_begin_ : 0) &&
                       block_.spans.back().style == style() && block_.spans.back().link == link_ &&
-                      (linked_ || block_.spans.back().link.kind == LinkKind::none);
+                      !block_.spans.back().formula && (linked_ || block_.spans.back().link.kind == LinkKind::none);
     if (same)
       block_.spans.back().text += text;
     else
       block_.spans.push_back({std::string(text), style(), link_});
   }
 
-  std::string_view text_;
-  std::string file_;
-  int first_line_ = 1;
+  std::string_view source_;  // as it is in the file
+  SourcePlace start_;
+  std::vector<FormulaMark> formulas_;
+  std::string hidden_;
+  std::string_view text_;  // what md4c reads
+  SourcePlace display_place_;
   std::size_t read_to_ = 0;  // of text_: the end of the last text
   StepText result_;
   TextBlock block_;
@@ -309,7 +359,7 @@ class MarkdownReader {
 
 StepText read_markdown(std::string_view text, const std::string& file, int first_line) {
   static_assert(sizeof(MD_SIZE) >= 4, "a lesson's size fits");
-  return MarkdownReader(text, file, first_line).read();
+  return MarkdownReader(text, {file, first_line, 1}).read();
 }
 
 }  // namespace ps

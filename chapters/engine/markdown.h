@@ -22,9 +22,9 @@ struct StepText {
 };
 
 /// Reads CommonMark: paragraphs, headings from "###" on, lists of one level, quotes of paragraphs, *emphasis*,
-/// **strong**, `code`, [links](panel:parting), [[option-key]] for a live control. `file` and `first_line` are where the
-/// text begins, for messages. Throws InputError with file, line and column for any other construct, for a mark without
-/// its partner, and for a link that leads nowhere.
+/// **strong**, `code`, [links](panel:parting), [[option-key]] for a live control, $formulas$, and $$formulas$$ that are
+/// a paragraph of their own. `file` and `first_line` are where the text begins, for messages. Throws InputError with
+/// file, line and column for any other construct, for a mark without its partner, and for a link that leads nowhere.
 StepText read_markdown(std::string_view text, const std::string& file, int first_line);
 
 }  // namespace ps

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/spelling.h"
+#include "engine/glossary.h"
 #include "engine/lesson.h"
 #include "options/option.h"
 
@@ -64,6 +65,12 @@ std::string plain_text(const TextBlock& block) {
   return text;
 }
 
+const Formula* display_formula(const TextBlock& block) {
+  if (block.spans.size() != 1 || !block.spans.front().formula) return nullptr;
+  const Formula& formula = *block.spans.front().formula;
+  return formula.form == FormulaForm::display ? &formula : nullptr;
+}
+
 TextLink parse_link(std::string_view target) {
   const auto colon = target.find(':');
   const std::string_view kind = target.substr(0, colon);
@@ -74,14 +81,18 @@ TextLink parse_link(std::string_view target) {
     const LessonPlace place = parse_lesson_place(name);
     return {LinkKind::lesson, place.lesson, place.step, {}};
   }
+  if (kind == "term") {
+    if (std::string term = term_of(name); !term.empty()) return {LinkKind::term, std::move(term), 0, {}};
+    throw InputError(fmt::format("unknown term '{}'{}", name, did_you_mean(name, glossary_terms(), "")));
+  }
   if (kind == "panel") {
     const auto panels = linked_panels();
     if (std::find(panels.begin(), panels.end(), name) == panels.end())
       throw InputError(fmt::format("unknown panel '{}'{}", name, did_you_mean(std::string(name), panels, "")));
     return {LinkKind::panel, std::string(name), 0, {}};
   }
-  throw InputError(
-      fmt::format("found the link '{}', expected option:KEY, panel:NAME, step:N or lesson:FOLDER/N", target));
+  throw InputError(fmt::format(
+      "found the link '{}', expected option:KEY, panel:NAME, step:N, lesson:FOLDER/N or term:TERM", target));
 }
 
 TextLink parse_control(std::string_view target) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "document/document.h"
+#include "engine/maths.h"
 
 /// The text of a lesson as a value: blocks of spans, without a widget. CONTRIBUTING.md describes how it is written.
 
@@ -13,21 +14,22 @@ namespace ps {
 enum class TextStyle { plain, emphasis, strong, code };
 
 /// Where a span leads. `control` is not a link but a live control of an option, in the middle of the text.
-enum class LinkKind { none, option, panel, step, lesson, control };
+enum class LinkKind { none, option, panel, step, lesson, term, control };
 
 struct TextLink {
   LinkKind kind = LinkKind::none;
-  std::string target;        ///< key of the option, name of the panel, folder of the lesson
+  std::string target;        ///< key of the option, name of the panel, folder of the lesson, term of the glossary
   int step = 0;              ///< from 0; of this lesson, or of the one named
   std::optional<Side> side;  ///< of a control; absent: one for each picture
   bool operator==(const TextLink&) const = default;
 };
 
-/// Text in one style with one link. That of a control is the option's label.
+/// Text in one style with one link. That of a control is the option's label, that of a formula its plain form.
 struct TextSpan {
   std::string text;
   TextStyle style = TextStyle::plain;
   TextLink link = {};
+  std::optional<Formula> formula = {};
   bool operator==(const TextSpan&) const = default;
 };
 
@@ -43,13 +45,16 @@ struct TextBlock {
 /// The words alone, in one line.
 std::string plain_text(const TextBlock& block);
 
+/// The formula of a block that is nothing but a formula on a line of its own; else nullptr.
+const Formula* display_formula(const TextBlock& block);
+
 /// The panels that a link can name beside those of bottom_tabs: all options, the pixel's story, and in it the place
 /// where the stories of A and B part.
 inline constexpr std::string_view options_panel_name = "options", story_panel_name = "story",
                                   parting_panel_name = "parting";
 
-/// "option:KEY", "panel:NAME", "step:N", "lesson:FOLDER" or "lesson:FOLDER/N", with N from 1. Throws an InputError
-/// without a place for anything else, or if there is no such option, panel or lesson.
+/// "option:KEY", "panel:NAME", "step:N", "lesson:FOLDER" or "lesson:FOLDER/N", with N from 1, or "term:TERM". Throws an
+/// InputError without a place for anything else, or if there is no such option, panel, lesson or term.
 TextLink parse_link(std::string_view target);
 
 /// "KEY", "a.KEY" or "b.KEY" of a live control. Throws an InputError without a place if there is no such option.

@@ -96,8 +96,60 @@ TEST(Markdown, EveryFaultIsNamedWithItsPlace) {
   EXPECT_EQ(error_of("- one\n  - two").substr(0, 36), "lesson.md:11:3: found a list inside ");
   EXPECT_EQ(error_of("> - one").substr(0, 33), "lesson.md:10:1: found a list in a");
   EXPECT_EQ(error_of("- one\n\n  two\n").substr(0, 36), "lesson.md:12:3: found a second parag");
-  EXPECT_EQ(error_of("cost $x^2$").substr(0, 33), "lesson.md:10:6: found a formula b");
+  EXPECT_EQ(error_of("cost $2"), "lesson.md:10:6: found '$' without its partner, expected '\\$' for the sign itself");
   EXPECT_EQ(error_of("a &nbsp; b").substr(0, 25), "lesson.md:10:3: found '&n");
+}
+
+TEST(Markdown, ReadsFormulas) {
+  const StepText text =
+      read("Half $\\frac{1}{2}$, *all $x_i$* `$5` \\$ [to $N$](panel:parting).\n\n$${a_b}_c\n= [c]$$\n"
+           "\n> $x$ here.\n\n- $a_1$$b$\n");
+  ASSERT_EQ(text.blocks.size(), 3u);
+  EXPECT_EQ(plain_text(text.blocks[0]), "Half 1 / 2, all x_i $5 $ to N.");
+  const auto& spans = text.blocks[0].spans;
+  ASSERT_TRUE(spans[1].formula.has_value());
+  EXPECT_EQ(spans[1].formula->notation, "\\frac{1}{2}");
+  EXPECT_EQ(spans[3].formula, std::nullopt);
+  ASSERT_TRUE(spans[4].formula.has_value());
+  EXPECT_EQ(spans[4].style, TextStyle::emphasis);
+  EXPECT_EQ(spans[4].formula->notation, "x_i");
+  ASSERT_TRUE(spans[9].formula.has_value());
+  EXPECT_EQ(spans[9].formula->notation, "N");
+  EXPECT_EQ(spans[9].link.target, "parting");
+  EXPECT_EQ(display_formula(text.blocks[0]), nullptr);
+  ASSERT_NE(display_formula(text.blocks[1]), nullptr);
+  EXPECT_EQ(display_formula(text.blocks[1])->notation, "{a_b}_c\n= [c]");
+  EXPECT_EQ(plain_text(text.hints.at(0)), "x here.");
+  EXPECT_EQ(plain_text(text.blocks[2]), "a₁b");
+}
+
+TEST(Markdown, NamesFaultsInFormulas) {
+  EXPECT_EQ(error_of("one\n- two $x + \\aplha$"),
+            "lesson.md:11:12: found the unknown command '\\aplha', expected '\\alpha'");
+  EXPECT_EQ(error_of("one\n\n$$x\n+ \\aplha$$"),
+            "lesson.md:13:3: found the unknown command '\\aplha', expected '\\alpha'");
+  EXPECT_EQ(error_of("a $x\n\ny$"),
+            "lesson.md:10:3: found '$' without its partner, expected '\\$' for the sign itself");
+  EXPECT_EQ(error_of("a $$x$$ b"),
+            "lesson.md:10:3: found '$$' inside a text, expected a paragraph of its own, or single '$'");
+  EXPECT_EQ(error_of("> $$x$$").substr(0, 21), "lesson.md:10:3: found");
+  EXPECT_EQ(error_of("> $x\n> + y$"),
+            "lesson.md:10:3: found a formula over several lines in a hint, expected one line");
+  EXPECT_EQ(error_of("$$"), "lesson.md:10:1: found '$$' without its partner, expected '\\$' for the sign itself");
+  EXPECT_EQ(error_of("$ $").substr(0, 36), "lesson.md:10:2: found an empty formu");
+  EXPECT_EQ(error_of("a \x01"), "lesson.md:10:3: found a control character, expected text");
+}
+
+TEST(Markdown, TermsInEmphasisLeadToTheGlossary) {
+  const auto spans =
+      read("A *vertex*, *Vertices*, *many* and [corners](term:vertex), [sum](term:dot-product).").blocks[0].spans;
+  const TextLink vertex{LinkKind::term, "vertex", 0, {}};
+  EXPECT_EQ(spans[1].link, vertex);
+  EXPECT_EQ(spans[3].link, vertex);
+  EXPECT_EQ(spans[5].link, TextLink{});
+  EXPECT_EQ(spans[7], (TextSpan{"corners", TextStyle::plain, vertex}));
+  EXPECT_EQ(spans[9].link.target, "dot product");
+  EXPECT_EQ(error_of("two [corners](term:vertx)"), "lesson.md:10:5: unknown term 'vertx'; did you mean 'vertex'?");
 }
 
 }  // namespace

@@ -57,6 +57,8 @@ void follow_link(Session& session, PanelStates& my, const LinkTarget& target,
     return go_to_step(session, session.document().lesson, target.link.step);
   case LinkKind::lesson:
     return go_to_step(session, target.link.target, target.link.step);
+  case LinkKind::term:
+    return open_glossary(my.lessons.glossary, target.link.target);
   }
 }
 

@@ -58,7 +58,7 @@ void MenuBar::lesson_menu() {
     if (is_read) draw_tick(at, ImGui::GetItemRectSize().y);
   }
   ImGui::Separator();
-  for (const char* name : {"step-next", "step-before", "lesson-after", "lesson-before", "lesson-close"})
+  for (const char* name : {"step-next", "step-before", "lesson-after", "lesson-before", "glossary", "lesson-close"})
     menu_action(actions_, name);
   end_menu();
 }

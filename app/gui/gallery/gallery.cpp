@@ -1,13 +1,18 @@
 #include "gui/gallery/gallery.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <array>
 #include <map>
 
 #include "base/check.h"
+#include "engine/markdown.h"
+#include "engine/maths_specimen.h"
 #include "gui/base/values.h"
 #include "gui/input/actions.h"
+#include "gui/panels/lesson/text_view.h"
+#include "gui/session/session.h"
 #include "gui/shell/shell.h"
 #include "gui/widgets/option_pair.h"
 #include "gui/widgets/widgets.h"
@@ -20,7 +25,8 @@ constexpr std::array few{Choice{"first", "first", "The first of three."}, Choice
 constexpr std::array many{Choice{"one", "a rather long name", ""},  Choice{"two", "another long name", ""},
                           Choice{"three", "a third long name", ""}, Choice{"four", "a fourth long name", ""},
                           Choice{"five", "a fifth long name", ""},  Choice{"six", "a sixth long name", ""}};
-constexpr std::array tabs{Choice{"options", "OPTIONS", ""}, Choice{"table", "TABLE", ""}, Choice{"text", "TEXT", ""}};
+constexpr std::array tabs{Choice{"options", "OPTIONS", ""}, Choice{"table", "TABLE", ""}, Choice{"text", "TEXT", ""},
+                          Choice{"maths", "MATHS", ""}};
 
 constexpr const char* sample_text =
     "A point is in shadow if an object blocks the light. The shadow ray starts at the point and goes to the light.\n\n"
@@ -73,6 +79,7 @@ class Gallery : public Content {
     if (tab_ == 0) draw_options();
     if (tab_ == 1) draw_table();
     if (tab_ == 2) ImGui::TextWrapped("%s", sample_text);
+    if (tab_ == 3) draw_specimen();
     ImGui::EndChild();
     ImGui::End();
     values().publish("gallery/count", count_);
@@ -160,7 +167,26 @@ class Gallery : public Content {
     ImGui::EndTable();
   }
 
+  /// The specimen of formulas as a lesson shows it.
+  void draw_specimen() {
+    static const StepText specimen = read_markdown(maths_specimen(), "specimen", 1);
+    if (!reader_) reader_ = std::make_unique<Session>(SessionHost{});
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::vector<TextLine> lines;
+    for (const TextBlock& block : specimen.blocks) lay_out(block, mark_of(block), Face::body, width, lines);
+    for (const TextLine& line : lines) {
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      ImGui::SetCursorScreenPos({at.x, at.y + line.gap});
+      draw_line(*reader_, line);
+    }
+    const float height = ImGui::GetCursorScreenPos().y - from.y;
+    controls().record("specimen", from, {from.x + width, from.y + height},
+                      fmt::format("{} {} {} {}", from.x, from.y, width, height));
+  }
+
   Shell& shell_;
+  std::unique_ptr<Session> reader_;  ///< what links in a text would act on
   SceneTraits traits_;
   std::array<Settings, 2> settings_;
   std::map<std::pair<const Option*, std::size_t>, Waking> waking_;

@@ -14,10 +14,14 @@ namespace {
 
 /// Signs that words, formulas and tables use: Latin, Greek, punctuation, super- and subscripts, letter-like signs,
 /// arrows, mathematics, boxes and shapes.
-constexpr std::array<ImWchar, 33> wide_ranges{0x0020, 0x007E, 0x00A0, 0x017F, 0x0300, 0x0308, 0x0370, 0x03FF, 0x2010,
-                                              0x2027, 0x2030, 0x203A, 0x2070, 0x209C, 0x20AC, 0x20AC, 0x2113, 0x2122,
-                                              0x2150, 0x215E, 0x2190, 0x21FF, 0x2200, 0x226F, 0x2295, 0x22C5, 0x2300,
-                                              0x2311, 0x2500, 0x25FF, 0x2605, 0x2718, 0};
+constexpr std::array<ImWchar, 39> wide_ranges{
+    0x0020, 0x007E, 0x00A0, 0x017F, 0x0300, 0x0308, 0x0370, 0x03FF, 0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
+    0x209C, 0x20AC, 0x20AC, 0x2113, 0x2122, 0x2150, 0x215E, 0x2190, 0x21FF, 0x2200, 0x226F, 0x2282, 0x2282,
+    0x2295, 0x22C5, 0x22EF, 0x22EF, 0x2300, 0x2311, 0x2500, 0x25FF, 0x2605, 0x2718, 0x27E8, 0x27E9, 0};
+/// What formulas use: letters, digits, Greek, operators, arrows and delimiters.
+constexpr std::array<ImWchar, 19> maths_ranges{0x0020, 0x007E, 0x00A0, 0x00FF, 0x0391, 0x03D6, 0x2010,
+                                               0x2027, 0x2032, 0x2033, 0x2113, 0x2113, 0x2190, 0x21D4,
+                                               0x2200, 0x22EF, 0x2308, 0x230B, 0};
 /// For numbers alone.
 constexpr std::array<ImWchar, 11> narrow_ranges{0x0020, 0x007E, 0x00A0, 0x00FF, 0x0370, 0x03FF,
                                                 0x2010, 0x2027, 0x2190, 0x2193, 0};
@@ -42,6 +46,14 @@ FaceFile face_file(Face face) {
     return {semi_bold, wide_ranges.data(), mono};
   case Face::italic:
     return {"Inter-Italic.otf", wide_ranges.data(), mono};
+  case Face::caption_italic:
+    return {"Inter-SemiBoldItalic.otf", maths_ranges.data(), mono};
+  case Face::script:
+    return {regular, maths_ranges.data(), mono};
+  case Face::script_italic:
+    return {"Inter-Italic.otf", maths_ranges.data(), mono};
+  case Face::script_bold:
+    return {semi_bold, maths_ranges.data(), mono};
   case Face::small:
     return {regular, wide_ranges.data(), mono};
   case Face::mono:
@@ -95,7 +107,12 @@ double type_size(Face face) {
   case Face::heading:
     return 22;
   case Face::caption:
+  case Face::caption_italic:
     return 24;
+  case Face::script:
+  case Face::script_italic:
+  case Face::script_bold:
+    return 17 * script_size;
   }
   return 17;
 }

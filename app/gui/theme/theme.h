@@ -18,10 +18,27 @@ Palette make_palette(Brightness brightness);
 /// Contrast of two opaque sRGB colours after WCAG 2: 1 to 21.
 double contrast(const ImVec4& first, const ImVec4& second);
 
-enum class Face { body, bold, italic, heading, caption, small, small_bold, mono, mono_bold, mono_small };
-inline constexpr int face_count = 10;
+enum class Face {
+  body,
+  bold,
+  italic,
+  heading,
+  caption,
+  caption_italic,
+  small,
+  small_bold,
+  mono,
+  mono_bold,
+  mono_small,
+  script,  ///< sub- and superscripts of formulas in body text, as the next two
+  script_italic,
+  script_bold
+};
+inline constexpr int face_count = 14;
+/// Scripts in formulas, as a share of the size of the text around them.
+inline constexpr double script_size = 0.7;
 /// Size of a face's em in pixels at scale 1: 13 (small print), 17 (text and controls), 22 (headings), 24 (the
-/// presenter's caption).
+/// presenter's caption); of scripts their share of 17.
 double type_size(Face face);
 /// Paddings and distances at scale 1, on a grid of 8 with half steps.
 ImGuiStyle sizes_at_scale_1();

@@ -5,39 +5,53 @@
 #include <algorithm>
 #include <vector>
 
-#include "gui/panels/lesson/text_layout.h"
+#include "gui/panels/lesson/text_pages.h"
+#include "gui/panels/lesson/text_view.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
 namespace {
 
-constexpr std::size_t lines_of_page = 3;
+constexpr float lines_of_page = 3;
 
-std::vector<std::string> lines_of(const LessonStep& step, float width) {
-  std::vector<std::string> lines;
-  const auto add = [&](const std::string& paragraph) {
-    const std::string wrapped = in_lines(paragraph, width);
-    for (std::size_t from = 0; from <= wrapped.size();) {
-      const std::size_t to = std::min(wrapped.find('\n', from), wrapped.size());
-      lines.push_back(wrapped.substr(from, to - from));
-      from = to + 1;
+/// The step's text without links and controls, which are not for an audience.
+std::vector<TextBlock> spoken_blocks(const LessonStep& step) {
+  std::vector<TextBlock> blocks = step.blocks;
+  blocks.insert(blocks.end(), step.hints.begin(), step.hints.end());
+  for (TextBlock& block : blocks)
+    for (TextSpan& span : block.spans) {
+      span.style = TextStyle::plain;
+      span.link = {};
     }
-  };
-  for (const TextBlock& block : step.blocks) {
-    const std::string mark = mark_of(block);
-    add(mark.empty() ? plain_text(block) : mark + " " + plain_text(block));
+  return blocks;
+}
+
+/// The pages of a caption are full: a page may end within a paragraph, and no space parts these.
+std::vector<std::size_t> caption_pages(const std::vector<TextLine>& lines, float height) {
+  std::vector<PagePart> parts;
+  for (const TextLine& line : lines) parts.push_back({0, line.height, false, false});
+  return page_starts(parts, height);
+}
+
+std::string words_of_line(const TextLine& line) {
+  std::string words = line.mark;
+  const TextSpan* formula = nullptr;  // whose words are there already
+  float end = 0;
+  for (const TextPiece& piece : line.pieces) {
+    const bool apart = piece.x > end + 1;
+    end = piece.x + piece.width;
+    if (piece.formula && piece.span == formula) continue;
+    if (!words.empty() && apart) words += ' ';
+    words += piece.formula ? std::string_view(piece.span->text) : piece.text;
+    formula = piece.formula ? piece.span : nullptr;
   }
-  for (const TextBlock& hint : step.hints) add("→ " + plain_text(hint));
-  return lines;
+  return words;
 }
 
 }  // namespace
 
-float caption_height() {
-  const FontScope font(Face::caption);
-  return static_cast<float>(lines_of_page) * ImGui::GetTextLineHeightWithSpacing() + px(40);
-}
+float caption_height() { return lines_of_page * text_line_height(Face::caption) + px(40); }
 
 void caption_strip(Session& session, LessonShelf& shelf) {
   const NameScope scope("caption");
@@ -49,9 +63,14 @@ void caption_strip(Session& session, LessonShelf& shelf) {
   ReadPage& caption = shelf.caption;
   follow_step(session, caption);
   const FontScope font(Face::caption);
-  const std::vector<std::string> lines = lines_of(step, ImGui::GetContentRegionAvail().x);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const std::vector<TextBlock> blocks = spoken_blocks(step);
+  std::vector<TextLine> lines;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    lay_out(blocks[i], i < step.blocks.size() ? mark_of(blocks[i]) : "→", Face::caption, room.x, lines);
+  const std::vector<std::size_t> starts = caption_pages(lines, lines_of_page * text_line_height(Face::caption));
   caption.frame = ImGui::GetFrameCount();
-  caption.pages = std::max(1, static_cast<int>((lines.size() + lines_of_page - 1) / lines_of_page));
+  caption.pages = static_cast<int>(starts.size());
   caption.page = std::clamp(caption.page, 0, caption.pages - 1);
   {
     const FontScope small(Face::bold);
@@ -59,11 +78,18 @@ void caption_strip(Session& session, LessonShelf& shelf) {
                                     caption.pages));
   }
   note_read(shelf, *lesson, index, caption);
-  const std::size_t first = static_cast<std::size_t>(caption.page) * lines_of_page;
+  const auto page = static_cast<std::size_t>(caption.page);
+  const std::size_t end = page + 1 < starts.size() ? starts[page + 1] : lines.size();
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 from = at;
   std::string shown;
-  for (std::size_t i = first; i < std::min(lines.size(), first + lines_of_page); ++i)
-    shown += (shown.empty() ? "" : "\n") + lines[i];
-  value_text("text", shown);
+  for (std::size_t i = starts[page]; i < end; ++i) {
+    ImGui::SetCursorScreenPos(at);
+    draw_line(session, lines[i]);
+    at.y += lines[i].height;
+    shown += (shown.empty() ? "" : "\n") + words_of_line(lines[i]);
+  }
+  controls().record("text", from, {from.x + room.x, at.y}, shown);
 }
 
 }  // namespace ps::gui

@@ -35,6 +35,7 @@ void add_lesson_actions(Actions& actions, Session& session, LessonShelf& shelf) 
                .checked = [&shelf] { return shelf.blank; }});
   add("lesson-after", "Next lesson", "]", [&session] { move_lesson(session, 1); }, {});
   add("lesson-before", "Previous lesson", "[", [&session] { move_lesson(session, -1); }, {});
+  add("glossary", "Glossary: terms and what they mean", "Shift+G", [&shelf] { open_glossary(shelf.glossary); }, {});
   add(
       "lesson-close", "Close the lesson", "", [&session] { close_lesson(session); }, in_lesson);
 }

@@ -67,7 +67,7 @@ double line_length(const std::vector<TextLine>& lines) {
   for (const TextLine& line : lines)
     for (std::size_t i = 0; i < line.pieces.size(); ++i) {
       const TextPiece& piece = line.pieces[i];
-      if (piece.control || piece.face == Face::heading || piece.face == Face::small) continue;
+      if (piece.control || piece.formula || piece.face == Face::heading || piece.face == Face::small) continue;
       for (const char c : piece.text) characters += (static_cast<unsigned char>(c) & 0xC0u) != 0x80u ? 1 : 0;
       width += piece.width;
       if (i + 1 < line.pieces.size() && line.pieces[i + 1].x > piece.x + piece.width) {

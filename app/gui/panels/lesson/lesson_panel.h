@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/lesson.h"
+#include "gui/panels/lesson/glossary_sheet.h"
 #include "gui/panels/lesson/text_view.h"
 #include "gui/panels/options/waking_cache.h"
 #include "gui/session/session.h"
@@ -43,6 +44,7 @@ class LessonShelf {
   bool blank = false;  ///< the presenter's window is black, so that all look at the speaker
   WakingCache wakings;
   ReadLessons read;
+  GlossaryState glossary;
   std::string shown_option;            ///< the page with its controls is to be turned to, once
   std::optional<LinkTarget> followed;  ///< what was clicked in the text, until the window takes it
 

@@ -7,6 +7,8 @@
 
 #include "gui/panels/lesson/option_field.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/maths_draw.h"
+#include "gui/widgets/maths_layout.h"
 
 namespace ps::gui {
 namespace {
@@ -58,12 +60,48 @@ void add_controls(const TextSpan& span, float line_width, std::vector<Word>& wor
   }
 }
 
+/// A part of a formula; `part` counts them.
+TextPiece formula_piece(const TextSpan& span, std::size_t part, Face face, MathsBox box) {
+  TextPiece piece;
+  piece.text = std::string_view(span.text).substr(std::min(part, span.text.size()));  // another address for each
+  piece.width = std::ceil(box.width);
+  piece.face = face;
+  piece.span = &span;
+  piece.formula = std::make_shared<const MathsBox>(std::move(box));
+  return piece;
+}
+
+/// A formula in the text; `open`: its first part belongs to the last word.
+void add_formula(const TextSpan& span, Face face, float line_width, bool open, std::vector<Word>& words) {
+  const WindowMathsFont font(maths_faces(face));
+  std::size_t part = 0;
+  for (MathsBox& box : set_in_text(*span.formula, font, line_width)) {
+    if (!open || part > 0) words.emplace_back();
+    words.back().add(formula_piece(span, part++, face, std::move(box)));
+  }
+}
+
+/// The lines of a formula that is a paragraph of its own, as one word each.
+std::vector<Word> lines_of_formula(const TextSpan& span, Face face, float line_width) {
+  const WindowMathsFont font(maths_faces(face));
+  std::vector<Word> words;
+  for (MathsBox& box : set_displayed(*span.formula, font, line_width))
+    words.emplace_back().add(formula_piece(span, words.size(), face, std::move(box)));
+  return words;
+}
+
 std::vector<Word> words_of(const TextBlock& block, Face plain, float line_width) {
+  if (display_formula(block)) return lines_of_formula(block.spans.front(), plain, line_width);
   std::vector<Word> words;
   bool open = false;  // what comes next belongs to the last word
   for (const TextSpan& span : block.spans) {
     if (span.link.kind == LinkKind::control) {
       add_controls(span, line_width, words);
+      open = true;
+      continue;
+    }
+    if (span.formula) {
+      add_formula(span, plain, line_width, open && !words.empty(), words);
       open = true;
       continue;
     }
@@ -83,10 +121,23 @@ std::vector<Word> words_of(const TextBlock& block, Face plain, float line_width)
   return words;
 }
 
+/// The room that the formulas of a line need above and below words in this face, which have `text_height`.
+void make_room(TextLine& line, Face face, float text_height) {
+  const FontScope font(face);
+  const float baseline = std::floor((text_height - ImGui::GetFontSize()) / 2) + ascent_of(face);
+  const float free = px(2);
+  for (const TextPiece& piece : line.pieces) {
+    if (!piece.formula) continue;
+    line.rise = std::max(line.rise, std::ceil(piece.formula->above + free - baseline));
+    line.fall = std::max(line.fall, std::ceil(piece.formula->below + free - (text_height - baseline)));
+  }
+}
+
 float line_height(const TextLine& line, float text_height) {
   const bool control = std::any_of(line.pieces.begin(), line.pieces.end(),
                                    [](const TextPiece& piece) { return piece.control.has_value(); });
-  return control ? std::max(text_height, ImGui::GetFrameHeight() + px(4)) : text_height;
+  const float words = control ? std::max(text_height, ImGui::GetFrameHeight() + px(4)) : text_height;
+  return line.rise + words + line.fall;
 }
 
 float gap_before(BlockKind kind, bool first_of_list) {
@@ -113,15 +164,16 @@ std::vector<Side> control_sides(const TextLink& link) {
   return link.side ? std::vector{*link.side} : std::vector(both_sides.begin(), both_sides.end());
 }
 
+float text_line_height(Face face) {
+  const FontScope font(face);
+  return std::floor(ImGui::GetFontSize() * line_spacing);
+}
+
 void lay_out(const TextBlock& block, std::string_view mark, Face face, float width, std::vector<TextLine>& lines) {
-  if (block.kind == BlockKind::heading) face = Face::bold;
-  float height = 0, space = 0;
-  {
-    const FontScope font(face);
-    height = std::floor(ImGui::GetFontSize() * line_spacing);
-    space = text_width(" ");
-  }
-  const float indent = mark.empty() ? 0 : std::max(px(22), width_in(face, mark) + px(8));
+  if (block.kind == BlockKind::heading && face == Face::body) face = Face::bold;
+  const float height = text_line_height(face), space = width_in(face, " ");
+  const bool displayed = display_formula(block) != nullptr;
+  const float indent = displayed ? px(22) : mark.empty() ? 0 : std::max(px(22), width_in(face, mark) + px(8));
   const bool follows_item = !lines.empty() && !lines.back().mark.empty();
   TextLine line;
   line.begins_block = true;
@@ -129,6 +181,7 @@ void lay_out(const TextBlock& block, std::string_view mark, Face face, float wid
   line.gap = lines.empty() ? 0 : gap_before(block.kind, !follows_item);
   float x = indent;
   const auto end_line = [&] {
+    make_room(line, face, height);
     line.height = line_height(line, height);
     line.stays_with_next = block.kind == BlockKind::heading || face == Face::heading;
     lines.push_back(std::move(line));
@@ -136,7 +189,7 @@ void lay_out(const TextBlock& block, std::string_view mark, Face face, float wid
     x = indent;
   };
   for (const Word& word : words_of(block, face, width - indent)) {
-    if (x > indent && x + space + word.width > width) end_line();
+    if (x > indent && (displayed || x + space + word.width > width)) end_line();
     if (x > indent) x += space;
     for (TextPiece piece : word.pieces) {
       piece.x += x;

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -6,17 +7,20 @@
 
 #include "engine/text.h"
 #include "gui/theme/theme.h"
+#include "gui/widgets/maths_box.h"
 #include "options/waking.h"
 
 namespace ps::gui {
 
-/// What stands at one place of a line: a word or a part of one in one face, or a live control of one side.
+/// What stands at one place of a line: a word or a part of one in one face, a formula or a part of one, or a live
+/// control of one side.
 struct TextPiece {
   float x = 0, width = 0;  ///< from the left end of the line, window pixels
   std::string_view text;
   Face face = Face::body;
-  const TextSpan* span = nullptr;  ///< from which it is
-  std::optional<Side> control;     ///< whose option is changed here
+  const TextSpan* span = nullptr;                ///< from which it is
+  std::optional<Side> control;                   ///< whose option is changed here
+  std::shared_ptr<const MathsBox> formula = {};  ///< in place of the text
 };
 
 /// What a live control of the text above needs to act.
@@ -29,6 +33,7 @@ struct ControlNeed {
 
 struct TextLine {
   float gap = 0, height = 0;  ///< free space above it, and its own height
+  float rise = 0, fall = 0;   ///< of the height: what formulas need above and below a line of words
   std::vector<TextPiece> pieces;
   std::string mark;  ///< in front of the first line of an item: "•", "1."
   bool begins_block = false;
@@ -39,6 +44,9 @@ struct TextLine {
 /// Adds the lines of a block in lines of at most this width, which end between words. `mark` stands in front of the
 /// first; the others are indented as it is. The block must outlive the lines.
 void lay_out(const TextBlock& block, std::string_view mark, Face face, float width, std::vector<TextLine>& lines);
+
+/// The height of a line of words in this face.
+float text_line_height(Face face);
 
 /// The mark of a block in the text: a bullet, a number, or nothing.
 std::string mark_of(const TextBlock& block);

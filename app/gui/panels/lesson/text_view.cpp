@@ -5,9 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "engine/glossary.h"
+#include "gui/base/fit.h"
 #include "gui/panels/lesson/option_field.h"
 #include "gui/panels/lesson/text_needs.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/maths_draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -35,12 +38,14 @@ std::string name_of(const LinkTarget& target) {
     return fmt::format("step:{}", target.link.step + 1);
   case LinkKind::lesson:
     return fmt::format("lesson:{}/{}", target.link.target, target.link.step + 1);
+  case LinkKind::term:
+    return "term:" + target.link.target;
   }
   return {};
 }
 
-std::string_view help_of(LinkKind kind) {
-  switch (kind) {
+std::string help_of(const TextLink& link) {
+  switch (link.kind) {
   case LinkKind::none:
   case LinkKind::option:
   case LinkKind::control:
@@ -51,6 +56,10 @@ std::string_view help_of(LinkKind kind) {
     return "Goes to this step.";
   case LinkKind::lesson:
     return "Opens this lesson.";
+  case LinkKind::term:
+    if (const GlossaryEntry* entry = find_entry(link.target))
+      return fmt::format("{}: {}", entry->term, plain_text(entry->definition));
+    return "Opens the glossary.";
   }
   return {};
 }
@@ -71,7 +80,7 @@ bool link_button(const TextPiece& piece, ImVec2 min, ImVec2 max, const LinkTarge
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   controls().record(name, std::string(piece.span->text));
-  tooltip(help_of(target.link.kind));
+  tooltip(help_of(target.link));
   ImGui::PopID();
   const Palette& p = palette();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -79,6 +88,16 @@ bool link_button(const TextPiece& piece, ImVec2 min, ImVec2 max, const LinkTarge
   draw.AddLine({min.x, max.y - px(2)}, {max.x, max.y - px(2)}, colour_u32(hovered ? p.text : p.text_quiet), px(1.2));
   ImGui::SetCursorScreenPos(back);
   return clicked;
+}
+
+/// `at` is the upper left corner of a word in the formula's place.
+void draw_formula(const TextPiece& piece, ImVec2 at) {
+  const MathsBox& box = *piece.formula;
+  const float baseline = at.y + ascent_of(piece.face), room = ImGui::GetContentRegionAvail().x;
+  if (piece.x + box.width > room + 1)
+    fit_watch().shortened({at.x, baseline - box.above}, {at.x + box.width, baseline + box.below}, piece.span->text);
+  draw_maths(*ImGui::GetWindowDrawList(), {at.x, baseline}, box, WindowMathsFont(maths_faces(piece.face)),
+             palette().text);
 }
 
 }  // namespace
@@ -96,7 +115,7 @@ std::optional<LinkTarget> draw_line(Session& session, const TextLine& line) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   std::optional<LinkTarget> clicked;
-  const float middle = at.y + line.height / 2;
+  const float middle = at.y + line.rise + (line.height - line.rise - line.fall) / 2;
   if (line.need) {
     draw_need(session, *line.need, ImGui::GetContentRegionAvail().x);
     ImGui::SetCursorScreenPos({at.x, at.y + line.height});
@@ -119,6 +138,10 @@ std::optional<LinkTarget> draw_line(Session& session, const TextLine& line) {
     const FontScope font(piece.face);
     const ImVec2 min{x, at.y}, max{std::floor(at.x + end_of(line, i)), at.y + line.height};
     if (const auto target = target_of(*piece.span); target && link_button(piece, min, max, *target)) clicked = target;
+    if (piece.formula) {
+      draw_formula(piece, {x, std::floor(middle - ImGui::GetFontSize() / 2)});
+      continue;
+    }
     if (piece.face == Face::mono && piece.span->style == TextStyle::code)
       draw.AddRectFilled({min.x - px(2), min.y + px(1)}, {max.x + px(2), max.y - px(2)},
                          colour_u32(palette().field_active), px(3));

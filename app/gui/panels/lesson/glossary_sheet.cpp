@@ -1,0 +1,127 @@
+#include "gui/panels/lesson/glossary_sheet.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/check.h"
+#include "base/word_search.h"
+#include "engine/glossary.h"
+#include "gui/base/values.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/overlay.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr int frames_to_scroll = 3;  // the list has its full length only once it was drawn
+
+/// What the file holds, or what is wrong with it.
+struct ReadGlossary {
+  const std::vector<GlossaryEntry>* entries = nullptr;
+  std::string fault;
+};
+
+const ReadGlossary& read_once() {
+  static const ReadGlossary result = [] {
+    ReadGlossary read;
+    try {
+      read.entries = &glossary();
+    } catch (const InputError& error) {
+      read.fault = error.what();
+    }
+    return read;
+  }();
+  return result;
+}
+
+std::string all_forms(const GlossaryEntry& entry) {
+  std::string forms;
+  for (const std::string& form : entry.forms) forms += form + " ";
+  return forms;
+}
+
+/// The term in bold on a line of its own, its definition below.
+std::optional<LinkTarget> draw_entry(Session& session, GlossaryState& state, const GlossaryEntry& entry, float width) {
+  const bool marked = entry.term == state.term;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float edge = px(8), inside = width - 2 * edge;
+  std::vector<TextLine> lines;
+  lay_out(entry.definition, {}, Face::body, inside, lines);
+  float height = ImGui::GetTextLineHeight() + px(8);
+  for (const TextLine& line : lines) height += line.gap + line.height;
+  const ImVec2 to{from.x + width, from.y + height};
+  if (marked) ImGui::GetWindowDrawList()->AddRectFilled(from, to, colour_u32(palette().selection), px(4));
+  ImGui::SetCursorScreenPos({from.x + edge, from.y + px(4)});
+  {
+    const FontScope bold(Face::bold);
+    draw_lines(ImGui::GetCursorScreenPos(), entry.term, palette().text);
+  }
+  std::optional<LinkTarget> followed;
+  float y = from.y + px(4) + ImGui::GetTextLineHeight();
+  for (const TextLine& line : lines) {
+    ImGui::SetCursorScreenPos({from.x + edge, y + line.gap});
+    if (auto clicked = draw_line(session, line)) followed = std::move(clicked);
+    y += line.gap + line.height;
+  }
+  ImGui::SetCursorScreenPos(from);
+  ImGui::Dummy({width, height + px(6)});
+  if (marked && state.scroll_for > 0) {
+    ImGui::SetScrollHereY(0.3f);
+    --state.scroll_for;
+  }
+  controls().record("term/" + entry.term, from, {to.x, from.y + px(4) + ImGui::GetTextLineHeight()},
+                    plain_text(entry.definition));
+  return followed;
+}
+
+}  // namespace
+
+void open_glossary(GlossaryState& state, const std::string& term) {
+  state.open = state.just_opened = true;
+  state.search.clear();
+  state.term = term;
+  state.scroll_for = frames_to_scroll;
+}
+
+std::optional<LinkTarget> glossary_sheet(Session& session, GlossaryState& state) {
+  values().publish("glossary/open", state.open);
+  if (!state.open) return {};
+  const NameScope names("glossary");
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{std::min(px(760), display.x - px(40)), std::min(px(720), display.y - px(40))};
+  const Overlay overlay("##glossary", {(display.x - size.x) / 2, (display.y - size.y) / 2}, size,
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, state.just_opened);
+  {
+    const FontScope title(Face::heading);
+    ImGui::TextUnformatted("Glossary");
+  }
+  ImGui::SameLine(size.x - px(24) - px(84));
+  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) state.open = false;
+  search_box("search", state.search, "Search terms and definitions");
+  ImGui::Dummy({0, px(4)});
+  std::optional<LinkTarget> followed;
+  ImGui::BeginChild("##terms");
+  const ReadGlossary& read = read_once();
+  if (!read.entries) quiet_text(read.fault);
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::size_t shown = 0;
+  if (read.entries)
+    for (const GlossaryEntry& entry : *read.entries) {
+      if (!has_words(state.search, {entry.term, all_forms(entry), plain_text(entry.definition)})) continue;
+      ++shown;
+      if (auto clicked = draw_entry(session, state, entry, width)) followed = std::move(clicked);
+    }
+  if (read.entries && shown == 0) quiet_text("No term or definition has these words.");
+  ImGui::EndChild();
+  if (overlay.left()) state.open = false;
+  if (!followed) return {};
+  if (followed->link.kind == LinkKind::term) {
+    open_glossary(state, followed->link.target);
+    return {};
+  }
+  state.open = false;
+  return followed;
+}
+
+}  // namespace ps::gui
