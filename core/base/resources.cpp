@@ -20,6 +20,7 @@ std::filesystem::path chapter_dir() { return under_root("chapters", PIXELSCOPE_C
 std::filesystem::path course_file() { return chapter_dir() / "course.md"; }
 std::filesystem::path glossary_file() { return chapter_dir() / "glossary.md"; }
 std::filesystem::path lesson_file(std::string_view folder) { return chapter_dir() / folder / "lesson.md"; }
+std::filesystem::path glossary_file() { return chapter_dir() / "glossary.md"; }
 std::filesystem::path listing_file(std::string_view folder) { return chapter_dir() / folder / "listing.cpp"; }
 
 std::filesystem::path shader_file(std::string_view name) {

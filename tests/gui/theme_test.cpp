@@ -12,8 +12,11 @@
 #include <vector>
 
 #include "base/resources.h"
+#include "engine/maths_signs.h"
 #include "gui/program.h"
 #include "gui/theme/contrast.h"
+#include "gui/widgets/maths_draw.h"
+#include "gui/widgets/maths_shapes.h"
 #include "options/option.h"
 #include "study/chart_style.h"
 
@@ -171,6 +174,21 @@ TEST_F(Glyphs, OfLessons) {
 TEST_F(Glyphs, OfFormulas) {
   expect_glyphs("αβγδεθλμπρσφω ΔΣΩ ←↑→↓↔⇒ ⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ ₀₁₂₃₄₅₆₇₈₉ × · ∞ ± ≠ ≈ ≤ ≥ √ ° − – — … “ ” ‘ ’ äöüßéø",
                 "formulas");
+}
+
+/// In every face in which formulas are set; some delimiters are drawn with lines instead.
+TEST_F(Glyphs, OfTheCommandsOfFormulas) {
+  for (const Face text : {Face::body, Face::caption}) {
+    const MathsFaces faces = maths_faces(text);
+    for (const ps::SignCommand& command : ps::sign_commands()) {
+      const std::string& sign = command.sign.text;
+      if (always_drawn(sign)) continue;
+      for (const Face face : command.sign.style == ps::MathsStyle::italic
+                                 ? std::vector{faces.italic, faces.script_italic}
+                                 : std::vector{faces.upright, faces.script})
+        EXPECT_TRUE(theme().has_glyphs(face, sign.c_str())) << command.name << ": " << sign;
+    }
+  }
 }
 
 TEST_F(Glyphs, AreMissedWhereTheyAreMissing) {

@@ -56,7 +56,7 @@ bool begin_tooltip() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(8)});
   ImGui::BeginTooltip();
   ImGui::PushFont(theme().font(Face::body));
-  ImGui::PushTextWrapPos(tooltip_width());
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + tooltip_width());  // it counts from the window's edge
   return true;
 }
 

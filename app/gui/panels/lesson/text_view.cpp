@@ -80,10 +80,7 @@ bool link_button(const TextPiece& piece, ImVec2 min, ImVec2 max, const LinkTarge
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   controls().record(name, std::string(piece.span->text));
-  {
-    const FontScope body(Face::body);
-    tooltip(help_of(target.link));
-  }
+  tooltip(help_of(target.link));
   ImGui::PopID();
   const Palette& p = palette();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
