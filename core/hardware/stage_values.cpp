@@ -42,7 +42,7 @@ PicturePlan keeping_plan(const Scene& scene, const View& view, Settings settings
   return plan;
 }
 
-Drawing draw(const PicturePlan& plan, const View& view) {
+Drawing draw_kept(const PicturePlan& plan, const View& view) {
   Drawing drawing;
   drawing.frame = empty_frame<float>(view, stage_request());
   on_gl_thread([&](Workshop& shop) {
@@ -81,7 +81,7 @@ StageValues::Seen draw_alone(PicturePlan plan, const View& view, const PixelId& 
     one.triangles = {object.mesh->triangles[static_cast<std::size_t>(id.triangle)]};
     object.mesh = std::make_shared<const Mesh>(std::move(one));
   }
-  Drawing drawing = draw(plan, view);
+  Drawing drawing = draw_kept(plan, view);
   for (PixelId& shown : drawing.frame.ids.pixels())
     if (shown.object >= 0) shown = id;
   return seen_of(drawing);
@@ -114,7 +114,7 @@ std::shared_ptr<const StageValues> stage_values(const Scene& scene, const View& 
   if (!availability().driver) throw InputError(availability().reason);
   values->subpixel_bits = availability().driver->subpixel_bits;
   const PicturePlan plan = keeping_plan(scene, view, settings, prepared, progress);
-  Drawing drawn = draw(plan, view);
+  Drawing drawn = draw_kept(plan, view);
   values->seen = seen_of(drawn);
   values->larger_is_nearer = plan.depth.larger_is_nearer();
   values->draw_alone = [plan, view](const PixelId& id) { return draw_alone(plan, view, id); };
@@ -132,7 +132,7 @@ std::shared_ptr<const StageValues> stage_values(const Scene& scene, const View& 
   plain.normal_mapping = false;
   plain.parallax = Parallax::off;
   plain.renormalise = false;
-  const Drawing before_maps = draw(keeping_plan(scene, view, plain, prepared, progress), view);
+  const Drawing before_maps = draw_kept(keeping_plan(scene, view, plain, prepared, progress), view);
   values->normal = three_of(before_maps.kept[1]);
   values->position = three_of(before_maps.kept[2]);
   values->uv = before_maps.frame.uv;

@@ -19,7 +19,7 @@ struct CauseText {
   Rgb8 colour;
 };
 
-constexpr std::array texts{
+constexpr std::array cause_texts{
     CauseText{StageCause::none, "none", "The pixels are equal within one level of 255.", {38, 38, 38}},
     CauseText{StageCause::coverage,
               "coverage",
@@ -47,19 +47,19 @@ constexpr std::array texts{
               {240, 228, 66}},
     CauseText{StageCause::unexplained, "unexplained", "No repair makes the pixel equal.", {255, 255, 255}}};
 
-const CauseText& text_of(StageCause cause) { return texts[static_cast<std::size_t>(cause)]; }
+const CauseText& cause_text(StageCause cause) { return cause_texts[static_cast<std::size_t>(cause)]; }
 
 /// The sum over the channels, and the largest of them.
 struct LevelDifference {
   int sum = 0, largest = 0;
 };
 
-LevelDifference difference_of(const Rgb8& a, const Rgb8& b) {
+LevelDifference level_difference(const Rgb8& a, const Rgb8& b) {
   const int r = std::abs(a.r - b.r), g = std::abs(a.g - b.g), blue = std::abs(a.b - b.b);
   return {r + g + blue, std::max({r, g, blue})};
 }
 
-void add(StageShare& share, bool colour, bool id, double error) {
+void count_pixel(StageShare& share, bool colour, bool id, double error) {
   ++share.pixels;
   share.colours += colour;
   share.ids += id;
@@ -71,9 +71,9 @@ bool is_rasterizer(const Settings& settings) { return settings.renderer == rende
 
 }  // namespace
 
-std::string_view stage_cause_label(StageCause cause) { return text_of(cause).label; }
-std::string_view stage_cause_help(StageCause cause) { return text_of(cause).help; }
-Rgb8 stage_cause_colour(StageCause cause) { return text_of(cause).colour; }
+std::string_view stage_cause_label(StageCause cause) { return cause_text(cause).label; }
+std::string_view stage_cause_help(StageCause cause) { return cause_text(cause).help; }
+Rgb8 stage_cause_colour(StageCause cause) { return cause_text(cause).colour; }
 
 double StageSplit::part(StageCause cause) const {
   return whole.pixels == 0 ? 0 : static_cast<double>(share(cause).pixels) / static_cast<double>(whole.pixels);
@@ -126,15 +126,15 @@ StageSplit split_by_stage(const StageRequest& request, StudyControl& control,
     control.wait_here();
     if (update) update({y, a.height(), -1});
     for (int x = 0; x < a.width(); ++x) {
-      const LevelDifference difference = difference_of(a.at(x, y), b.at(x, y));
+      const LevelDifference difference = level_difference(a.at(x, y), b.at(x, y));
       const bool colour = difference.largest > request.bound, id = theirs.ids.at(x, y) != ours.ids.at(x, y);
       if (!colour && !id) continue;
       if (!repair) repair = std::make_unique<StageRepair>(request, prepared, control);
       const RepairedPixel found = repair->cause_of({x, y}, a.at(x, y));
       split.causes.at(x, y) = found.cause;
       const double error = colour ? difference.sum : 0;
-      add(split.shares[static_cast<std::size_t>(found.cause)], colour, id, error);
-      add(split.whole, colour, id, error);
+      count_pixel(split.shares[static_cast<std::size_t>(found.cause)], colour, id, error);
+      count_pixel(split.whole, colour, id, error);
       if (colour) split.largest = std::max(split.largest, difference.largest);
       if (found.cause == StageCause::coverage) split.edge_distance = std::max(split.edge_distance, found.edge_distance);
     }

@@ -20,7 +20,7 @@ std::shared_ptr<const StageValues> stages_of(const StageRequest& request, Prepar
       .stage_values(request.scene, request.view, request.other, prepared, control.progress());
 }
 
-std::size_t find(const std::vector<CoveringTriangle>& covering, const PixelId& id) {
+std::size_t place_of(const std::vector<CoveringTriangle>& covering, const PixelId& id) {
   const auto found =
       std::find_if(covering.begin(), covering.end(), [&](const CoveringTriangle& c) { return c.id == id; });
   return static_cast<std::size_t>(found - covering.begin());
@@ -98,7 +98,7 @@ StageRepair::Covering StageRepair::with_their_coverage(const Pixel& pixel, Touch
   Covering covering = pixel.covering;
   if (pixel.ours && counts(*pixel.ours) && !their_depth(*pixel.ours, pixel.at))
     std::erase_if(covering, [&](const CoveringTriangle& c) { return c.id == *pixel.ours; });
-  if (pixel.theirs.object >= 0 && find(covering, pixel.theirs) == covering.size() && counts(pixel.theirs)) {
+  if (pixel.theirs.object >= 0 && place_of(covering, pixel.theirs) == covering.size() && counts(pixel.theirs)) {
     auto piece = replay_.nearest_piece(pixel.theirs, pixel.at);
     if (!piece) piece = replay_.uncut(pixel.theirs, pixel.at);
     // In drawing order, which decides between equal depths.
@@ -159,12 +159,12 @@ bool StageRepair::coverage(Pixel& pixel) {
   }
   // The same triangle: its stencil, which the faces of shadow volumes have counted in.
   if (stages_->in_shadow.empty() || !pixel.ours) return false;
-  const std::size_t seen = find(pixel.covering, *pixel.ours);
+  const std::size_t seen = place_of(pixel.covering, *pixel.ours);
   return equal(pixel, replay_.shade(pixel.covering[seen], pixel.at, {}, ReplayMaps::given));
 }
 
 bool StageRepair::depth(Pixel& pixel) {
-  if (pixel.ours.value_or(PixelId{}) == pixel.theirs || find(pixel.covering, pixel.theirs) == pixel.covering.size())
+  if (pixel.ours.value_or(PixelId{}) == pixel.theirs || place_of(pixel.covering, pixel.theirs) == pixel.covering.size())
     return false;
   return depths_prefer_theirs(pixel) && shows(pixel, without_ours(pixel, pixel.covering));
 }
@@ -175,14 +175,14 @@ bool StageRepair::clipping(Pixel& pixel) {
     return covering != pixel.covering && shows(pixel, covering);
   }
   if (!pixel.ours) return false;
-  const CoveringTriangle& seen = pixel.covering[find(pixel.covering, *pixel.ours)];
+  const CoveringTriangle& seen = pixel.covering[place_of(pixel.covering, *pixel.ours)];
   return seen.cut && equal(pixel, replay_.shade(seen, pixel.at, replay_.whole_triangle_at(seen, pixel.at)));
 }
 
 bool StageRepair::interpolation(const Pixel& pixel) {
   if (!pixel.ours || *pixel.ours != pixel.theirs) return false;
   return equal(pixel,
-               replay_.shade(pixel.covering[find(pixel.covering, *pixel.ours)], pixel.at, interpolated(pixel.at)));
+               replay_.shade(pixel.covering[place_of(pixel.covering, *pixel.ours)], pixel.at, interpolated(pixel.at)));
 }
 
 bool StageRepair::filtering(const Pixel& pixel) {
@@ -191,7 +191,7 @@ bool StageRepair::filtering(const Pixel& pixel) {
   add_texels(pixel.at, given);
   // A stencil is no texture: coverage() has tried it.
   const ReplayMaps maps = stages_->in_shadow.empty() ? ReplayMaps::given : ReplayMaps::own;
-  return equal(pixel, replay_.shade(pixel.covering[find(pixel.covering, *pixel.ours)], pixel.at, given, maps));
+  return equal(pixel, replay_.shade(pixel.covering[place_of(pixel.covering, *pixel.ours)], pixel.at, given, maps));
 }
 
 bool StageRepair::missing_effect(const Pixel& pixel) const {

@@ -17,7 +17,7 @@
 namespace ps {
 namespace {
 
-constexpr int side = 256;
+constexpr int tie_side = 256;
 
 struct TieCount {
   long covered = 0, differ = 0;
@@ -54,21 +54,21 @@ TieCount count_ties(Reach reach, Renderer hardware) {
       };
       places[k].x = place();
       places[k].y = place();
-      triangle.points[k] = {places[k].x - side / 2.0, side / 2.0 - places[k].y};
+      triangle.points[k] = {places[k].x - tie_side / 2.0, tie_side / 2.0 - places[k].y};
       triangle.colours[k] = Vec3d(1, 0, 0);
       triangle.h[k] = 1;
     }
     scene.canvas_items.edit([&](std::vector<CanvasItem>& items) { items = {CanvasItem(triangle)}; });
     Settings settings;
     settings.subpixel_bits = hardware::availability().driver->subpixel_bits;
-    const View view{scene.camera, side, side};
+    const View view{scene.camera, tie_side, tie_side};
     settings.renderer = hardware;
     const Frame a = render(scene, view, settings);
     settings.renderer = renderer_for(PictureWay::fragments);
     const Frame b = render(scene, view, settings);
     const Vec3f nothing(scene.background);
-    for (int y = 0; y < side; ++y)
-      for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < tie_side; ++y)
+      for (int x = 0; x < tie_side; ++x) {
         const bool in_a = a.colour.at(x, y) != nothing, in_b = b.colour.at(x, y) != nothing;
         if (!in_a && !in_b) continue;
         const double distance = distance_from_edges(places, {x + 0.5, y + 0.5});
