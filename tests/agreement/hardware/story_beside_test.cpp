@@ -16,7 +16,7 @@
 #include "scene/load.h"
 #include "support/environment.h"
 
-namespace ps {
+namespace ps::hardware_story_beside_test {
 namespace {
 
 constexpr int side = 200, pixels_of_scene = 12;
@@ -116,4 +116,4 @@ TEST(HardwareStoryBeside, TheMicroscopeShowsNoTrianglesOfTheRasterizer) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::hardware_story_beside_test

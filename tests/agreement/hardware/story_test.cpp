@@ -17,7 +17,7 @@
 #include "scene/load.h"
 #include "support/environment.h"
 
-namespace ps {
+namespace ps::hardware_story_test {
 namespace {
 
 constexpr int width = 240, height = 180;
@@ -184,4 +184,4 @@ TEST(HardwareStory, EndsWithThePicturesColourAndDepth) {
 }
 
 }  // namespace
-}  // namespace ps
+}  // namespace ps::hardware_story_test
