@@ -1,4 +1,4 @@
-// A scene that takes long to load: the window stays usable, says what it does, and can be told to stop.
+// A scene that takes long to load: the window stays usable, says what it does, and can be stopped.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 // Every script of tests/gui/scripts in the real window, at the sizes of a small and of a common screen. A first line
-// "# arguments: ..." gives arguments for the program. OUT/ stands for a folder for screenshots; none may be blank.
+// "# arguments: ..." gives arguments for the program. A line "# size: WxH" is for scripts that wait for
+// measurements: they are played at this size alone. OUT/ stands for a folder for screenshots; none may be blank.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,12 +48,27 @@ void expect_drawn(const std::filesystem::path& path) {
   EXPECT_GT(*std::max_element(quarters.begin(), quarters.end()), 100u) << path;
 }
 
+std::string text_of(const std::string& script) {
+  return ps::test::read_file("tests/gui/scripts/" + script + ".script");
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const std::string& script : scripts()) {
+    const std::string text = "\n" + text_of(script);
+    for (const std::string size : {"1366x768", "1920x1080"})
+      if (text.find("\n# size: ") == std::string::npos || text.find("\n# size: " + size + "\n") != std::string::npos)
+        all.emplace_back(script, size);
+  }
+  return all;
+}
+
 class Script : public testing::TestWithParam<Case> {};
 
 TEST_P(Script, Plays) {
   const auto& [name, size] = GetParam();
   const auto folder = ps::fresh_output_folder("gui-" + name + "-" + size);
-  std::string commands = ps::test::read_file("tests/gui/scripts/" + name + ".script");
+  std::string commands = text_of(name);
   ASSERT_FALSE(commands.empty());
   std::string arguments;
   const std::string mark = "# arguments: ";
@@ -72,9 +88,7 @@ std::string test_name(const testing::TestParamInfo<Case>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Window, Script,
-                         testing::Combine(testing::ValuesIn(scripts()), testing::Values("1366x768", "1920x1080")),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Window, Script, testing::ValuesIn(cases()), test_name);
 
 }  // namespace
 }  // namespace scripts_test

@@ -1,9 +1,7 @@
-// Nothing in the window is cut off or overlaps: in every mode and tool, and in every step of every lesson, at the sizes
+// Nothing in the window is cut off or overlaps: in every mode and tool, and in the lessons, at the sizes
 // of old and new screens, with common and with large type.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <sstream>
 
 #include "engine/lesson.h"
@@ -17,8 +15,8 @@ struct FitScreen {
   std::string size, type;  ///< type: --scale
 };
 
-std::string name_of_screen(const testing::TestParamInfo<FitScreen>& info) {
-  std::string name = info.param.size + "_type_" + info.param.type;
+std::string name_of(const FitScreen& screen) {
+  std::string name = screen.size + "_type_" + screen.type;
   for (char& c : name)
     if (c == '.') c = '_';
   return name;
@@ -77,34 +75,60 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
   expect_all_fits(commands + "quit\n", places, GetParam(), "cgfs/shadows --size 60x60");
 }
 
-TEST_P(WindowFit, NothingIsCutInAnyStepOfALesson) {
-  // Pictures are waited for on four screens alone, of every fourth lesson each: it takes long. Otherwise a step is
-  // looked at as soon as it is drawn.
-  constexpr std::array waiting{"1366x768 1", "1920x1080 1", "1024x768 1", "1366x768 1.5"};
-  const auto* const found = std::find(waiting.begin(), waiting.end(), GetParam().size + " " + GetParam().type);
-  const auto waited = found - waiting.begin();  // of the lessons; on other screens none
-  std::string commands = "wait idle\n";
-  std::vector<FitPlace> places;
-  int number = 0;
-  for (const std::string& name : ps::lesson_names()) {
-    const std::string wait = number++ % std::ssize(waiting) == waited ? "wait idle\n" : "wait frames 4\n";
-    const auto steps = ps::load_lesson(name).steps.size();
-    for (std::size_t step = 0; step < steps; ++step) {
-      if (step > 0 || !places.empty()) commands += (step == 0 ? "key ]\n" : "key Shift+PageDown\n") + wait;
-      commands += "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
-      // Until its pictures come, a step shows those of the one before.
-      places.push_back({name + ", step " + std::to_string(step + 1), wait == "wait idle\n" ? 30.0 : 0.0});
-    }
-  }
-  expect_all_fits(commands + "quit\n", places, GetParam(), "--lesson " + ps::lesson_names().front());
-}
-
 INSTANTIATE_TEST_SUITE_P(Screens, WindowFit,
                          testing::Values(FitScreen{"1024x768", "1"}, FitScreen{"1366x768", "1"},
                                          FitScreen{"1920x1080", "1"}, FitScreen{"3840x2160", "2"},
                                          FitScreen{"1024x768", "1.5"}, FitScreen{"1366x768", "1.5"},
                                          FitScreen{"1920x1080", "1.5"}, FitScreen{"3840x2160", "3"}),
-                         name_of_screen);
+                         [](const testing::TestParamInfo<FitScreen>& each) { return name_of(each.param); });
+
+/// A screen and a share of the lessons, which lie together in the course.
+struct LessonScreen {
+  FitScreen screen;
+  std::size_t share = 0, shares = 1;
+  enum class Steps { first, all } steps = Steps::first;
+};
+
+std::vector<LessonScreen> lesson_screens() {
+  // Every step where there is least room; the first of each lesson on larger screens.
+  std::vector<LessonScreen> all;
+  for (const FitScreen& screen : {FitScreen{"1024x768", "1"}, FitScreen{"1366x768", "1"}, FitScreen{"1024x768", "1.5"}})
+    for (std::size_t share = 0; share < 6; ++share) all.push_back({screen, share, 6, LessonScreen::Steps::all});
+  for (const FitScreen& screen :
+       {FitScreen{"1920x1080", "1"}, FitScreen{"3840x2160", "2"}, FitScreen{"1366x768", "1.5"},
+        FitScreen{"1920x1080", "1.5"}, FitScreen{"3840x2160", "3"}})
+    all.push_back({screen});
+  return all;
+}
+
+class LessonFit : public testing::TestWithParam<LessonScreen> {};
+
+TEST_P(LessonFit, NothingIsCut) {
+  const auto& [screen, share, shares, extent] = GetParam();
+  // Pictures are waited for on two screens alone, of every second share each: it takes long. Otherwise a step is looked
+  // at as soon as it is drawn.
+  const bool waits = screen.type == "1" && share % 2 == (screen.size == "1024x768" ? 0 : 1);
+  const std::vector<std::string> names = ps::lesson_names();
+  const auto begin = names.size() * share / shares, end = names.size() * (share + 1) / shares;
+  std::string commands;
+  std::vector<FitPlace> places;
+  for (auto lesson = begin; lesson < end; ++lesson) {
+    const auto steps = extent == LessonScreen::Steps::all ? ps::load_lesson(names[lesson]).steps.size() : 1;
+    for (std::size_t step = 0; step < steps; ++step) {
+      if (!places.empty()) commands += step == 0 ? "key ]\n" : "key Shift+PageDown\n";
+      commands += waits || places.empty() ? "wait idle\n" : "wait frames 4\n";
+      commands += "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
+      // Until its pictures come, a step shows those of the one before.
+      places.push_back({names[lesson] + ", step " + std::to_string(step + 1), waits ? 30.0 : 0.0});
+    }
+  }
+  expect_all_fits(commands + "quit\n", places, screen, "--lesson " + names[begin]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Screens, LessonFit, testing::ValuesIn(lesson_screens()),
+                         [](const testing::TestParamInfo<LessonScreen>& each) {
+                           return name_of(each.param.screen) + "_share_" + std::to_string(each.param.share);
+                         });
 
 }  // namespace
 }  // namespace window_fit_test
