@@ -2,6 +2,7 @@
 // of old and new screens, with common and with large type.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "engine/lesson.h"
@@ -76,21 +77,22 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
 }
 
 TEST_P(WindowFit, NothingIsCutInAnyStepOfALesson) {
-  // Pictures are waited for on two screens alone, of every second lesson each: it takes long. Otherwise a step is
+  // Pictures are waited for on four screens alone, of every fourth lesson each: it takes long. Otherwise a step is
   // looked at as soon as it is drawn.
-  const std::string screen = GetParam().size + " " + GetParam().type;
-  const int waited = screen == "1366x768 1" ? 0 : screen == "1920x1080 1" ? 1 : 2;
+  const std::vector<std::string> waiting{"1366x768 1", "1920x1080 1", "1366x768 1.5", "1920x1080 1.5"};
+  const auto waited = std::find(waiting.begin(), waiting.end(), GetParam().size + " " + GetParam().type);
   std::string commands = "wait idle\n";
   std::vector<FitPlace> places;
   int number = 0;
   for (const std::string& name : ps::lesson_names()) {
-    const std::string wait = number++ % 2 == waited ? "wait idle\n" : "wait frames 4\n";
+    const bool waits = waited - waiting.begin() == number++ % std::ssize(waiting);
+    const std::string wait = waits ? "wait idle\n" : "wait frames 4\n";
     const auto steps = ps::load_lesson(name).steps.size();
     for (std::size_t step = 0; step < steps; ++step) {
       if (step > 0 || !places.empty()) commands += (step == 0 ? "key ]\n" : "key Shift+PageDown\n") + wait;
       commands += "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
       // Until its pictures come, a step shows those of the one before.
-      places.push_back({name + ", step " + std::to_string(step + 1), wait == "wait idle\n" ? 30.0 : 0.0});
+      places.push_back({name + ", step " + std::to_string(step + 1), waits ? 30.0 : 0.0});
     }
   }
   expect_all_fits(commands + "quit\n", places, GetParam(), "--lesson " + ps::lesson_names().front());
