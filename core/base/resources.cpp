@@ -18,7 +18,6 @@ std::filesystem::path scene_dir() { return asset_dir() / "scenes"; }
 
 std::filesystem::path chapter_dir() { return under_root("chapters", PIXELSCOPE_CHAPTER_DIR); }
 std::filesystem::path course_file() { return chapter_dir() / "course.md"; }
-std::filesystem::path glossary_file() { return chapter_dir() / "glossary.md"; }
 std::filesystem::path lesson_file(std::string_view folder) { return chapter_dir() / folder / "lesson.md"; }
 std::filesystem::path glossary_file() { return chapter_dir() / "glossary.md"; }
 std::filesystem::path listing_file(std::string_view folder) { return chapter_dir() / folder / "listing.cpp"; }

@@ -22,9 +22,6 @@ std::filesystem::path glossary_file();
 std::filesystem::path lesson_file(std::string_view folder);
 std::filesystem::path listing_file(std::string_view folder);
 
-/// The terms that lessons explain.
-std::filesystem::path glossary_file();
-
 /// A shader of the hardware renderer ("fragment.glsl").
 std::filesystem::path shader_file(std::string_view name);
 
