@@ -5,7 +5,8 @@
 
 #include "engine/lesson.h"
 
-/// Where lessons are: those that the program comes with have names, one's own are folders anywhere.
+/// Where lessons are: those that the program comes with have names, one's own are folders anywhere. What
+/// parse_lesson_place() and load_lesson() take as a name may also be the path of such a folder, with "/STEP" behind it.
 
 namespace ps {
 

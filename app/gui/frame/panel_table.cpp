@@ -55,7 +55,12 @@ Panel lesson(Session& session, PanelStates& my) {
                 out.offer("lesson/line-length", [&] { return my.lessons.text.line_length; });
                 out.offer_below("flash/", [](std::string_view name) { return script_text(flashes(name)); });
               },
-          .update = [&] { my.lessons.update(session); }};
+          .update =
+              [&] {
+                my.lessons.update(session);
+                my.lessons.claims.hold(my.chart.study.running() || my.needs.study.running() ||
+                                       my.timings.study.running());
+              }};
 }
 
 /// What the row of an option asks the chart for.

@@ -111,7 +111,7 @@ void LessonClaims::follow(const Session& session, const Lesson& lesson, int vers
 
 void LessonClaims::measure_changed(const Session& session) {
   const Document& document = session.document();
-  if (claims_.empty() || session.rendering()) return;
+  if (claims_.empty() || held_ || session.rendering()) return;
   if (revision_ == session.revision() && measured_asked_ == asked_) return;
   revision_ = session.revision();
   Document now = pictures_of(document);

@@ -29,6 +29,12 @@ class LessonClaims {
   /// In each frame in which a claim is in sight: measures anew if the pictures have changed, and are there.
   void measure_changed(const Session& session);
 
+  /// Nothing is begun while a study measures times.
+  void hold(bool held) {
+    held_ = held;
+    measuring_.set_held(held);
+  }
+
   const std::vector<Claim>& claims() const { return claims_; }
   /// What was measured; absent while it is not known.
   std::optional<double> value(std::size_t claim) const;
@@ -73,6 +79,7 @@ class LessonClaims {
   std::optional<Document> measured_;  // pictures that were measured last
   std::optional<Asked> measured_asked_;
   std::uint64_t revision_ = 0;
+  bool held_ = false;
   BackgroundStudy<std::vector<Measured>> measuring_;
 };
 
