@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include "base/stop.h"
+#include "frame/display_frame.h"
 #include "hardware/context.h"
 #include "hardware/near_triangles.h"
 #include "image/display.h"
