@@ -15,7 +15,7 @@ namespace {
 constexpr int most_steps = 1000;
 
 bool is_built_in(std::string_view name) {
-  const std::vector<std::string> names = lesson_names();
+  const std::vector<std::string>& names = lesson_names();
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 

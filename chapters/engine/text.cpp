@@ -39,7 +39,7 @@ const Option& option_of_text(std::string_view key) {
 LessonPlace parse_built_in_place(std::string_view text) {
   const auto slash = text.find('/');
   const std::string folder(text.substr(0, slash));
-  const std::vector<std::string> names = lesson_names();
+  const std::vector<std::string>& names = lesson_names();
   if (std::find(names.begin(), names.end(), folder) == names.end()) {
     const std::vector<std::string_view> known(names.begin(), names.end());
     throw InputError(fmt::format("unknown lesson '{}'{}", folder,

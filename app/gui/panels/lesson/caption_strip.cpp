@@ -30,6 +30,7 @@ std::vector<TextBlock> spoken_blocks(const LessonStep& step) {
 /// The pages of a caption are full: a page may end within a paragraph, and no space parts these.
 std::vector<std::size_t> caption_pages(const std::vector<TextLine>& lines, float height) {
   std::vector<PagePart> parts;
+  parts.reserve(lines.size());
   for (const TextLine& line : lines) parts.push_back({0, line.height, false, false});
   return page_starts(parts, height);
 }

@@ -90,7 +90,7 @@ void read_lesson(Session& session, LessonShelf& shelf, int by) {
 }
 
 void move_lesson(Session& session, int by) {
-  const auto names = lesson_names();
+  const auto& names = lesson_names();
   if (names.empty()) return;
   const auto here = std::find(names.begin(), names.end(), session.document().lesson);
   if (here == names.end()) {
