@@ -56,8 +56,8 @@ Picture shown(const Page& page) {
   const Picture window = ps::load_levels(shot);
   const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
   EXPECT_LE(y0 + static_cast<int>(height), window.height()) << "the page does not fit";
-  const Picture part = crop(window, x0, y0, std::min(static_cast<int>(width), window.width() - x0),
-                            std::min(static_cast<int>(height), window.height() - y0));
+  Picture part = crop(window, x0, y0, std::min(static_cast<int>(width), window.width() - x0),
+                      std::min(static_cast<int>(height), window.height() - y0));
   ps::save_image(folder / (page.name + ".png"), part);
   return part;
 }
