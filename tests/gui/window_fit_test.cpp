@@ -108,7 +108,7 @@ TEST_P(LessonFit, NothingIsCut) {
   // Pictures are waited for on two screens alone, of every second share each: it takes long. Otherwise a step is looked
   // at as soon as it is drawn.
   const bool waits = screen.type == "1" && share % 2 == (screen.size == "1024x768" ? 0 : 1);
-  const std::vector<std::string> names = ps::lesson_names();
+  const std::vector<std::string>& names = ps::lesson_names();
   const auto begin = names.size() * share / shares, end = names.size() * (share + 1) / shares;
   std::string commands;
   std::vector<FitPlace> places;

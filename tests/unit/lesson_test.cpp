@@ -274,7 +274,7 @@ TEST(Lesson, BoundsAreInclusive) {
 }
 
 TEST(Lessons, EveryFolderIsReadAndHasWhatALessonNeeds) {
-  const auto names = lesson_names();
+  const auto& names = lesson_names();
   ASSERT_FALSE(names.empty());
   for (const std::string& name : names) {
     const Lesson lesson = load_lesson(name);
