@@ -93,7 +93,7 @@ std::vector<LessonScreen> lesson_screens() {
   // Every step where there is least room; the first of each lesson on larger screens.
   std::vector<LessonScreen> all;
   for (const FitScreen& screen : {FitScreen{"1024x768", "1"}, FitScreen{"1366x768", "1"}, FitScreen{"1024x768", "1.5"}})
-    for (std::size_t share = 0; share < 6; ++share) all.push_back({screen, share, 6, LessonScreen::Steps::all});
+    for (std::size_t share = 0; share < 11; ++share) all.push_back({screen, share, 11, LessonScreen::Steps::all});
   for (const FitScreen& screen :
        {FitScreen{"1920x1080", "1"}, FitScreen{"3840x2160", "2"}, FitScreen{"1366x768", "1.5"},
         FitScreen{"1920x1080", "1.5"}, FitScreen{"3840x2160", "3"}})
