@@ -58,7 +58,7 @@ TEST(HardwareThreads, AStopEndsThePicture) {
                Cancelled);
 }
 
-TEST(HardwareStory, ShowsTheColourOfThePicture) {
+TEST(HardwareThreads, ChannelsChangeNothing) {
   PS_NEEDS_HARDWARE(hardware);
   const Scene scene = load_scene("cgfs/crates");
   const View view{scene.camera, 120, 90};
@@ -70,15 +70,6 @@ TEST(HardwareStory, ShowsTheColourOfThePicture) {
   const Frame frame = render(scene, view, settings);
   const Frame with_ids = render(scene, view, settings, request, prepared, progress);
   EXPECT_EQ(frame.colour, with_ids.colour) << "channels must not change a bit of the picture";
-  for (int y = 5; y < view.height; y += 20)
-    for (int x = 5; x < view.width; x += 20) {
-      const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
-      EXPECT_EQ(Vec3f(story.linear), frame.colour.at(x, y)) << x << " " << y;
-      const bool seen = story.verdict.find("is seen at z = ") != std::string::npos;
-      EXPECT_EQ(seen, with_ids.ids.at(x, y).object >= 0) << story.verdict;
-      ASSERT_EQ(story.ledger.size(), 1u);
-      EXPECT_EQ(story.ledger.front().value, story.linear);
-    }
 }
 
 }  // namespace
