@@ -164,7 +164,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     cover(right);
     list.PopClipRect();
   }
-  if (session.shown(shown_side) != ShownChannel::colour) {
+  if (session.shown(shown_side) != ShownChannel::colour && !state.hidden[index_of(shown_side)]) {
     ChannelLegend legend = session.renderer(shown_side).legend();
     for (auto& entry : legend.entries)
       if (entry.object >= 0) entry.meaning = object_name(session.scene(), entry.object);
