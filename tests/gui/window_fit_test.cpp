@@ -2,6 +2,8 @@
 // of old and new screens, with common and with large type.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ostream>
 #include <sstream>
 
 #include "engine/lesson.h"
@@ -22,6 +24,9 @@ std::string name_of(const FitScreen& screen) {
   return name;
 }
 
+/// How the name of a test shows it.
+std::ostream& operator<<(std::ostream& out, const FitScreen& screen) { return out << name_of(screen); }
+
 struct FitPlace {
   std::string name;
   double least_share = 0;  ///< of the window, percent, that pictures have there
@@ -30,7 +35,10 @@ struct FitPlace {
 /// Plays the commands; each place where something does not fit is a failure.
 void expect_all_fits(const std::string& commands, const std::vector<FitPlace>& places, const FitScreen& screen,
                      const std::string& arguments) {
-  const auto folder = ps::fresh_output_folder("gui-fit-" + screen.size + "-" + screen.type);
+  // One folder for each test: several of one screen run at a time.
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '-');
+  const auto folder = ps::fresh_output_folder("gui-fit-" + name);
   const auto result = ps::test::play(commands, folder, screen.size, "--scale " + screen.type + " " + arguments);
   ASSERT_EQ(result.status, 0) << result.errors;
   std::istringstream lines(result.output);
@@ -89,6 +97,11 @@ struct LessonScreen {
   enum class Steps { first, all } steps = Steps::first;
 };
 
+std::string name_of(const LessonScreen& lessons) {
+  return name_of(lessons.screen) + "_share_" + std::to_string(lessons.share);
+}
+std::ostream& operator<<(std::ostream& out, const LessonScreen& lessons) { return out << name_of(lessons); }
+
 std::vector<LessonScreen> lesson_screens() {
   // Every step where there is least room; the first of each lesson on larger screens.
   std::vector<LessonScreen> all;
@@ -130,9 +143,7 @@ TEST_P(LessonFit, NothingIsCut) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Screens, LessonFit, testing::ValuesIn(lesson_screens()),
-                         [](const testing::TestParamInfo<LessonScreen>& each) {
-                           return name_of(each.param.screen) + "_share_" + std::to_string(each.param.share);
-                         });
+                         [](const testing::TestParamInfo<LessonScreen>& each) { return name_of(each.param); });
 
 }  // namespace
 }  // namespace window_fit_test
