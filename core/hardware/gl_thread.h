@@ -11,7 +11,6 @@
 #include "hardware/mesh_buffers.h"
 #include "hardware/program.h"
 #include "hardware/shadow_maps.h"
-#include "hardware/story_target.h"
 #include "hardware/target.h"
 #include "hardware/texture_store.h"
 
@@ -39,10 +38,15 @@ struct Workshop {
   std::unique_ptr<GeometryBuffer> geometry;                  ///< of the last picture with deferred shading
   std::unique_ptr<Target> story_picture;                     ///< the same of the last story of a pixel
   std::unique_ptr<GeometryBuffer> story_geometry;
-  std::unique_ptr<StoryTarget> story;
+  std::unique_ptr<Target> story;          ///< what fragments report of themselves in it
   unsigned vertex_array = 0, lights = 0;  ///< made when first needed
 
   const Driver& driver() const { return context.driver(); }
+  /// Drops meshes and textures that no scene holds any more. Before a picture.
+  void tidy() {
+    meshes.tidy();
+    textures.tidy();
+  }
 };
 
 /// Carries out the task on the one thread that has a context of OpenGL, and returns when it has ended; what it throws

@@ -16,7 +16,10 @@ PixelStory inspect_hardware(const Scene& scene, const View& view, const Settings
   request.region = TileRect{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1};
   PicturePlan plan = make_plan(scene, view, settings, request, prepared);
   draw_ahead(plan, prepared, request.priority, progress, [](const char*) {});
-  on_gl_thread([&](Workshop& shop) { StoryDrawer(plan, shop, pixel).report(story); });
+  on_gl_thread([&](Workshop& shop) {
+    shop.tidy();
+    StoryDrawer(plan, shop, pixel).report(story);
+  });
   progress.check();
   story.not_reported = fmt::format("Drawn again triangle by triangle by {}. A graphics driver does not report edge "
                                    "values, which triangle owns an edge, "

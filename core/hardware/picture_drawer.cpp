@@ -229,17 +229,13 @@ void PictureDrawer::upload_surface_table() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-std::vector<VolumeFaces> PictureDrawer::faces_of(std::size_t light) const {
+void PictureDrawer::upload_volumes() {
   std::vector<Vec3d> centres;
   for (const raster::DrawObject& object : plan_.objects)
     centres.push_back(object.mesh->triangles.empty() ? Vec3d(0) : shop_.meshes.get(object.mesh).centre());
-  return volume_faces(plan_, light, places_, centres);
-}
-
-void PictureDrawer::upload_volumes() {
   for (std::size_t light = 0; light < plan_.lights.size(); ++light) {
     volumes_.emplace_back();
-    for (const VolumeFaces& faces : faces_of(light)) volumes_.back().emplace_back(faces);
+    for (const VolumeFaces& faces : volume_faces(plan_, light, places_, centres)) volumes_.back().emplace_back(faces);
   }
 }
 

@@ -65,7 +65,6 @@ class PictureDrawer {
   /// The state in which the faces of volumes are drawn, but for what they do to the stencil buffer.
   void set_volume_state(Program& program);
   Program& volume_program();
-  std::vector<VolumeFaces> faces_of(std::size_t light) const;
   void set_object(Program& program, std::size_t object);
   void set_view(Program& program);
   void set_depth(Program& program);

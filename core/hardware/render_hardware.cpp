@@ -72,8 +72,7 @@ Frame render_hardware(const Scene& scene, const View& view, const Settings& sett
   stages.done("prepare");
   draw_ahead(plan, prepared, request.priority, progress, [&](const char* stage) { stages.done(stage); });
   on_gl_thread([&](Workshop& shop) {
-    shop.meshes.tidy();
-    shop.textures.tidy();
+    shop.tidy();
     PictureDrawer drawer(plan, shop);
     drawer.upload();
     stages.done("upload");

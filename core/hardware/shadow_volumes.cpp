@@ -33,7 +33,16 @@ class VolumeVertices {
   Vec3d mesh_centre_;
 };
 
+/// Is it one of the triangles in the light, and not one of their copies or of the sides?
+bool is_lit_face(const raster::ShadowVolume& volume, std::size_t triangle) {
+  return triangle < volume.caps && triangle % 2 == 0;
+}
+
 }  // namespace
+
+bool faces_outwards(const raster::ShadowVolume& volume, const raster::DrawObject& object, std::size_t triangle) {
+  return !is_lit_face(volume, triangle) || volume.lit[triangle / 2].turned == object.mirrored;
+}
 
 std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light,
                                       const std::vector<std::vector<Vec3f>>& snapped_of,
@@ -49,17 +58,12 @@ std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light
     faces.object = drawn;
     const auto& triangles = volume.surface->triangles;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const bool lit_face = i < volume.caps && i % 2 == 0;
-      if (!lit_face) {
-        faces.outwards.triangles.push_back(i);
-        for (const std::uint32_t vertex : triangles[i].position) vertices.add(vertex, faces.outwards);
-        continue;
-      }
-      const raster::LitTriangle& lit = volume.lit[i / 2];
-      VolumeCorners& corners = lit.turned == object.mirrored ? faces.outwards : faces.inwards;
-      corners.triangles.push_back(i);
-      for (const std::uint32_t vertex : object.mesh->triangles[lit.triangle].position)
-        vertices.add_near(vertex, corners);
+      VolumeCorners& corners = faces_outwards(volume, object, i) ? faces.outwards : faces.inwards;
+      if (is_lit_face(volume, i))
+        for (const std::uint32_t vertex : object.mesh->triangles[volume.lit[i / 2].triangle].position)
+          vertices.add_near(vertex, corners);
+      else
+        for (const std::uint32_t vertex : triangles[i].position) vertices.add(vertex, corners);
     }
   }
   return all;

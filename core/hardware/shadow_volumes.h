@@ -11,8 +11,7 @@ namespace ps::hardware {
 /// Corners of the faces of a shadow volume as volume_vertex.glsl reads them, three for each triangle.
 struct VolumeCorners {
   std::vector<Vec4f> places;
-  std::vector<std::size_t> triangles;  ///< of the volume's surface: one for every three corners
-  std::vector<Vec3f> snapped;          ///< positions on the canvas that the processor has rounded; empty without
+  std::vector<Vec3f> snapped;  ///< positions on the canvas that the processor has rounded; empty without
 };
 
 /// A shadow volume in two lists: triangles whose vertex order faces out of it, and others. Lit triangles keep the order
@@ -21,6 +20,10 @@ struct VolumeFaces {
   std::size_t object = 0;  ///< index into PicturePlan::objects
   VolumeCorners outwards, inwards;
 };
+
+/// Does the triangle of the volume's surface, with the vertex order in which it is drawn, face out of the volume? The
+/// volume is that of the object.
+bool faces_outwards(const raster::ShadowVolume& volume, const raster::DrawObject& object, std::size_t triangle);
 
 /// The volumes of one light. `snapped_of[o][i]` is the rounded position of vertex i of object o, where the processor
 /// rounds. `mesh_centres` are what the positions of the meshes are relative to.

@@ -42,14 +42,18 @@ PicturePlan keeping_plan(const Scene& scene, const View& view, Settings settings
   return plan;
 }
 
+void draw_plan(const PicturePlan& plan, Workshop& shop) {
+  shop.tidy();
+  PictureDrawer drawer(plan, shop);
+  drawer.upload();
+  drawer.draw();
+}
+
 Drawing draw_kept(const PicturePlan& plan, const View& view) {
   Drawing drawing;
   drawing.frame = empty_frame<float>(view, stage_request());
   on_gl_thread([&](Workshop& shop) {
-    shop.meshes.tidy();
-    PictureDrawer drawer(plan, shop);
-    drawer.upload();
-    drawer.draw();
+    draw_plan(plan, shop);
     shop.target->read(drawing.frame);
     drawing.depth = shop.target->read_depth();
     for (std::size_t i = 0; i < drawing.kept.size(); ++i) drawing.kept[i] = shop.geometry->read(i);
@@ -68,8 +72,19 @@ StageValues::Seen seen_of(Drawing& drawing) {
   return {std::move(drawing.frame.ids), std::move(drawing.frame.depth), std::move(drawing.depth)};
 }
 
+/// The smallest rectangle around the pixels that show something.
+TileRect box_of(const Image<PixelId>& shown) {
+  TileRect box{shown.width(), shown.height(), 0, 0};
+  for (int y = 0; y < shown.height(); ++y)
+    for (int x = 0; x < shown.width(); ++x) {
+      if (shown.at(x, y).object < 0) continue;
+      box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1), std::max(box.y1, y + 1)};
+    }
+  return box.x0 < box.x1 ? box : TileRect{0, 0, 0, 0};
+}
+
 /// The picture's plan with a single triangle.
-StageValues::Seen draw_alone(PicturePlan plan, const View& view, const PixelId& id) {
+StageValues::SeenAlone draw_alone(PicturePlan plan, const PixelId& id) {
   const auto nothing = std::make_shared<const Mesh>();
   for (raster::DrawObject& object : plan.objects) {
     if (object.object != id.object || id.triangle < 0 ||
@@ -81,10 +96,20 @@ StageValues::Seen draw_alone(PicturePlan plan, const View& view, const PixelId& 
     one.triangles = {object.mesh->triangles[static_cast<std::size_t>(id.triangle)]};
     object.mesh = std::make_shared<const Mesh>(std::move(one));
   }
-  Drawing drawing = draw_kept(plan, view);
-  for (PixelId& shown : drawing.frame.ids.pixels())
-    if (shown.object >= 0) shown = id;
-  return seen_of(drawing);
+  Image<PixelId> shown;
+  Image<float> depth;
+  on_gl_thread([&](Workshop& shop) {
+    draw_plan(plan, shop);
+    shown = shop.target->read_ids();
+    depth = shop.target->read_depth();
+  });
+  StageValues::SeenAlone alone;
+  alone.box = box_of(shown);
+  alone.depth = Image<float>(alone.box.width(), alone.box.height(), -1.0f);
+  for (int y = alone.box.y0; y < alone.box.y1; ++y)
+    for (int x = alone.box.x0; x < alone.box.x1; ++x)
+      if (shown.at(x, y).object >= 0) alone.depth.at(x - alone.box.x0, y - alone.box.y0) = depth.at(x, y);
+  return alone;
 }
 
 /// Which lights do not reach what is seen: those whose picture differs with and without shadows.
@@ -111,13 +136,12 @@ Image<std::uint32_t> lights_in_shadow(const Scene& scene, const View& view, cons
 std::shared_ptr<const StageValues> stage_values(const Scene& scene, const View& view, const Settings& settings,
                                                 Prepared& prepared, Progress& progress) {
   const auto values = std::make_shared<StageValues>();
-  if (!availability().driver) throw InputError(availability().reason);
-  values->subpixel_bits = availability().driver->subpixel_bits;
+  values->subpixel_bits = require_driver(view).subpixel_bits;
   const PicturePlan plan = keeping_plan(scene, view, settings, prepared, progress);
   Drawing drawn = draw_kept(plan, view);
   values->seen = seen_of(drawn);
   values->larger_is_nearer = plan.depth.larger_is_nearer();
-  values->draw_alone = [plan, view](const PixelId& id) { return draw_alone(plan, view, id); };
+  values->draw_alone = [plan](const PixelId& id) { return draw_alone(plan, id); };
   values->surface = three_of(drawn.kept[0]);
   values->mapped_normal = three_of(drawn.kept[1]);
   values->shadow_maps = plan.shadow_maps;

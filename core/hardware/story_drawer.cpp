@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
+
 #include "base/stop.h"
 #include "frame/display_frame.h"
 #include "hardware/context.h"
@@ -25,12 +27,16 @@ StoryDrawer::~StoryDrawer() {
 
 void StoryDrawer::report(PixelStory& story) {
   upload();
-  const StoryTarget::Shape shape{plan_.viewport.columns, plan_.viewport.rows, samples()};
+  TargetShape shape;
+  shape.width = plan_.viewport.columns;
+  shape.height = plan_.viewport.rows;
+  shape.samples = samples();
   if (!shop_.story || shop_.story->shape() != shape) {
     shop_.story.reset();
-    shop_.story = std::make_unique<StoryTarget>(shape);
+    shop_.story = std::make_unique<Target>(shape);
   }
   set_state();
+  if (samples() > 1) guard_neighbours();
   find_near(story);
   find_covering();
   for (const DrawPass& pass : draw_passes(plan_)) report_pass(pass);
@@ -69,6 +75,39 @@ void StoryDrawer::find_near(PixelStory& story) {
   story.triangles_elsewhere = triangles() - near_.size();
 }
 
+// Mesa's llvmpipe draws multisampled triangles half a pixel over the left and upper border of the scissor rectangle:
+// samples of other pixels are counted, too. So around the pixel everything fails the tests for depth and stencil.
+void StoryDrawer::guard_neighbours() const {
+  const float nearest = plan_.depth.larger_is_nearer() ? 1.0f : 0.0f;
+  const GLint full = 255;
+  const bool stencil = shop_.target->shape().stencil;
+  if (stencil) glStencilMask(0xff);
+  for (const auto& [x, y, width, height] :
+       std::array<std::array<int, 4>, 4>{{{-1, -1, 3, 1}, {-1, 1, 3, 1}, {-1, 0, 1, 1}, {1, 0, 1, 1}}}) {
+    glScissor(pixel_.x + x, pixel_.y + y, width, height);
+    glClearBufferfv(GL_DEPTH, 0, &nearest);
+    if (stencil) glClearBufferiv(GL_STENCIL, 0, &full);
+  }
+  glStencilMask(stencil_mask());
+  glScissor(pixel_.x, pixel_.y, 1, 1);
+}
+
+// Leaves those samples of the triangle that it covers really, and gives what it writes there.
+Vec4f StoryDrawer::look_at_samples(Program& program, NearTriangle& triangle) const {
+  const auto draw = [&] { draw_triangles(triangle.run); };
+  if (samples() == 1) return page({program, 1, draw}, Page::seen);
+  Vec4f seen(0);
+  for (unsigned sample = 1; sample <= triangle.covered; sample <<= 1) {
+    if ((triangle.covered & sample) == 0) continue;
+    const Vec4f here = page({program, sample, draw}, Page::seen);
+    if (here.x > 0)
+      seen = here;
+    else
+      triangle.covered &= ~sample;
+  }
+  return seen;
+}
+
 // Without depth and stencil tests and with both sides, which the picture's own programs and passes then decide about.
 void StoryDrawer::find_covering() {
   const DrawPass pass = draw_passes(plan_).front();
@@ -104,7 +143,8 @@ void StoryDrawer::find_covering() {
     Program& program = story_program(triangle.run.surface);
     prepare_run(program, triangle.run, pass);
     bind_streams(triangle.run.object);
-    const Vec4f seen = page(program, Page::seen, triangle.covered, [&] { draw_triangles(triangle.run); });
+    const Vec4f seen = look_at_samples(program, triangle);
+    if (triangle.covered == 0) continue;
     const raster::DrawObject& object = plan_.objects[triangle.run.object];
     const auto flags = static_cast<unsigned>(seen.w);
     triangle.front = seen.z > 0;

@@ -9,7 +9,6 @@
 #include "hardware/corner_capture.h"
 #include "hardware/picture_drawer.h"
 #include "hardware/story_pages.h"
-#include "hardware/story_target.h"
 #include "record/recorder.h"
 #include "record/story.h"
 
@@ -56,6 +55,8 @@ class StoryDrawer : private PictureDrawer {
   // Which triangles there are (story_drawer.cpp).
   void find_near(PixelStory& story);
   void find_covering();
+  void guard_neighbours() const;
+  Vec4f look_at_samples(Program& program, NearTriangle& triangle) const;
   int samples() const { return sample_count(plan_.settings); }
   unsigned all_samples() const { return (1u << samples()) - 1; }
 
@@ -69,7 +70,9 @@ class StoryDrawer : private PictureDrawer {
   /// What the stencil buffer held after the faces of the light's volumes were counted, and which were.
   void report_stencil(const DrawPass& pass, const Outcome& outcome, double z);
   StencilEvent stencil_event(std::size_t light);
-  std::optional<VolumeCrossing> crossing(const raster::ShadowVolume& volume, const VolumeFaces& faces, int face);
+  /// `face` counts in the order in which the volume is drawn; `triangle` is its number in the volume.
+  std::optional<VolumeCrossing> crossing(const raster::ShadowVolume& volume, const VolumeBuffers& buffers, int face,
+                                         std::size_t triangle);
   /// Adds those of some faces that reach the pixel. In a state that tests nothing.
   void find_faces(int first, int count, std::vector<int>& found) const;
   Outcome draw_really(const DrawPass& pass, unsigned among, const std::function<void()>& draw);
@@ -85,24 +88,27 @@ class StoryDrawer : private PictureDrawer {
   // Asking (story_pages.cpp).
   Program& story_program(std::size_t surface);
   Program& deferred_story_program();
-  /// A fragment's page, as the program in use writes it at one of the samples.
-  Vec4f page(Program& program, Page page, unsigned covered, const std::function<void()>& draw) const;
+  /// What draws a fragment for its pages.
+  struct Asked {
+    Program& program;
+    unsigned covered = 1;  ///< samples, as bits
+    std::function<void()> draw;
+  };
+  Vec4f page(const Asked& asked, Page page) const;
+  /// What the program in use writes at one of the samples.
+  Vec4f value_written(unsigned covered, const std::function<void()>& draw) const;
   void begin_asking() const;
 
   // Events (story_events.cpp).
-  /// What draws the fragment for its pages, and which.
-  struct Asked {
-    Program& program;
-    unsigned covered = 1;
-    std::function<void()> draw;
-  };
   FragmentEvent fragment_event(NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
                                const Outcome& outcome);
   void report_surface(const NearTriangle& triangle, const Asked& asked);
-  void report_lights(NearTriangle& triangle, const Asked& asked, const DrawPass& pass, const Outcome& outcome);
-  void report_vertex_lights(NearTriangle& triangle, const DrawPass& pass, const Vec4f& weights);
+  void report_lights(const FragmentEvent& fragment, NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
+                     const Outcome& outcome);
+  void report_vertex_lights(const FragmentEvent& fragment, NearTriangle& triangle, const DrawPass& pass);
   void report_mirror(const NearTriangle& triangle, const Asked& asked);
-  void report_write(NearTriangle& triangle, const Asked& asked, const DrawPass& pass, const Outcome& outcome);
+  void report_write(const FragmentEvent& fragment, NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
+                    const Outcome& outcome);
   const CapturedTriangle& corners_of(NearTriangle& triangle, const DrawPass& pass);
   CapturedTriangle capture(const NearTriangle& triangle, const DrawPass& pass, int light);
   int first_light_of(const DrawPass& pass) const;

@@ -7,8 +7,6 @@
 namespace ps::hardware {
 namespace {
 
-Vec3d three(const Vec4f& value) { return Vec3d(Vec3f(value)); }
-
 /// Pixels from the top left; what lies behind the camera is where division by its w puts it.
 Vec2d on_canvas(const PicturePlan& plan, const Vec4f& clip) {
   const Vec4d at(clip);
@@ -42,8 +40,8 @@ FragmentEvent StoryDrawer::fragment_event(NearTriangle& triangle, const Asked& a
   event.id = triangle.id;
   event.sphere_triangle = triangle.sphere_triangle;
   event.back_face = !triangle.front;
-  const Vec4f weights = page(asked.program, Page::weights, asked.covered, asked.draw);
-  const Vec4f screen = page(asked.program, Page::screen, asked.covered, asked.draw);
+  const Vec4f weights = page(asked, Page::weights);
+  const Vec4f screen = page(asked, Page::screen);
   const CapturedTriangle& corners = corners_of(triangle, pass);
   for (std::size_t k = 0; k < 3; ++k) {
     const int axis = static_cast<int>(k);
@@ -68,7 +66,7 @@ FragmentEvent StoryDrawer::fragment_event(NearTriangle& triangle, const Asked& a
 void StoryDrawer::report_surface(const NearTriangle& triangle, const Asked& asked) {
   const raster::Surface<float>& surface = plan_.surfaces.list[triangle.run.surface];
   const Settings& s = plan_.settings;
-  const auto ask = [&](Page what) { return page(asked.program, what, asked.covered, asked.draw); };
+  const auto ask = [&](Page what) { return page(asked, what); };
   if (s.draw != Draw::filled || surface.layout.uv == raster::AttributeLayout::absent) return;
   const Vec4d uv(ask(Page::uv));
   if (surface.layout.relief)
@@ -89,7 +87,7 @@ void StoryDrawer::report_surface(const NearTriangle& triangle, const Asked& aske
       event.texture = surface.material.texture;
       event.uv = {uv.z, uv.w};
       event.level = raster::reads_mip_levels(s.texture_filter) ? static_cast<double>(texel.w) : 0;
-      event.result = three(texel);
+      event.result = vector_of(texel);
       return event;
     });
   }
@@ -99,11 +97,11 @@ void StoryDrawer::report_surface(const NearTriangle& triangle, const Asked& aske
   recorder_.event([&] {
     return NormalMapEvent{surface.material.normal_map,
                           {uv.z, uv.w},
-                          three(stored),
-                          three(ask(Page::tangent)),
-                          three(ask(Page::bitangent)),
-                          three(ask(Page::unmapped)),
-                          three(ask(Page::normal))};
+                          vector_of(stored),
+                          vector_of(ask(Page::tangent)),
+                          vector_of(ask(Page::bitangent)),
+                          vector_of(ask(Page::unmapped)),
+                          vector_of(ask(Page::normal))};
   });
 }
 
@@ -111,38 +109,43 @@ void StoryDrawer::report_mirror(const NearTriangle& triangle, const Asked& asked
   const raster::Surface<float>& surface = plan_.surfaces.list[triangle.run.surface];
   if (!mirrors(plan_, surface)) return;
   const auto& map = (*plan_.environment)[static_cast<std::size_t>(surface.object)];
-  const auto ask = [&](Page what) { return page(asked.program, what, asked.covered, asked.draw); };
+  const auto ask = [&](Page what) { return page(asked, what); };
   const Vec4f place = ask(Page::mirror_place);
   if (!map || !(place.z > 0)) return;
   const Vec4f mirrored = ask(Page::mirrored);
   recorder_.event([&] {
     return EnvironmentEvent{map->centre,
-                            three(ask(Page::mirror_direction)),
+                            vector_of(ask(Page::mirror_direction)),
                             static_cast<int>(mirrored.w),
                             {static_cast<double>(place.x), static_cast<double>(place.y)},
-                            three(mirrored),
+                            vector_of(mirrored),
                             map->left_out};
   });
   recorder_.event([&] {
-    return ReflectionEvent{static_cast<double>(place.z), three(ask(Page::unmirrored)), three(mirrored),
-                           three(ask(Page::shaded))};
+    return ReflectionEvent{static_cast<double>(place.z), vector_of(ask(Page::unmirrored)), vector_of(mirrored),
+                           vector_of(ask(Page::shaded))};
   });
 }
 
-void StoryDrawer::report_write(NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
-                               const Outcome& outcome) {
+void StoryDrawer::report_write(const FragmentEvent& fragment, NearTriangle& triangle, const Asked& asked,
+                               const DrawPass& pass, const Outcome& outcome) {
   if (outcome.depth == FragmentEvent::Depth::failed) return;
   const bool whole_picture = plan_.defers;
-  if (outcome.written == 0) return report_lights(triangle, asked, pass, outcome);  // by the stencil buffer
+  if (outcome.written == 0) {
+    // The stencil buffer kept it away: in a shadow volume, or else because an equal depth was shaded before.
+    if (plan_.counts_volumes) report_lights(fragment, triangle, asked, pass, outcome);
+    return;
+  }
   if (!whole_picture) report_surface(triangle, asked);
-  const Vec4f shaded = page(asked.program, Page::shaded, asked.covered, asked.draw);
+  const Vec4f shaded = page(asked, Page::shaded);
   if (plan_.settings.lighting && plan_.settings.draw == Draw::filled) {
-    report_lights(triangle, asked, pass, outcome);
-    const auto ask = [&](Page what) { return page(asked.program, what, asked.covered, asked.draw); };
+    report_lights(fragment, triangle, asked, pass, outcome);
+    const auto ask = [&](Page what) { return page(asked, what); };
     const bool mirrors_here = mirrors(plan_, plan_.surfaces.list[triangle.run.surface]);
     const Vec4f unmirrored = mirrors_here ? ask(Page::unmirrored) : shaded;
     recorder_.event([&] {
-      return ShadeEvent{three(ask(Page::colour)), three(ask(Page::light)), three(ask(Page::extra)), three(unmirrored)};
+      return ShadeEvent{vector_of(ask(Page::colour)), vector_of(ask(Page::light)), vector_of(ask(Page::extra)),
+                        vector_of(unmirrored)};
     });
   }
   report_mirror(triangle, asked);
@@ -157,7 +160,7 @@ void StoryDrawer::report_write(NearTriangle& triangle, const Asked& asked, const
       event.how = std::to_string(event.values.size()) + " of " + std::to_string(event.tests) + " samples are written";
       return event;
     });
-  recorder_.event([&] { return WriteEvent{triangle.id, outcome.before, three(shaded), outcome.after}; });
+  recorder_.event([&] { return WriteEvent{triangle.id, outcome.before, vector_of(shaded), outcome.after}; });
   if (pass.counted && samples() == 1) recorder_.count(Counter::pixels_written);
 }
 

@@ -12,7 +12,7 @@ LightEvent light_event(const PicturePlan& plan, int light, const Vec4f& to_light
   LightEvent event;
   event.light = light;
   event.kind = plan.lights[static_cast<std::size_t>(light)].kind;
-  event.to_light = Vec3d(Vec3f(to_light));
+  event.to_light = vector_of(to_light);
   event.n_dot_l = static_cast<double>(to_light.w);
   event.r_dot_v = static_cast<double>(terms.x);
   event.diffuse = static_cast<double>(terms.y);
@@ -41,17 +41,14 @@ CapturedTriangle StoryDrawer::capture(const NearTriangle& triangle, const DrawPa
   return capture_corners([&] { draw_triangles(triangle.run); });
 }
 
-void StoryDrawer::report_lights(NearTriangle& triangle, const Asked& asked, const DrawPass& pass,
-                                const Outcome& outcome) {
-  if (plan_.settings.shading != Shading::phong) {
-    const Vec4f weights = page(asked.program, Page::weights, asked.covered, asked.draw);
-    return report_vertex_lights(triangle, pass, weights);
-  }
+void StoryDrawer::report_lights(const FragmentEvent& fragment, NearTriangle& triangle, const Asked& asked,
+                                const DrawPass& pass, const Outcome& outcome) {
+  if (plan_.settings.shading != Shading::phong) return report_vertex_lights(fragment, triangle, pass);
   for (int light = first_light_of(pass); light < end_light_of(pass); ++light) {
     asked.program.use();
     asked.program.set("story_light", light);
-    const Vec4f to_light = page(asked.program, Page::to_light, asked.covered, asked.draw);
-    const Vec4f terms = page(asked.program, Page::terms, asked.covered, asked.draw);
+    const Vec4f to_light = page(asked, Page::to_light);
+    const Vec4f terms = page(asked, Page::terms);
     recorder_.event([&] {
       LightEvent event = light_event(plan_, light, to_light, terms);
       if (outcome.written == 0) event.diffuse = event.specular = event.visible = 0;
@@ -61,7 +58,7 @@ void StoryDrawer::report_lights(NearTriangle& triangle, const Asked& asked, cons
 }
 
 // Where light is computed for the vertices or once for the triangle, that is what happened to it.
-void StoryDrawer::report_vertex_lights(NearTriangle& triangle, const DrawPass& pass, const Vec4f& weights) {
+void StoryDrawer::report_vertex_lights(const FragmentEvent& fragment, NearTriangle& triangle, const DrawPass& pass) {
   const bool flat = plan_.settings.shading == Shading::flat;
   std::vector<CapturedTriangle> by_light;
   for (int light = first_light_of(pass); light < end_light_of(pass); ++light)
@@ -72,7 +69,7 @@ void StoryDrawer::report_vertex_lights(NearTriangle& triangle, const DrawPass& p
       VertexLightEvent event;
       event.id = triangle.id;
       if (!flat) event.vertex = static_cast<int>(k);
-      if (!flat) event.weight = static_cast<double>(weights[static_cast<int>(k)]);
+      if (!flat) event.weight = fragment.weights[k];
       event.position = Vec3d(corners[k].point);
       event.normal = Vec3d(corners[k].normal);
       event.light = Vec3d(corners[k].light);

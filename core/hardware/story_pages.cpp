@@ -1,6 +1,6 @@
 #include <epoxy/gl.h>
 
-#include <bit>
+#include <array>
 
 #include "hardware/definitions.h"
 #include "hardware/picture_units.h"
@@ -27,15 +27,22 @@ void StoryDrawer::begin_asking() const {
   if (samples() > 1) glEnable(GL_SAMPLE_MASK);
 }
 
-Vec4f StoryDrawer::page(Program& program, Page page, unsigned covered, const std::function<void()>& draw) const {
+Vec4f StoryDrawer::page(const Asked& asked, Page page) const {
+  asked.program.use();
+  asked.program.set("story_page", static_cast<int>(page));
+  return value_written(asked.covered, asked.draw);
+}
+
+// The other samples hold zeros: the mean of all is a power of two smaller than the value, which costs no bits.
+Vec4f StoryDrawer::value_written(unsigned covered, const std::function<void()>& draw) const {
   begin_asking();
   glSampleMaski(0, covered & (~covered + 1));  // the lowest of them
-  StoryTarget::clear();
-  program.use();
-  program.set("story_page", static_cast<int>(page));
+  const std::array<float, 4> zeros{};
+  glClearBufferfv(GL_COLOR, 0, zeros.data());
   draw();
   glDisable(GL_SAMPLE_MASK);
-  return shop_.story->read_sample(pixel_);
+  shop_.story->resolve_pixel(pixel_);
+  return shop_.story->read_pixel(pixel_) * static_cast<float>(samples());
 }
 
 }  // namespace ps::hardware

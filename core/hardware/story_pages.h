@@ -1,11 +1,12 @@
 #pragma once
+#include "math/vec.h"
 
 namespace ps::hardware {
 
 /// What a fragment reports of itself in one draw: four numbers (shaders/story.glsl, fragment.glsl). In the order of the
 /// numbers in shader_text.cpp.
 enum class Page {
-  seen,              ///< object, triangle, 1 for a front; 1 where cut out + 2 where outside the limits
+  seen,              ///< 1; triangle; 1 for a front; 1 where cut out + 2 where outside the limits
   weights,           ///< in space; camera z
   screen,            ///< weights on the screen; depth
   normal,            ///< that is shaded with, world space
@@ -27,5 +28,8 @@ enum class Page {
   mirror_direction,  ///< world space
   unmirrored,        ///< colour before it is mixed
 };
+
+/// The first three numbers of a page.
+inline Vec3d vector_of(const Vec4f& page) { return Vec3d(Vec3f(page)); }
 
 }  // namespace ps::hardware

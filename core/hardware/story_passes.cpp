@@ -7,11 +7,6 @@
 #include "hardware/story_drawer.h"
 
 namespace ps::hardware {
-namespace {
-
-Vec3d colour_of(const Vec4f& value) { return Vec3d(Vec3f(value)); }
-
-}  // namespace
 
 void StoryDrawer::bind_picture(const DrawPass& pass) const {
   if (pass.kind == DrawPass::Kind::geometry)
@@ -25,7 +20,7 @@ Vec3d StoryDrawer::colour_now() const {
   return resolved_colour();
 }
 
-Vec3d StoryDrawer::resolved_colour() const { return Vec3d(shop_.target->read_pixel(pixel_)); }
+Vec3d StoryDrawer::resolved_colour() const { return vector_of(shop_.target->read_pixel(pixel_)); }
 
 std::optional<double> StoryDrawer::depth_now() const {
   if (samples() > 1 || plan_.settings.visibility != Visibility::depth_buffer) return {};
@@ -71,6 +66,7 @@ StoryDrawer::Outcome StoryDrawer::draw_really(const DrawPass& pass, unsigned amo
   set_pass(pass);
   for (int sample = 0; sample < samples(); ++sample)
     if (((among >> sample) & 1u) != 0 && count_samples(1u << sample, draw) > 0) outcome.written |= 1u << sample;
+  if (samples() > 1 && !tests && pass.finds_depth()) outcome.written = among;  // see guard_neighbours()
   if (tests) {
     const bool passed = pass.finds_depth() ? outcome.written != 0 : equal;
     outcome.depth = passed ? FragmentEvent::Depth::passed : FragmentEvent::Depth::failed;
@@ -110,18 +106,18 @@ void StoryDrawer::report_triangle(NearTriangle& triangle, const DrawPass& pass) 
     });
   };
   if (triangle.covered == 0) return reject(RejectReason::not_covered);
+  if (triangle.culled) return reject(RejectReason::back_face);
   const auto draw = [&] { draw_triangles(triangle.run); };
   Program& program = *programs_[triangle.run.surface];
   prepare_run(program, triangle.run, pass);
   bind_streams(triangle.run.object);
   const Outcome outcome = draw_really(pass, triangle.covered, draw);
-  if (triangle.culled) return reject(RejectReason::back_face);
   if (triangle.cut_out) return reject(RejectReason::cut_out);
   Program& story = story_program(triangle.run.surface);
   prepare_run(story, triangle.run, pass);
   const Asked asked{story, triangle.covered, draw};
   if (triangle.outside) {
-    const Vec4f weights = page(story, Page::weights, triangle.covered, draw);
+    const Vec4f weights = page(asked, Page::weights);
     return reject(static_cast<double>(weights.w) < plan_.depth.near ? RejectReason::clipped_near
                                                                     : RejectReason::clipped_far);
   }
@@ -134,7 +130,7 @@ void StoryDrawer::report_triangle(NearTriangle& triangle, const DrawPass& pass) 
     prepare_run(story, triangle.run, pass);
     bind_streams(triangle.run.object);
   }
-  if (pass.shades()) report_write(triangle, asked, pass, outcome);
+  if (pass.shades()) report_write(fragment, triangle, asked, pass, outcome);
   recorder_.end();
 }
 
@@ -155,7 +151,8 @@ void StoryDrawer::report_deferred(const DrawPass& pass) {
   if (outcome.written != 0) report_surface(triangle, geometry);
   if (plan_.counts_volumes) report_stencil(pass, outcome, fragment.z);
   Program& story = deferred_story_program();
-  report_write(triangle, {story, all_samples(), [&] { draw_whole_picture(story, pass); }}, pass, outcome);
+  const Asked shading{story, all_samples(), [&] { draw_whole_picture(story, pass); }};
+  report_write(fragment, triangle, shading, pass, outcome);
   recorder_.end();
 }
 
@@ -165,14 +162,14 @@ void StoryDrawer::report_canvas() {
     shop_.target->bind_resolved();
     if (count_samples(1, [&] { draw_shape(draw); }) == 0) return;
     const Vec3d after = resolved_colour();
-    shop_.story->bind_single();
+    shop_.story->bind_resolved();
     glDisable(GL_BLEND);
     glDrawArrays(draw.lines ? GL_LINES : GL_TRIANGLES, static_cast<GLint>(draw.first),
                  static_cast<GLsizei>(draw.count));
-    const Vec4f shaded = shop_.story->read_single(pixel_);
+    const Vec4f shaded = shop_.story->read_pixel(pixel_);
     shop_.target->bind_resolved();
     glEnablei(GL_BLEND, 0);
-    recorder_.event([&] { return WriteEvent{{}, before, colour_of(shaded), after}; });
+    recorder_.event([&] { return WriteEvent{{}, before, vector_of(shaded), after}; });
     recorder_.count(Counter::pixels_written);
   });
 }

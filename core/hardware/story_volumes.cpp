@@ -1,6 +1,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/stop.h"
 #include "hardware/definitions.h"
@@ -24,6 +25,15 @@ VolumeCrossing crossing_of(const raster::ShadowVolume& volume, std::size_t trian
   return crossing;
 }
 
+/// The triangles of the volume's surface in the order in which they are drawn: those that face inwards last.
+std::vector<std::size_t> in_drawing_order(const raster::ShadowVolume& volume, const raster::DrawObject& object) {
+  std::vector<std::size_t> order(volume.surface->triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t triangle) { return faces_outwards(volume, object, triangle); });
+  return order;
+}
+
 }  // namespace
 
 // Halves the list until single faces are left: all that the driver reports of a draw is whether it wrote something.
@@ -36,29 +46,24 @@ void StoryDrawer::find_faces(int first, int count, std::vector<int>& found) cons
   find_faces(first + count / 2, count - count / 2, found);
 }
 
-std::optional<VolumeCrossing> StoryDrawer::crossing(const raster::ShadowVolume& volume, const VolumeFaces& faces,
-                                                    int face) {
+std::optional<VolumeCrossing> StoryDrawer::crossing(const raster::ShadowVolume& volume, const VolumeBuffers& buffers,
+                                                    int face, std::size_t triangle) {
   Program& story = program_of("volume_vertex.glsl", "volume_fragment.glsl",
                               volume_definitions(plan_, shop_.driver().clip_control, ProgramUse::story));
   const auto draw = [&] { glDrawArrays(GL_TRIANGLES, 3 * face, 3); };
   set_volume_state(story);
-  set_object(story, faces.object);
-  begin_asking();
-  StoryTarget::clear();
-  draw();
-  const Vec4f seen = shop_.story->read_sample(pixel_);
+  set_object(story, buffers.object());
+  const Vec4f seen = value_written(all_samples(), draw);
   if (seen.z > 0) return {};  // outside the limits
   const bool front = seen.y > 0;
-  const std::size_t outwards = faces.outwards.triangles.size(), index = static_cast<std::size_t>(face);
-  const bool faces_out = index < outwards;
-  VolumeCrossing found =
-      crossing_of(volume, faces_out ? faces.outwards.triangles[index] : faces.inwards.triangles[index - outwards]);
+  const bool faces_out = 3 * face < buffers.outwards();
+  VolumeCrossing found = crossing_of(volume, triangle);
   found.z = static_cast<double>(seen.x);
   found.enters = front == faces_out;
   shop_.target->bind();
   Program& program = volume_program();
   set_volume_state(program);
-  set_object(program, faces.object);
+  set_object(program, buffers.object());
   glDisable(GL_STENCIL_TEST);
   const bool passed = count_samples(all_samples(), draw) > 0;
   const bool fail = plan_.settings.shadows == Shadows::stencil_depth_fail;
@@ -71,7 +76,6 @@ StencilEvent StoryDrawer::stencil_event(std::size_t light) {
   StencilEvent event;
   event.light = static_cast<int>(light);
   const std::vector<raster::ShadowVolume>& volumes = (*plan_.volumes)[light];
-  const std::vector<VolumeFaces> faces = faces_of(light);
   for (std::size_t i = 0; i < volumes.size(); ++i) {
     event.silhouette_edges += static_cast<int>(volumes[i].silhouette.size());
     const VolumeBuffers& buffers = volumes_[light][i];
@@ -82,8 +86,11 @@ StencilEvent StoryDrawer::stencil_event(std::size_t light) {
     buffers.bind();
     std::vector<int> covering;
     find_faces(0, (buffers.outwards() + buffers.inwards()) / 3, covering);
+    if (covering.empty()) continue;
+    const std::vector<std::size_t> order = in_drawing_order(volumes[i], plan_.objects[buffers.object()]);
     for (const int face : covering)
-      if (const auto found = crossing(volumes[i], faces[i], face)) event.crossings.push_back(*found);
+      if (const auto found = crossing(volumes[i], buffers, face, order[static_cast<std::size_t>(face)]))
+        event.crossings.push_back(*found);
   }
   std::stable_sort(event.crossings.begin(), event.crossings.end(),
                    [](const VolumeCrossing& a, const VolumeCrossing& b) { return a.z < b.z; });

@@ -148,11 +148,11 @@ void Target::resolve_pixel(Vec2i pixel) const {
   glBlitFramebuffer(x, y, x + 1, y + 1, x, y, x + 1, y + 1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-Vec3f Target::read_pixel(Vec2i pixel) const {
-  Vec3f colour;
+Vec4f Target::read_pixel(Vec2i pixel) const {
+  Vec4f colour;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
   glReadBuffer(GL_COLOR_ATTACHMENT0);
-  glReadPixels(pixel.x, pixel.y, 1, 1, GL_RGB, GL_FLOAT, &colour.x);
+  glReadPixels(pixel.x, pixel.y, 1, 1, GL_RGBA, GL_FLOAT, &colour.x);
   return colour;
 }
 
@@ -192,6 +192,18 @@ void Target::read(Frame& frame) const {
       frame.barycentric.pixels()[i] = {weights[i].x, weights[i].y, 1 - weights[i].x - weights[i].y};
     if (!frame.uv.empty()) frame.uv.pixels()[i] = {weights[i].z, weights[i].w};
   }
+}
+
+Image<PixelId> Target::read_ids() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, shape_.samples > 1 ? resolved_.framebuffer : drawn_.framebuffer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  const auto values = read_pixels<std::array<std::int32_t, 4>>(1, shape_, GL_RGBA_INTEGER, GL_INT);
+  check_gl("reading which triangles are seen");
+  Image<PixelId> ids(shape_.width, shape_.height, Unfilled{});
+  std::transform(values.begin(), values.end(), ids.pixels().begin(), [](const std::array<std::int32_t, 4>& value) {
+    return PixelId{value[0], value[1]};
+  });
+  return ids;
 }
 
 Image<float> Target::read_depth() const {

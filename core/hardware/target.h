@@ -42,14 +42,16 @@ class Target {
   void bind_resolved() const;
   /// The same for one pixel's colour.
   void resolve_pixel(Vec2i pixel) const;
-  /// One pixel's colour, as resolved.
-  Vec3f read_pixel(Vec2i pixel) const;
+  /// One pixel's colour and the fourth number beside it, as resolved.
+  Vec4f read_pixel(Vec2i pixel) const;
   /// One pixel's number in the depth buffer, from 0 to 1. Only with one sample.
   float read_depth(Vec2i pixel) const;
   /// One pixel's number in the stencil buffer. Only with one sample.
   int read_stencil(Vec2i pixel) const;
   /// Copies what was drawn, and resolved, to the frame's channels.
   void read(Frame& frame) const;
+  /// Copies which triangle each pixel shows, of a target with channels.
+  Image<PixelId> read_ids() const;
   /// Copies the depth buffer, 0 to 1, of a target with one sample per pixel.
   Image<float> read_depth() const;
 

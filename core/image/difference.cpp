@@ -57,6 +57,10 @@ Rgb8 through(Rgb8 colour, double t) {
 
 }  // namespace
 
+int largest_difference(Rgb8 a, Rgb8 b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
 double full_scale(DifferenceMode mode) {
   switch (mode) {
   case DifferenceMode::absolute:
@@ -77,7 +81,7 @@ Image<float> difference_values(const Image<Rgb8>& a, const Image<Rgb8>& b, Diffe
   };
   switch (mode) {
   case DifferenceMode::absolute:
-    each([](Rgb8 x, Rgb8 y) { return std::abs(signed_difference(x, y)); });
+    each([](Rgb8 x, Rgb8 y) { return static_cast<float>(largest_difference(x, y)); });
     break;
   case DifferenceMode::sign:
     each(signed_difference);

@@ -20,6 +20,9 @@ struct DifferenceOptions {
   DifferenceMode mode = DifferenceMode::absolute;
 };
 
+/// The largest difference of a channel between two pixels: levels of 255.
+int largest_difference(Rgb8 a, Rgb8 b);
+
 /// The value that is white without a gain: 255 levels, a relative difference of 1, a FLIP of 1.
 double full_scale(DifferenceMode mode);
 

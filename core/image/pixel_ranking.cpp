@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "image/difference.h"
+
 namespace ps {
 
 std::vector<RankedPixel> rank_pixels(const Image<float>& values, const RankingOptions& options) {
@@ -41,10 +43,8 @@ Image<float> level_differences(const Image<Rgb8>& a, const Image<Rgb8>& b) {
   if (a.width() != b.width() || a.height() != b.height())
     throw InputError("the pictures have different sizes and cannot be compared");
   Image<float> values(a.width(), a.height());
-  for (std::size_t i = 0; i < values.pixels().size(); ++i) {
-    const Rgb8 p = a.pixels()[i], q = b.pixels()[i];
-    values.pixels()[i] = static_cast<float>(std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)}));
-  }
+  for (std::size_t i = 0; i < values.pixels().size(); ++i)
+    values.pixels()[i] = static_cast<float>(largest_difference(a.pixels()[i], b.pixels()[i]));
   return values;
 }
 

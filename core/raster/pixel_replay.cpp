@@ -199,24 +199,6 @@ std::optional<CoveringTriangle> PixelReplay::uncut(const PixelId& id, Vec2i pixe
   return piece;
 }
 
-float PixelReplay::encoded_depth(float z, Vec2i pixel) const {
-  const State& s = *state_;
-  Fragment<float> fragment;
-  fragment.column = pixel.x;
-  fragment.row = pixel.y;
-  fragment.z = z;
-  fragment.inverse_z = 1 / z;
-  switch (s.pass.settings.depth_value) {
-  case DepthValue::z:
-  case DepthValue::ray_plane:
-    return s.pass.depth.encode(z);
-  case DepthValue::inverse_z:
-  case DepthValue::distance:
-    return s.pass.depth.encode(depth_value(s.pass, {}, fragment, s.pass.grid.sample));
-  }
-  return 0;
-}
-
 double PixelReplay::within_edges(const CoveringTriangle& triangle, Vec2i pixel) const {
   return edge_distance(state_->set_up(triangle.ref), state_->pass.grid, pixel);
 }

@@ -43,7 +43,7 @@ class PixelReplay {
   PixelReplay(const PixelReplay&) = delete;
   PixelReplay& operator=(const PixelReplay&) = delete;
 
-  /// Makes shade() read these with ReplayMaps::given. `stencil` are bits as in StageValues.
+  /// Makes shade() read these with ReplayMaps::given. `in_shadow` holds bits as in StageValues.
   void give_maps(std::shared_ptr<const ShadowMaps> shadows, std::shared_ptr<const EnvironmentMaps> environment,
                  const Image<std::uint32_t>& in_shadow);
 
@@ -56,8 +56,6 @@ class PixelReplay {
   std::optional<CoveringTriangle> nearest_piece(const PixelId& id, Vec2i pixel) const;
   /// The same of the triangle cut by no plane but one near the eye.
   std::optional<CoveringTriangle> uncut(const PixelId& id, Vec2i pixel);
-  /// The depth, encoded as it is compared, of a sample of that z in camera space.
-  float encoded_depth(float z, Vec2i pixel) const;
   /// How far the sample lies within the nearest edge: pixels, below 0 outside.
   double within_edges(const CoveringTriangle& triangle, Vec2i pixel) const;
 

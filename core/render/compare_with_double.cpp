@@ -1,7 +1,5 @@
-#include <algorithm>
-#include <cstdlib>
-
 #include "frame/display_frame.h"
+#include "image/difference.h"
 #include "options/option.h"
 #include "render/precision_channels.h"
 
@@ -12,9 +10,7 @@ PrecisionFault fault_of(const PixelId& id, const PixelId& truth, Rgb8 level, Rgb
   if (id.object >= 0 && truth.object < 0) return PrecisionFault::false_hit;
   if (id.object < 0 && truth.object >= 0) return PrecisionFault::missed_hit;
   if (!(id == truth)) return PrecisionFault::wrong_winner;
-  const int apart =
-      std::max({std::abs(level.r - true_level.r), std::abs(level.g - true_level.g), std::abs(level.b - true_level.b)});
-  return apart > 1 ? PrecisionFault::shading : PrecisionFault::none;
+  return largest_difference(level, true_level) > 1 ? PrecisionFault::shading : PrecisionFault::none;
 }
 
 }  // namespace

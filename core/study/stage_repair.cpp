@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "frame/display_frame.h"
+#include "image/difference.h"
 #include "options/option.h"
 #include "render/renderer_table.h"
 
@@ -58,8 +58,18 @@ StageRepair::StageRepair(const StageRequest& request, Prepared& prepared, StudyC
 
 bool StageRepair::equal(const Pixel& pixel, const Vec3f& colour) const {
   const Rgb8 levels = display_pixel(Vec3d(colour), display_transform(request_.ours));
-  return std::max({std::abs(levels.r - pixel.wanted.r), std::abs(levels.g - pixel.wanted.g),
-                   std::abs(levels.b - pixel.wanted.b)}) <= request_.bound;
+  return largest_difference(levels, pixel.wanted) <= request_.bound;
+}
+
+const CoveringTriangle* StageRepair::same_in_both(const Pixel& pixel) {
+  if (!pixel.ours || *pixel.ours != pixel.theirs) return nullptr;
+  return &pixel.covering[place_of(pixel.covering, *pixel.ours)];
+}
+
+std::optional<CoveringTriangle> StageRepair::piece_of(const PixelId& id, Vec2i pixel) {
+  if (id.object < 0) return {};
+  auto piece = replay_.nearest_piece(id, pixel);
+  return piece ? piece : replay_.uncut(id, pixel);
 }
 
 /// Do these triangles show what theirs shows?
@@ -72,18 +82,21 @@ bool StageRepair::shows(const Pixel& pixel, const Covering& covering) const {
 
 std::optional<float> StageRepair::their_depth(const PixelId& id, Vec2i pixel) {
   if (id.object < 0) return {};
-  const StageValues::Seen* seen = &stages_->seen;
-  if (seen->triangles.at(pixel.x, pixel.y) != id) {
-    const std::pair<int, int> key{id.object, id.triangle};
-    auto found = alone_.find(key);
-    if (found == alone_.end()) {
-      control_.wait_here();
-      found = alone_.emplace(key, stages_->draw_alone(id)).first;
+  if (stages_->seen.triangles.at(pixel.x, pixel.y) == id) return stages_->seen.depth.at(pixel.x, pixel.y);
+  const std::pair<int, int> key{id.object, id.triangle};
+  auto found = alone_.find(key);
+  if (found == alone_.end()) {
+    control_.wait_here();
+    StageValues::SeenAlone drawn = stages_->draw_alone(id);
+    constexpr std::size_t most_kept = std::size_t{16} << 20;  // depths, 64 MiB: large triangles cover many pixels
+    alone_size_ += drawn.depth.pixels().size();
+    if (alone_size_ > most_kept) {
+      alone_.clear();
+      alone_size_ = drawn.depth.pixels().size();
     }
-    seen = &found->second;
+    found = alone_.emplace(key, std::move(drawn)).first;
   }
-  if (seen->triangles.at(pixel.x, pixel.y) != id) return {};
-  return seen->depth.at(pixel.x, pixel.y);
+  return found->second.at(pixel);
 }
 
 /// Has clipping cut the triangle, or left nothing of it that is not turned away?
@@ -99,10 +112,8 @@ StageRepair::Covering StageRepair::with_their_coverage(const Pixel& pixel, Touch
   if (pixel.ours && counts(*pixel.ours) && !their_depth(*pixel.ours, pixel.at))
     std::erase_if(covering, [&](const CoveringTriangle& c) { return c.id == *pixel.ours; });
   if (pixel.theirs.object >= 0 && place_of(covering, pixel.theirs) == covering.size() && counts(pixel.theirs)) {
-    auto piece = replay_.nearest_piece(pixel.theirs, pixel.at);
-    if (!piece) piece = replay_.uncut(pixel.theirs, pixel.at);
     // In drawing order, which decides between equal depths.
-    if (piece) {
+    if (const auto piece = piece_of(pixel.theirs, pixel.at)) {
       const auto later = std::find_if(covering.begin(), covering.end(), [&](const CoveringTriangle& c) {
         return std::pair(c.id.object, c.id.triangle) > std::pair(piece->id.object, piece->id.triangle);
       });
@@ -158,9 +169,8 @@ bool StageRepair::coverage(Pixel& pixel) {
     return covering != pixel.covering && shows(pixel, covering);
   }
   // The same triangle: its stencil, which the faces of shadow volumes have counted in.
-  if (stages_->in_shadow.empty() || !pixel.ours) return false;
-  const std::size_t seen = place_of(pixel.covering, *pixel.ours);
-  return equal(pixel, replay_.shade(pixel.covering[seen], pixel.at, {}, ReplayMaps::given));
+  const CoveringTriangle* seen = same_in_both(pixel);
+  return seen && !stages_->in_shadow.empty() && equal(pixel, replay_.shade(*seen, pixel.at, {}, ReplayMaps::given));
 }
 
 bool StageRepair::depth(Pixel& pixel) {
@@ -174,40 +184,35 @@ bool StageRepair::clipping(Pixel& pixel) {
     const Covering covering = with_their_coverage(pixel, Touched::cut);
     return covering != pixel.covering && shows(pixel, covering);
   }
-  if (!pixel.ours) return false;
-  const CoveringTriangle& seen = pixel.covering[place_of(pixel.covering, *pixel.ours)];
-  return seen.cut && equal(pixel, replay_.shade(seen, pixel.at, replay_.whole_triangle_at(seen, pixel.at)));
+  const CoveringTriangle* seen = same_in_both(pixel);
+  return seen && seen->cut && equal(pixel, replay_.shade(*seen, pixel.at, replay_.whole_triangle_at(*seen, pixel.at)));
 }
 
 bool StageRepair::interpolation(const Pixel& pixel) {
-  if (!pixel.ours || *pixel.ours != pixel.theirs) return false;
-  return equal(pixel,
-               replay_.shade(pixel.covering[place_of(pixel.covering, *pixel.ours)], pixel.at, interpolated(pixel.at)));
+  const CoveringTriangle* seen = same_in_both(pixel);
+  return seen && equal(pixel, replay_.shade(*seen, pixel.at, interpolated(pixel.at)));
 }
 
 bool StageRepair::filtering(const Pixel& pixel) {
-  if (!pixel.ours || *pixel.ours != pixel.theirs) return false;
+  const CoveringTriangle* seen = same_in_both(pixel);
+  if (!seen) return false;
   GivenFragment given;
   add_texels(pixel.at, given);
   // A stencil is no texture: coverage() has tried it.
   const ReplayMaps maps = stages_->in_shadow.empty() ? ReplayMaps::given : ReplayMaps::own;
-  return equal(pixel, replay_.shade(pixel.covering[place_of(pixel.covering, *pixel.ours)], pixel.at, given, maps));
+  return equal(pixel, replay_.shade(*seen, pixel.at, given, maps));
 }
 
 bool StageRepair::missing_effect(const Pixel& pixel) const {
-  if (without_effects_.empty()) return false;
-  const Rgb8 levels = without_effects_.at(pixel.at.x, pixel.at.y);
-  return std::max({std::abs(levels.r - pixel.wanted.r), std::abs(levels.g - pixel.wanted.g),
-                   std::abs(levels.b - pixel.wanted.b)}) <= request_.bound;
+  return !without_effects_.empty() &&
+         largest_difference(without_effects_.at(pixel.at.x, pixel.at.y), pixel.wanted) <= request_.bound;
 }
 
 // Values of all stages up to one, from the first on.
 std::optional<StageCause> StageRepair::together(Pixel& pixel) {
   if (depths_prefer_theirs(pixel) && shows(pixel, without_ours(pixel, with_their_coverage(pixel, Touched::whole))))
     return StageCause::depth_tie;
-  if (pixel.theirs.object < 0) return {};
-  auto piece = replay_.nearest_piece(pixel.theirs, pixel.at);
-  if (!piece) piece = replay_.uncut(pixel.theirs, pixel.at);
+  const auto piece = piece_of(pixel.theirs, pixel.at);
   if (!piece) return {};
   if (piece->cut && equal(pixel, replay_.shade(*piece, pixel.at, replay_.whole_triangle_at(*piece, pixel.at))))
     return StageCause::clipping;
@@ -221,7 +226,7 @@ std::optional<StageCause> StageRepair::together(Pixel& pixel) {
 }
 
 double StageRepair::edge_distance(const Pixel& pixel) const {
-  if (pixel.ours.value_or(PixelId{}) == pixel.theirs) return 0;
+  if (same_in_both(pixel)) return 0;  // their stencils differ
   double least = INFINITY;
   for (const PixelId& id : {pixel.theirs, pixel.ours.value_or(PixelId{})})
     if (const auto piece = replay_.nearest_piece(id, pixel.at))
@@ -233,14 +238,13 @@ RepairedPixel StageRepair::cause_of(Vec2i at, const Rgb8& wanted) {
   Pixel pixel{at, wanted, stages_->seen.triangles.at(at.x, at.y), replay_.covering(at), {}};
   if (const int winner = replay_.winner(pixel.covering); winner >= 0)
     pixel.ours = pixel.covering[static_cast<std::size_t>(winner)].id;
-  const auto found = [&](StageCause cause) { return RepairedPixel{cause, edge_distance(pixel)}; };
-  if (coverage(pixel)) return found(StageCause::coverage);
-  if (depth(pixel)) return found(StageCause::depth_tie);
-  if (clipping(pixel)) return found(StageCause::clipping);
-  if (interpolation(pixel)) return found(StageCause::interpolation);
-  if (filtering(pixel)) return found(StageCause::filtering);
-  if (missing_effect(pixel)) return found(StageCause::missing_effect);
-  return found(together(pixel).value_or(StageCause::unexplained));
+  if (coverage(pixel)) return {StageCause::coverage, edge_distance(pixel)};
+  if (depth(pixel)) return {StageCause::depth_tie};
+  if (clipping(pixel)) return {StageCause::clipping};
+  if (interpolation(pixel)) return {StageCause::interpolation};
+  if (filtering(pixel)) return {StageCause::filtering};
+  if (missing_effect(pixel)) return {StageCause::missing_effect};
+  return {together(pixel).value_or(StageCause::unexplained)};
 }
 
 }  // namespace ps

@@ -11,7 +11,8 @@ namespace ps {
 
 struct RepairedPixel {
   StageCause cause = StageCause::unexplained;
-  double edge_distance = 0;  ///< of the sample from the nearest edge of both triangles, pixels; 0 where there is one
+  /// Where coverage makes two triangles of one: of the sample from their nearest edge, pixels.
+  double edge_distance = 0;
 };
 
 /// Draws single pixels of the rasterizer again with the values of one stage after the other taken from another
@@ -36,6 +37,10 @@ class StageRepair {
 
   bool equal(const Pixel& pixel, const Vec3f& colour) const;
   bool shows(const Pixel& pixel, const Covering& covering) const;
+  /// Our piece of the triangle that both show, or nullptr if they show different ones.
+  static const raster::CoveringTriangle* same_in_both(const Pixel& pixel);
+  /// The triangle at the pixel, whether we find it there or clipping has taken it away.
+  std::optional<raster::CoveringTriangle> piece_of(const PixelId& id, Vec2i pixel);
   /// Their depth of a triangle at the pixel, as they compare it; nothing where they do not cover it.
   std::optional<float> their_depth(const PixelId& id, Vec2i pixel);
   bool was_cut(const PixelId& id, Vec2i pixel);
@@ -62,7 +67,8 @@ class StageRepair {
   std::shared_ptr<const StageValues> stages_;
   raster::PixelReplay replay_;
   Image<Rgb8> without_effects_;
-  std::map<std::pair<int, int>, StageValues::Seen> alone_;  ///< single triangles in theirs
+  std::map<std::pair<int, int>, StageValues::SeenAlone> alone_;  ///< single triangles in theirs
+  std::size_t alone_size_ = 0;                                   ///< depths that they hold
 };
 
 /// The settings with which the rasterizer leaves out what a renderer lacks: those of the renderer, with defaults for

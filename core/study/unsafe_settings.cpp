@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <span>
 
 #include "base/check.h"
 #include "frame/display_frame.h"
+#include "image/difference.h"
 #include "options/option.h"
 
 namespace ps {
@@ -106,7 +106,7 @@ Settings made_safe(Settings settings, const std::string& assignments) {
 
 bool differ(Rgb8 a, Rgb8 b) {
   constexpr int visible = 8;
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > visible;
+  return largest_difference(a, b) > visible;
 }
 
 View reduced(View view, int side) {

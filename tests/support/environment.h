@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdlib>
+#include <optional>
 #include <random>
+#include <string>
 
 namespace ps::test {
 
@@ -14,5 +16,26 @@ inline double number_from(const char* name, double otherwise) {
 inline unsigned test_seed(unsigned otherwise = std::random_device{}()) {
   return static_cast<unsigned>(number_from("PIXELSCOPE_TEST_SEED", otherwise));
 }
+
+/// An environment variable has this value while it lives.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* now = std::getenv(name)) before_ = now;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() {
+    if (before_)
+      setenv(name_, before_->c_str(), 1);
+    else
+      unsetenv(name_);
+  }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
 
 }  // namespace ps::test

@@ -273,7 +273,7 @@ void main() {
   story_value = vec4(0.0);
   switch (story_page) {
     case PAGE_SEEN:
-      story_value = vec4(object_number, triangle_number, gl_FrontFacing, (story_cut_out ? 1 : 0) + (story_outside ? 2 : 0));
+      story_value = vec4(1.0, triangle_number, gl_FrontFacing, (story_cut_out ? 1 : 0) + (story_outside ? 2 : 0));
       break;
     case PAGE_WEIGHTS:
       story_value = vec4(carried_weights, camera_z());

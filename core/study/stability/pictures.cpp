@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "frame/display_frame.h"
+#include "image/difference.h"
 #include "render/render.h"
 #include "scene/load.h"
 #include "scene/scene_file.h"
@@ -14,7 +14,7 @@ namespace {
 
 bool fails(Rgb8 a, Rgb8 b) {
   constexpr int visible = 8;
-  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) > visible;
+  return largest_difference(a, b) > visible;
 }
 
 StabilityOpening load(const StabilityExperiment& experiment, double knob) {

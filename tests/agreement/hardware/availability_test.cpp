@@ -2,36 +2,15 @@
 // since libraries are looked for once.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <optional>
+#include <filesystem>
 
 #include "agreement/hardware/hardware_pair.h"
 #include "support/emulated.h"
+#include "support/environment.h"
 #include "support/run_cli.h"
 
 namespace ps {
 namespace {
-
-/// An environment variable while it lives.
-class Variable {
- public:
-  Variable(const char* name, const std::string& value) : name_(name) {
-    if (const char* now = std::getenv(name)) before_ = now;
-    setenv(name, value.c_str(), 1);
-  }
-  ~Variable() {
-    if (before_)
-      setenv(name_, before_->c_str(), 1);
-    else
-      unsetenv(name_);
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
 
 /// Both renderers in programs of their own: one must fail with the reason, the other draw.
 void expect_unavailable(const std::string& reason) {
@@ -61,24 +40,24 @@ class HardwareAvailability : public testing::Test {
 TEST_F(HardwareAvailability, WithoutLibEgl) {
   const test::ScratchFolder folder;
   folder.write("libEGL.so.1", "");  // found first, and not a library
-  const Variable path("LD_LIBRARY_PATH", folder.path().string());
+  const test::Variable path("LD_LIBRARY_PATH", folder.path().string());
   expect_unavailable("no OpenGL: the library libEGL is not installed");
 }
 
 TEST_F(HardwareAvailability, WithoutADriver) {
   const test::ScratchFolder folder;
-  const Variable vendors("__EGL_VENDOR_LIBRARY_DIRS", folder.path().string());
+  const test::Variable vendors("__EGL_VENDOR_LIBRARY_DIRS", folder.path().string());
   expect_unavailable("no OpenGL: no driver");
 }
 
 TEST_F(HardwareAvailability, WithOpenGl32) {
-  const Variable version("MESA_GL_VERSION_OVERRIDE", "3.2");
+  const test::Variable version("MESA_GL_VERSION_OVERRIDE", "3.2");
   expect_unavailable("no OpenGL: the driver does not offer OpenGL 3.3");
 }
 
 TEST_F(HardwareAvailability, WithoutADisplay) {
   const test::ScratchFolder folder;
-  const Variable x11("DISPLAY", ""), wayland("WAYLAND_DISPLAY", "");
+  const test::Variable x11("DISPLAY", ""), wayland("WAYLAND_DISPLAY", "");
   const test::ProgramResult result =
       test::run_cli({"render", "cgfs/shading", "--size", "40x30", "--set", "renderer=hardware", "--out",
                      folder.file("picture.png"), "--stats", folder.file("stats.json")});

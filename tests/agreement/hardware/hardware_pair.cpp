@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "frame/display_frame.h"
 #include "hardware/gl_thread.h"
+#include "image/difference.h"
 #include "options/option.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
@@ -52,7 +52,7 @@ PairDifference compare_with_rasterizer(const Scene& scene, const Settings& setti
     }
     difference.seen += expected.ids.pixels()[i].object >= 0;
     const Rgb8 p = a.pixels()[i], q = b.pixels()[i];
-    const int levels = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+    const int levels = largest_difference(p, q);
     difference.colours += levels > 1;
     difference.largest = std::max(difference.largest, levels);
   }

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "agreement/hardware/hardware_pair.h"
 #include "frame/display_frame.h"
 #include "hardware/gl_thread.h"
+#include "image/difference.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -60,7 +60,7 @@ VolumeDifference compare(const std::string& name, const std::vector<std::string>
       const bool same_triangle = drawn.ids.at(x, y) == expected.ids.at(x, y);
       difference.ids += !same_triangle;
       const Rgb8 p = a.at(x, y), q = b.at(x, y);
-      const int levels = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+      const int levels = largest_difference(p, q);
       if (!same_triangle || levels <= 1) continue;
       ++difference.colours;
       difference.off_edge += !at_edge(expected, x, y);

@@ -183,5 +183,71 @@ TEST(HardwareStory, EndsWithThePicturesColourAndDepth) {
              slowest);
 }
 
+// The program of a deferred pass knows no triangle: the weights are those of the pass that found it.
+TEST(HardwareStory, WeighsTheLightOfVerticesAlsoDeferred) {
+  PS_NEEDS_HARDWARE(hardware);
+  const Scene scene = load_scene("cgfs/shading");
+  Settings settings = settings_for(scene);
+  settings.renderer = hardware;
+  settings.shading = Shading::gouraud;
+  settings.deferred_shading = true;
+  const View view{scene.camera, 60, 60};
+  Prepared prepared;
+  Progress progress;
+  PixelStory story;
+  for (int y = 0; y < view.height && !last_write(story).fragment; ++y)
+    story = inspect(scene, view, settings, {30, y}, prepared, progress);
+  ASSERT_TRUE(last_write(story).fragment);
+  Vec3d light{0}, weights{0};
+  for (const Event& event : story.events)
+    if (const auto* vertex = std::get_if<VertexLightEvent>(&event.data)) {
+      ASSERT_TRUE(vertex->vertex);
+      weights[*vertex->vertex] = vertex->weight;
+      light += vertex->weight * vertex->light;
+    }
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(weights[k], last_write(story).fragment->weights[static_cast<std::size_t>(k)]);
+  EXPECT_NEAR(weights.x + weights.y + weights.z, 1, 1e-6);
+  double shaded = 0;
+  for (const Event& event : story.events)
+    if (const auto* shade = std::get_if<ShadeEvent>(&event.data)) shaded = shade->light.x;
+  EXPECT_GT(shaded, 0);
+  EXPECT_NEAR(light.x, shaded, 1e-5);
+}
+
+/// The samples of the last write that were written, and how many there are.
+std::pair<int, int> samples_written(const PixelStory& story) {
+  std::pair<int, int> samples{0, 0};
+  for (const Event& event : story.events)
+    if (const auto* coverage = std::get_if<CoverageEvent>(&event.data))
+      samples = {static_cast<int>(coverage->values.size()), coverage->tests};
+  return samples;
+}
+
+// One triangle before a background: the picture's colour itself holds how many samples it covers.
+TEST(HardwareStory, CountsTheSamplesThatThePictureMixes) {
+  PS_NEEDS_HARDWARE(hardware);
+  const Scene scene = load_scene("cgpp/triangle");
+  Settings settings = settings_for(scene);
+  settings.renderer = hardware;
+  settings.multisampling = 4;
+  const View view{scene.camera, 40, 40};
+  Prepared prepared;
+  Progress progress;
+  const Frame frame = render(scene, view, settings, {}, prepared, progress);
+  std::array<int, 5> pixels{};  // by samples
+  for (int y = 0; y < view.height; ++y)
+    for (int x = 0; x < view.width; ++x) {
+      const PixelStory story = inspect(scene, view, settings, {x, y}, prepared, progress);
+      const LastWrite last = last_write(story);
+      const auto [written, all] = samples_written(story);
+      ++pixels.at(static_cast<std::size_t>(written));
+      Vec3d mixed = scene.background;
+      if (written > 0) mixed += (last.write->shaded - scene.background) * (static_cast<double>(written) / all);
+      EXPECT_NEAR(glm::length(mixed - Vec3d(frame.colour.at(x, y))), 0, 1e-5)
+          << written << " of " << all << " samples, pixel " << x << "," << y;
+    }
+  for (const int count : pixels) EXPECT_GT(count, 0);
+}
+
 }  // namespace
 }  // namespace ps::hardware_story_test
