@@ -47,16 +47,14 @@ int run_causes(const CausesArguments& arguments) {
   Settings trial;
   for (const std::string& assignment : arguments.settings_b) parse_assignment(assignment, trial);
   const Document document = load_document(arguments.scene);
-  if (arguments.stages) {
-    Settings b = document.a.settings;
-    for (const std::string& assignment : arguments.settings_b) parse_assignment(assignment, b);
-    return print_stages(document, b, {arguments.picture, arguments.json});
-  }
+  Settings b = document.a.settings;
+  for (const std::string& assignment : arguments.settings_b) parse_assignment(assignment, b);
+  if (arguments.stages) return print_stages(document, b, {arguments.picture, arguments.json});
   CauseRequest request;
   request.scene = document.scene;
   request.view = view_of(document);
-  request.a = request.b = document.a.settings;
-  for (const std::string& assignment : arguments.settings_b) parse_assignment(assignment, request.b);
+  request.a = document.a.settings;
+  request.b = b;
   request.error.metric = parse_error_metric(arguments.metric);
   request.orders = arguments.orders;
   request.seed = arguments.seed;

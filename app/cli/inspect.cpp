@@ -3,7 +3,6 @@
 #include <limits>
 #include <memory>
 
-#include "base/atomic_file.h"
 #include "base/kept_inputs.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -98,13 +97,6 @@ std::string draw_microscope(const Document& document, const View& view, Vec2i pi
             fmt::format("point: found {}, expected two numbers from {} to {}", point, -micro_margin, 1 + micro_margin));
   }
   return micro_svg(microscope, microscope.read(at, prepared, interruptible_progress()));
-}
-
-void write_result(const std::string& text, const std::string& out) {
-  if (out.empty())
-    fmt::print("{}", text);
-  else
-    write_file_atomically(out, text);
 }
 
 /// The pixel that was asked for, else that of the permalink.

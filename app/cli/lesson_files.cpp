@@ -21,13 +21,6 @@ struct HandoutArguments {
   bool all = false, teacher = false;
 };
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder, error))
-    throw InputError(fmt::format("{}: the folder cannot be made", folder.string()));
-}
-
 int write_all_handouts(const std::filesystem::path& folder, HandoutFor reader) {
   make_folder(folder);
   std::vector<Lesson> lessons;

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <map>
 #include <memory>
 
-#include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/lesson_files.h"
+#include "cli/output_file.h"
 #include "engine/answers.h"
 #include "engine/course.h"
 #include "engine/lesson.h"
@@ -113,12 +113,21 @@ bool check_state(const Lesson& lesson, std::size_t step) {
   }
 }
 
+/// How many steps each lesson has that was read so far.
+using StepCounts = std::map<std::string, std::size_t>;
+
+std::size_t steps_of(const std::string& lesson, StepCounts& counts) {
+  const auto known = counts.find(lesson);
+  if (known != counts.end()) return known->second;
+  return counts[lesson] = load_lesson(lesson).steps.size();
+}
+
 /// Of one text: whether its links to steps of other lessons lead to steps that are there.
-void check_links(const std::vector<TextBlock>& blocks, Tally& tally) {
+void check_links(const std::vector<TextBlock>& blocks, StepCounts& counts, Tally& tally) {
   for (const TextBlock& block : blocks)
     for (const TextSpan& span : block.spans) {
       if (span.link.kind != LinkKind::lesson) continue;
-      const std::size_t steps = load_lesson(span.link.target).steps.size();
+      const std::size_t steps = steps_of(span.link.target, counts);
       if (static_cast<std::size_t>(span.link.step) < steps) continue;
       fmt::print("  the link '{}' leads to step {} of {}, which has {}\n", span.text, span.link.step + 1,
                  span.link.target, steps);
@@ -129,14 +138,16 @@ void check_links(const std::vector<TextBlock>& blocks, Tally& tally) {
 int check_lessons(std::vector<std::string> names) {
   if (names.empty()) names = lesson_names();
   Tally tally;
+  StepCounts counts;
   for (const std::string& name : names) {
     const Lesson lesson = load_lesson(name);
+    counts[lesson.name] = lesson.steps.size();
     fmt::print("{}\n", name);
-    check_links(lesson.blocks, tally);
+    check_links(lesson.blocks, counts, tally);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
       const LessonStep& step = lesson.steps[i];
-      check_links(step.blocks, tally);
-      check_links(step.hints, tally);
+      check_links(step.blocks, counts, tally);
+      check_links(step.hints, counts, tally);
       if (!check_state(lesson, i)) {
         ++tally.failures;
         continue;
@@ -151,11 +162,7 @@ int check_lessons(std::vector<std::string> names) {
 }
 
 int export_answers(const std::string& student, const std::string& out) {
-  const std::string table = answers_csv(kept_answers(answers_file()), student);
-  if (out.empty())
-    fmt::print("{}", table);
-  else
-    write_file_atomically(out, table);
+  write_result(answers_csv(kept_answers(answers_file()), student), out);
   return 0;
 }
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
+#include <system_error>
 
+#include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/output_target.h"
 
@@ -26,6 +27,20 @@ void require_output_file(const std::string& path, OutputKind kind) {
   if (extension != ".png" && extension != ".ppm" && !floats)
     throw InputError(fmt::format("{}: found the extension '{}', expected {}", path, extension,
                                  kind == OutputKind::levels ? ".png or .ppm" : ".png, .ppm or .pfm"));
+}
+
+void write_result(const std::string& text, const std::string& out) {
+  if (out.empty())
+    fmt::print("{}", text);
+  else
+    write_file_atomically(out, text);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder, error))
+    throw InputError(fmt::format("{}: cannot be made a folder", folder.string()));
 }
 
 }  // namespace ps::cli

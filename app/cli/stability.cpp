@@ -68,13 +68,6 @@ int save_strip(const std::vector<const StabilityExperiment*>& chosen, const std:
   return 0;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
-    throw InputError(fmt::format("{}: cannot be made a folder", folder.string()));
-}
-
 int run_stability(const StabilityArguments& arguments) {
   std::vector<const StabilityExperiment*> chosen;
   for (const std::string& name : arguments.names) chosen.push_back(&find_stability_experiment(name));

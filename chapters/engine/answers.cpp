@@ -4,14 +4,16 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/csv.h"
+#include "base/file_lock.h"
 #include "base/number_text.h"
+#include "base/user_folder.h"
 #include "record/value_text.h"
 
 namespace ps {
@@ -33,16 +35,26 @@ std::string field(std::string text) {
   return csv_field(text);
 }
 
+/// Keeps other windows from adding an answer that would be lost when this one replaces the file.
+FileLock lock_answers(const std::filesystem::path& file) {
+  constexpr int tries = 50;
+  constexpr std::chrono::milliseconds pause{20};  // adding an answer takes a few milliseconds
+  auto lock_file = file;
+  lock_file += ".lock";
+  for (int i = 0; i < tries; ++i) {
+    if (auto lock = FileLock::try_lock(lock_file)) return std::move(*lock);
+    std::this_thread::sleep_for(pause);
+  }
+  throw InputError(fmt::format("{}: another program is adding an answer there", file.string()));
+}
+
 }  // namespace
 
 std::string answer_time() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 std::filesystem::path answers_file() {
-  const char* state = std::getenv("XDG_STATE_HOME");
-  const char* home = std::getenv("HOME");
-  if (state && *state) return std::filesystem::path(state) / "pixelscope" / "answers.jsonl";
-  if (home && *home) return std::filesystem::path(home) / ".local/state/pixelscope/answers.jsonl";
-  return {};
+  const auto folder = user_folder("XDG_STATE_HOME", ".local/state");
+  return folder.empty() ? folder : folder / "pixelscope" / "answers.jsonl";
 }
 
 std::vector<GivenAnswer> kept_answers(const std::filesystem::path& file) {
@@ -66,6 +78,7 @@ void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer) {
   if (file.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
+  const FileLock lock = lock_answers(file);
   std::string text = std::filesystem::exists(file, error) ? read_whole_file(file, most_bytes) : "";
   const nlohmann::json entry{{"time", answer.time},         {"lesson", answer.lesson}, {"step", answer.step},
                              {"question", answer.question}, {"answer", answer.answer}, {"points", answer.points}};

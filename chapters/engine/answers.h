@@ -24,7 +24,8 @@ std::filesystem::path answers_file();
 /// The answers that a file holds, oldest first; none if it is missing. Throws InputError with the line for one that is
 /// no answer.
 std::vector<GivenAnswer> kept_answers(const std::filesystem::path& file);
-/// Adds one to the file, which is made if need be. Throws InputError where it cannot be read or written.
+/// Adds one to the file, which is made if need be; several programs may do so at the same time. Throws InputError where
+/// it cannot be read or written.
 void keep_answer(const std::filesystem::path& file, const GivenAnswer& answer);
 
 /// "student,time,lesson,step,question,answer,points", with steps from 1 and without the path of a lesson of one's own.

@@ -30,6 +30,13 @@ Claim read_claim(const std::vector<BlockLine>& lines, const LessonState& start, 
 /// measurement alone. `start` is the step's state.
 LessonQuestion read_question(const std::vector<BlockLine>& lines, const LessonState& start, const SourcePlace& place);
 
+/// Whether one of the lines begins with this word.
+bool has_line(const std::vector<BlockLine>& lines, std::string_view word);
+
+/// Reads a line `metric` or `within`, in whichever order the two come. Gives false for any other word; throws
+/// InputError for what is no metric or no rectangle.
+bool read_metric_line(const BlockLine& line, Metric& metric);
+
 /// Throws InputError for a rectangle of a metric that is not measured on one.
 void require_within(const Metric& metric);
 

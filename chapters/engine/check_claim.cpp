@@ -19,8 +19,10 @@ Document mutated_document(const Claim& claim, const Document& now) {
 
 ClaimResult check_claim(const Claim& claim, Progress& progress) {
   ClaimResult result;
-  result.value = measure(claim.metric, claim_document(claim, Document{}), progress);
-  result.mutated_value = measure(claim.mutation.metric, mutated_document(claim, Document{}), progress);
+  const Document document = claim_document(claim, Document{});
+  result.value = measure(claim.metric, document, progress);
+  // Made from the claim's document, so that a scene that stays the same is not loaded again.
+  result.mutated_value = measure(claim.mutation.metric, mutated_document(claim, document), progress);
   result.holds = claim.bound.holds(result.value);
   result.has_teeth = !claim.bound.holds(result.mutated_value);
   return result;

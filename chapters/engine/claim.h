@@ -15,6 +15,7 @@ struct Mutation {
   Metric metric;                   ///< the claim's, or the one in its place
   bool changes_metric = false;     ///< nothing on the screen changes
   std::string text;                ///< "default shadow-epsilon", "scene cgfs/spheres"
+  std::string words;               ///< "Shadow epsilon at its default", "scene cgfs/spheres"
 };
 
 /// A statement of a lesson that a test checks: a measured number keeps a bound, and no longer does after the mutation,
@@ -26,7 +27,6 @@ struct Claim {
   Metric metric;
   Bound bound;
   Mutation mutation;
-  SourcePlace place;
 };
 
 /// The document that a claim speaks of. Throws InputError when it cannot be made.

@@ -9,6 +9,7 @@
 #include "base/resources.h"
 #include "base/spelling.h"
 #include "engine/lesson.h"
+#include "engine/words.h"
 
 namespace ps {
 namespace {
@@ -85,11 +86,7 @@ class CourseParser {
 
 Course parse_course(std::string_view text, const std::string& file, const std::vector<std::string>& folders) {
   CourseParser parser(file, folders);
-  while (!text.empty()) {
-    const auto end = text.find('\n');
-    parser.read_line(text.substr(0, end));
-    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
-  }
+  while (!text.empty()) parser.read_line(take_line(text));
   return parser.finish();
 }
 

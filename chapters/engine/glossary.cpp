@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "base/read_file.h"
 #include "base/resources.h"
 #include "engine/markdown.h"
+#include "engine/words.h"
 
 namespace ps {
 namespace {
@@ -16,23 +16,11 @@ namespace {
 constexpr std::size_t largest_glossary = 1 << 20;
 constexpr std::string_view heading = "## ";
 
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
-
 /// What words are compared by: their case and hyphens do not count, so that a link can write hyphens for blanks.
 std::string key_of_words(std::string_view words) {
   std::string key = in_lower_case(words);
   std::replace(key.begin(), key.end(), '-', ' ');
   return key;
-}
-
-std::string_view without_blanks(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 /// A heading of the glossary and the text below it.
@@ -56,10 +44,8 @@ std::vector<std::string> words_in_heading(std::string_view line) {
 std::vector<RawEntry> raw_entries(std::string_view text) {
   std::vector<RawEntry> entries;
   for (int line = 1; !text.empty(); ++line) {
-    const auto end = std::min(text.find('\n'), text.size());
-    const std::string_view here = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (here.substr(0, heading.size()) == heading)
+    const std::string_view here = take_line(text);
+    if (here.starts_with(heading))
       entries.push_back({words_in_heading(here.substr(heading.size())), line, {}});
     else if (!entries.empty())
       entries.back().text.append(here).append("\n");

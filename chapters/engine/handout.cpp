@@ -81,7 +81,7 @@ std::string claims(const std::vector<Claim>& claims, Progress& progress) {
     const ClaimResult result = check_claim(claim, progress);
     html += fmt::format("<tr><td>{}</td><td>{}: {}</td><td>{}</td><td>{}: {}</td></tr>\n", xml_escaped(claim.text),
                         xml_escaped(metric_words(claim.metric)), measured_text(result.value),
-                        xml_escaped(bound_words(claim.bound)), xml_escaped(mutation_words(claim.mutation)),
+                        xml_escaped(bound_words(claim.bound)), xml_escaped(claim.mutation.words),
                         measured_text(result.mutated_value));
   }
   return html + "</table>\n";

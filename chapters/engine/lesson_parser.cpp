@@ -3,17 +3,10 @@
 #include "engine/block.h"
 #include "engine/lesson.h"
 #include "engine/markdown.h"
+#include "engine/words.h"
 
 namespace ps {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
 /// Reads a lesson line by line: "## " begins a step, "```" a block. All other lines are text; where they are not, the
 /// text has empty lines, so that its lines are those of the file.
@@ -23,9 +16,9 @@ class LessonParser {
 
   void read_line(std::string_view line) {
     ++line_;
-    const std::string_view text = trimmed(line);
+    const std::string_view text = without_blanks(line);
     if (is_text(text)) {
-      if (lesson_.steps.empty() && starts_with(text, ">"))
+      if (lesson_.steps.empty() && text.starts_with(">"))
         throw InputError(place(), "a hint before the first step", "hints inside steps");
       text_ += line;
     } else {
@@ -55,24 +48,24 @@ class LessonParser {
   SourcePlace place() const { return {file_, line_, 1}; }
 
   bool is_text(std::string_view text) const {
-    return block_.empty() && !starts_with(text, "```") && !starts_with(text, "# ") && !starts_with(text, "## ") &&
-           !starts_with(text, "source:");
+    return block_.empty() && !text.starts_with("```") && !text.starts_with("# ") && !text.starts_with("## ") &&
+           !text.starts_with("source:");
   }
 
   void read_structure(std::string_view text) {
     if (!block_.empty()) return read_block_line(text);
-    if (starts_with(text, "```")) {
-      block_ = trimmed(text.substr(3));
+    if (text.starts_with("```")) {
+      block_ = without_blanks(text.substr(3));
       block_place_ = place();
       if (block_ != "settings" && block_ != "claim" && block_ != "question")
         throw InputError(place(), fmt::format("a block named '{}'", block_), "```settings, ```claim or ```question");
-    } else if (starts_with(text, "## ")) {
-      begin_step(std::string(trimmed(text.substr(3))));
-    } else if (starts_with(text, "# ")) {
+    } else if (text.starts_with("## ")) {
+      begin_step(std::string(without_blanks(text.substr(3))));
+    } else if (text.starts_with("# ")) {
       if (!lesson_.title.empty()) throw InputError(place(), "a second title", "## before the title of a step");
-      lesson_.title = trimmed(text.substr(2));
-    } else if (starts_with(text, "source:")) {
-      lesson_.source = trimmed(text.substr(7));
+      lesson_.title = without_blanks(text.substr(2));
+    } else if (text.starts_with("source:")) {
+      lesson_.source = without_blanks(text.substr(7));
     }
   }
 
@@ -101,9 +94,8 @@ class LessonParser {
   void read_block_line(std::string_view text) {
     if (text == "```") return end_block();
     if (text.empty()) return;
-    const auto space = text.find(' ');
-    const std::string rest(space == std::string_view::npos ? std::string_view{} : trimmed(text.substr(space)));
-    lines_.push_back({std::string(text.substr(0, space)), rest, place()});
+    const std::string word(take_word(text));
+    lines_.push_back({word, std::string(without_blanks(text)), place()});
   }
 
   void end_block() {
@@ -145,11 +137,7 @@ class LessonParser {
 
 Lesson parse_lesson(std::string_view text, const std::string& name, const std::string& file) {
   LessonParser parser(name, file);
-  while (!text.empty()) {
-    const auto end = text.find('\n');
-    parser.read_line(text.substr(0, end));
-    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
-  }
+  while (!text.empty()) parser.read_line(take_line(text));
   return parser.finish();
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/resources.h"
+#include "base/spelling.h"
 
 namespace ps {
 namespace {
@@ -20,6 +21,17 @@ bool is_built_in(std::string_view name) {
 }
 
 }  // namespace
+
+LessonPlace parse_built_in_place(std::string_view text) {
+  const auto slash = text.find('/');
+  const std::string folder(text.substr(0, slash));
+  if (!is_built_in(folder)) {
+    const std::vector<std::string_view> known(lesson_names().begin(), lesson_names().end());
+    throw InputError(fmt::format("unknown lesson '{}'{}", folder,
+                                 did_you_mean(folder, known, "; 'pixelscope-cli lessons list' lists them")));
+  }
+  return {folder, slash == std::string_view::npos ? 0 : parse_step_number(text.substr(slash + 1))};
+}
 
 int parse_step_number(std::string_view text) {
   int number = 0;

@@ -7,6 +7,7 @@
 #include "document/number_list.h"
 #include "document/permalink.h"
 #include "engine/block.h"
+#include "engine/words.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "scene/load.h"
@@ -52,12 +53,12 @@ std::string file_of(const BlockLine& line) {
 std::string part_key(const std::string& word, std::string& value) {
   if (word == "show") return "show-a";
   if (word != "edit") return word;
-  const auto space = value.find(' ');
-  if (space == std::string::npos)
-    throw InputError(fmt::format("edit: found '{}', expected a property and its value", value));
-  const std::string path = value.substr(0, space);
-  value.erase(0, value.find_first_not_of(' ', space));
-  return "edit." + path;
+  std::string_view rest = value;
+  std::string key = "edit.";
+  key += take_word(rest);
+  if (rest.empty()) throw InputError(fmt::format("edit: found '{}', expected a property and its value", value));
+  value = std::string(rest);
+  return key;
 }
 
 void apply_parts(const std::vector<StatePart>& parts, Document& document) {
@@ -66,18 +67,27 @@ void apply_parts(const std::vector<StatePart>& parts, Document& document) {
       throw InputError(fmt::format("unknown word '{}'", part.key));
 }
 
-/// Adds a part, in place of an earlier one of its key. Gives false if permalinks have none of this name.
+/// Adds a part, or changes the one of its key where that stands: those behind it may need it before them (pin.size
+/// needs pin).
+void set_part(std::vector<StatePart>& parts, std::string_view key, std::string_view value) {
+  const auto known = std::find_if(parts.begin(), parts.end(), [&](const StatePart& part) { return part.key == key; });
+  if (known == parts.end())
+    parts.push_back({std::string(key), std::string(value)});
+  else
+    known->value = value;
+}
+
+/// Takes a part over into the state. Gives false if permalinks have none of this name.
 bool add_part(const BlockLine& line, LessonState& state) {
   std::string value = line.rest;
   const std::string key = part_key(line.word, value);
   if (key == "lesson" || key == "step") return false;
   if (key == "picture-b") value = file_of(line);
   std::vector<StatePart> parts = state.parts;
-  std::erase_if(parts, [&](const StatePart& part) { return part.key == key; });
+  set_part(parts, key, value);
   Document trial;
-  apply_parts(parts, trial);
-  if (!set_permalink_part(trial, key, value)) return false;
-  parts.push_back({key, value});
+  for (const StatePart& part : parts)
+    if (!set_permalink_part(trial, part.key, part.value)) return false;
   state.parts = std::move(parts);
   return true;
 }
@@ -89,17 +99,16 @@ bool arranges_window(const LessonState& state) {
   return !(trial.layout == Layout{});
 }
 
-void set_part(LessonState& state, std::string key, std::string value) {
-  std::erase_if(state.parts, [&](const StatePart& part) { return part.key == key; });
-  state.parts.push_back({std::move(key), std::move(value)});
-}
-
 }  // namespace
 
 const std::string* part_of(const LessonState& state, std::string_view key) {
   const auto part =
       std::find_if(state.parts.begin(), state.parts.end(), [&](const StatePart& each) { return each.key == key; });
   return part == state.parts.end() ? nullptr : &part->value;
+}
+
+bool changes_anything(const LessonState& state) {
+  return !state.scene.empty() || !state.set_a.empty() || !state.set_b.empty() || !state.parts.empty();
 }
 
 bool read_state_line(const BlockLine& line, LessonState& state) {
@@ -118,10 +127,10 @@ bool read_state_line(const BlockLine& line, LessonState& state) {
   else if (line.word == "stage")
     state.stage = parse_stage(rest);
   else if (line.word == "sweep") {
-    set_part(state, "sweep", sweep_text(parse_sweep_text(rest)));
+    set_part(state.parts, "sweep", sweep_text(parse_sweep_text(rest)));
     state.stage = "chart";
   } else if (line.word == "experiment") {
-    set_part(state, "experiment", std::string(find_stability_experiment(rest).key));
+    set_part(state.parts, "experiment", find_stability_experiment(rest).key);
     state.stage = "stability";
   } else
     return add_part(line, state);

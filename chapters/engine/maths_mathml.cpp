@@ -4,32 +4,10 @@
 #include <cctype>
 
 #include "engine/maths_writers.h"
+#include "image/svg.h"
 
 namespace ps {
 namespace {
-
-std::string escaped_markup(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-    case '&':
-      result += "&amp;";
-      break;
-    case '<':
-      result += "&lt;";
-      break;
-    case '>':
-      result += "&gt;";
-      break;
-    case '"':
-      result += "&quot;";
-      break;
-    default:
-      result += c;
-    }
-  }
-  return result;
-}
 
 std::string element(std::string_view name, std::string_view inside, std::string_view attributes = {}) {
   return fmt::format("<{}{}{}>{}</{}>", name, attributes.empty() ? "" : " ", attributes, inside, name);
@@ -64,7 +42,7 @@ std::string one_element(const MathsRow& row, bool display) {
 
 std::string delimiter(const std::string& text, std::string_view form) {
   if (text.empty()) return {};
-  return element("mo", escaped_markup(text), fmt::format("form=\"{}\" stretchy=\"true\"", form));
+  return element("mo", xml_escaped(text), fmt::format("form=\"{}\" stretchy=\"true\"", form));
 }
 
 /// The markup of one node.
@@ -72,7 +50,7 @@ struct NodeMarkup {
   bool display;
 
   std::string operator()(const MathsSign& sign) const {
-    const std::string text = escaped_markup(sign.text);
+    const std::string text = xml_escaped(sign.text);
     switch (sign.role) {
     case MathsRole::opening:
     case MathsRole::closing:
@@ -135,7 +113,7 @@ struct NodeMarkup {
     return element("mrow", delimiter(matrix.opening, "prefix") + element("mtable", rows, attributes) +
                                delimiter(matrix.closing, "postfix"));
   }
-  std::string operator()(const MathsWords& words) const { return element("mtext", escaped_markup(words.text)); }
+  std::string operator()(const MathsWords& words) const { return element("mtext", xml_escaped(words.text)); }
   std::string operator()(const MathsSpace& space) const {
     return fmt::format("<mspace width=\"{:.4g}em\"/>", space.em);
   }

@@ -292,17 +292,18 @@ class FormulaReader {
   std::string read_delimiter(std::string_view of) {
     skip_blanks();
     const std::size_t begin = at_;
-    std::string_view name;
     if (more() && text_[at_] == '\\') {
-      name = command_here();
+      const std::string_view name = command_here();
       at_ = command_end(at_);
       if (name == "|") return "‖";
-      if (name == "(" || name == "[" || name == ".") name = "\\";  // no command
+      const SignCommand* command = find_sign_command(name);
+      if (command && (command->sign.role == MathsRole::opening || command->sign.role == MathsRole::closing))
+        return command->sign.text;
     } else if (more()) {
-      name = text_.substr(at_++, 1);
-      if (name == "{" || name == "}") name = "\\";
+      const char byte = text_[at_++];
+      if (byte == '.') return {};
+      if (std::string_view("()[]|").find(byte) != std::string_view::npos) return std::string(1, byte);
     }
-    if (const auto delimiter = delimiter_of(name); delimiter && !name.empty()) return std::string(*delimiter);
     refuse(std::min(begin, text_.size()), "no delimiter",
            fmt::format("( ) [ ] | \\{{ \\}} \\| \\lvert \\lVert \\lfloor \\lceil \\langle or . behind '\\{}'", of));
   }

@@ -1,9 +1,7 @@
 #include "engine/maths_signs.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
-#include <utility>
 
 namespace ps {
 namespace {
@@ -168,30 +166,6 @@ std::optional<MathsSign> sign_of_byte(char byte) {
   default:
     return {};
   }
-}
-
-std::optional<std::string_view> delimiter_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 17> delimiters{{{".", ""},
-                                                                                      {"(", "("},
-                                                                                      {")", ")"},
-                                                                                      {"[", "["},
-                                                                                      {"]", "]"},
-                                                                                      {"|", "|"},
-                                                                                      {"{", "{"},
-                                                                                      {"}", "}"},
-                                                                                      {"lvert", "|"},
-                                                                                      {"rvert", "|"},
-                                                                                      {"lVert", "‖"},
-                                                                                      {"rVert", "‖"},
-                                                                                      {"lfloor", "⌊"},
-                                                                                      {"rfloor", "⌋"},
-                                                                                      {"lceil", "⌈"},
-                                                                                      {"rceil", "⌉"},
-                                                                                      {"langle", "⟨"}}};
-  if (name == "rangle") return "⟩";
-  for (const auto& [known, text] : delimiters)
-    if (known == name) return text;
-  return {};
 }
 
 std::string_view command_of_character(std::string_view utf8) {

@@ -20,9 +20,6 @@ std::span<const SignCommand> sign_commands();
 /// The sign for a byte of the notation that stands for itself, such as '+'; none for others.
 std::optional<MathsSign> sign_of_byte(char byte);
 
-/// What may follow \left or \right, without its backslash: "(", "lvert", "{" ... The delimiter is empty for ".".
-std::optional<std::string_view> delimiter_of(std::string_view name);
-
 /// The command that writes this character, with its backslash; empty if there is none.
 std::string_view command_of_character(std::string_view utf8);
 

@@ -49,7 +49,7 @@ std::string in_small(std::string_view text, Script script) {
   return result;
 }
 
-/// How many nodes of a row can be read without brackets around them: a sign, a number, a product of letters.
+/// Whether a row can be read without brackets around it: a sign, a number, a product of letters.
 bool holds_together(const MathsRow& row) {
   for (const MathsRole role : roles_in(row))
     if (role != MathsRole::ordinary) return false;
@@ -64,16 +64,18 @@ std::string bracketed(const MathsRow& row) {
   return holds_together(row) ? plain_maths(row) : fmt::format("({})", plain_maths(row));
 }
 
+/// In brackets unless it is one node that needs none; a row of several would be torn apart by what is beside it.
+std::string bracketed_if_several(const MathsRow& row) {
+  return row.size() == 1 ? bracketed(row) : fmt::format("({})", plain_maths(row));
+}
+
 std::string script_text(const MathsRow& row, Script script) {
   if (row.empty()) return {};
-  const std::string text = plain_maths(row);
   std::string joined;  // no blanks inside a small "n + 1"
-  for (const char c : text)
+  for (const char c : plain_maths(row))
     if (c != ' ') joined += c;
   if (std::string small = in_small(joined, script); !small.empty()) return small;
-  const char* mark = script == Script::raised ? "^" : "_";
-  const bool one = row.size() == 1 && holds_together(row);
-  return one ? mark + text : fmt::format("{}({})", mark, text);
+  return (script == Script::raised ? "^" : "_") + bracketed_if_several(row);
 }
 
 struct NodeText {
@@ -84,15 +86,10 @@ struct NodeText {
            script_text(scripts.super, Script::raised);
   }
   std::string operator()(const MathsFraction& fraction) const {
-    const bool one = fraction.denominator.size() == 1 && holds_together(fraction.denominator);
-    const std::string below = plain_maths(fraction.denominator);
-    return fmt::format("{} / {}", bracketed(fraction.numerator), one ? below : fmt::format("({})", below));
+    return fmt::format("{} / {}", bracketed(fraction.numerator), bracketed_if_several(fraction.denominator));
   }
   std::string operator()(const MathsRoot& root) const {
-    const bool one = root.inside.size() == 1 && holds_together(root.inside);
-    const std::string inside = plain_maths(root.inside);
-    const std::string degree = script_text(root.degree, Script::raised);
-    return fmt::format("{}√{}", degree, one ? inside : fmt::format("({})", inside));
+    return fmt::format("{}√{}", script_text(root.degree, Script::raised), bracketed_if_several(root.inside));
   }
   std::string operator()(const MathsAccented& accented) const { return plain_maths(accented.inside); }
   std::string operator()(const MathsFence& fence) const {

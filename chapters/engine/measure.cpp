@@ -81,13 +81,18 @@ double count_of(Bench& bench, Side side, Counter counter) {
   throw InputError(fmt::format("metric: the picture's renderer does not count {}", counter_key(counter)));
 }
 
-/// The part of a picture that a metric reads. Throws InputError for a rectangle that does not lie inside.
+/// The rectangle of a metric in a picture of this size. Throws InputError where it does not lie inside.
+TileRect rectangle_in(const Vec2i& size, const TileRect& within) {
+  const TileRect inside = common_part(within, {0, 0, size.x, size.y});
+  if (!(inside == within) || is_empty(inside))
+    throw InputError(
+        fmt::format("within: the rectangle does not lie in the picture of {} x {} pixels", size.x, size.y));
+  return inside;
+}
+
 Image<Rgb8> part_of_picture(const Image<Rgb8>& picture, const std::optional<TileRect>& within) {
   if (!within) return picture;
-  const TileRect inside = common_part(*within, {0, 0, picture.width(), picture.height()});
-  if (!(inside == *within) || is_empty(inside))
-    throw InputError(fmt::format("within: the rectangle does not lie in the picture of {} x {} pixels", picture.width(),
-                                 picture.height()));
+  const TileRect inside = rectangle_in({picture.width(), picture.height()}, *within);
   Image<Rgb8> part(inside.width(), inside.height());
   for (int y = 0; y < part.height(); ++y)
     for (int x = 0; x < part.width(); ++x) part.at(x, y) = picture.at(inside.x0 + x, inside.y0 + y);
@@ -100,15 +105,6 @@ Comparison compared(Bench& bench, const Metric& metric) {
 }
 
 int level_of(Rgb8 colour, int channel) { return channel == 0 ? colour.r : channel == 1 ? colour.g : colour.b; }
-
-double level(Bench& bench, Side side, int channel, const Metric& metric) {
-  const Image<Rgb8> picture = bench.levels(side);
-  if (!metric.within) return level_of(picture.at(bench.pixel().x, bench.pixel().y), channel);
-  double sum = 0;
-  const Image<Rgb8> part = part_of_picture(picture, metric.within);
-  for (const Rgb8& colour : part.pixels()) sum += level_of(colour, channel);
-  return sum / static_cast<double>(part.pixels().size());
-}
 
 /// The index of the object of that name; -1 for "background".
 int object_of_name(const Scene& scene, std::string_view name) {
@@ -134,6 +130,70 @@ double experiment_value(const Metric& metric, Progress& progress) {
       fmt::format("metric: the experiment '{}' has no such point; it has {}", metric.name, fmt::join(known, ", ")));
 }
 
+using ValueAt = std::function<double(int x, int y)>;
+
+ValueAt levels_at(Bench& bench, Side side, int channel) {
+  return [picture = bench.levels(side), channel](int x, int y) { return level_of(picture.at(x, y), channel); };
+}
+
+ValueAt ids_at(Bench& bench, Side side, const std::function<double(const PixelId&)>& value) {
+  return [ids = bench.frame(side, Channel::ids).ids, value](int x, int y) { return value(ids.at(x, y)); };
+}
+
+/// What the metric reads at each pixel.
+ValueAt values_of(Bench& bench, const Metric& metric) {
+  switch (metric.kind) {
+  case MetricKind::red:
+    return levels_at(bench, metric.side, 0);
+  case MetricKind::green:
+    return levels_at(bench, metric.side, 1);
+  case MetricKind::blue:
+    return levels_at(bench, metric.side, 2);
+  case MetricKind::object:
+    return ids_at(bench, metric.side, [](const PixelId& id) { return id.object; });
+  case MetricKind::triangle:
+    return ids_at(bench, metric.side, [](const PixelId& id) { return id.triangle; });
+  case MetricKind::winner: {
+    const int wanted = object_of_name(bench.document().scene, metric.name);
+    return ids_at(bench, metric.side, [wanted](const PixelId& id) { return id.object == wanted ? 1 : 0; });
+  }
+  case MetricKind::differing_pixels:
+  case MetricKind::max_difference: {
+    const bool counted = metric.kind == MetricKind::differing_pixels;
+    return [a = bench.levels(Side::a), b = bench.levels(Side::b), counted](int x, int y) {
+      int most = 0;
+      for (int channel = 0; channel < 3; ++channel)
+        most = std::max(most, std::abs(level_of(a.at(x, y), channel) - level_of(b.at(x, y), channel)));
+      return counted ? std::min(most, 1) : most;
+    };
+  }
+  case MetricKind::mean_difference:
+  case MetricKind::psnr:
+  case MetricKind::flip:
+  case MetricKind::counter:
+  case MetricKind::counter_ratio:
+  case MetricKind::false_shadow_pixels:
+  case MetricKind::experiment:
+    break;
+  }
+  throw InputError(fmt::format("'{}' does not read a single pixel", metric_text(metric)));
+}
+
+/// What the metric reads at the picked pixel, or the mean of that over its rectangle.
+double picked_value(Bench& bench, const Metric& metric) {
+  if (!metric.within) {
+    const Vec2i pixel = bench.pixel();
+    return values_of(bench, metric)(pixel.x, pixel.y);
+  }
+  const View view = view_of(bench.document());
+  const TileRect part = rectangle_in({view.width, view.height}, *metric.within);
+  const ValueAt value = values_of(bench, metric);
+  double sum = 0;
+  for (int y = part.y0; y < part.y1; ++y)
+    for (int x = part.x0; x < part.x1; ++x) sum += value(x, y);
+  return sum / (static_cast<double>(part.width()) * part.height());
+}
+
 }  // namespace
 
 double measure(const Metric& metric, const Document& document, Progress& progress) {
@@ -151,113 +211,24 @@ double measure(const Metric& metric, const Document& document, Progress& progres
     return compare_images(part_of_picture(bench.levels(Side::a), metric.within),
                           part_of_picture(bench.levels(Side::b), metric.within))
         .flip;
-  case MetricKind::counter_a:
-    return count_of(bench, Side::a, metric.counter);
-  case MetricKind::counter_b:
-    return count_of(bench, Side::b, metric.counter);
+  case MetricKind::counter:
+    return count_of(bench, metric.side, metric.counter);
   case MetricKind::counter_ratio:
     return count_of(bench, Side::a, metric.counter) / count_of(bench, Side::b, metric.counter);
   case MetricKind::false_shadow_pixels:
     return false_shadow_pixels(bench);
-  case MetricKind::red_a:
-    return level(bench, Side::a, 0, metric);
-  case MetricKind::green_a:
-    return level(bench, Side::a, 1, metric);
-  case MetricKind::blue_a:
-    return level(bench, Side::a, 2, metric);
-  case MetricKind::red_b:
-    return level(bench, Side::b, 0, metric);
-  case MetricKind::green_b:
-    return level(bench, Side::b, 1, metric);
-  case MetricKind::blue_b:
-    return level(bench, Side::b, 2, metric);
-  case MetricKind::object_a:
-    return bench.id(Side::a).object;
-  case MetricKind::object_b:
-    return bench.id(Side::b).object;
-  case MetricKind::triangle_a:
-    return bench.id(Side::a).triangle;
-  case MetricKind::triangle_b:
-    return bench.id(Side::b).triangle;
-  case MetricKind::winner_a:
-    return bench.id(Side::a).object == object_of_name(document.scene, metric.name) ? 1 : 0;
-  case MetricKind::winner_b:
-    return bench.id(Side::b).object == object_of_name(document.scene, metric.name) ? 1 : 0;
+  case MetricKind::red:
+  case MetricKind::green:
+  case MetricKind::blue:
+  case MetricKind::object:
+  case MetricKind::triangle:
+  case MetricKind::winner:
+    return picked_value(bench, metric);
   case MetricKind::experiment:
     return experiment_value(metric, progress);
   }
   return std::nan("");
 }
-
-namespace {
-
-using ValueAt = std::function<double(int x, int y)>;
-
-ValueAt levels_at(Bench& bench, Side side, int channel) {
-  return [picture = bench.levels(side), channel](int x, int y) { return level_of(picture.at(x, y), channel); };
-}
-
-ValueAt ids_at(Bench& bench, Side side, const std::function<double(const PixelId&)>& value) {
-  return [ids = bench.frame(side, Channel::ids).ids, value](int x, int y) { return value(ids.at(x, y)); };
-}
-
-/// What the metric reads at each pixel.
-ValueAt values_of(Bench& bench, const Metric& metric) {
-  const auto winner = [&](Side side) {
-    const int wanted = object_of_name(bench.document().scene, metric.name);
-    return ids_at(bench, side, [wanted](const PixelId& id) { return id.object == wanted ? 1 : 0; });
-  };
-  const auto object = [](const PixelId& id) { return id.object; };
-  const auto triangle = [](const PixelId& id) { return id.triangle; };
-  switch (metric.kind) {
-  case MetricKind::red_a:
-    return levels_at(bench, Side::a, 0);
-  case MetricKind::green_a:
-    return levels_at(bench, Side::a, 1);
-  case MetricKind::blue_a:
-    return levels_at(bench, Side::a, 2);
-  case MetricKind::red_b:
-    return levels_at(bench, Side::b, 0);
-  case MetricKind::green_b:
-    return levels_at(bench, Side::b, 1);
-  case MetricKind::blue_b:
-    return levels_at(bench, Side::b, 2);
-  case MetricKind::object_a:
-    return ids_at(bench, Side::a, object);
-  case MetricKind::object_b:
-    return ids_at(bench, Side::b, object);
-  case MetricKind::triangle_a:
-    return ids_at(bench, Side::a, triangle);
-  case MetricKind::triangle_b:
-    return ids_at(bench, Side::b, triangle);
-  case MetricKind::winner_a:
-    return winner(Side::a);
-  case MetricKind::winner_b:
-    return winner(Side::b);
-  case MetricKind::differing_pixels:
-  case MetricKind::max_difference: {
-    const bool counted = metric.kind == MetricKind::differing_pixels;
-    return [a = bench.levels(Side::a), b = bench.levels(Side::b), counted](int x, int y) {
-      int most = 0;
-      for (int channel = 0; channel < 3; ++channel)
-        most = std::max(most, std::abs(level_of(a.at(x, y), channel) - level_of(b.at(x, y), channel)));
-      return counted ? std::min(most, 1) : most;
-    };
-  }
-  case MetricKind::mean_difference:
-  case MetricKind::psnr:
-  case MetricKind::flip:
-  case MetricKind::counter_a:
-  case MetricKind::counter_b:
-  case MetricKind::counter_ratio:
-  case MetricKind::false_shadow_pixels:
-  case MetricKind::experiment:
-    break;
-  }
-  throw InputError(fmt::format("'{}' does not read a single pixel", metric_text(metric)));
-}
-
-}  // namespace
 
 Image<unsigned char> places_within(const Metric& metric, const Bound& bound, const Document& document,
                                    Progress& progress) {

@@ -2,60 +2,92 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/check.h"
 #include "base/number_text.h"
 #include "base/spelling.h"
+#include "engine/words.h"
 #include "record/value_text.h"
 #include "study/stability/experiment.h"
 
 namespace ps {
 namespace {
 
-constexpr std::array<std::string_view, 22> metric_keys{"differing-pixels",
-                                                       "mean-difference",
-                                                       "max-difference",
-                                                       "psnr",
-                                                       "flip",
-                                                       "counter-a",
-                                                       "counter-b",
-                                                       "counter-ratio",
-                                                       "false-shadow-pixels",
-                                                       "red-a",
-                                                       "green-a",
-                                                       "blue-a",
-                                                       "red-b",
-                                                       "green-b",
-                                                       "blue-b",
-                                                       "object-a",
-                                                       "object-b",
-                                                       "triangle-a",
-                                                       "triangle-b",
-                                                       "winner-a",
-                                                       "winner-b",
-                                                       "experiment"};
+/// A word of the notation and what it stands for.
+struct MetricKey {
+  std::string_view key;
+  MetricKind kind;
+  Side side = Side::a;
+};
 
-std::string_view key_of(MetricKind kind) { return metric_keys.at(static_cast<std::size_t>(kind)); }
+constexpr MetricKey metric_keys[]{{"differing-pixels", MetricKind::differing_pixels},
+                                  {"mean-difference", MetricKind::mean_difference},
+                                  {"max-difference", MetricKind::max_difference},
+                                  {"psnr", MetricKind::psnr},
+                                  {"flip", MetricKind::flip},
+                                  {"counter-a", MetricKind::counter},
+                                  {"counter-b", MetricKind::counter, Side::b},
+                                  {"counter-ratio", MetricKind::counter_ratio},
+                                  {"false-shadow-pixels", MetricKind::false_shadow_pixels},
+                                  {"red-a", MetricKind::red},
+                                  {"green-a", MetricKind::green},
+                                  {"blue-a", MetricKind::blue},
+                                  {"red-b", MetricKind::red, Side::b},
+                                  {"green-b", MetricKind::green, Side::b},
+                                  {"blue-b", MetricKind::blue, Side::b},
+                                  {"object-a", MetricKind::object},
+                                  {"object-b", MetricKind::object, Side::b},
+                                  {"triangle-a", MetricKind::triangle},
+                                  {"triangle-b", MetricKind::triangle, Side::b},
+                                  {"winner-a", MetricKind::winner},
+                                  {"winner-b", MetricKind::winner, Side::b},
+                                  {"experiment", MetricKind::experiment}};
 
-bool counts(MetricKind kind) {
-  return kind == MetricKind::counter_a || kind == MetricKind::counter_b || kind == MetricKind::counter_ratio;
+std::string_view key_of(const Metric& metric) {
+  const auto* const found = std::find_if(std::begin(metric_keys), std::end(metric_keys), [&](const MetricKey& each) {
+    return each.kind == metric.kind && each.side == metric.side;
+  });
+  PS_ASSERT(found != std::end(metric_keys), "metrics of both pictures have side A");
+  return found->key;
 }
-bool names_winner(MetricKind kind) { return kind == MetricKind::winner_a || kind == MetricKind::winner_b; }
+
+bool counts(MetricKind kind) { return kind == MetricKind::counter || kind == MetricKind::counter_ratio; }
+
+/// What a metric is computed from.
+enum class MetricSource { two_pictures, level, id, other };
+
+MetricSource metric_source(MetricKind kind) {
+  switch (kind) {
+  case MetricKind::differing_pixels:
+  case MetricKind::mean_difference:
+  case MetricKind::max_difference:
+  case MetricKind::psnr:
+  case MetricKind::flip:
+    return MetricSource::two_pictures;
+  case MetricKind::red:
+  case MetricKind::green:
+  case MetricKind::blue:
+    return MetricSource::level;
+  case MetricKind::object:
+  case MetricKind::triangle:
+  case MetricKind::winner:
+    return MetricSource::id;
+  case MetricKind::counter:
+  case MetricKind::counter_ratio:
+  case MetricKind::false_shadow_pixels:
+  case MetricKind::experiment:
+    break;
+  }
+  return MetricSource::other;
+}
 
 Counter parse_counter(std::string_view key) {
   for (std::size_t i = 0; i < counter_count; ++i)
     if (counter_key(static_cast<Counter>(i)) == key) return static_cast<Counter>(i);
   throw InputError(fmt::format("'{}' is not a counter", key));
-}
-
-/// The first word of a text, which is cut off with the spaces behind it.
-std::string_view take_word(std::string_view& text) {
-  const auto end = std::min(text.find(' '), text.size());
-  const std::string_view word = text.substr(0, end);
-  text.remove_prefix(std::min(text.find_first_not_of(' ', end), text.size()));
-  return word;
 }
 
 void read_experiment(std::string_view rest, Metric& metric) {
@@ -78,16 +110,21 @@ void read_experiment(std::string_view rest, Metric& metric) {
 Metric parse_metric(std::string_view text) {
   std::string_view rest = text;
   const std::string_view key = take_word(rest);
-  const auto* const found = std::find(metric_keys.begin(), metric_keys.end(), key);
-  if (found == metric_keys.end())
-    throw InputError(fmt::format("'{}' is not a metric, expected one of {}", key, fmt::join(metric_keys, " ")));
+  const auto* const found = std::find_if(std::begin(metric_keys), std::end(metric_keys),
+                                         [&](const MetricKey& each) { return each.key == key; });
+  if (found == std::end(metric_keys)) {
+    std::string known;
+    for (const MetricKey& each : metric_keys) known.append(" ").append(each.key);
+    throw InputError(fmt::format("'{}' is not a metric, expected one of{}", key, known));
+  }
   Metric metric;
-  metric.kind = static_cast<MetricKind>(found - metric_keys.begin());
+  metric.kind = found->kind;
+  metric.side = found->side;
   if (counts(metric.kind))
     metric.counter = parse_counter(rest);
   else if (metric.kind == MetricKind::experiment)
     read_experiment(rest, metric);
-  else if (names_winner(metric.kind)) {
+  else if (metric.kind == MetricKind::winner) {
     if (rest.empty()) throw InputError(fmt::format("found '{}', expected the name of an object behind it", key));
     metric.name = rest;
   } else if (!rest.empty())
@@ -96,42 +133,22 @@ Metric parse_metric(std::string_view text) {
 }
 
 std::string metric_text(const Metric& metric) {
-  const std::string_view key = key_of(metric.kind);
+  const std::string_view key = key_of(metric);
   if (counts(metric.kind)) return fmt::format("{} {}", key, counter_key(metric.counter));
-  if (names_winner(metric.kind)) return fmt::format("{} {}", key, metric.name);
+  if (metric.kind == MetricKind::winner) return fmt::format("{} {}", key, metric.name);
   if (metric.kind != MetricKind::experiment) return std::string(key);
   return fmt::format("{} {} {} {} {}", key, metric.name, metric.method == StudyMethod::naive ? "naive" : "robust",
                      exact_number_text(metric.knob), metric.series);
 }
 
 bool reads_pictures(MetricKind kind) {
-  switch (kind) {
-  case MetricKind::differing_pixels:
-  case MetricKind::mean_difference:
-  case MetricKind::max_difference:
-  case MetricKind::psnr:
-  case MetricKind::flip:
-  case MetricKind::red_a:
-  case MetricKind::green_a:
-  case MetricKind::blue_a:
-  case MetricKind::red_b:
-  case MetricKind::green_b:
-  case MetricKind::blue_b:
-    return true;
-  case MetricKind::counter_a:
-  case MetricKind::counter_b:
-  case MetricKind::counter_ratio:
-  case MetricKind::false_shadow_pixels:
-  case MetricKind::object_a:
-  case MetricKind::object_b:
-  case MetricKind::triangle_a:
-  case MetricKind::triangle_b:
-  case MetricKind::winner_a:
-  case MetricKind::winner_b:
-  case MetricKind::experiment:
-    return false;
-  }
-  return false;
+  const MetricSource source = metric_source(kind);
+  return source == MetricSource::two_pictures || source == MetricSource::level;
+}
+
+bool reads_pixel(const Metric& metric) {
+  const MetricSource source = metric_source(metric.kind);
+  return source == MetricSource::id || (source == MetricSource::level && !metric.within);
 }
 
 bool Bound::holds(double value) const {

@@ -18,22 +18,15 @@ enum class MetricKind {
   max_difference,       ///< largest difference of one channel, display levels
   psnr,                 ///< peak signal-to-noise ratio of B against A, dB; infinite where they are equal
   flip,                 ///< mean of FLIP's perceived difference, 0 to 1
-  counter_a,            ///< a Counter of A
-  counter_b,            ///< the same of B
+  counter,              ///< a Counter of a side
   counter_ratio,        ///< a Counter of A divided by that of B
   false_shadow_pixels,  ///< pixels of A in a shadow that is not there in double precision without self-hits
-  red_a,                ///< display levels of the picked pixel, or their mean over a rectangle
-  green_a,
-  blue_a,
-  red_b,
-  green_b,
-  blue_b,
-  object_a,  ///< index of the object that the picked pixel shows; -1 = background
-  object_b,
-  triangle_a,
-  triangle_b,
-  winner_a,   ///< 1 if the picked pixel shows the object of this name, else 0
-  winner_b,   ///< the name of the background is "background"
+  red,                  ///< of a side: display levels of the picked pixel, or their mean over a rectangle
+  green,
+  blue,
+  object,     ///< index of the object that a side's picked pixel shows; -1 = background
+  triangle,   ///< the same of the triangle
+  winner,     ///< 1 if a side's picked pixel shows the object of this name ("background" for none), else 0
   experiment  ///< a point of a stability experiment's curve
 };
 
@@ -42,6 +35,7 @@ enum class StudyMethod { naive, robust };
 
 struct Metric {
   MetricKind kind = MetricKind::differing_pixels;
+  Side side = Side::a;                      ///< of the metrics that read one picture
   Counter counter = Counter::eye_rays;      ///< of the counter metrics
   std::string name;                         ///< of the winner, or key of the experiment
   StudyMethod method = StudyMethod::naive;  ///< of the experiment, as all that follows
@@ -58,6 +52,8 @@ Metric parse_metric(std::string_view text);
 std::string metric_text(const Metric& metric);
 /// Whether `within` can be set.
 bool reads_pictures(MetricKind kind);
+/// Whether it depends on which pixel is picked.
+bool reads_pixel(const Metric& metric);
 
 /// What is required of a number. `equals` allows a tolerance on both sides.
 struct Bound {

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/metric_words.h"
-#include "options/option.h"
 #include "record/value_text.h"
 #include "study/stability/experiment.h"
 
@@ -13,14 +11,15 @@ namespace {
 
 constexpr double largest_in_full = 1e12;
 
+char letter_of(const Metric& metric) { return metric.side == Side::a ? 'A' : 'B'; }
+
 std::string counted(const Metric& metric, std::string_view where) {
   return fmt::format("{} {}", counter_label(metric.counter), where);
 }
 
-/// "red of A's pixel", "mean red of A in 10 x 10 pixels"
-std::string level_words(const Metric& metric, std::string_view channel, std::string_view side) {
-  if (!metric.within) return fmt::format("{} level of {} at the picked pixel", channel, side);
-  return fmt::format("mean {} level of {} in the rectangle", channel, side);
+std::string level_words(const Metric& metric, std::string_view channel) {
+  if (!metric.within) return fmt::format("{} level of {} at the picked pixel", channel, letter_of(metric));
+  return fmt::format("mean {} level of {} in the rectangle", channel, letter_of(metric));
 }
 
 std::string compared_words(const Metric& metric, std::string_view what) {
@@ -41,38 +40,24 @@ std::string metric_words(const Metric& metric) {
     return compared_words(metric, "PSNR in dB");
   case MetricKind::flip:
     return compared_words(metric, "mean FLIP difference");
-  case MetricKind::counter_a:
-    return counted(metric, "in A");
-  case MetricKind::counter_b:
-    return counted(metric, "in B");
+  case MetricKind::counter:
+    return counted(metric, metric.side == Side::a ? "in A" : "in B");
   case MetricKind::counter_ratio:
     return counted(metric, "in A, divided by those in B");
   case MetricKind::false_shadow_pixels:
     return "pixels of A in a false shadow";
-  case MetricKind::red_a:
-    return level_words(metric, "red", "A");
-  case MetricKind::green_a:
-    return level_words(metric, "green", "A");
-  case MetricKind::blue_a:
-    return level_words(metric, "blue", "A");
-  case MetricKind::red_b:
-    return level_words(metric, "red", "B");
-  case MetricKind::green_b:
-    return level_words(metric, "green", "B");
-  case MetricKind::blue_b:
-    return level_words(metric, "blue", "B");
-  case MetricKind::object_a:
-    return "index of the object at A's picked pixel";
-  case MetricKind::object_b:
-    return "index of the object at B's picked pixel";
-  case MetricKind::triangle_a:
-    return "index of the triangle at A's picked pixel";
-  case MetricKind::triangle_b:
-    return "index of the triangle at B's picked pixel";
-  case MetricKind::winner_a:
-    return fmt::format("A's picked pixel shows {} (1 = yes)", metric.name);
-  case MetricKind::winner_b:
-    return fmt::format("B's picked pixel shows {} (1 = yes)", metric.name);
+  case MetricKind::red:
+    return level_words(metric, "red");
+  case MetricKind::green:
+    return level_words(metric, "green");
+  case MetricKind::blue:
+    return level_words(metric, "blue");
+  case MetricKind::object:
+    return fmt::format("index of the object at {}'s picked pixel", letter_of(metric));
+  case MetricKind::triangle:
+    return fmt::format("index of the triangle at {}'s picked pixel", letter_of(metric));
+  case MetricKind::winner:
+    return fmt::format("{}'s picked pixel shows {} (1 = yes)", letter_of(metric), metric.name);
   case MetricKind::experiment:
     return fmt::format("{} ({}) at {} in the experiment '{}'", metric.series,
                        metric.method == StudyMethod::naive ? "naive" : "robust", number_text(metric.knob),
@@ -92,20 +77,6 @@ std::string bound_words(const Bound& bound) {
                                : measured_text(bound.number);
   }
   return {};
-}
-
-std::string mutation_words(const Mutation& mutation) {
-  constexpr std::string_view put_back = "default ";
-  std::string words;
-  for (std::size_t from = 0; from < mutation.text.size();) {
-    const std::size_t end = std::min(mutation.text.find("; ", from), mutation.text.size());
-    std::string part = mutation.text.substr(from, end - from);
-    const Option* option = part.starts_with(put_back) ? find_option(part.substr(put_back.size())) : nullptr;
-    if (option) part = fmt::format("{} at its default", option->label);
-    words += (words.empty() ? "" : "; ") + part;
-    from = end + 2;
-  }
-  return words;
 }
 
 std::string measured_text(double value) {

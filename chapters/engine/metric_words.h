@@ -1,7 +1,6 @@
 #pragma once
 #include <string>
 
-#include "engine/claim.h"
 #include "engine/metric.h"
 
 namespace ps {
@@ -10,8 +9,6 @@ namespace ps {
 std::string metric_words(const Metric& metric);
 /// "at least 1000", "at most 3", "121", "0.333 ± 0.001"
 std::string bound_words(const Bound& bound);
-/// "Shadows at its default", "set exposure=0"
-std::string mutation_words(const Mutation& mutation);
 /// Whole numbers in full, others with four significant digits.
 std::string measured_text(double value);
 

@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/number_text.h"
-#include "document/number_list.h"
 #include "engine/block.h"
 
 namespace ps {
@@ -58,17 +55,12 @@ double read_tolerance(const std::string& text) {
 }
 
 void read_question_line(const BlockLine& line, LessonQuestion& question) {
+  if (read_metric_line(line, question.metric)) return;
   const std::string& rest = line.rest;
   if (line.word == "ask")
     read_ask(rest, question);
   else if (line.word == "text")
     question.text = rest;
-  else if (line.word == "metric") {
-    const auto within = question.metric.within;
-    question.metric = parse_metric(rest);
-    question.metric.within = within;
-  } else if (line.word == "within")
-    question.metric.within = parse_region_text(rest);
   else if (line.word == "choice")
     question.choices.push_back(read_choice(rest));
   else if (line.word == "bound")
@@ -89,13 +81,11 @@ void read_question_line(const BlockLine& line, LessonQuestion& question) {
 
 /// What a kind must have, and the words that only it may have.
 void require_complete(const LessonQuestion& question, const std::vector<BlockLine>& lines, const SourcePlace& place) {
-  const auto has = [&](std::string_view word) {
-    return std::any_of(lines.begin(), lines.end(), [&](const BlockLine& line) { return line.word == word; });
-  };
-  if (!has("ask")) throw InputError(place, "a question about nothing", fmt::format("a line 'ask' with {}", kinds));
+  if (!has_line(lines, "ask"))
+    throw InputError(place, "a question about nothing", fmt::format("a line 'ask' with {}", kinds));
   if (question.text.empty()) throw InputError(place, "a question without words", "a line 'text QUESTION'");
   const auto require = [&](std::string_view word, bool wanted) {
-    if (has(word) == wanted) return;
+    if (has_line(lines, word) == wanted) return;
     throw InputError(
         place,
         fmt::format("a question with 'ask {}' {} a line '{}'", ask_text(question), wanted ? "without" : "with", word),
@@ -127,7 +117,6 @@ std::string_view ask_text(const LessonQuestion& question) {
 LessonQuestion read_question(const std::vector<BlockLine>& lines, const LessonState& start, const SourcePlace& place) {
   LessonQuestion question;
   question.state = start;
-  question.place = place;
   for (const BlockLine& line : lines) at_place(line.place, [&] { read_question_line(line, question); });
   require_complete(question, lines, place);
   at_place(place, [&] { require_within(question.metric); });

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "base/check.h"
 #include "engine/metric.h"
 #include "engine/state.h"
 #include "image/image.h"
@@ -40,7 +39,6 @@ struct LessonQuestion {
   std::string unit;                          ///< AskKind::number
   std::string why;                           ///< said after the answer; may be empty
   std::array<bool, 2> hidden{false, false};  ///< the pictures of A and B that are covered until it is answered
-  SourcePlace place;
 };
 
 /// "choice", "number", "click", "colour", "winner", "rays", "triangle", "tests"

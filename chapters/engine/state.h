@@ -31,6 +31,9 @@ struct LessonState {
 /// The value of a part, or nullptr if the state leaves it as it is.
 const std::string* part_of(const LessonState& state, std::string_view key);
 
+/// Whether the state sets anything of the pictures: a scene, settings or parts.
+bool changes_anything(const LessonState& state);
+
 /// A document for a state alone. Throws InputError when the scene cannot be loaded or a part does not fit it.
 Document state_document(const LessonState& state, const Document& now);
 

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "base/check.h"
 #include "base/spelling.h"
 #include "engine/glossary.h"
-#include "engine/lesson.h"
 #include "engine/lesson_place.h"
+#include "engine/words.h"
 #include "options/option.h"
 
 namespace ps {
@@ -21,12 +20,6 @@ std::vector<std::string_view> linked_panels() {
   return names;
 }
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
-
 const Option& option_of_text(std::string_view key) {
   if (const Option* option = find_option(key)) return *option;
   std::vector<std::string_view> keys;
@@ -35,18 +28,6 @@ const Option& option_of_text(std::string_view key) {
 }
 
 }  // namespace
-
-LessonPlace parse_built_in_place(std::string_view text) {
-  const auto slash = text.find('/');
-  const std::string folder(text.substr(0, slash));
-  const std::vector<std::string>& names = lesson_names();
-  if (std::find(names.begin(), names.end(), folder) == names.end()) {
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    throw InputError(fmt::format("unknown lesson '{}'{}", folder,
-                                 did_you_mean(folder, known, "; 'pixelscope-cli lessons list' lists them")));
-  }
-  return {folder, slash == std::string_view::npos ? 0 : parse_step_number(text.substr(slash + 1))};
-}
 
 std::string plain_text(const TextBlock& block) {
   std::string text;
@@ -93,12 +74,12 @@ TextLink parse_control(std::string_view target) {
 }
 
 TextLink link_of_name(std::string_view name) {
-  const std::string wanted = lower_case(name);
+  const std::string wanted = in_lower_case(name);
   for (const Option& option : option_table())
-    if (lower_case(option.label) == wanted || option.key == wanted)
+    if (in_lower_case(option.label) == wanted || option.key == wanted)
       return {LinkKind::option, std::string(option.key), 0, {}};
   for (const Option& option : option_table())
-    if (lower_case(option.group) == wanted) return {LinkKind::option, std::string(option.key), 0, {}};
+    if (in_lower_case(option.group) == wanted) return {LinkKind::option, std::string(option.key), 0, {}};
   if (wanted == "pixel") return {LinkKind::panel, std::string(story_panel_name), 0, {}};
   const auto panels = linked_panels();
   if (std::find(panels.begin(), panels.end(), wanted) != panels.end()) return {LinkKind::panel, wanted, 0, {}};

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "base/check.h"
+#include "base/file_lock.h"
+#include "base/read_file.h"
+#include "support/environment.h"
 #include "support/run_cli.h"
 
 namespace lesson_answers_test {
@@ -52,6 +56,43 @@ TEST(LessonAnswers, ADamagedFileIsNamedWithItsLineAndLeftAsItIs) {
   }
 }
 
+TEST(LessonAnswers, NoneIsLostWhereSeveralAreAddedAtOnce) {
+  constexpr int writers = 4, each = 8;
+  const test::ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "answers.jsonl";
+  std::vector<std::thread> threads;
+  threads.reserve(writers);
+  for (int writer = 0; writer < writers; ++writer)
+    threads.emplace_back([&file] {
+      for (int i = 0; i < each;) try {
+          keep_answer(file, answer("it"));
+          ++i;
+        } catch (const InputError&) {
+          // The others had the file for too long, which is said and loses nothing.
+        }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(kept_answers(file).size(), static_cast<std::size_t>(writers * each));
+}
+
+TEST(LessonAnswers, AFileThatAnotherProgramHoldsIsLeftAsItIs) {
+  const test::ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "answers.jsonl";
+  keep_answer(file, answer("one"));
+  const auto lock = FileLock::try_lock(folder.file("answers.jsonl.lock"));
+  ASSERT_TRUE(lock);
+  EXPECT_THROW(keep_answer(file, answer("two")), InputError);
+  EXPECT_EQ(kept_answers(file).size(), 1u);
+}
+
+TEST(LessonAnswers, ARelativeStateFolderDoesNotCount) {
+  const test::ScratchFolder home;
+  const test::Variable state("XDG_STATE_HOME", "somewhere"), user("HOME", home.path().string());
+  EXPECT_EQ(answers_file(), home.path() / ".local/state/pixelscope/answers.jsonl");
+  const test::Variable relative("HOME", "elsewhere");
+  EXPECT_EQ(answers_file(), "");
+}
+
 TEST(LessonAnswers, NothingOfTheTableIsAFormula) {
   for (const std::string formula : {"=1+1", "+x", "-2+3", "@SUM(A1)", "\t=1", "\r=1"}) {
     const std::string table = answers_csv({answer(formula)}, formula);
@@ -71,21 +112,17 @@ TEST(LessonAnswers, TheTableHasARowForEach) {
 
 TEST(LessonAnswers, TheCommandExportsThem) {
   const test::ScratchFolder folder;
-  const char* before = std::getenv("XDG_STATE_HOME");
-  const std::string old = before ? before : "";
-  setenv("XDG_STATE_HOME", folder.path().c_str(), 1);
+  const test::Variable state("XDG_STATE_HOME", folder.path().string());
   EXPECT_EQ(answers_file(), folder.path() / "pixelscope" / "answers.jsonl");
   keep_answer(answers_file(), answer("it"));
   const auto printed = test::run_cli({"lessons", "answers", "--name", "Ada"});
   const auto written = test::run_cli({"lessons", "answers", "--name", "Ada", "--out", folder.file("table.csv")});
   std::ofstream(answers_file(), std::ios::app) << "no answer\n";
   const auto damaged = test::run_cli({"lessons", "answers"});
-  before ? setenv("XDG_STATE_HOME", old.c_str(), 1) : unsetenv("XDG_STATE_HOME");
   EXPECT_EQ(printed.status, 0) << printed.err;
   EXPECT_EQ(printed.out, answers_csv({answer("it")}, "Ada"));
   EXPECT_EQ(written.status, 0) << written.err;
-  std::ifstream table(folder.file("table.csv"));
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(table), {}), printed.out);
+  EXPECT_EQ(read_whole_file(folder.file("table.csv")), printed.out);
   EXPECT_EQ(damaged.status, 2);
   EXPECT_NE(damaged.err.find("answers.jsonl:2:1"), std::string::npos) << damaged.err;
 }

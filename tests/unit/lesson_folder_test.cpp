@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/read_file.h"
 #include "base/resources.h"
 #include "document/permalink.h"
 #include "engine/handout.h"
 #include "engine/lesson_place.h"
 #include "image/file.h"
 #include "support/run_cli.h"
+#include "support/well_formed.h"
 
 namespace lesson_folder_test {
 namespace {
@@ -21,17 +23,12 @@ using namespace ps;
 using test::run_cli;
 using test::ScratchFolder;
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// A folder with the template's lesson, in which `from` is replaced.
 struct OwnLesson {
   explicit OwnLesson(const std::string& from = {}, const std::string& to = {}) {
     const auto made = run_cli({"lessons", "new", path()});
     EXPECT_EQ(made.status, 0) << made.err;
-    std::string text = text_of(path() + "/lesson.md");
+    std::string text = read_whole_file(path() + "/lesson.md");
     if (!from.empty()) {
       const auto at = text.find(from);
       EXPECT_NE(at, std::string::npos) << from;
@@ -52,11 +49,11 @@ TEST(LessonFolder, TheTemplatePassesTheCheck) {
 
 TEST(LessonFolder, NothingThatIsThereIsOverwritten) {
   const OwnLesson lesson;
-  const std::string before = text_of(lesson.path() + "/lesson.md");
+  const std::string before = read_whole_file(lesson.path() + "/lesson.md");
   const auto again = run_cli({"lessons", "new", lesson.path()});
   EXPECT_EQ(again.status, 2);
   EXPECT_NE(again.err.find("lesson.md exists already"), std::string::npos) << again.err;
-  EXPECT_EQ(text_of(lesson.path() + "/lesson.md"), before);
+  EXPECT_EQ(read_whole_file(lesson.path() + "/lesson.md"), before);
 }
 
 TEST(LessonFolder, TheCheckRefusesWhatIsNotTrue) {
@@ -115,25 +112,6 @@ TEST(LessonFolder, PlacesAreNamesFoldersAndSteps) {
 
 // --- handouts ---
 
-/// Whether every element of the page is closed, in order.
-bool is_balanced(std::string_view html) {
-  std::vector<std::string> open;
-  for (auto at = html.find('<'); at != std::string_view::npos; at = html.find('<', at + 1)) {
-    const auto end = html.find('>', at);
-    if (end == std::string_view::npos) return false;
-    const std::string_view tag = html.substr(at + 1, end - at - 1);
-    if (tag.starts_with("!") || tag.ends_with("/")) continue;
-    const std::string name(tag.substr(tag.starts_with("/") ? 1 : 0).substr(0, tag.find_first_of(" \n", 1)));
-    if (!tag.starts_with("/"))
-      open.push_back(name);
-    else if (open.empty() || open.back() != name)
-      return false;
-    else
-      open.pop_back();
-  }
-  return open.empty();
-}
-
 std::size_t count_of(std::string_view text, std::string_view word) {
   std::size_t count = 0;
   for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) ++count;
@@ -159,13 +137,13 @@ std::string handout(const OwnLesson& lesson, const std::string& how = {}) {
   if (!how.empty()) arguments.push_back(how);
   const auto made = run_cli(arguments);
   EXPECT_EQ(made.status, 0) << made.err;
-  return text_of(lesson.folder.file("page.html"));
+  return read_whole_file(lesson.folder.file("page.html"));
 }
 
 TEST(LessonHandout, NeedsNothingElse) {
   const OwnLesson lesson;
   const std::string page = handout(lesson);
-  EXPECT_TRUE(is_balanced(page));
+  EXPECT_EQ(test::markup_fault(page), "");
   EXPECT_EQ(count_of(page, "http"), 1u);  // the name of the markup itself
   EXPECT_NE(page.find("xmlns=\"http://www.w3.org/1999/xhtml\""), std::string::npos);
   EXPECT_EQ(count_of(page, "src=\"data:image/png;base64,"), count_of(page, "src="));
@@ -178,7 +156,7 @@ TEST(LessonHandout, NeedsNothingElse) {
 TEST(LessonHandout, OnlyTheTeachersHasTheAnswers) {
   const OwnLesson lesson;
   const std::string student = handout(lesson), teacher = handout(lesson, "--teacher");
-  EXPECT_TRUE(is_balanced(teacher));
+  EXPECT_EQ(test::markup_fault(teacher), "");
   EXPECT_EQ(student.find("<h2>Answers</h2>"), std::string::npos);
   EXPECT_EQ(student.find("never asks whether a light is blocked"), std::string::npos);
   EXPECT_NE(teacher.find("never asks whether a light is blocked"), std::string::npos);
@@ -211,7 +189,7 @@ TEST(LessonHandout, TextsAreEscaped) {
   const std::string html = block_html(lesson.blocks);
   EXPECT_EQ(html, "<p>1 &lt; 2 &amp; <code>a&lt;b&gt;</code></p>\n<ul>\n<li>one</li>\n<li><em>two</em></li>\n</ul>\n"
                   "<ol start=\"3\">\n<li>three</li>\n</ol>\n");
-  EXPECT_TRUE(is_balanced(handout_index({lesson})));
+  EXPECT_EQ(test::markup_fault(handout_index({lesson})), "");
   EXPECT_NE(handout_index({lesson}).find("<a href=\"demo.html\">A &lt; B &amp; C</a>"), std::string::npos);
 }
 

@@ -12,6 +12,7 @@
 #include "engine/maths_specimen.h"
 #include "engine/maths_writers.h"
 #include "support/golden.h"
+#include "support/well_formed.h"
 
 namespace ps {
 namespace maths_test {
@@ -115,98 +116,11 @@ TEST(Maths, NamesEachFaultWithItsPlace) {
   EXPECT_NE(error_of(accents + "x").find("nested too deeply"), std::string::npos);
 }
 
-/// Enough of XML for what we write: balanced tags, quoted attributes, known entities, no bare signs.
-class WellFormed {
- public:
-  explicit WellFormed(std::string_view text) : text_(text) {}
-
-  /// What is wrong, or nothing.
-  std::string fault() {
-    element();
-    if (fault_.empty() && at_ != text_.size()) fail("something behind the element");
-    return fault_;
-  }
-
- private:
-  void fail(const std::string& what) {
-    if (fault_.empty()) fault_ = what + " at byte " + std::to_string(at_);
-    at_ = text_.size();
-  }
-  bool starts(std::string_view start) const { return text_.substr(at_, start.size()) == start; }
-  std::string name() {
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
-    if (at_ == begin) fail("no name");
-    return std::string(text_.substr(begin, at_ - begin));
-  }
-  void entity() {
-    for (const std::string_view known : {"&amp;", "&lt;", "&gt;", "&quot;"})
-      if (starts(known)) {
-        at_ += known.size();
-        return;
-      }
-    fail("a bare '&'");
-  }
-  void attributes() {
-    while (fault_.empty() && starts(" ")) {
-      ++at_;
-      name();
-      if (!starts("=\"")) return fail("an attribute without a value");
-      for (at_ += 2; at_ < text_.size() && text_[at_] != '"';) {
-        if (text_[at_] == '<') return fail("'<' in an attribute");
-        if (text_[at_] == '&')
-          entity();
-        else
-          ++at_;
-      }
-      if (at_ >= text_.size()) return fail("an open attribute");
-      ++at_;
-    }
-  }
-  /// How many children an element of this name must have; -1: any number.
-  static int children_of(const std::string& element_name) {
-    if (element_name == "mfrac" || element_name == "mroot" || element_name == "msub" || element_name == "msup" ||
-        element_name == "munder" || element_name == "mover")
-      return 2;
-    return element_name == "msubsup" || element_name == "munderover" ? 3 : -1;
-  }
-  void element() {
-    if (!starts("<")) return fail("no element");
-    ++at_;
-    const std::string begun = name();
-    attributes();
-    if (starts("/>")) {
-      at_ += 2;
-      return;
-    }
-    if (!starts(">")) return fail("an open tag");
-    ++at_;
-    int children = 0;
-    while (fault_.empty() && at_ < text_.size() && !starts("</")) {
-      if (starts("<")) {
-        element();
-        ++children;
-      } else if (text_[at_] == '&') {
-        entity();
-      } else {
-        ++at_;
-      }
-    }
-    if (!starts("</" + begun + ">")) return fail("'" + begun + "' without its end");
-    at_ += begun.size() + 3;
-    if (children_of(begun) >= 0 && children != children_of(begun)) fail("wrong number of children of " + begun);
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-  std::string fault_;
-};
-
 TEST(Maths, TheCheckOfMarkupFindsFaults) {
-  EXPECT_EQ(WellFormed("<a b=\"1\"><c/>x&lt;</a>").fault(), "");
+  EXPECT_EQ(test::markup_fault("<a b=\"1\"><c/>x&lt;</a>"), "");
   for (const char* bad :
        {"<a>", "<a></b>", "<a b=1></a>", "<a>&x;</a>", "<a/><b/>", "<mfrac><mi>x</mi></mfrac>", "<a b=\"<\"/>"})
-    EXPECT_NE(WellFormed(bad).fault(), "") << bad;
+    EXPECT_NE(test::markup_fault(bad), "") << bad;
 }
 
 std::vector<Formula> specimen_formulas() {
@@ -220,7 +134,7 @@ std::vector<Formula> specimen_formulas() {
 TEST(Maths, EveryFormulaOfTheSpecimenIsWellFormed) {
   const auto formulas = specimen_formulas();
   EXPECT_GT(formulas.size(), 25u);
-  for (const Formula& formula : formulas) EXPECT_EQ(WellFormed(mathml(formula)).fault(), "") << mathml(formula);
+  for (const Formula& formula : formulas) EXPECT_EQ(test::markup_fault(mathml(formula)), "") << mathml(formula);
 }
 
 /// A parser of others, where there is one.
