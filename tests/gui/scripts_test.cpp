@@ -1,4 +1,4 @@
-// Every script of tests/gui/scripts in the real window, at the sizes of a small and of a common screen. A first line
+// Every script of tests/gui/scripts in the real window, at the sizes of a small and of a common screen. A line
 // "# arguments: ..." gives arguments for the program. A line "# size: WxH" is for scripts that wait for
 // measurements: they are played at this size alone. OUT/ stands for a folder for screenshots; none may be blank.
 #include <gtest/gtest.h>
@@ -52,13 +52,21 @@ std::string text_of(const std::string& script) {
   return ps::test::read_file("tests/gui/scripts/" + script + ".script");
 }
 
+/// What stands behind "# NAME: " in a line of its own; empty where there is no such line.
+std::string note_of(const std::string& text, const std::string& name) {
+  const std::string mark = "\n# " + name + ": ", lines = "\n" + text;
+  const auto at = lines.find(mark);
+  if (at == std::string::npos) return {};
+  const auto begin = at + mark.size();
+  return lines.substr(begin, lines.find('\n', begin) - begin);
+}
+
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const std::string& script : scripts()) {
-    const std::string text = "\n" + text_of(script);
+    const std::string only = note_of(text_of(script), "size");
     for (const std::string size : {"1366x768", "1920x1080"})
-      if (text.find("\n# size: ") == std::string::npos || text.find("\n# size: " + size + "\n") != std::string::npos)
-        all.emplace_back(script, size);
+      if (only.empty() || only == size) all.emplace_back(script, size);
   }
   return all;
 }
@@ -70,9 +78,7 @@ TEST_P(Script, Plays) {
   const auto folder = ps::fresh_output_folder("gui-" + name + "-" + size);
   std::string commands = text_of(name);
   ASSERT_FALSE(commands.empty());
-  std::string arguments;
-  const std::string mark = "# arguments: ";
-  if (commands.starts_with(mark)) arguments = commands.substr(mark.size(), commands.find('\n') - mark.size());
+  const std::string arguments = note_of(commands, "arguments");
   replace_all(commands, "OUT/", folder.string() + "/");
   const auto result = ps::test::play(commands, folder, size, arguments);
   EXPECT_EQ(result.status, 0) << result.errors << result.output;

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/check.h"
 #include "gui/frame/show_panel.h"
-#include "gui/panels/lesson/lesson_panel.h"
+#include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/options/value_entries.h"
 #include "gui/widgets/key_focus.h"
 #include "options/option.h"
@@ -16,14 +15,10 @@ namespace ps::gui {
 std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& options, const KeptState& kept,
                                           const std::function<void()>& show_options) {
   std::vector<PaletteEntry> entries;
-  for (const auto& name : lesson_names()) {
-    try {
-      entries.push_back(
-          {"lesson/" + name, load_lesson(name).title, "lesson", [&session, name] { go_to_step(session, name, 0); }});
-    } catch (const InputError&) {
-      // The lesson menu says what is wrong with it.
-    }
-  }
+  for (const ListedLesson& lesson : listed_lessons())
+    if (lesson.fault.empty())
+      entries.push_back({"lesson/" + lesson.name, lesson.title, "lesson",
+                         [&session, &lesson] { go_to_step(session, lesson.name, 0); }});
   for (const Option& option : option_table())
     entries.push_back({fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label),
                        "option",

@@ -33,6 +33,12 @@ bool unless_asked(Session& session, PredictState& predict, const std::function<b
   return false;
 }
 
+/// Measurements for a lesson wait for the pictures' own renders, and for studies, which may measure times.
+bool lesson_measurements_wait(const Session& session, const PanelStates& my) {
+  const auto runs = [](const auto& study) { return study.state() == StudyState::running; };
+  return session.rendering() || runs(my.chart.study) || runs(my.needs.study) || runs(my.timings.study);
+}
+
 // --- left ---
 
 Panel lesson(Session& session, PanelStates& my) {
@@ -58,8 +64,7 @@ Panel lesson(Session& session, PanelStates& my) {
           .update =
               [&] {
                 my.lessons.update(session);
-                my.lessons.claims.hold(my.chart.study.running() || my.needs.study.running() ||
-                                       my.timings.study.running());
+                my.lessons.claims.hold(lesson_measurements_wait(session, my));
               }};
 }
 
@@ -176,6 +181,7 @@ Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
               [&] {
                 update_pin(session, my.pixel.pin);
                 update_question(session, my);
+                my.predict.lesson->hold(lesson_measurements_wait(session, my));
               },
           .busy = [&] { return pin_busy(my.pixel.pin) || my.predict.lesson->measuring(); }};
 }

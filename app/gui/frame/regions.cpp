@@ -115,20 +115,21 @@ const Panel& Regions::staged() const {
 /// Below the text, where the step asks before it shows; returns what room is left.
 Area Regions::above_question(const Area& area) {
   const LessonQuestions& asked = *my_.predict.lesson;
-  const bool pending = session_.document().mode != ScreenMode::explore && prediction_pending(session_, my_.predict);
-  if (!pending && !asked.asked_beside_text(session_) && !asked.verdict()) return area;
+  const bool asks = prediction_pending(session_, my_.predict), by_lesson = asked.asked_beside_text(session_);
+  // Exploring, a question that no lesson asks is in the place of the pixel's story.
+  const bool pending = asks && (by_lesson || session_.document().mode != ScreenMode::explore);
+  if (!pending && !by_lesson && !asked.verdict()) return area;
   const float top = std::round(area.max.y - std::min(question_height_, area.height() * most_of_question));
-  question({{area.min.x, top}, area.max});
+  question({{area.min.x, top}, area.max}, pending);
   return {area.min, {area.max.x, top}};
 }
 
 /// As high as it was when it was drawn last; what is higher than its place can be scrolled.
-void Regions::question(const Area& area) {
+void Regions::question(const Area& area, bool pending) {
   begin_region(session_, "question", area);
   ImGui::BeginChild("scroll");
   const float top = ImGui::GetCursorPosY();
   LessonQuestions& asked = *my_.predict.lesson;
-  const bool pending = prediction_pending(session_, my_.predict);
   if (pending && asked.asked_beside_text(session_) && asked.question()->kind != AskKind::pixel)
     ask_lesson_question(session_, asked);
   else if (pending)
@@ -136,7 +137,7 @@ void Regions::question(const Area& area) {
   else if (asked.open())
     way_back_to_question(session_, asked);
   else
-    lesson_verdict(asked);
+    lesson_verdict(session_, asked);
   const float height = ImGui::GetCursorPosY() - top + px(20);
   if (std::abs(height - question_height_) > 1) redraw_after(0);
   question_height_ = height;

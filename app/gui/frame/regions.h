@@ -33,7 +33,7 @@ class Regions {
   void drawer(const Area& area);
   bool tool(const Panel& panel, bool filled);
   void stage(const Area& area, bool folded);
-  void question(const Area& area);
+  void question(const Area& area, bool pending);
   Area above_question(const Area& area);
   void lesson_text(const Area& area);
   void pictures(const Area& area, double least_share, PictureCaptions captions);

@@ -1,7 +1,6 @@
 #include "gui/platform/state_file.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/number_text.h"
+#include "base/user_folder.h"
 
 namespace ps::gui {
 namespace {
@@ -17,13 +17,6 @@ namespace {
 constexpr std::uintmax_t largest_state = 1 << 20;
 constexpr const char* format_key = "format";
 constexpr int this_format = 1;  ///< of the file; one without a number is of the same
-
-/// The folder named by a variable, or a folder below the home folder; empty if neither is known.
-std::filesystem::path user_folder(const char* variable, const char* below_home) {
-  if (const char* folder = std::getenv(variable); folder && *folder == '/') return folder;
-  if (const char* home = std::getenv("HOME"); home && *home == '/') return std::filesystem::path(home) / below_home;
-  return {};
-}
 
 /// The file is of an older or a newer program.
 class OtherVersion : public InputError {

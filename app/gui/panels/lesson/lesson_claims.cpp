@@ -9,37 +9,6 @@
 namespace ps::gui {
 namespace {
 
-bool reads_pixel(const Metric& metric) {
-  switch (metric.kind) {
-  case MetricKind::red_a:
-  case MetricKind::green_a:
-  case MetricKind::blue_a:
-  case MetricKind::red_b:
-  case MetricKind::green_b:
-  case MetricKind::blue_b:
-    return !metric.within;
-  case MetricKind::object_a:
-  case MetricKind::object_b:
-  case MetricKind::triangle_a:
-  case MetricKind::triangle_b:
-  case MetricKind::winner_a:
-  case MetricKind::winner_b:
-    return true;
-  case MetricKind::differing_pixels:
-  case MetricKind::mean_difference:
-  case MetricKind::max_difference:
-  case MetricKind::psnr:
-  case MetricKind::flip:
-  case MetricKind::counter_a:
-  case MetricKind::counter_b:
-  case MetricKind::counter_ratio:
-  case MetricKind::false_shadow_pixels:
-  case MetricKind::experiment:
-    return false;
-  }
-  return false;
-}
-
 /// What of a document changes its pictures, and nothing else.
 Document pictures_of(const Document& document) {
   Document pictures;
@@ -53,11 +22,6 @@ Document pictures_of(const Document& document) {
   pictures.a.settings = document.a.settings;
   pictures.b.settings = document.b.settings;
   return pictures;
-}
-
-bool has_own_settings(const Claim& claim) {
-  const LessonState& own = claim.own;
-  return !own.scene.empty() || !own.set_a.empty() || !own.set_b.empty() || !own.parts.empty();
 }
 
 }  // namespace
@@ -88,18 +52,13 @@ Document LessonClaims::document_of(const Session& session, std::size_t claim, Cl
   return document;
 }
 
-LessonClaims::Job LessonClaims::job_of(const Document& now, std::size_t claim) const {
-  const Claim& of = claims_.at(claim);
-  Job job{metric(claim), now, {}};
-  try {
-    if (!of.own.scene.empty() && shown_.at(claim) == ClaimShown::step)
-      job.document = claim_document(of, now);
-    else if (shown_.at(claim) == ClaimShown::step)
-      change_document(of.own, job.document);
-  } catch (const InputError& error) {
-    job.trouble = error.what();
-  }
-  return job;
+double LessonClaims::measured_value(const Job& job, Progress& progress) {
+  Document document = job.screen;
+  if (job.adds_own && !job.claim.own.scene.empty())
+    document = claim_document(job.claim, job.screen);
+  else if (job.adds_own)
+    change_document(job.claim.own, document);
+  return measure(job.metric, document, progress);
 }
 
 void LessonClaims::follow(const Session& session, const Lesson& lesson, int version) {
@@ -109,21 +68,22 @@ void LessonClaims::follow(const Session& session, const Lesson& lesson, int vers
   version_ = version;
 }
 
-void LessonClaims::measure_changed(const Session& session) {
+bool LessonClaims::measure_changed(const Session& session) {
   const Document& document = session.document();
-  if (claims_.empty() || held_ || session.rendering()) return;
-  if (revision_ == session.revision() && measured_asked_ == asked_) return;
+  if (claims_.empty() || held_) return false;
+  if (revision_ == session.revision() && measured_asked_ == asked_) return false;
   revision_ = session.revision();
-  Document now = pictures_of(document);
+  const Document pictures = pictures_of(document);
+  Document now = pictures;
   if (std::any_of(claims_.begin(), claims_.end(),
                   [](const Claim& each) { return reads_pixel(each.metric) || reads_pixel(each.mutation.metric); }))
     now.pixel = document.pixel;
-  if (measured_ && *measured_ == now && measured_asked_ == asked_) return;
+  if (measured_ && *measured_ == now && measured_asked_ == asked_) return false;
   measured_ = now;
-  const Document pictures = pictures_of(document);
-  Document of_step;
+  std::optional<Document> of_step;
   try {
-    of_step = pictures_of(state_document(step_state_, document));
+    // Another scene would be loaded here, and is not on the screen anyway.
+    if (step_state_.scene == document.scene_name) of_step = pictures_of(state_document(step_state_, document));
   } catch (const InputError&) {
     // The lesson itself says that its step cannot be shown.
   }
@@ -133,32 +93,35 @@ void LessonClaims::measure_changed(const Session& session) {
   std::vector<Job> jobs;
   jobs.reserve(claims_.size());
   now.pixel = document.pixel;
-  for (std::size_t i = 0; i < claims_.size(); ++i) jobs.push_back(job_of(now, i));
+  for (std::size_t i = 0; i < claims_.size(); ++i)
+    jobs.push_back({claims_[i], metric(i), now, shown_[i] == ClaimShown::step});
   measuring_.start([jobs = std::move(jobs)](StudyControl& control, const auto& publish) {
     std::vector<Measured> found(jobs.size());
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       control.wait_here();
-      found[i].trouble = jobs[i].trouble;
       try {
-        if (found[i].trouble.empty()) found[i].value = measure(jobs[i].metric, jobs[i].document, control.progress());
+        found[i].value = measured_value(jobs[i], control.progress());
       } catch (const InputError& error) {
         found[i].trouble = error.what();
       }
       publish(std::make_shared<const std::vector<Measured>>(found), {});
     }
   });
+  return true;
 }
 
 /// What undo, or the user's own hands, have put on the screen counts as well, unless it is the step itself.
-ClaimShown LessonClaims::shown_of(const Session& session, const Document& pictures, const Document& of_step,
-                                  std::size_t claim) const {
+ClaimShown LessonClaims::shown_of(const Session& session, const Document& pictures,
+                                  const std::optional<Document>& of_step, std::size_t claim) const {
   const Claim& of = claims_.at(claim);
   const auto is_asked = [&](ClaimShown what) { return asked_ == Asked{claim, what}; };
   if (of.mutation.changes_metric && is_asked(ClaimShown::mutation)) return ClaimShown::mutation;
   const bool at_step = pictures == of_step;
   try {
     for (const ClaimShown what : {ClaimShown::mutation, ClaimShown::claim}) {
-      if (what == ClaimShown::mutation ? of.mutation.changes_metric : !has_own_settings(of)) continue;
+      if (what == ClaimShown::mutation ? of.mutation.changes_metric : !changes_anything(of.own)) continue;
+      const LessonState& state = what == ClaimShown::mutation ? of.mutation.state : of.state;
+      if (state.scene != pictures.scene_name) continue;  // it would be loaded here, and is not on the screen
       if ((is_asked(what) || !at_step) && pictures == pictures_of(document_of(session, claim, what))) return what;
     }
   } catch (const InputError&) {
@@ -168,11 +131,12 @@ ClaimShown LessonClaims::shown_of(const Session& session, const Document& pictur
 }
 
 std::optional<double> LessonClaims::value(std::size_t claim) const {
-  const auto found = measuring_.found();
+  const auto found = measured_ ? measuring_.found() : nullptr;  // until then it is of the step before
   return found && claim < found->size() ? (*found)[claim].value : std::nullopt;
 }
 
 std::string LessonClaims::trouble(std::size_t claim) const {
+  if (!measured_) return {};
   const auto found = measuring_.found();
   return found && claim < found->size() ? (*found)[claim].trouble : measuring_.message();
 }

@@ -26,10 +26,11 @@ class LessonClaims {
 
   /// Takes up the claims of the open step, once for each step and each `version` of the lesson.
   void follow(const Session& session, const Lesson& lesson, int version);
-  /// In each frame in which a claim is in sight: measures anew if the pictures have changed, and are there.
-  void measure_changed(const Session& session);
+  /// Once in each frame in which a claim is in sight: measures anew if the pictures have changed. Answers whether it
+  /// does, and what is known of the claims has changed with it.
+  bool measure_changed(const Session& session);
 
-  /// Nothing is begun while a study measures times.
+  /// Nothing is begun or gone on with while the pictures render, or a study measures times.
   void hold(bool held) {
     held_ = held;
     measuring_.set_held(held);
@@ -53,13 +54,15 @@ class LessonClaims {
     std::string trouble;
   };
   struct Job {
+    Claim claim;
     Metric metric;
-    Document document;
-    std::string trouble;
+    Document screen;        ///< the pictures that are there
+    bool adds_own = false;  ///< the claim's own settings are not on the screen
   };
   void take_up(const Session& session, const Lesson& lesson);
   Document document_of(const Session& session, std::size_t claim, ClaimShown what) const;
-  Job job_of(const Document& now, std::size_t claim) const;
+  /// Of the measuring thread, since it may load a scene. Throws InputError and Cancelled.
+  static double measured_value(const Job& job, Progress& progress);
 
   std::string lesson_;
   int step_ = -1, version_ = -1;
@@ -71,7 +74,7 @@ class LessonClaims {
     ClaimShown what = ClaimShown::step;
     bool operator==(const Asked&) const = default;
   };
-  ClaimShown shown_of(const Session& session, const Document& pictures, const Document& of_step,
+  ClaimShown shown_of(const Session& session, const Document& pictures, const std::optional<Document>& of_step,
                       std::size_t claim) const;
 
   std::optional<Asked> asked_;        // what was last put on the screen from here, while it is there

@@ -10,7 +10,7 @@
 namespace ps::gui {
 namespace {
 
-/// The course, or one without parts where it cannot be read, which the lesson menu reports.
+/// The course, or one without parts where it cannot be read.
 Course readable_course() {
   try {
     return load_course();
@@ -23,11 +23,16 @@ std::vector<ListedLesson> readable_lessons() {
   std::vector<ListedLesson> lessons;
   const Course course = readable_course();
   for (const auto& name : lesson_names()) {
+    ListedLesson& listed = lessons.emplace_back();
+    listed.name = listed.title = name;
+    listed.part = part_title(course, name);
     try {
       const Lesson lesson = load_lesson(name);
-      lessons.push_back({name, lesson.title, lesson.source, std::string(part_title(course, name)), length_of(lesson)});
-    } catch (const InputError&) {
-      continue;  // the lesson menu says what is wrong with it
+      listed.title = lesson.title;
+      listed.source = lesson.source;
+      listed.length = length_of(lesson);
+    } catch (const InputError& error) {
+      listed.fault = error.what();
     }
   }
   return lessons;
@@ -51,6 +56,7 @@ void lesson_list(Session& session, const ReadLessons& read) {
   ImGui::BeginChild("lessons");
   std::string_view part;
   for (const ListedLesson& lesson : listed_lessons()) {
+    if (!lesson.fault.empty()) continue;  // the lesson menu says what is wrong with it
     if (lesson.part != part) {
       part = lesson.part;
       ImGui::TextDisabled("%s", lesson.part.c_str());

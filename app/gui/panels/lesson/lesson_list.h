@@ -14,9 +14,10 @@ struct ListedLesson {
   std::string name, title, source;
   std::string part;  ///< of the course
   LessonLength length;
+  std::string fault;  ///< why it cannot be read; its title is its name then
 };
 
-/// All lessons that can be read, in their order; read once.
+/// All lessons in their order; read once.
 const std::vector<ListedLesson>& listed_lessons();
 
 /// The tick of a lesson that was read to its end, at the left end of its row.

@@ -13,6 +13,7 @@
 #include "gui/panels/lesson/text_needs.h"
 #include "gui/panels/lesson/text_pages.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/redraw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -31,10 +32,11 @@ struct OwnBlocks {
   std::vector<TextBlock> options;  ///< what the step is about, with controls
   TextBlock claims_title;
   std::vector<TextBlock> claims;  ///< the sentences that are measured; none while a question is open
+  std::vector<ClaimLayout> measured;
 };
 
 /// The lines of the claims, each with what is measured below it.
-void lay_out_claims(const OwnBlocks& own, const LessonClaims& claims, float width, std::vector<TextLine>& lines) {
+void lay_out_claims(OwnBlocks& own, const LessonClaims& claims, float width, std::vector<TextLine>& lines) {
   if (own.claims.empty()) return;
   lay_out(own.claims_title, {}, Face::body, width, lines);
   for (std::size_t i = 0; i < own.claims.size(); ++i) {
@@ -43,7 +45,7 @@ void lay_out_claims(const OwnBlocks& own, const LessonClaims& claims, float widt
     for (std::size_t line = first; line < lines.size(); ++line) lines[line].stays_with_next = true;
     TextLine measured;
     measured.gap = px(1);
-    measured.height = claim_line_height(claims, i, width);
+    measured.height = own.measured.emplace_back(lay_out_claim(claims, i, width)).height;
     measured.claim = i;
     lines.push_back(std::move(measured));
   }
@@ -54,6 +56,7 @@ OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Les
                 block_of(BlockKind::paragraph, step.title),
                 {},
                 block_of(BlockKind::heading, "Measured"),
+                {},
                 {}};
   if (!shelf.holds_back)
     for (const Claim& claim : shelf.claims.claims()) own.claims.push_back(block_of(BlockKind::paragraph, claim.text));
@@ -67,7 +70,7 @@ OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Les
 
 /// What stands in the column from top to bottom.
 std::vector<TextLine> column_of(const Session& session, LessonShelf& shelf, const Lesson& lesson, int index,
-                                const OwnBlocks& own) {
+                                OwnBlocks& own) {
   const LessonStep& step = lesson.steps[static_cast<std::size_t>(index)];
   const float width = ImGui::GetContentRegionAvail().x;
   std::vector<TextLine> lines;
@@ -124,7 +127,8 @@ void turn_by_wheel(ReadPage& read) {
   read.page = std::clamp(read.page + (wheel < 0 ? 1 : -1), 0, read.pages - 1);
 }
 
-void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>& lines) {
+void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>& lines,
+               const std::vector<ClaimLayout>& measured) {
   std::vector<PagePart> parts;
   parts.reserve(lines.size());
   for (const TextLine& line : lines) parts.push_back({line.gap, line.height, line.begins_block, line.stays_with_next});
@@ -137,12 +141,16 @@ void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>
   read.page = std::clamp(read.page, 0, read.pages - 1);
   const auto page = static_cast<std::size_t>(read.page);
   const std::size_t end = page + 1 < starts.size() ? starts[page + 1] : lines.size();
+  const bool claims_in_sight = std::any_of(lines.begin() + static_cast<std::ptrdiff_t>(starts[page]),
+                                           lines.begin() + static_cast<std::ptrdiff_t>(end),
+                                           [](const TextLine& line) { return line.claim.has_value(); });
+  if (claims_in_sight && shelf.claims.measure_changed(session)) redraw_after(0);  // these lines are of before
   ImVec2 at = ImGui::GetCursorScreenPos();
   for (std::size_t i = starts[page]; i < end; ++i) {
     if (i > starts[page]) at.y += lines[i].gap;
     ImGui::SetCursorScreenPos(at);
     if (lines[i].claim)
-      claim_line(session, shelf.claims, *lines[i].claim, ImGui::GetContentRegionAvail().x);
+      claim_line(session, shelf.claims, *lines[i].claim, measured.at(*lines[i].claim));
     else if (auto clicked = draw_line(session, lines[i]))
       shelf.followed = std::move(clicked);
     at.y += lines[i].height;
@@ -218,11 +226,12 @@ void lesson_panel(Session& session, LessonShelf& shelf) {
   const int index = std::clamp(session.document().step, 0, static_cast<int>(lesson->steps.size()) - 1);
   follow_step(session, shelf.text);
   if (!shelf.holds_back) shelf.claims.follow(session, *lesson, shelf.version());
-  const OwnBlocks own = own_blocks(session, shelf, *lesson, lesson->steps[static_cast<std::size_t>(index)]);
+  OwnBlocks own = own_blocks(session, shelf, *lesson, lesson->steps[static_cast<std::size_t>(index)]);
   ImGui::BeginChild("text", {0, -(ImGui::GetFrameHeightWithSpacing() + px(2))}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   turn_by_wheel(shelf.text);
-  draw_page(session, shelf, column_of(session, shelf, *lesson, index, own));
+  const std::vector<TextLine> lines = column_of(session, shelf, *lesson, index, own);
+  draw_page(session, shelf, lines, own.measured);
   ImGui::EndChild();
   note_read(shelf, *lesson, index, shelf.text);
   buttons(session, *lesson, index, shelf.text);

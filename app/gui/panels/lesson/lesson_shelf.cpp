@@ -33,7 +33,8 @@ void LessonShelf::load(Session& session) {
 }
 
 void LessonShelf::update(Session& session) {
-  if (!watch_ || !watch_->take_changed() || session.document().lesson != name_) return;
+  // A change while no lesson is open is taken when this one is open again.
+  if (!watch_ || session.document().lesson != name_ || !watch_->take_changed()) return;
   const std::string file = lesson_file(name_).string();
   for (std::size_t i = session.messages().size(); i-- > 0;)
     if (session.messages()[i].text.starts_with(file)) session.dismiss(i);  // it may have been mended

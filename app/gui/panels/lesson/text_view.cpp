@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/check.h"
 #include "engine/glossary.h"
 #include "gui/base/fit.h"
 #include "gui/panels/lesson/option_field.h"
@@ -44,6 +45,17 @@ std::string name_of(const LinkTarget& target) {
   return {};
 }
 
+/// What the glossary says of a term, or what is wrong with the glossary.
+std::string term_help(const std::string& term) {
+  try {
+    if (const GlossaryEntry* entry = find_entry(term))
+      return fmt::format("{}: {}", entry->term, plain_text(entry->definition));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "Opens the glossary.";
+}
+
 std::string help_of(const TextLink& link) {
   switch (link.kind) {
   case LinkKind::none:
@@ -57,9 +69,7 @@ std::string help_of(const TextLink& link) {
   case LinkKind::lesson:
     return "Opens this lesson.";
   case LinkKind::term:
-    if (const GlossaryEntry* entry = find_entry(link.target))
-      return fmt::format("{}: {}", entry->term, plain_text(entry->definition));
-    return "Opens the glossary.";
+    return term_help(link.target);
   }
   return {};
 }
@@ -79,8 +89,11 @@ bool link_button(const TextPiece& piece, ImVec2 min, ImVec2 max, const LinkTarge
   const bool clicked = hit_area(name, {max.x - min.x, max.y - min.y}, {});
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (begin_tooltip()) {
+    ImGui::TextUnformatted(help_of(target.link).c_str());
+    end_tooltip();
+  }
   controls().record(name, std::string(piece.span->text));
-  tooltip(help_of(target.link));
   ImGui::PopID();
   const Palette& p = palette();
   ImDrawList& draw = *ImGui::GetWindowDrawList();

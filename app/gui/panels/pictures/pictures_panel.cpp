@@ -171,6 +171,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     if (const auto scale = draw_legend(list, legend, area)) legend_range(session, state, shown_side, legend, *scale);
   }
   const auto handles_in = [&](Side which, const Area& clip) {
+    if (state.hidden[index_of(which)]) return;
     picture_handles(session, state, which, area, clip, which == Side::a ? "view/a" : "view/b", hovered);
   };
   if (split) {

@@ -143,7 +143,13 @@ void way_back_to_question(Session& session, const LessonQuestions& questions) {
     go_to_step(session, session.document().lesson, session.document().step);
 }
 
-void lesson_verdict(LessonQuestions& questions) {
+void verdict_bar(ImVec2 top, const Judgement& judgement) {
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      top, {top.x + px(8), ImGui::GetItemRectMax().y},
+      colour_u32(judgement.points >= 0.5 ? palette().right_mark : palette().wrong_mark));
+}
+
+void lesson_verdict(Session& session, LessonQuestions& questions) {
   const Judgement* verdict = questions.verdict();
   if (!verdict) return;
   const NameScope scope("question");
@@ -153,12 +159,12 @@ void lesson_verdict(LessonQuestions& questions) {
   ImGui::Indent(px(16));
   value_paragraph("verdict", verdict->sentence.empty() ? "You have skipped it." : verdict->sentence);
   ImGui::Unindent(px(16));
-  if (!verdict->sentence.empty())
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        at, {at.x + px(8), ImGui::GetItemRectMax().y},
-        colour_u32(verdict->points >= 0.5 ? palette().right_mark : palette().wrong_mark));
-  if (button("again", "Ask again", Emphasis::quiet, {.tooltip = "The question is open again.", .disabled = {}}))
+  if (!verdict->sentence.empty()) verdict_bar(at, *verdict);
+  if (button("again", "Ask again", Emphasis::quiet,
+             {.tooltip = "The question is open again, with this step's pixel and options.", .disabled = {}})) {
+    go_to_step(session, session.document().lesson, session.document().step);
     questions.ask_again();
+  }
 }
 
 }  // namespace ps::gui

@@ -16,15 +16,20 @@ std::string_view verdict_words(double points) {
 }  // namespace
 
 LessonQuestions::LessonQuestions(const std::function<void()>& wake, bool remember, LessonShelf& lessons)
-    : lessons_(lessons), remember_(remember), measuring_(wake) {
-  if (!remember_) return;
+    : lessons_(lessons), remember_(remember), measuring_(wake) {}
+
+/// At the first question, so that a start of the window without one reads nothing.
+void LessonQuestions::read_answers(Session& session) {
+  if (answers_read_ || !remember_) return;
+  answers_read_ = true;
   try {
     for (const GivenAnswer& each : kept_answers(answers_file()))
       answered_[key_of(each.lesson, each.step)] = {
           each.answer, {each.points, fmt::format("You answered: {}. {}", each.answer, verdict_words(each.points))}};
   } catch (const InputError& error) {
     remember_ = false;  // what is there is left as it is
-    trouble_ = fmt::format("The answers of before cannot be read, and no new ones are kept: {}", error.what());
+    session.say(Message::Kind::warning,
+                fmt::format("The answers of before cannot be read, and no new ones are kept: {}", error.what()));
   }
 }
 
@@ -52,17 +57,24 @@ bool LessonQuestions::follow(Session& session) {
   version_ = lessons_.version();
   question_.reset();
   measuring_.cancel();
+  to_measure_ = false;
   answer = {};
   typed.clear();
   pixel_before = document.pixel;
   if (!lesson || static_cast<std::size_t>(document.step) >= lesson->steps.size()) return true;
   question_ = lesson->steps[static_cast<std::size_t>(document.step)].question;
-  if (question_ && !trouble_.empty()) session.say(Message::Kind::warning, std::exchange(trouble_, {}));
-  if (question_ && question_->kind != AskKind::pixel)
-    measuring_.start([question = *question_](StudyControl& control, const auto& publish) {
-      publish(std::make_shared<const MeasuredAnswer>(measure_answer(question, control.progress())), {});
-    });
+  if (question_) read_answers(session);
+  to_measure_ = question_ && question_->kind != AskKind::pixel;
   return true;
+}
+
+void LessonQuestions::hold(bool held) {
+  measuring_.set_held(held);
+  if (held || !to_measure_) return;
+  to_measure_ = false;
+  measuring_.start([question = *question_](StudyControl& control, const auto& publish) {
+    publish(std::make_shared<const MeasuredAnswer>(measure_answer(question, control.progress())), {});
+  });
 }
 
 void LessonQuestions::take(Session& session, const std::string& given, const Judgement& judgement) {
@@ -80,8 +92,7 @@ void LessonQuestions::take(Session& session, const std::string& given, const Jud
 
 void LessonQuestions::ask_again() {
   answered_.erase(here_);
-  answer = {};
-  typed.clear();
+  version_ = -1;
 }
 
 }  // namespace ps::gui

@@ -1,4 +1,6 @@
 #pragma once
+#include <imgui.h>
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -34,14 +36,16 @@ class LessonQuestions {
   std::string given() const;
   /// Keeps what was answered.
   void take(Session& session, const std::string& answer, const Judgement& judgement);
-  /// The step's question is asked anew.
+  /// The step's question is taken up anew, as if it had not been answered.
   void ask_again();
+  /// Once per frame: measures the right answer unless the processors are needed for something else.
+  void hold(bool held);
 
   /// The right answer, once it is measured.
-  std::shared_ptr<const MeasuredAnswer> right() const { return measuring_.found(); }
-  bool measuring() const { return measuring_.running(); }
+  std::shared_ptr<const MeasuredAnswer> right() const { return to_measure_ ? nullptr : measuring_.found(); }
+  bool measuring() const { return to_measure_ || measuring_.running(); }
   /// Why it could not be measured.
-  std::string failure() const { return measuring_.message(); }
+  std::string failure() const { return to_measure_ ? "" : measuring_.message(); }
   StudentAnswer answer;
   std::string typed;           ///< AskKind::number
   Vec2i pixel_before{-1, -1};  ///< that the step picks: a click moves it
@@ -52,13 +56,15 @@ class LessonQuestions {
     Judgement judgement;
   };
 
+  void read_answers(Session& session);
+
   LessonShelf& lessons_;
   std::string here_;  // "name/2"
   int version_ = -1;  // of the lesson
   std::optional<LessonQuestion> question_;
   std::map<std::string, Answered> answered_;  // by step
-  bool remember_ = false;
-  std::string trouble_;  // with the answers that are kept, until it is said
+  bool remember_ = false, answers_read_ = false;
+  bool to_measure_ = false;  // the right answer, once nothing holds it
   BackgroundStudy<MeasuredAnswer> measuring_;
 };
 
@@ -68,7 +74,10 @@ void ask_lesson_question(Session& session, LessonQuestions& questions);
 /// Says that the open question is about another pixel, or other options, than are shown, with a button that leads back.
 void way_back_to_question(Session& session, const LessonQuestions& questions);
 
+/// A bar from `top` down to the end of the item that was drawn last, in the colour of right or of wrong.
+void verdict_bar(ImVec2 top, const Judgement& judgement);
+
 /// The question with the verdict on its answer, and a button to be asked again.
-void lesson_verdict(LessonQuestions& questions);
+void lesson_verdict(Session& session, LessonQuestions& questions);
 
 }  // namespace ps::gui

@@ -126,7 +126,9 @@ bool prediction_pending(Session& session, PredictState& state) {
   const auto pixel = session.pixel();
   if (!pixel) return false;
   const Settings& settings = session.settings(inspected_side(session));
-  if (state.on && (state.asked_pixel != *pixel || state.asked_settings != settings)) {
+  // Until the lesson's question is answered, no other takes its place.
+  const bool lesson_asks = !state.words.empty() && state.lesson->open();
+  if (state.on && !lesson_asks && (state.asked_pixel != *pixel || state.asked_settings != settings)) {
     state.asked_pixel = *pixel;
     state.asked_settings = settings;
     state.answered = false;
@@ -134,8 +136,8 @@ bool prediction_pending(Session& session, PredictState& state) {
     state.guess = {};
     state.chosen = false;
   }
-  const bool stands = state.asked_pixel == *pixel && state.asked_settings == settings && !state.answered;
-  return stands && (state.on || (!state.words.empty() && state.lesson->open()));
+  if (state.asked_pixel != *pixel || state.asked_settings != settings) return false;
+  return lesson_asks || (state.on && state.words.empty() && !state.answered);
 }
 
 bool asks_about_pixel(const Session& session, const PredictState& state) {
@@ -228,9 +230,7 @@ void prediction_verdict(Session& session, PredictState& state) {
     value_text("verdict", state.judgement.sentence);
   }
   ImGui::PopTextWrapPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(
-      at, {at.x + px(8), ImGui::GetItemRectMax().y},
-      colour_u32(state.judgement.points >= 0.5 ? palette().right_mark : palette().wrong_mark));
+  verdict_bar(at, state.judgement);
   ImGui::Unindent(px(16));
   value_text("score",
              fmt::format("{:.3g} of {} point{} so far", state.points, state.asked, state.asked == 1 ? "" : "s"));

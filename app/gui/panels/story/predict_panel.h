@@ -17,7 +17,7 @@ struct PredictState {
   bool chosen = false;        ///< an answer was picked from the list, where there is one
   Vec2i asked_pixel{-1, -1};  ///< that the question is about
   Settings asked_settings;    ///< of the side whose story is shown, then
-  bool answered = false;
+  bool answered = false;      ///< without meaning for a lesson's question: LessonQuestions keeps what was answered
   Judgement judgement;
   int asked = 0;  ///< questions answered so far
   double points = 0;
