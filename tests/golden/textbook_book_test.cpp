@@ -11,6 +11,7 @@
 #include "scene/load.h"
 #include "support/golden.h"
 
+namespace textbook_book_test {
 namespace {
 
 using namespace ps;
@@ -84,3 +85,4 @@ TEST(TextbookBook, Textures) {
 }
 
 }  // namespace
+}  // namespace textbook_book_test

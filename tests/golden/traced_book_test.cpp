@@ -10,6 +10,7 @@
 #include "scene/load.h"
 #include "support/golden.h"
 
+namespace traced_book_test {
 namespace {
 
 using namespace ps;
@@ -66,3 +67,4 @@ TEST(TracedBook, ShadowsAndOneReflection) {
 }
 
 }  // namespace
+}  // namespace traced_book_test

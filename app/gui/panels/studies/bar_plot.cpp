@@ -54,6 +54,10 @@ Scale scale_of(const ExperimentFigure& figure) {
   return scale;
 }
 
+std::string title_of(const ExperimentFigure& figure, const Scale& scale) {
+  return figure.axis_title() + (scale.logarithmic ? "; the length of a bar is logarithmic" : "");
+}
+
 float name_width(const ExperimentFigure& figure, float width) {
   float widest = 0;
   for (const ExperimentFigure::Row& row : figure.rows) widest = std::max(widest, text_width(row.name));
@@ -63,8 +67,9 @@ float name_width(const ExperimentFigure& figure, float width) {
 }  // namespace
 
 float bars_height(const ExperimentFigure& figure, const MethodNames& names, float width) {
-  const float title = theme().font(Face::small)->FontSize + px(title_gap);
-  return names.height(width) + title + static_cast<float>(figure.rows.size()) * row_height();
+  const FontScope small(Face::small);
+  const float title = text_height(in_lines(title_of(figure, scale_of(figure)), width));
+  return names.height(width) + title + px(title_gap) + static_cast<float>(figure.rows.size()) * row_height();
 }
 
 std::string draw_bars(ImDrawList& list, const Area& area, const ExperimentFigure& figure, const MethodNames& names,
@@ -72,12 +77,12 @@ std::string draw_bars(ImDrawList& list, const Area& area, const ExperimentFigure
   std::string cut = names.draw(list, area, mouse);
   const Scale scale = scale_of(figure);
   const FontScope small(Face::small);
-  const float line = ImGui::GetFontSize();
-  float y = area.min.y + names.height(area.width());
-  const std::string title = figure.axis_title() + (scale.logarithmic ? "; the length of a bar is logarithmic" : "");
-  draw_text({area.min.x, y}, {area.max.x, y + line}, title, palette().text_quiet, 0);
+  const std::string title = title_of(figure, scale), lines = in_lines(title, area.width());
+  const float title_top = area.min.y + names.height(area.width());
+  const float bars_top = title_top + text_height(lines) + px(title_gap);
+  draw_lines({area.min.x, title_top}, lines, palette().text_quiet);
   controls().record("axis", title);
-  y += line + px(title_gap);
+  float y = bars_top;
   const float names_width = name_width(figure, area.width());
   const float from = area.min.x + names_width, room = std::max(area.max.x - from - px(value_width), px(20));
   for (std::size_t i = 0; i < figure.rows.size(); ++i, y += row_height()) {
@@ -102,8 +107,7 @@ std::string draw_bars(ImDrawList& list, const Area& area, const ExperimentFigure
     }
     controls().record(fmt::format("bar/{}", i), all.min, all.max, fmt::format("{}: {}", row.name, recorded));
   }
-  list.AddLine({from, area.min.y + names.height(area.width()) + line + px(title_gap)}, {from, y - px(gap_between_rows)},
-               colour_u32(palette().line_strong));
+  list.AddLine({from, bars_top}, {from, y - px(gap_between_rows)}, colour_u32(palette().line_strong));
   return cut;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/theme/theme.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -101,13 +102,16 @@ ImVec2 PlotFrame::at(double x_value, double y_value) const {
 PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const PlotAxis& x, const PlotAxis& y,
                           const PlotTitles& titles) {
   const Pen pen{list, theme().font(Face::small)};
+  const FontScope small(Face::small);
+  const std::string y_title = in_lines(titles.y, area.width());
   float label_width = px(30);
   for (const Tick& tick : y.ticks()) label_width = std::max(label_width, pen.size_of(label_of(tick)).x);
   const float line = pen.font->FontSize + px(3);
-  PlotFrame frame{{{std::round(area.min.x + label_width + px(10)), std::round(area.min.y + line + px(2))},
-                   {std::round(area.max.x - px(10)), std::round(area.max.y - 2 * line - px(3))}},
-                  x,
-                  y};
+  PlotFrame frame{
+      {{std::round(area.min.x + label_width + px(10)), std::round(area.min.y + pen.size_of(y_title).y + px(5))},
+       {std::round(area.max.x - px(10)), std::round(area.max.y - 2 * line - px(3))}},
+      x,
+      y};
   frame.inner.max.x = std::max(frame.inner.max.x, frame.inner.min.x + px(20));
   frame.inner.max.y = std::max(frame.inner.max.y, frame.inner.min.y + px(20));
   list.AddRectFilled(frame.inner.min, frame.inner.max, colour_u32(palette().field));
@@ -115,7 +119,7 @@ PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const PlotAxis& x,
   draw_y_axis(pen, frame);
   list.AddRect(frame.inner.min, frame.inner.max, colour_u32(palette().line_strong));
   draw_breaks(pen, frame);
-  pen.write({area.min.x, area.min.y}, titles.y);
+  pen.write({area.min.x, area.min.y}, y_title);
   const float middle = (frame.inner.min.x + frame.inner.max.x - pen.size_of(titles.x).x) / 2;
   pen.write({std::max(area.min.x, middle), area.max.y - line}, titles.x);
   return frame;

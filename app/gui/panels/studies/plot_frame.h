@@ -20,7 +20,7 @@ std::string axis_number(double value);
 
 struct PlotTitles {
   std::string x;  ///< below the axis
-  std::string y;  ///< above the plot, from the left
+  std::string y;  ///< above the plot, from the left, in lines where it is long
 };
 
 /// Draws grid, tick labels and titles into an area and answers where the inside lies. Labels that would touch one
