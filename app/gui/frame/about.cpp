@@ -36,7 +36,7 @@ void About::draw() {
       const FontScope title(Face::heading);
       ImGui::TextUnformatted("Pixelscope");
     }
-    ImGui::TextUnformatted("A microscope for pixels: one scene, two ways to draw it.");
+    ImGui::TextUnformatted("A microscope for pixels: one scene, several ways to draw it.");
     ImGui::Dummy({0, px(8)});
     static const Machine machine = this_machine();  // asks the system
     fact("Version", machine.version);
@@ -44,7 +44,7 @@ void About::draw() {
     fact("Vectors", machine.simd);
     fact("Threads", std::to_string(machine.threads));
     const GraphicsDriver driver = graphics_driver();
-    fact("OpenGL", driver.version);
+    fact("Graphics", driver.version);
     fact("Renderer", driver.renderer);
     ImGui::Dummy({0, px(8)});
     if (button("close", "Close", Emphasis::primary)) open = false;

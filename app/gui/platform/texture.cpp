@@ -1,10 +1,10 @@
 #include "gui/platform/texture.h"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
+
+#include "gui/platform/graphics.h"
 
 namespace ps::gui {
 
@@ -32,11 +32,11 @@ const void* four_bytes(const Image<Rgb8>& picture, const TileRect& rect) {
 std::uint64_t Texture::changes() { return changes_of_all; }
 
 Texture::~Texture() {
-  if (id_ != 0) glDeleteTextures(1, &id_);
+  if (id_ && Graphics::current()) Graphics::current()->destroy_texture(id_);
 }
 
 Texture::Texture(Texture&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), width_(std::exchange(other.width_, 0)),
+    : id_(std::exchange(other.id_, nullptr)), width_(std::exchange(other.width_, 0)),
       height_(std::exchange(other.height_, 0)), shrunk_(other.shrunk_) {}
 
 Texture& Texture::operator=(Texture&& other) noexcept {
@@ -49,37 +49,33 @@ Texture& Texture::operator=(Texture&& other) noexcept {
 
 void Texture::upload(const Image<Rgb8>& picture) {
   ++changes_of_all;
-  if (id_ == 0) {
-    glGenTextures(1, &id_);
-    glBindTexture(GL_TEXTURE_2D, id_);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  Graphics& graphics = *Graphics::current();
+  if (!id_ || picture.width() != width_ || picture.height() != height_) {
+    id_ = graphics.sized_texture(id_, {picture.width(), picture.height()});
+    if (shrunk_) graphics.set_smooth(id_, true);
   }
-  glBindTexture(GL_TEXTURE_2D, id_);
   width_ = picture.width();
   height_ = picture.height();
   const TileRect all{0, 0, width_, height_};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_BGRA, GL_UNSIGNED_BYTE, four_bytes(picture, all));
+  graphics.upload(id_, all, four_bytes(picture, all));
 }
 
 void Texture::set_shrunk(bool shrunk) const {
-  if (id_ == 0 || shrunk_ == shrunk) return;
+  if (!id_ || shrunk_ == shrunk) return;
   shrunk_ = shrunk;
   ++changes_of_all;
-  glBindTexture(GL_TEXTURE_2D, id_);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, shrunk ? GL_LINEAR : GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, shrunk ? GL_LINEAR : GL_NEAREST);
+  Graphics::current()->set_smooth(id_, shrunk);
 }
 
 void Texture::upload(const Image<Rgb8>& picture, const TileRect& rect) {
-  if (id_ == 0 || picture.width() != width_ || picture.height() != height_) return upload(picture);
+  if (!id_ || picture.width() != width_ || picture.height() != height_) return upload(picture);
   if (rect.width() <= 0 || rect.height() <= 0) return;
   ++changes_of_all;
-  glBindTexture(GL_TEXTURE_2D, id_);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, rect.x0, rect.y0, rect.width(), rect.height(), GL_BGRA, GL_UNSIGNED_BYTE,
-                  four_bytes(picture, rect));
+  Graphics::current()->upload(id_, rect, four_bytes(picture, rect));
+}
+
+void add_plain_texture(ImDrawList& list, const Texture& texture, ImVec2 min, ImVec2 max) {
+  Graphics::current()->add_plain(list, texture.id(), min, max);
 }
 
 }  // namespace ps::gui

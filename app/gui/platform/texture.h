@@ -8,8 +8,8 @@
 
 namespace ps::gui {
 
-/// A picture on the graphics card, shown pixel by pixel (no smoothing when enlarged). Main thread only; needs the
-/// window's GL context, also when it is destroyed.
+/// A picture where the window's graphics can draw it, shown pixel by pixel (no smoothing when enlarged). Main thread
+/// only; while the window is open.
 class Texture {
  public:
   Texture() = default;
@@ -31,17 +31,17 @@ class Texture {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  bool empty() const { return id_ == 0; }
+  bool empty() const { return !id_; }
   /// For ImGui::Image and ImDrawList::AddImage.
-  ImTextureID id() const {
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui hands numbers on as pointers
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(id_));
-  }
+  ImTextureID id() const { return id_; }
 
  private:
-  unsigned id_ = 0;
+  ImTextureID id_ = nullptr;
   int width_ = 0, height_ = 0;
   mutable bool shrunk_ = false;
 };
+
+/// Adds a texture to the list as ImDrawList::AddImage does, but drawn as it is: without a tint and without blending.
+void add_plain_texture(ImDrawList& list, const Texture& texture, ImVec2 min, ImVec2 max);
 
 }  // namespace ps::gui

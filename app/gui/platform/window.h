@@ -11,6 +11,7 @@
 #include "gui/base/window_point.h"
 #include "gui/input/event.h"
 #include "gui/platform/frame_memory.h"
+#include "gui/platform/graphics.h"
 #include "gui/platform/normal_size.h"
 #include "gui/platform/window_size.h"
 #include "image/image.h"
@@ -19,7 +20,7 @@ struct SDL_Window;
 
 namespace ps::gui {
 
-/// No display, or no OpenGL. what() is one line for people.
+/// No display, or nothing that draws into a window. what() is one line for people.
 class WindowError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -31,12 +32,7 @@ struct WindowPlacement {
   bool maximised = false;  ///< covers the display apart from its panels
 };
 
-/// How OpenGL names itself; "unknown" where it does not.
-struct GraphicsDriver {
-  std::string version, renderer;
-};
-
-/// The window with its OpenGL context (3.3 core; if that is not to be had, 3.0) and Dear ImGui's two back ends.
+/// The window with what draws into it (OpenGL or, where there is none, SDL) and Dear ImGui's back ends.
 class Window {
  public:
   Window(const std::string& title, const WindowPlacement& placement);
@@ -102,7 +98,7 @@ class Window {
   bool normal() const;
 
   SDL_Window* window_ = nullptr;
-  void* context_ = nullptr;
+  std::unique_ptr<Graphics> graphics_;
   WindowSize size_, drawable_;
   NormalSize normal_size_;
   FullScreen full_screen_ = FullScreen::off;

@@ -67,7 +67,7 @@ void Window::cover_display() {
 /// Takes over the size that the window really has.
 void Window::measure() {
   SDL_GetWindowSize(window_, &size_.width, &size_.height);
-  SDL_GL_GetDrawableSize(window_, &drawable_.width, &drawable_.height);
+  SDL_GetWindowSizeInPixels(window_, &drawable_.width, &drawable_.height);
   // X11 knows no other units than pixels.
   if (const auto real = size_on_server(window_)) size_ = drawable_ = *real;
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gui/platform/plain_texture.h"
+#include "gui/platform/texture.h"
 
 namespace ps::gui {
 namespace {

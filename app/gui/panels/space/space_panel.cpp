@@ -12,7 +12,7 @@
 #include "gui/panels/space/space_groups.h"
 #include "gui/panels/space/space_paint.h"
 #include "gui/panels/story/story_rows.h"
-#include "gui/platform/plain_texture.h"
+#include "gui/platform/texture.h"
 #include "gui/session/select_event.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"

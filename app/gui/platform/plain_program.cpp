@@ -1,4 +1,4 @@
-#include "gui/platform/plain_texture.h"
+#include "gui/platform/plain_program.h"
 
 #include <epoxy/gl.h>
 
@@ -44,8 +44,9 @@ GLuint plain_program(GLuint theirs) {
   return 0;
 }
 
-/// Dear ImGui's callback before the rectangle. Without a program of ours, its own draws the same, only slower.
-void begin_plain(const ImDrawList*, const ImDrawCmd*) {
+}  // namespace
+
+void begin_plain(const ImDrawList* /*list*/, const ImDrawCmd* /*command*/) {
   GLint theirs = 0;
   glGetIntegerv(GL_CURRENT_PROGRAM, &theirs);
   static const GLuint program = plain_program(static_cast<GLuint>(theirs));
@@ -73,14 +74,6 @@ void begin_plain(const ImDrawList*, const ImDrawCmd*) {
   glUniform1i(glGetUniformLocation(program, "picture"), 0);
   glUniformMatrix4fv(glGetUniformLocation(program, "projection"), 1, GL_FALSE, projection.data());
   glDisable(GL_BLEND);
-}
-
-}  // namespace
-
-void add_plain_texture(ImDrawList& list, const Texture& texture, ImVec2 min, ImVec2 max) {
-  list.AddCallback(begin_plain, nullptr);
-  list.AddImage(texture.id(), min, max);
-  list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
 }
 
 }  // namespace ps::gui
