@@ -20,6 +20,7 @@ constexpr double least_values = 300;  // beside the code; in less room they go b
 /// The listing that is shown: the one that the option names, else the open lesson's, else what suits the scene.
 Settings listing_settings(const Session& session, Side side) {
   Settings settings = session.settings(side);
+  if (!runs_listing(settings.renderer)) settings.listing_bug = 0;  // it does not act there
   settings.renderer = renderer_for(PictureWay::listing);
   if (settings.listing > 0) return settings;
   const auto all = listings();
@@ -36,13 +37,14 @@ void take_up(ListingPanelState& state, const std::shared_ptr<const PixelStory>& 
   state.rows.clear();
   state.shown_story = story;
   if (!story || !story->listing) return;
-  const std::string& folder = story->listing->listing.folder;
-  if (folder != state.folder || !state.text) {
-    state.folder = folder;
+  const NamedListing& listing = story->listing->listing;
+  if (listing.folder != state.folder || listing.bug != state.bug || !state.text) {
+    state.folder = listing.folder;
+    state.bug = listing.bug;
     state.reveal = true;
     state.error.clear();
     try {
-      state.text = std::make_unique<ListingText>(load_listing_text(folder));
+      state.text = std::make_unique<ListingText>(load_listing_text(listing));
     } catch (const InputError& error) {
       state.text = std::make_unique<ListingText>();
       state.error = error.what();

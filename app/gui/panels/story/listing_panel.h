@@ -13,8 +13,8 @@ namespace ps::gui {
 struct ListingPanelState {
   explicit ListingPanelState(std::function<void()> wake) : worker(std::make_shared<Prepared>(), std::move(wake)) {}
 
-  InspectWorker worker;  ///< runs the listing, whichever renderer makes the pictures
-  std::string folder;    ///< whose text is shown
+  InspectWorker worker;     ///< runs the listing, whichever renderer makes the pictures
+  std::string folder, bug;  ///< whose text is shown
   std::unique_ptr<ListingText> text;
   std::string error;                              ///< why there is no text
   std::shared_ptr<const PixelStory> shown_story;  ///< what the view looks into
