@@ -2,12 +2,14 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/lesson_files.h"
 #include "cli/output_file.h"
 #include "engine/answers.h"
+#include "engine/bug_question.h"
 #include "engine/course.h"
 #include "engine/lesson.h"
 #include "engine/lesson_length.h"
@@ -94,12 +96,24 @@ void check(const Claim& claim, Tally& tally) {
 }
 
 void check(const LessonQuestion& question, Tally& tally) {
-  ++tally.questions;
+  ++(question.kind == AskKind::bug ? tally.bugs : tally.questions);
   std::string found;
   const std::string objection = check_question(question, interruptible_progress(), found);
   fmt::print("  question {:<21} {} {} {}\n", ask_text(question), found, objection.empty() ? "ok" : "NO: " + objection,
              question.text);
   if (!objection.empty()) ++tally.failures;
+}
+
+/// Whether the lesson has a step for each of its bugs.
+void check_bugs_are_asked(const Lesson& lesson, Tally& tally) {
+  std::set<std::string> asked;
+  for (const LessonStep& step : lesson.steps)
+    if (step.question && step.question->kind == AskKind::bug) asked.insert(find_bug(*step.question).bug);
+  for (const ListingBug& bug : listing_bugs()) {
+    if (bug.folder != lesson.name || asked.contains(std::string(bug.name))) continue;
+    fmt::print("  no step asks about bugs/{}.cpp\n", bug.name);
+    ++tally.failures;
+  }
 }
 
 /// Whether the step can be put on the screen; if not, says why.
@@ -144,6 +158,7 @@ int check_lessons(std::vector<std::string> names) {
     counts[lesson.name] = lesson.steps.size();
     fmt::print("{}\n", name);
     check_links(lesson.blocks, counts, tally);
+    check_bugs_are_asked(lesson, tally);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
       const LessonStep& step = lesson.steps[i];
       check_links(step.blocks, counts, tally);
@@ -183,7 +198,7 @@ void add_lessons_command(CLI::App& app, Action& chosen) {
   show->callback([&chosen, name] { chosen = [name] { return show_lesson(*name); }; });
 
   CLI::App* check_command = command->add_subcommand(
-      "check", "check claims, questions and links of the named lessons, or of all; exit status 1 if one fails");
+      "check", "check claims, questions, bugs and links of the named lessons, or of all; exit status 1 if one fails");
   const auto names = std::make_shared<std::vector<std::string>>();
   check_command->add_option("NAME", *names, "lessons, or folders of lessons");
   add_lesson_file_commands(*command, chosen);

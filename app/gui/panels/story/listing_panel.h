@@ -22,6 +22,8 @@ struct ListingPanelState {
   bool reveal = false;           ///< the listing is new: scroll to its first values
   std::vector<ListingRow> rows;  ///< of the view
   int instance = -1;             ///< the document's, that the view was made for
+  int* answer = nullptr;         ///< where a clicked line's number goes while a question asks for one; it may be null
+  int marked = 0;                ///< the line that is wrong, once that may be shown; 0 = none
 };
 
 /// Takes up the values that have come; once a frame.
