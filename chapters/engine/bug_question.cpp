@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "frame/display_frame.h"
 #include "options/renderer_kind.h"
@@ -88,6 +89,17 @@ std::string check_bug(const LessonQuestion& question, Progress& progress, std::s
   if (differing == 0) return "the bug changes no pixel";
   const Vec2i pixel = document.pixel;
   return a.at(pixel.x, pixel.y) != b.at(pixel.x, pixel.y) ? "" : "the bug does not change the picked pixel";
+}
+
+std::vector<std::string> bugs_without_step(const Lesson& lesson) {
+  std::set<std::string> asked;
+  for (const LessonStep& step : lesson.steps)
+    if (step.question && step.question->kind == AskKind::bug)
+      asked.insert(bug_of_a(state_document(step.question->state, Document{})));
+  std::vector<std::string> missing;
+  for (const ListingBug& bug : listing_bugs())
+    if (bug.folder == lesson.name && !asked.contains(std::string(bug.name))) missing.emplace_back(bug.name);
+  return missing;
 }
 
 std::vector<ListingLine> function_with_bug(const MeasuredAnswer& bug) {

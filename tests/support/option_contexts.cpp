@@ -84,6 +84,11 @@ const std::vector<OptionContext>& option_contexts() {
         {"cgfs/behind", {"renderer=rasterizer", "subpixel-bits=12", "clipping=near"}},
         {"lab/depth-complexity", {"subpixel-bits=12"}},
         {"lab/polygons", {}},
+        {"cgfs/spheres", {"renderer=textbook"}},
+        {"cgfs/lights", {"renderer=textbook"}},
+        {lesson_scene("../cgfs_06_lines/ends.scene"), {"renderer=textbook"}},
+        {"cgfs/cubes", {"renderer=textbook", "listing=cgfs-10-scenes"}},
+        {"cgfs/depth", {"renderer=textbook", "backface-culling=on"}},
     };
     if (has_renderer("hardware")) contexts.push_back({"cgfs/crates", {"renderer=hardware"}});
     return contexts;

@@ -88,6 +88,14 @@ TEST(BugQuestion, FaultsOfItsBlockAreNamed) {
   EXPECT_NE(fault_of(asks + "metric red-a\n").find("'ask bug' with a line 'metric'"), std::string::npos);
 }
 
+TEST(BugQuestion, EveryBugHasAStep) {
+  for (const NamedListing& listing : listings())
+    EXPECT_EQ(bugs_without_step(load_lesson(listing.folder)), std::vector<std::string>{}) << listing.folder;
+  Lesson lesson = load_lesson("cgfs_06_lines");
+  lesson.steps.pop_back();
+  EXPECT_EQ(bugs_without_step(lesson), std::vector<std::string>{"dotted_lines"});
+}
+
 /// A student reads the whole function, the teacher also the answer.
 TEST(BugQuestion, HandoutsHoldBackTheLine) {
   Progress progress;

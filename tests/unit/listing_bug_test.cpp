@@ -89,7 +89,7 @@ const char* scene_for(std::string_view folder) {
                                                              {"cgfs_07_filled_triangles", "cgfs/triangles"},
                                                              {"cgfs_08_shaded_triangles", "cgfs/shaded-triangle"},
                                                              {"cgfs_10_scenes", "cgfs/cubes"},
-                                                             {"cgfs_12_hidden_surfaces", "cgfs/cubes"},
+                                                             {"cgfs_12_hidden_surfaces", "cgfs/depth"},
                                                              {"cgfs_13_shading", "cgfs/shading"},
                                                              {"cgfs_14_textures", "cgfs/crates"}};
   for (const auto& [known, scene] : scenes)

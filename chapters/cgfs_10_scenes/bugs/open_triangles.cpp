@@ -1,4 +1,4 @@
-// Some edges of the cubes are missing.
+// Each triangle has two edges instead of three.
 #include <array>
 #include <cmath>
 #include <utility>
