@@ -42,7 +42,7 @@ std::string fault_of(const std::string& question) {
 }
 
 TEST(BugQuestion, TheLineIsFoundAndClicksAreJudgedByIt) {
-  const LessonQuestion question = question_with(sides + "pixel 60,86\n");
+  const LessonQuestion question = question_with(sides + "pixel 40,118\n");
   EXPECT_EQ(ask_text(question), "bug");
   Progress progress;
   const MeasuredAnswer right = measure_answer(question, progress);
@@ -66,19 +66,20 @@ TEST(BugQuestion, EachBugHasItsOwnLine) {
 }
 
 TEST(BugQuestion, TheCheckFindsBadOnes) {
-  EXPECT_EQ(objection(sides + "pixel 60,86\n"), "");
+  EXPECT_EQ(objection(sides + "pixel 40,118\n"), "");
   EXPECT_EQ(objection(sides), "no pixel is picked");
   EXPECT_EQ(objection(sides + "pixel 60,20\n"), "the bug does not change the picked pixel");
-  EXPECT_EQ(objection(sides + "pixel 60,86\npicked b\n"), "the picked pixel is one of B");
-  EXPECT_EQ(objection("set-both renderer=textbook\npixel 60,86\n"), "A runs no listing with a bug");
-  EXPECT_EQ(objection(sides + "set renderer=ray-tracer\npixel 60,86\n"), "A runs no listing with a bug");
-  EXPECT_EQ(objection(sides + "set listing=cgfs-03-light\npixel 60,86\n"), "A runs no listing with a bug");
-  EXPECT_EQ(objection(sides + "set-b renderer=ray-tracer\npixel 60,86\n"), "B is not the listing of A without its bug");
-  EXPECT_EQ(objection(sides + "set-b listing-bug=no-horizon\npixel 60,86\n"),
+  EXPECT_EQ(objection(sides + "pixel 40,118\npicked b\n"), "the picked pixel is one of B");
+  EXPECT_EQ(objection("set-both renderer=textbook\npixel 40,118\n"), "A runs no listing with a bug");
+  EXPECT_EQ(objection(sides + "set renderer=ray-tracer\npixel 40,118\n"), "A runs no listing with a bug");
+  EXPECT_EQ(objection(sides + "set listing=cgfs-03-light\npixel 40,118\n"), "A runs no listing with a bug");
+  EXPECT_EQ(objection(sides + "set-b renderer=ray-tracer\npixel 40,118\n"),
+            "B is not the listing of A without its bug");
+  EXPECT_EQ(objection(sides + "set-b listing-bug=no-horizon\npixel 40,118\n"),
             "B is not the listing of A without its bug");
   // Nothing in this scene reflects.
   EXPECT_EQ(objection("set-both renderer=textbook\nset-both listing=cgfs-04-shadows-and-reflections\n"
-                      "set listing-bug=chrome\npixel 60,86\n"),
+                      "set listing-bug=chrome\npixel 40,118\n"),
             "the bug changes no pixel");
 }
 
@@ -99,7 +100,7 @@ TEST(BugQuestion, EveryBugHasAStep) {
 /// A student reads the whole function, the teacher also the answer.
 TEST(BugQuestion, HandoutsHoldBackTheLine) {
   Progress progress;
-  const Lesson lesson = lesson_with(sides + "pixel 60,86\n", asks);
+  const Lesson lesson = lesson_with(sides + "pixel 40,118\n", asks);
   const std::string student = handout_html(lesson, HandoutFor::student, progress);
   EXPECT_NE(student.find("  26  std::array&lt;double, 2&gt; intersect_ray_sphere("), std::string::npos);
   EXPECT_NE(student.find("  36    const double t2 = (-b - discriminant) / (2 * a);"), std::string::npos);

@@ -82,16 +82,17 @@ Image<Rgb8> picture(const Scene& scene, const Settings& settings) {
 
 /// The scene of each chapter that suits its listing.
 const char* scene_for(std::string_view folder) {
-  const std::pair<std::string_view, const char*> scenes[] = {{"cgfs_02_basic_ray_tracing", "cgfs/spheres"},
-                                                             {"cgfs_03_light", "cgfs/lights"},
-                                                             {"cgfs_04_shadows_and_reflections", "cgfs/reflections"},
-                                                             {"cgfs_06_lines", "chapters/cgfs_06_lines/ends.scene"},
-                                                             {"cgfs_07_filled_triangles", "cgfs/triangles"},
-                                                             {"cgfs_08_shaded_triangles", "cgfs/shaded-triangle"},
-                                                             {"cgfs_10_scenes", "cgfs/cubes"},
-                                                             {"cgfs_12_hidden_surfaces", "cgfs/depth"},
-                                                             {"cgfs_13_shading", "cgfs/shading"},
-                                                             {"cgfs_14_textures", "cgfs/crates"}};
+  const std::pair<std::string_view, const char*> scenes[] = {
+      {"cgfs_02_basic_ray_tracing", "cgfs/spheres"},
+      {"cgfs_03_light", "cgfs/lights"},
+      {"cgfs_04_shadows_and_reflections", "cgfs/reflections"},
+      {"cgfs_06_lines", "chapters/cgfs_06_lines/ends.scene"},
+      {"cgfs_07_filled_triangles", "chapters/cgfs_07_filled_triangles/square.scene"},
+      {"cgfs_08_shaded_triangles", "cgfs/shaded-triangle"},
+      {"cgfs_10_scenes", "cgfs/cubes"},
+      {"cgfs_12_hidden_surfaces", "cgfs/depth"},
+      {"cgfs_13_shading", "cgfs/shading"},
+      {"cgfs_14_textures", "cgfs/crates"}};
   for (const auto& [known, scene] : scenes)
     if (known == folder) return scene;
   return "";
@@ -114,7 +115,7 @@ TEST(ListingBug, EachChangesThePicture) {
   for (const ListingBug& bug : listing_bugs()) {
     const Scene scene = load_scene(scene_for(bug.folder));
     Settings settings = settings_of(scene, bug);
-    settings.backface_culling = true;
+    settings.backface_culling = bug.name == "open_boxes";  // a bug of culling
     const Image<Rgb8> right = picture(scene, settings);
     set_bug(settings, bug.key);
     EXPECT_FALSE(inactive_value_reason(*find_option("listing-bug"), settings, scene_traits(scene))) << bug.key;
@@ -156,8 +157,9 @@ TEST(ListingBug, InspectShowsItsLinesAndValues) {
                                     "--set", "listing-bug=sunken-spheres"});
   EXPECT_EQ(shown.status, 0) << shown.err;
   EXPECT_NE(shown.out.find("bugs/sunken_spheres.cpp"), std::string::npos) << shown.out;
-  EXPECT_NE(shown.out.find("  36    const double t2 = (-b - discriminant) / (2 * a);  | t1, t2 = "), std::string::npos)
-      << shown.out;
+  const auto at = shown.out.find("  36    const double t2 = (-b - discriminant) / (2 * a);");
+  ASSERT_NE(at, std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.substr(at, shown.out.find('\n', at) - at).find("| t1, t2 = ("), std::string::npos) << shown.out;
 }
 
 }  // namespace

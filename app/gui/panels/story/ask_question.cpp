@@ -56,12 +56,6 @@ void ask_click(const Session& session, LessonQuestions& questions) {
                                    : "Click the place in a picture; you can click again.");
 }
 
-void ask_line(const LessonQuestions& questions) {
-  const int line = questions.answer.line;
-  value_paragraph("line", line > 0 ? fmt::format("You have clicked line {}.", line)
-                                   : "Click the line in the panel Listing; you can click again.");
-}
-
 /// The wrong line and the right one.
 void both_versions(const BugLine& line) {
   const auto version = [&](const char* name, const std::string& code) {
@@ -133,8 +127,7 @@ void ask_lesson_question(Session& session, LessonQuestions& questions) {
   case AskKind::click:
     ask_click(session, questions);
     break;
-  case AskKind::bug:
-    ask_line(questions);
+  case AskKind::bug:  // the listing is where one clicks
     break;
   case AskKind::pixel:
     break;
@@ -146,7 +139,8 @@ void ask_lesson_question(Session& session, LessonQuestions& questions) {
                              : given.empty()  ? std::string(missing_answer(questions))
                              : !right         ? "The answer is being measured."
                                               : "";
-  const bool answered = button("answer", "Answer", Emphasis::primary,
+  const bool names_line = question.kind == AskKind::bug && !given.empty();
+  const bool answered = button("answer", names_line ? fmt::format("Answer: {}", given) : "Answer", Emphasis::primary,
                                {.tooltip = "Shows whether the answer is right.", .disabled = reason});
   if ((answered || entered) && reason.empty()) {
     questions.take(session, given, judge(question, questions.answer, *right));
