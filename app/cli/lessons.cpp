@@ -8,6 +8,7 @@
 #include "cli/lesson_files.h"
 #include "cli/output_file.h"
 #include "engine/answers.h"
+#include "engine/bug_question.h"
 #include "engine/course.h"
 #include "engine/lesson.h"
 #include "engine/lesson_length.h"
@@ -94,7 +95,7 @@ void check(const Claim& claim, Tally& tally) {
 }
 
 void check(const LessonQuestion& question, Tally& tally) {
-  ++tally.questions;
+  ++(question.kind == AskKind::bug ? tally.bugs : tally.questions);
   std::string found;
   const std::string objection = check_question(question, interruptible_progress(), found);
   fmt::print("  question {:<21} {} {} {}\n", ask_text(question), found, objection.empty() ? "ok" : "NO: " + objection,
@@ -144,6 +145,10 @@ int check_lessons(std::vector<std::string> names) {
     counts[lesson.name] = lesson.steps.size();
     fmt::print("{}\n", name);
     check_links(lesson.blocks, counts, tally);
+    for (const std::string& bug : bugs_without_step(lesson)) {
+      fmt::print("  no step asks about bugs/{}.cpp\n", bug);
+      ++tally.failures;
+    }
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
       const LessonStep& step = lesson.steps[i];
       check_links(step.blocks, counts, tally);
@@ -183,7 +188,7 @@ void add_lessons_command(CLI::App& app, Action& chosen) {
   show->callback([&chosen, name] { chosen = [name] { return show_lesson(*name); }; });
 
   CLI::App* check_command = command->add_subcommand(
-      "check", "check claims, questions and links of the named lessons, or of all; exit status 1 if one fails");
+      "check", "check claims, questions, bugs and links of the named lessons, or of all; exit status 1 if one fails");
   const auto names = std::make_shared<std::vector<std::string>>();
   check_command->add_option("NAME", *names, "lessons, or folders of lessons");
   add_lesson_file_commands(*command, chosen);

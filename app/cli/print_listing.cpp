@@ -25,13 +25,14 @@ std::string values_text(const ListingRow& row) {
 void print_listing(const ListingTrace& trace, int instance) {
   if (instance >= static_cast<int>(trace.instances.size()))
     throw InputError(fmt::format("--instance: found {}, expected a number below {}", instance, trace.instances.size()));
-  const ListingText text = load_listing_text(trace.listing.folder);
+  const ListingText text = load_listing_text(trace.listing);
   ListingView view(trace, text);
   if (instance >= 0) view.focus(instance);
   const std::vector<ListingRow> rows = view.rows();
   std::size_t width = 0;
   for (const ListingRow& row : rows) width = std::max(width, std::min(row.text.size(), widest_code));
-  fmt::print("chapters/{}/listing.cpp ({})\n\n", trace.listing.folder, trace.listing.listing->source);
+  const std::string file = trace.listing.bug.empty() ? "listing.cpp" : fmt::format("bugs/{}.cpp", trace.listing.bug);
+  fmt::print("chapters/{}/{} ({})\n\n", trace.listing.folder, file, trace.listing.listing->source);
   for (const ListingRow& row : rows) {
     const std::string values = values_text(row);
     if (values.empty())

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/bug_question.h"
 #include "engine/metric_words.h"
 #include "engine/question.h"
 #include "render/render.h"
@@ -63,6 +64,7 @@ std::string check_pixel(const LessonQuestion& question, Progress& progress, std:
 }  // namespace
 
 MeasuredAnswer measure_answer(const LessonQuestion& question, Progress& progress) {
+  if (question.kind == AskKind::bug) return find_bug(question);
   const Document document = state_document(question.state, Document{});
   MeasuredAnswer answer;
   if (question.kind == AskKind::click)
@@ -95,6 +97,8 @@ Judgement judge(const LessonQuestion& question, const StudentAnswer& answer, con
     return {good ? 1.0 : 0.0,
             (good ? "Right." : fmt::format("Pixel ({}, {}) is not such a place.", at.x, at.y)) + ending(question.why)};
   }
+  case AskKind::bug:
+    return judge_line(question, answer.line, right);
   case AskKind::pixel:
     break;
   }
@@ -102,6 +106,7 @@ Judgement judge(const LessonQuestion& question, const StudentAnswer& answer, con
 }
 
 std::string check_question(const LessonQuestion& question, Progress& progress, std::string& found) {
+  if (question.kind == AskKind::bug) return check_bug(question, progress, found);
   if (question.kind == AskKind::pixel) return check_pixel(question, progress, found);
   const MeasuredAnswer answer = measure_answer(question, progress);
   if (question.kind == AskKind::click) return check_places(answer.places, found);

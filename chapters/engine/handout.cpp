@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "document/permalink.h"
+#include "engine/bug_question.h"
 #include "engine/lesson_length.h"
 #include "engine/metric_words.h"
 #include "frame/display_frame.h"
@@ -24,6 +25,7 @@ constexpr std::string_view style =
     ".look{border-left:3px solid #999;padding-left:1em}"
     "table{border-collapse:collapse;font-size:85%;width:100%}td,th{border:1px solid #bbb;padding:.3em .5em;"
     "text-align:left;vertical-align:top}.question{border:1px solid #555;padding:.5em 1em;margin:1em 0}"
+    "pre{font:80%/1.35 monospace;white-space:pre-wrap;overflow-wrap:anywhere}"
     ".write{border-bottom:1px solid #111;display:inline-block;width:12em}code{overflow-wrap:anywhere}"
     "@media print{body{margin:0;max-width:none}section,.question,figure,tr{break-inside:avoid}}";
 
@@ -87,6 +89,14 @@ std::string claims(const std::vector<Claim>& claims, Progress& progress) {
   return html + "</table>\n";
 }
 
+/// The function with the wrong line, as students have to read it.
+std::string function_html(const LessonQuestion& question) {
+  std::string html = "<pre>";
+  for (const ListingLine& line : function_with_bug(find_bug(question)))
+    html += xml_escaped(fmt::format("{:>4}  {}\n", line.number, line.text));
+  return html + "</pre>\n";
+}
+
 /// With room for the answer.
 std::string question_html(const LessonQuestion& question, int number, const Document& document) {
   std::string html =
@@ -104,6 +114,9 @@ std::string question_html(const LessonQuestion& question, int number, const Docu
   case AskKind::click:
     html += "<p>Mark the place in a picture.</p>\n";
     break;
+  case AskKind::bug:
+    html += function_html(question) + fmt::format("<p>Line {}</p>\n", line);
+    break;
   case AskKind::pixel:
     html += fmt::format("<p>Pixel ({}, {}): {}</p>\n", document.pixel.x, document.pixel.y, line);
     break;
@@ -118,6 +131,10 @@ std::string answer_of(const LessonQuestion& question, Progress& progress) {
       if (const Judgement judgement = judge(question, {.choice = static_cast<int>(i)}, right); judgement.points > 0)
         return question.choices[i].text + " " + judgement.sentence;
     return "No choice is right.";
+  }
+  if (question.kind == AskKind::bug) {
+    const BugLine line = find_bug(question).line;
+    return fmt::format("Line {}. A: {} B: {} {}", line.number, line.wrong, line.right, question.why);
   }
   std::string found;
   const std::string objection = check_question(question, progress, found);

@@ -8,7 +8,7 @@
 namespace ps {
 namespace {
 
-constexpr std::string_view kinds = "choice, number, click, colour, winner, rays, triangle or tests";
+constexpr std::string_view kinds = "choice, number, click, bug, colour, winner, rays, triangle or tests";
 
 void read_ask(const std::string& text, LessonQuestion& question) {
   if (text == "choice")
@@ -17,6 +17,8 @@ void read_ask(const std::string& text, LessonQuestion& question) {
     question.kind = AskKind::number;
   else if (text == "click")
     question.kind = AskKind::click;
+  else if (text == "bug")
+    question.kind = AskKind::bug;
   else {
     question.kind = AskKind::pixel;
     try {
@@ -91,10 +93,13 @@ void require_complete(const LessonQuestion& question, const std::vector<BlockLin
         fmt::format("a question with 'ask {}' {} a line '{}'", ask_text(question), wanted ? "without" : "with", word),
         wanted ? "one" : "none");
   };
-  require("metric", question.kind != AskKind::pixel);
+  const bool is_bug = question.kind == AskKind::bug;
+  require("metric", question.kind != AskKind::pixel && !is_bug);
   require("choice", question.kind == AskKind::choice);
   require("bound", question.kind == AskKind::click);
   if (question.kind != AskKind::number) require("tolerance", false);
+  if (is_bug) require("why", true);
+  if (is_bug) require("hide", false);  // both pictures are hints
   if (question.choices.size() == 1) throw InputError(place, "a single choice", "two or more");
 }
 
@@ -108,6 +113,8 @@ std::string_view ask_text(const LessonQuestion& question) {
     return "number";
   case AskKind::click:
     return "click";
+  case AskKind::bug:
+    return "bug";
   case AskKind::pixel:
     return question_key(question.about);
   }

@@ -8,6 +8,7 @@
 #include "engine/state.h"
 #include "image/image.h"
 #include "inspect/predict.h"
+#include "textbook/listing_source.h"
 
 /// Questions of a lesson's step. The right answer is never written down: it is measured.
 
@@ -17,6 +18,7 @@ enum class AskKind {
   choice,  ///< one of several sentences; right is the one whose bound the metric keeps
   number,  ///< the metric's value
   click,   ///< a pixel of the pictures at which the metric keeps the bound
+  bug,     ///< the line of A's listing that is wrong
   pixel    ///< about the picked pixel, as core/inspect/predict.h asks
 };
 
@@ -32,22 +34,24 @@ struct LessonQuestion {
   std::string text;
   Question about = Question::colour;         ///< AskKind::pixel
   LessonState state;                         ///< in which it is measured: the step's, with the question's own lines
-  Metric metric;                             ///< all but AskKind::pixel
+  Metric metric;                             ///< AskKind::choice, number and click
   std::vector<AnswerChoice> choices;         ///< AskKind::choice
   Bound bound;                               ///< AskKind::click
   double tolerance = 0;                      ///< AskKind::number: how far off an answer may be
   std::string unit;                          ///< AskKind::number
-  std::string why;                           ///< said after the answer; may be empty
+  std::string why;                           ///< said after the answer; may be empty, but for AskKind::bug
   std::array<bool, 2> hidden{false, false};  ///< the pictures of A and B that are covered until it is answered
 };
 
-/// "choice", "number", "click", "colour", "winner", "rays", "triangle", "tests"
+/// "choice", "number", "click", "bug", "colour", "winner", "rays", "triangle", "tests"
 std::string_view ask_text(const LessonQuestion& question);
 
-/// What is known of the right answer to a question of the first three kinds.
+/// What is known of the right answer to a question, but for AskKind::pixel.
 struct MeasuredAnswer {
   double value = 0;             ///< of the metric; choice and number
   Image<unsigned char> places;  ///< click: 1 where the answer is right
+  std::string bug;              ///< bug: its name, as ListingBug has it
+  BugLine line;                 ///< bug: in which it differs from the listing
 };
 
 /// Measures the right answer. Throws InputError when it cannot be measured, and Cancelled. Not for AskKind::pixel.
@@ -58,6 +62,7 @@ struct StudentAnswer {
   int choice = -1;
   double number = 0;
   Vec2i place{-1, -1};
+  int line = 0;  ///< of the listing, from 1
 };
 
 /// One point or none, and a sentence that says what is right.

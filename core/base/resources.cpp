@@ -1,6 +1,7 @@
 #include "base/resources.h"
 
 #include <cstdlib>
+#include <string>
 
 namespace ps {
 namespace {
@@ -21,6 +22,9 @@ std::filesystem::path course_file() { return chapter_dir() / "course.md"; }
 std::filesystem::path lesson_file(std::string_view folder) { return chapter_dir() / folder / "lesson.md"; }
 std::filesystem::path glossary_file() { return chapter_dir() / "glossary.md"; }
 std::filesystem::path listing_file(std::string_view folder) { return chapter_dir() / folder / "listing.cpp"; }
+std::filesystem::path listing_bug_file(std::string_view folder, std::string_view bug) {
+  return chapter_dir() / folder / "bugs" / (std::string(bug) + ".cpp");
+}
 
 std::filesystem::path shader_file(std::string_view name) {
   return under_root("core/hardware/shaders", PIXELSCOPE_SHADER_DIR) / name;

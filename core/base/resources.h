@@ -21,6 +21,8 @@ std::filesystem::path glossary_file();
 /// The text of the lesson in this folder of chapter_dir(), and its listing; either may be missing.
 std::filesystem::path lesson_file(std::string_view folder);
 std::filesystem::path listing_file(std::string_view folder);
+/// The copy of that listing with a bug in it ("missing_lines").
+std::filesystem::path listing_bug_file(std::string_view folder, std::string_view bug);
 
 /// A shader of the hardware renderer ("fragment.glsl").
 std::filesystem::path shader_file(std::string_view name);

@@ -55,6 +55,7 @@ Json event_json(const Event& event, const Scene& scene) {
 
 Json listing_json(const ListingTrace& trace) {
   Json json{{"folder", trace.listing.folder}, {"source", trace.listing.listing->source}, {"dropped", trace.dropped}};
+  if (!trace.listing.bug.empty()) json["bug"] = trace.listing.bug;
   json["instances"] = Json::array();
   for (const WatchInstance& instance : trace.instances)
     json["instances"].push_back({{"line", instance.line},

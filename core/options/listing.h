@@ -56,6 +56,7 @@ struct NamedListing {
   std::string folder;  ///< of the lesson: "cgfs_04_shadows_and_reflections"
   std::string key;     ///< of the option's choice: "cgfs-04-shadows-and-reflections"
   const Listing* listing = nullptr;
+  std::string bug{};  ///< the file of the bug that is planted in it: "missing_lines"; empty: none
 };
 
 /// All listings, in the order of their folders.
@@ -63,6 +64,22 @@ std::span<const NamedListing> listings();
 
 /// The one that the settings name or, with listing = auto, the one that suits best; of equals the earlier one.
 const NamedListing& listing_of(const Settings& settings, const SceneTraits& traits);
+
+/// A copy of a listing in which one line is wrong, for students to find: chapters/FOLDER/bugs/NAME.cpp.
+struct ListingBug {
+  std::string_view folder;   ///< of the lesson
+  std::string_view name;     ///< of the file: "missing_lines"
+  std::string key;           ///< of the option's choice: "missing-lines"
+  std::string label;         ///< "missing lines"
+  std::string_view symptom;  ///< one sentence: what is seen
+  const Listing* listing = nullptr;
+};
+
+/// All bugs, in the order of their folders and names.
+std::span<const ListingBug> listing_bugs();
+
+/// The listing that runs: that of listing_of(), with the bug that the settings name if it is one of that listing.
+NamedListing running_listing(const Settings& settings, const SceneTraits& traits);
 
 /// Whether the listing looks at the option.
 bool listing_reads(const NamedListing& listing, std::string_view option);

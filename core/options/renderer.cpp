@@ -1,3 +1,6 @@
+#include <lessons_table.h>
+
+#include <algorithm>
 #include <vector>
 
 #include "base/check.h"
@@ -106,12 +109,48 @@ Option listing_row() {
   return option;
 }
 
+Reason unless_it_runs(std::string_view folder, const Settings& settings, const SceneTraits& traits) {
+  return listing_of(settings, traits).folder == folder ? Reason{} : "a bug of another listing";
+}
+
+Reason listing_has_no_bugs(const Settings& settings, const SceneTraits& traits) {
+  const std::string& folder = listing_of(settings, traits).folder;
+  const auto all = listing_bugs();
+  const bool has = std::any_of(all.begin(), all.end(), [&](const ListingBug& bug) { return bug.folder == folder; });
+  return has ? Reason{} : "this listing has no variants with a bug";
+}
+
+std::vector<Choice> bug_choices() {
+#define PS_INACTIVE(folder, bug, symptom)                                                                              \
+  [](const Settings& settings, const SceneTraits& traits) { return unless_it_runs(#folder, settings, traits); },
+  constexpr decltype(Choice::inactive) inactive[] = {PS_LISTING_BUGS(PS_INACTIVE)};
+#undef PS_INACTIVE
+  std::vector<Choice> choices{{"none", "none", "The listing as it should be."}};
+  for (const ListingBug& bug : listing_bugs())
+    choices.push_back({bug.key, bug.label, bug.symptom, inactive[choices.size() - 1]});
+  return choices;
+}
+
+Option listing_bug_row() {
+  return choice<&Settings::listing_bug>(
+      {.key = "listing-bug",
+       .label = "Planted bug",
+       .help = {"Runs a copy of the listing in which one line is wrong. Find it in the panel Listing.",
+                "exercises of the lessons", "Each bug is named after what is seen, and belongs to one listing."},
+       .keywords = "bug, mistake, exercise, debugging, wrong line, find the bug",
+       .truth = exactly("listing-bug=none"),
+       .acts_for = ActsFor::listings,
+       .inactive = listing_has_no_bugs},
+      bug_choices());
+}
+
 }  // namespace
 
 std::vector<Option> renderer_rows() {
   return {
       renderer_row(),
       listing_row(),
+      listing_bug_row(),
       toggle<&Settings::demo_slips>(
           {.key = "demo-slips",
            .label = "Original bugs",

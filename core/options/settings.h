@@ -60,6 +60,7 @@ enum class TransparencyShare { fixed, fresnel };
 struct Settings {
   Renderer renderer = Renderer::ray_tracer;
   int listing = 0;          ///< which listing the textbook renderer runs: 0 = automatic, then one by one
+  int listing_bug = 0;      ///< which bug is planted in it: 0 = none, then one by one; no bug of another listing acts
   bool demo_slips = false;  ///< listings keep the bugs of the book's demo programs
 
   SamplePosition sample_position = SamplePosition::centre;

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 
-#include "base/atomic_file.h"
-#include "base/resources.h"
+#include "textbook/listing_source.h"
 
 namespace ps {
 namespace {
 
-constexpr std::uintmax_t largest_listing = 1u << 20;  // bytes
-constexpr std::size_t most_values = 4;                // of one name on one line
+constexpr std::size_t most_values = 4;  // of one name on one line
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -23,23 +21,13 @@ bool ends_statement(std::string_view line) {
   return last != std::string_view::npos && line[last] == ';';
 }
 
-std::vector<std::string> lines_of(const std::string& source) {
-  std::vector<std::string> lines;
-  std::size_t start = 0;
-  while (start < source.size()) {
-    const auto end = std::min(source.find('\n', start), source.size());
-    lines.push_back(source.substr(start, end - start));
-    start = end + 1;
-  }
-  return lines;
-}
-
 }  // namespace
 
 ListingText parse_listing(const std::string& source) {
-  const std::vector<std::string> lines = lines_of(source);
+  const std::vector<std::string> lines = listing_lines(source);
   ListingText text;
   text.shown_at.assign(lines.size() + 1, -1);
+  const int head = lines_of_head(lines);
   bool inside = false, watch = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = trimmed(lines[i]);
@@ -52,7 +40,7 @@ ListingText parse_listing(const std::string& source) {
     if (watch || line.substr(0, 3) == "PS_") {
       watch = !ends_statement(line);
     } else if (!line.empty() || (!text.lines.empty() && !text.lines.back().text.empty())) {
-      text.lines.push_back({static_cast<int>(i) + 1, lines[i]});
+      text.lines.push_back({static_cast<int>(i) + 1 - head, lines[i]});
     }
     text.shown_at[i + 1] = static_cast<int>(text.lines.size()) - 1;
   }
@@ -60,9 +48,7 @@ ListingText parse_listing(const std::string& source) {
   return text;
 }
 
-ListingText load_listing_text(const std::string& folder) {
-  return parse_listing(read_whole_file(listing_file(folder), largest_listing));
-}
+ListingText load_listing_text(const NamedListing& listing) { return parse_listing(listing_source(listing)); }
 
 ListingView::ListingView(const ListingTrace& trace, const ListingText& text) : trace_(trace), text_(text) {
   const auto& instances = trace.instances;

@@ -9,7 +9,7 @@ namespace ps {
 
 /// A line of a listing as it is shown: without the watches, which are behind the line that they belong to.
 struct ListingLine {
-  int number = 0;  ///< in the file
+  int number = 0;  ///< in the file, without the sentence at the head of a variant with a bug
   std::string text;
 };
 
@@ -21,8 +21,8 @@ struct ListingText {
 };
 
 ListingText parse_listing(const std::string& source);
-/// Reads chapters/FOLDER/listing.cpp. Throws InputError when it cannot be read.
-ListingText load_listing_text(const std::string& folder);
+/// Reads the listing's file, or that of its variant with a bug. Throws InputError when it cannot be read.
+ListingText load_listing_text(const NamedListing& listing);
 
 /// A value beside a line.
 struct ListingValue {

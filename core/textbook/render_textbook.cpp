@@ -39,7 +39,7 @@ Frame render_textbook(const Scene& scene, const View& view, const Settings& sett
                       Prepared&, Progress& progress) {
   const Timer timer;
   const BookScene book = book_scene(scene, view, settings);
-  const Listing& listing = *listing_of(settings, scene_traits(scene)).listing;
+  const Listing& listing = *running_listing(settings, scene_traits(scene)).listing;
   const TileRect region = asked_region(request, view.width, view.height);
   Frame frame = empty_frame<double>(view, request);
   clear_outside({}, frame);  // a listing makes colours alone

@@ -32,7 +32,7 @@ ListingTrace trace_listing(const Scene& scene, const View& view, const Settings&
   BookCanvas canvas(view.width, view.height, {pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, book.background, progress);
   WatchCollector collector(place);
   ListingTrace trace;
-  trace.listing = listing_of(settings, scene_traits(scene));
+  trace.listing = running_listing(settings, scene_traits(scene));
   trace.listing.listing->draw(book, canvas);
   trace.pixel = pixel;
   trace.linear = canvas.at(pixel.x, pixel.y) / 255.0;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hwy/targets.h"
+#include "options/listing.h"
 #include "options/option.h"
 #include "options/renderer_kind.h"
 #include "options/simd_choice.h"
@@ -104,6 +105,10 @@ std::vector<SameByDesign> same_by_design() {
   same.push_back({"coverage",
                   {"edge-function", "bounding-box"},
                   "both test every sample of the box in exact integers, by edge functions or by a ray"});
+  for (const ListingBug& bug : listing_bugs())
+    for (const ListingBug& other : listing_bugs())
+      if (bug.folder != other.folder)
+        same.push_back({"listing-bug", {bug.key, other.key}, "no two listings run at the same time"});
   return same;
 }
 

@@ -12,7 +12,7 @@
 namespace ps::test {
 namespace {
 
-std::string lesson_scene(const std::string& name) { return (chapter_dir() / "cgfs_14_textures" / name).string(); }
+std::string lesson_scene(const char* lesson, const char* name) { return (chapter_dir() / lesson / name).string(); }
 
 Outcome outcome(const Scene& scene, int width, int height, const Settings& settings, Prepared& prepared) {
   Progress progress;
@@ -75,8 +75,8 @@ const std::vector<OptionContext>& option_contexts() {
         {"lab/mirror-room", {"environment-size=32"}},
         {"cgfs/reflections", {"renderer=textbook"}},
         {"cgfs/shading", {"renderer=textbook"}},
-        {lesson_scene("floor.scene"), {"renderer=rasterizer"}},
-        {lesson_scene("closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
+        {lesson_scene("cgfs_14_textures", "floor.scene"), {"renderer=rasterizer"}},
+        {lesson_scene("cgfs_14_textures", "closeup.scene"), {"renderer=rasterizer", "texture-filter=bilinear"}},
         {"cgfs/triangles", {"renderer=textbook"}},
         {"cgfs/shaded-triangle", {"renderer=textbook"}},
         {"cgfs/crates", {"renderer=textbook"}},
@@ -84,6 +84,13 @@ const std::vector<OptionContext>& option_contexts() {
         {"cgfs/behind", {"renderer=rasterizer", "subpixel-bits=12", "clipping=near"}},
         {"lab/depth-complexity", {"subpixel-bits=12"}},
         {"lab/polygons", {}},
+        {"cgfs/spheres", {"renderer=textbook"}},
+        {"cgfs/lights", {"renderer=textbook"}},
+        {lesson_scene("cgfs_06_lines", "ends.scene"), {"renderer=textbook"}},
+        {lesson_scene("cgfs_07_filled_triangles", "square.scene"), {"renderer=textbook"}},
+        {"cgfs/cubes", {"renderer=textbook", "listing=cgfs-10-scenes"}},
+        {"cgfs/depth", {"renderer=textbook", "backface-culling=on"}},
+        {"cgfs/depth", {"renderer=textbook", "backface-culling=off"}},
     };
     if (has_renderer("hardware")) contexts.push_back({"cgfs/crates", {"renderer=hardware"}});
     return contexts;

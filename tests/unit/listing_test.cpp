@@ -120,7 +120,7 @@ TEST(Listing, EveryValueHasALine) {
                            "cgfs/shaded-triangle", "cgfs/wireframe", "cgfs/cubes", "cgfs/shading", "cgfs/crates"}) {
     const Scene scene = load_scene(name);
     const ListingTrace traced = trace(scene, textbook(scene), scene.start_pixel);
-    const ListingText text = load_listing_text(traced.listing.folder);
+    const ListingText text = load_listing_text(traced.listing);
     EXPECT_GT(text.lines.size(), 15u) << name;
     EXPECT_GT(traced.watches.size(), 3u) << name;
     EXPECT_EQ(traced.dropped, 0u) << name;
@@ -350,7 +350,7 @@ TEST(Listing, ChaptersOfTheBookSetWhatTheyDo) {
 TEST(Listing, NumbersAreThoseOfTheBook) {
   const Scene scene = load_scene("cgfs/spheres");
   const ListingTrace traced = trace(scene, textbook(scene), {300, 299});
-  const ListingText text = load_listing_text(traced.listing.folder);
+  const ListingText text = load_listing_text(traced.listing);
   const ListingView view(traced, text);
   const auto rows = view.rows();
   EXPECT_EQ(row_with(rows, "for (const BookSphere& sphere").instance, "sphere red");
@@ -363,7 +363,7 @@ TEST(Listing, NumbersAreThoseOfTheBook) {
 TEST(Listing, LoopsAreSteppedThrough) {
   const Scene scene = load_scene("cgfs/reflections");
   const ListingTrace traced = trace(scene, textbook(scene), {300, 420});
-  const ListingText text = load_listing_text(traced.listing.folder);
+  const ListingText text = load_listing_text(traced.listing);
   ListingView view(traced, text);
   auto rows = view.rows();
   const auto find = [&](const std::string& words) -> std::size_t {

@@ -25,6 +25,7 @@ const std::map<std::string_view, std::size_t>& enumerator_counts() {
   static const std::map<std::string_view, std::size_t> counts{
       {"renderer", up_to(Renderer::textbook)},
       {"listing", listings().size() + 1},
+      {"listing-bug", listing_bugs().size() + 1},
       {"sample-position", up_to(SamplePosition::corner)},
       {"projection", up_to(Projection::orthographic)},
       {"viewport-fit", up_to(ViewportFit::stretch)},

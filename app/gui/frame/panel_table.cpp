@@ -129,8 +129,11 @@ void update_question(Session& session, PanelStates& my) {
   my.pictures.asked.reset();
   my.pictures.hidden = {};
   const bool pending = prediction_pending(session, my.predict);
-  const LessonQuestions& questions = *my.predict.lesson;
-  my.lessons.holds_back = questions.asked_beside_text(session);
+  LessonQuestions& questions = *my.predict.lesson;
+  const bool asks_bug = questions.asked_beside_text(session) && questions.question()->kind == AskKind::bug;
+  my.lessons.holds_back = questions.asked_beside_text(session) && !asks_bug;
+  my.listing.answer = asks_bug && questions.bug_shown(session) ? &questions.answer.line : nullptr;
+  my.listing.marked = questions.bug_verdict(session);
   if (my.lessons.holds_back) my.pictures.hidden = questions.question()->hidden;
   if (pending && session.pixel() && asks_about_pixel(session, my.predict))
     my.pictures.asked = Hover{inspected_side(session), *session.pixel()};

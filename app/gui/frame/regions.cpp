@@ -130,7 +130,8 @@ void Regions::question(const Area& area, bool pending) {
   ImGui::BeginChild("scroll");
   const float top = ImGui::GetCursorPosY();
   LessonQuestions& asked = *my_.predict.lesson;
-  if (pending && asked.asked_beside_text(session_) && asked.question()->kind != AskKind::pixel)
+  if (asked.asked_beside_text(session_) &&
+      (pending ? asked.question()->kind != AskKind::pixel : asked.bug_shown(session_)))
     ask_lesson_question(session_, asked);
   else if (pending)
     predict_panel(session_, my_.predict);

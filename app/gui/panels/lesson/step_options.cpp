@@ -36,7 +36,8 @@ std::vector<const Option*> set_options(const LessonState& state) {
 }  // namespace
 
 std::vector<const Option*> step_options(const LessonStep& step) {
-  std::vector<const Option*> options = set_options(step.state), placed;
+  const bool asks_bug = step.question && step.question->kind == AskKind::bug;
+  std::vector<const Option*> options = asks_bug ? std::vector<const Option*>{} : set_options(step.state), placed;
   each_span(step, [&](const TextSpan& span) {
     const Option* option = find_option(span.link.target);
     if (!option || (span.link.kind != LinkKind::option && span.link.kind != LinkKind::control)) return;

@@ -56,6 +56,17 @@ void ask_click(const Session& session, LessonQuestions& questions) {
                                    : "Click the place in a picture; you can click again.");
 }
 
+/// The wrong line and the right one.
+void both_versions(const BugLine& line) {
+  const auto version = [&](const char* name, const std::string& code) {
+    quiet_text(fmt::format("Line {} in {}:", line.number, name));
+    const FontScope font(Face::mono_small);
+    value_paragraph(fmt::format("line-{}", name), code.substr(std::min(code.find_first_not_of(' '), code.size())));
+  };
+  version("A", line.wrong);
+  version("B", line.right);
+}
+
 /// How the answer reads; empty as long as there is none.
 std::string answer_text(const LessonQuestions& questions) {
   const LessonQuestion& question = *questions.question();
@@ -68,6 +79,8 @@ std::string answer_text(const LessonQuestions& questions) {
     return question.unit.empty() ? questions.typed : fmt::format("{} {}", questions.typed, question.unit);
   case AskKind::click:
     return answer.place.x < 0 ? "" : fmt::format("pixel ({}, {})", answer.place.x, answer.place.y);
+  case AskKind::bug:
+    return answer.line < 1 ? "" : fmt::format("line {}", answer.line);
   case AskKind::pixel:
     break;
   }
@@ -83,6 +96,8 @@ std::string_view missing_answer(const LessonQuestions& questions) {
     return questions.typed.empty() ? "Type a number first." : no_number;
   case AskKind::click:
     return "Click a pixel of a picture first.";
+  case AskKind::bug:
+    return "Click a line of the listing first.";
   case AskKind::pixel:
     break;
   }
@@ -112,6 +127,8 @@ void ask_lesson_question(Session& session, LessonQuestions& questions) {
   case AskKind::click:
     ask_click(session, questions);
     break;
+  case AskKind::bug:  // the listing is where one clicks
+    break;
   case AskKind::pixel:
     break;
   }
@@ -122,7 +139,8 @@ void ask_lesson_question(Session& session, LessonQuestions& questions) {
                              : given.empty()  ? std::string(missing_answer(questions))
                              : !right         ? "The answer is being measured."
                                               : "";
-  const bool answered = button("answer", "Answer", Emphasis::primary,
+  const bool names_line = question.kind == AskKind::bug && !given.empty();
+  const bool answered = button("answer", names_line ? fmt::format("Answer: {}", given) : "Answer", Emphasis::primary,
                                {.tooltip = "Shows whether the answer is right.", .disabled = reason});
   if ((answered || entered) && reason.empty()) {
     questions.take(session, given, judge(question, questions.answer, *right));
@@ -160,6 +178,8 @@ void lesson_verdict(Session& session, LessonQuestions& questions) {
   value_paragraph("verdict", verdict->sentence.empty() ? "You have skipped it." : verdict->sentence);
   ImGui::Unindent(px(16));
   if (!verdict->sentence.empty()) verdict_bar(at, *verdict);
+  const auto right = questions.right();
+  if (questions.question()->kind == AskKind::bug && right && !verdict->sentence.empty()) both_versions(right->line);
   if (button("again", "Ask again", Emphasis::quiet,
              {.tooltip = "The question is open again, with this step's pixel and options.", .disabled = {}})) {
     go_to_step(session, session.document().lesson, session.document().step);

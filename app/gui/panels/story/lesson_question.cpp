@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "engine/answers.h"
+#include "options/listing.h"
+#include "options/renderer_kind.h"
 
 namespace ps::gui {
 namespace {
@@ -75,6 +77,19 @@ void LessonQuestions::hold(bool held) {
   measuring_.start([question = *question_](StudyControl& control, const auto& publish) {
     publish(std::make_shared<const MeasuredAnswer>(measure_answer(question, control.progress())), {});
   });
+}
+
+bool LessonQuestions::bug_shown(const Session& session) const {
+  if (!question_ || question_->kind != AskKind::bug || !session.has_scene()) return false;
+  const Settings& settings = session.settings(Side::a);
+  if (!runs_listing(settings.renderer)) return false;
+  const auto measured = right();
+  return !measured || running_listing(settings, scene_traits(session.scene())).bug == measured->bug;
+}
+
+int LessonQuestions::bug_verdict(const Session& session) const {
+  const auto measured = right();
+  return measured && verdict() && bug_shown(session) ? measured->line.number : 0;
 }
 
 void LessonQuestions::take(Session& session, const std::string& given, const Judgement& judgement) {

@@ -20,6 +20,7 @@ constexpr double least_values = 300;  // beside the code; in less room they go b
 /// The listing that is shown: the one that the option names, else the open lesson's, else what suits the scene.
 Settings listing_settings(const Session& session, Side side) {
   Settings settings = session.settings(side);
+  if (!runs_listing(settings.renderer)) settings.listing_bug = 0;  // it does not act there
   settings.renderer = renderer_for(PictureWay::listing);
   if (settings.listing > 0) return settings;
   const auto all = listings();
@@ -36,13 +37,14 @@ void take_up(ListingPanelState& state, const std::shared_ptr<const PixelStory>& 
   state.rows.clear();
   state.shown_story = story;
   if (!story || !story->listing) return;
-  const std::string& folder = story->listing->listing.folder;
-  if (folder != state.folder || !state.text) {
-    state.folder = folder;
+  const NamedListing& listing = story->listing->listing;
+  if (listing.folder != state.folder || listing.bug != state.bug || !state.text) {
+    state.folder = listing.folder;
+    state.bug = listing.bug;
     state.reveal = true;
     state.error.clear();
     try {
-      state.text = std::make_unique<ListingText>(load_listing_text(folder));
+      state.text = std::make_unique<ListingText>(load_listing_text(listing));
     } catch (const InputError& error) {
       state.text = std::make_unique<ListingText>();
       state.error = error.what();
@@ -190,8 +192,31 @@ ListingColumns columns_for(const std::vector<ListingRow>& rows, float room) {
   return columns;
 }
 
+/// What a question about the lines needs of them.
+struct LineMarks {
+  int* answer = nullptr;  ///< as in ListingPanelState
+  int marked = 0;
+};
+
+/// The ground of a line: a click on it answers the open question. Leaves the cursor where it was.
+void line_ground(int number, ImVec2 size, const LineMarks& marks) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + size.x, at.y + size.y};
+  if (marks.answer) {
+    const std::string name = fmt::format("line-{}/pick", number);
+    if (hit_area(name, size, {})) *marks.answer = number;
+    const bool chosen = *marks.answer == number;
+    if (ImGui::IsItemHovered() || chosen) list.AddRectFilled(at, end, colour_u32(palette().field_hover), px(2));
+    if (chosen) list.AddRect(at, end, colour_u32(palette().text), px(2));
+    controls().record(name, chosen ? "on" : "off");
+    ImGui::SetCursorScreenPos(at);
+  }
+  if (number == marks.marked) list.AddRect(at, end, colour_u32(palette().wrong_mark), px(2), 0, px(2));
+}
+
 /// One line of code with what it had. Answers by how much its loop was stepped.
-int draw_row(const ListingRow& row, std::size_t index, const ListingColumns& columns) {
+int draw_row(const ListingRow& row, std::size_t index, const ListingColumns& columns, const LineMarks& marks) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
   const bool valued = has_values(row);
@@ -204,6 +229,7 @@ int draw_row(const ListingRow& row, std::size_t index, const ListingColumns& col
   if (valued)
     ImGui::GetWindowDrawList()->AddRectFilled({at.x + columns.code - px(4), at.y}, {code_end, at.y + code_height},
                                               colour_u32(palette().field), px(2));
+  if (!row.text.empty()) line_ground(row.number, {code_end - at.x, code_height}, marks);
   draw_text(at, {at.x + columns.code - px(8), at.y + height}, fmt::format("{}", row.number), palette().text_quiet, 1);
   const auto start = row.text.find_first_not_of(' ');
   const bool comment = start != std::string::npos && row.text.compare(start, 2, "//") == 0;
@@ -244,7 +270,7 @@ struct Step {
 };
 
 /// `reveal`: scrolls to the first line that has values.
-std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal) {
+std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal, const LineMarks& marks) {
   std::optional<Step> step;
   const auto first = std::find_if(rows.begin(), rows.end(), has_values);
   ImGui::BeginChild("code");
@@ -257,7 +283,7 @@ std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (reveal && first != rows.end() && i == static_cast<std::size_t>(first - rows.begin()))
         ImGui::SetScrollHereY(0.15f);
-      if (const int by = draw_row(rows[i], i, columns); by != 0) step = Step{i, by};
+      if (const int by = draw_row(rows[i], i, columns, marks); by != 0) step = Step{i, by};
     }
     ImGui::PopStyleVar();
   }
@@ -272,7 +298,8 @@ void update_listing(ListingPanelState& state) { state.worker.take_news(); }
 bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   const NameScope scope("listing");
   if (!session.has_scene()) return false;
-  const Side side = inspected_side(session);
+  // A question about a wrong line is one about the listing of A; that of B is the answer.
+  const Side side = state.answer ? Side::a : inspected_side(session);
   const auto pixel = session.pixel();
   if (!pixel) {
     state.worker.clear();
@@ -296,7 +323,8 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   if (state.shown_story->listing->watches.empty())
     quiet_text("No line of this routine reached the pixel: it draws nothing here.");
   ImGui::Spacing();
-  const auto stepped = code(state.rows, std::exchange(state.reveal, false));
+  const auto stepped =
+      code(state.rows, std::exchange(state.reveal, false), {state.answer, side == Side::a ? state.marked : 0});
   if (stepped) {
     state.view->step(stepped->row, stepped->by);
     state.instance = state.view->focus();

@@ -13,8 +13,8 @@ namespace ps::gui {
 struct ListingPanelState {
   explicit ListingPanelState(std::function<void()> wake) : worker(std::make_shared<Prepared>(), std::move(wake)) {}
 
-  InspectWorker worker;  ///< runs the listing, whichever renderer makes the pictures
-  std::string folder;    ///< whose text is shown
+  InspectWorker worker;     ///< runs the listing, whichever renderer makes the pictures
+  std::string folder, bug;  ///< whose text is shown
   std::unique_ptr<ListingText> text;
   std::string error;                              ///< why there is no text
   std::shared_ptr<const PixelStory> shown_story;  ///< what the view looks into
@@ -22,6 +22,8 @@ struct ListingPanelState {
   bool reveal = false;           ///< the listing is new: scroll to its first values
   std::vector<ListingRow> rows;  ///< of the view
   int instance = -1;             ///< the document's, that the view was made for
+  int* answer = nullptr;         ///< where a clicked line's number goes while a question asks for one; it may be null
+  int marked = 0;                ///< the line that is wrong, once that may be shown; 0 = none
 };
 
 /// Takes up the values that have come; once a frame.

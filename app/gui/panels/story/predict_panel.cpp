@@ -114,8 +114,11 @@ void take_up_lesson(Session& session, PredictState& state) {
   state.chosen = false;
 }
 
+/// Of a bug the story is a hint.
 bool asks_otherwise(const Session& session, const PredictState& state) {
-  return state.lesson->asked_beside_text(session) && state.lesson->question()->kind != AskKind::pixel;
+  if (!state.lesson->asked_beside_text(session)) return false;
+  const AskKind kind = state.lesson->question()->kind;
+  return kind != AskKind::pixel && kind != AskKind::bug;
 }
 
 }  // namespace

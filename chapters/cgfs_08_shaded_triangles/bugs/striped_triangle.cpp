@@ -1,0 +1,141 @@
+// Each row of the triangle has one brightness from end to end.
+#include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "options/listing.h"
+#include "record/watch.h"
+#include "textbook/book_canvas.h"
+#include "textbook/book_math.h"
+#include "textbook/book_scene.h"
+
+namespace ps {
+namespace cgfs_08_shaded_triangles {
+namespace {
+
+// A vertex and its attribute are one thing: sorting moves both.
+struct Vertex {
+  double x = 0, y = 0;
+  double h = 1;
+};
+
+// The values of an attribute on each row, along both sides of the triangle.
+struct Sides {
+  std::vector<double> x02, x012, h02, h012;
+};
+
+Sides interpolate_along_sides(const Vertex& p0, const Vertex& p1, const Vertex& p2) {
+  auto x01 = interpolate(p0.y, p0.x, p1.y, p1.x);
+  auto h01 = interpolate(p0.y, p0.h, p1.y, p1.h);
+  const auto x12 = interpolate(p1.y, p1.x, p2.y, p2.x);
+  const auto h12 = interpolate(p1.y, p1.h, p2.y, p2.h);
+
+  // Concatenate the short sides: the row of p1 is in both of them.
+  x01.pop_back();
+  x01.insert(x01.end(), x12.begin(), x12.end());
+  h01.pop_back();
+  h01.insert(h01.end(), h12.begin(), h12.end());
+  return {interpolate(p0.y, p0.x, p2.y, p2.x), x01, interpolate(p0.y, p0.h, p2.y, p2.h), h01};
+}
+
+void draw_shaded_triangle(BookCanvas& canvas, Vertex p0, Vertex p1, Vertex p2, const Vec3d& colour, Blend blend) {
+  // Sort by height, from below.
+  if (p1.y < p0.y) std::swap(p1, p0);
+  if (p2.y < p0.y) std::swap(p2, p0);
+  if (p2.y < p1.y) std::swap(p2, p1);
+  PS_WATCH("h0", p0.h);
+  PS_WATCH("h1", p1.h);
+  PS_WATCH("h2", p2.h);
+
+  // x decides which side is the left one, and h follows.
+  Sides sides = interpolate_along_sides(p0, p1, p2);
+  const std::size_t m = sides.x012.size() / 2;
+  if (sides.x012[m] <= sides.x02[m]) {
+    std::swap(sides.x02, sides.x012);
+    std::swap(sides.h02, sides.h012);
+  }
+  const auto &x_left = sides.x02, &x_right = sides.x012, &h_left = sides.h02, &h_right = sides.h012;
+
+  for (double y = p0.y; y <= p2.y; ++y) {
+    PS_REACHING("row", y);
+    const double x_l = std::trunc(entry(x_left, y, p0.y)), x_r = std::trunc(entry(x_right, y, p0.y));
+    const double h_l = entry(h_left, y, p0.y), h_r = entry(h_right, y, p0.y);
+    PS_WATCH("left, right", Vec2d(x_l, x_r));
+    PS_WATCH("h at the left", h_l);
+    PS_WATCH("h at the right", h_r);
+    const auto h_segment = interpolate(x_l, h_l, x_r, h_l);
+    for (double x = x_l; x <= x_r; ++x) {
+      PS_PIXEL(x, y);
+      const double h = entry(h_segment, x, x_l);
+      PS_WATCH("h", h);
+      const Vec3d shaded_colour = colour * h;
+      PS_WATCH("colour", shaded_colour);
+      const Vec3d mix = blended(blend, canvas.get_pixel(x, y), shaded_colour);
+      PS_WATCH("canvas becomes", mix);
+      canvas.put_pixel(x, y, mix);
+    }
+  }
+}
+
+void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blend blend) {
+  const bool flat = std::abs(p1.x - p0.x) > std::abs(p1.y - p0.y);
+  if (flat ? p1.x < p0.x : p1.y < p0.y) std::swap(p0, p1);
+  const double first = flat ? p0.x : p0.y, last = flat ? p1.x : p1.y;
+  const auto others = flat ? interpolate(first, p0.y, last, p1.y) : interpolate(first, p0.x, last, p1.x);
+  for (double step = first; step <= last; ++step) {
+    const double other = entry(others, step, first);
+    const Vec2d place = flat ? Vec2d(step, other) : Vec2d(other, step);
+    PS_PIXEL(place.x, place.y);
+    PS_WATCH("outline at", place);
+    const Vec3d mix = blended(blend, canvas.get_pixel(place.x, place.y), colour);
+    PS_WATCH("canvas becomes", mix);
+    canvas.put_pixel(place.x, place.y, mix);
+  }
+}
+
+void draw(const BookScene& scene, BookCanvas& canvas) {
+  for (const CanvasItem& item : lines_and_triangles(*scene.scene.canvas_items)) {
+    if (const auto* line = std::get_if<CanvasLine>(&item)) {
+      if (canvas.far_outside(line->points[0]) || canvas.far_outside(line->points[1])) continue;
+      PS_REACHING("line from", line->points[0]);
+      draw_line(canvas, line->points[0], line->points[1], line->colour * 255.0, line->blend);
+      continue;
+    }
+    const auto& triangle = std::get<CanvasTriangle>(item);
+    std::array<Vec2d, 3> p = triangle.points;
+    if (canvas.far_outside(p[0]) || canvas.far_outside(p[1]) || canvas.far_outside(p[2])) continue;
+    for (Vec2d& vertex : p) vertex = {std::trunc(vertex.x), std::trunc(vertex.y)};  // rows are whole numbers
+    PS_REACHING("triangle with vertex", p[0]);
+    const auto& h = triangle.h;
+    if (triangle.filled)
+      draw_shaded_triangle(canvas, {p[0].x, p[0].y, h[0]}, {p[1].x, p[1].y, h[1]}, {p[2].x, p[2].y, h[2]},
+                           triangle.colours[0] * 255.0, triangle.blend);
+    if (triangle.outline)
+      for (const auto& [from, to] : {std::pair(0, 1), {1, 2}, {0, 2}})
+        draw_line(canvas, p.at(static_cast<std::size_t>(from)), p.at(static_cast<std::size_t>(to)),
+                  *triangle.outline * 255.0, Blend::replace);
+  }
+}
+
+}  // namespace
+}  // namespace cgfs_08_shaded_triangles
+
+namespace textbook {
+extern const Listing cgfs_08_shaded_triangles;
+const Listing cgfs_08_shaded_triangles{
+    .label = "shaded triangles",
+    .source = "CGFS ch. 8",
+    .shows = "Triangles on the canvas with an intensity at each vertex, interpolated along the sides and the rows.",
+    .order = ListingOrder::object_by_object,
+    .reads = {},
+    .draws = {.canvas_lines = true, .canvas_triangles = true, .canvas_intensities = true},
+    .suits = [](const SceneTraits& traits,
+                const Settings&) { return !traits.canvas_items        ? 0
+                                          : traits.canvas_intensities ? 4
+                                                                      : 1; },
+    .draw = ps::cgfs_08_shaded_triangles::draw,
+};
+}  // namespace textbook
+}  // namespace ps

@@ -1,0 +1,166 @@
+// Variants of the listings with one wrong line: that it is one, that it is seen, and that it acts where it should.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/check.h"
+#include "frame/display_frame.h"
+#include "options/option.h"
+#include "options/scene_settings.h"
+#include "render/render.h"
+#include "scene/load.h"
+#include "support/run_cli.h"
+#include "textbook/listing_source.h"
+#include "textbook/listing_view.h"
+
+namespace listing_bug_test {
+namespace {
+
+using namespace ps;
+
+NamedListing variant_of(const ListingBug& bug) {
+  return {std::string(bug.folder), {}, bug.listing, std::string(bug.name)};
+}
+
+TEST(ListingBug, EachIsOneLineThatIsShown) {
+  EXPECT_GE(listing_bugs().size(), 20u);
+  for (const ListingBug& bug : listing_bugs()) {
+    const BugLine line = bug_line(bug);  // throws unless it is exactly one
+    const ListingText right = load_listing_text({std::string(bug.folder), {}, bug.listing});
+    const ListingText wrong = load_listing_text(variant_of(bug));
+    ASSERT_EQ(right.lines.size(), wrong.lines.size()) << bug.name;
+    int differing = 0;
+    for (std::size_t i = 0; i < right.lines.size(); ++i) {
+      EXPECT_EQ(right.lines[i].number, wrong.lines[i].number) << bug.name;
+      if (right.lines[i].text == wrong.lines[i].text) continue;
+      ++differing;
+      EXPECT_EQ(wrong.lines[i].number, line.number) << bug.name;
+      EXPECT_EQ(wrong.lines[i].text, line.wrong);
+      EXPECT_EQ(right.lines[i].text, line.right);
+    }
+    EXPECT_EQ(differing, 1) << bug.name << ": the wrong line is behind a watch";
+  }
+}
+
+TEST(ListingBug, EveryListingHasOneAndNamesDiffer) {
+  std::set<std::string> folders, keys;
+  for (const ListingBug& bug : listing_bugs()) {
+    folders.insert(std::string(bug.folder));
+    EXPECT_TRUE(keys.insert(bug.key).second) << bug.key;
+    EXPECT_EQ(bug.symptom.back(), '.') << bug.key;
+  }
+  EXPECT_EQ(folders.size(), listings().size());
+}
+
+std::string objection(const std::string& listing, const std::string& variant) {
+  try {
+    bug_line(listing, variant, "bugs/some.cpp");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(ListingBug, MoreOrLessThanOneLineIsRefused) {
+  const std::string listing = "#include <x>\nint f() {\n  return 1;\n}\n";
+  const std::string head = "// It is seen.\n";
+  const BugLine line = bug_line(listing, head + "#include <x>\nint f() {\n  return 2;\n}\n", "bugs/some.cpp");
+  EXPECT_EQ(line.number, 3);
+  EXPECT_EQ(line.wrong, "  return 2;");
+  EXPECT_EQ(line.right, "  return 1;");
+  EXPECT_NE(objection(listing, head + listing).find("none"), std::string::npos);
+  const std::string two = objection(listing, head + "#include <x>\nint g() {\n  return 2;\n}\n");
+  EXPECT_NE(two.find("bugs/some.cpp:4"), std::string::npos) << two;
+  const std::string more = objection(listing, head + "#include <x>\nint f() {\n  return 2;\n  }\n}\n");
+  EXPECT_NE(more.find("5 lines"), std::string::npos) << more;
+}
+
+Image<Rgb8> picture(const Scene& scene, const Settings& settings) {
+  return display_frame(render(scene, {scene.camera, 120, 120}, settings), settings);
+}
+
+/// The scene of each chapter that suits its listing.
+const char* scene_for(std::string_view folder) {
+  const std::pair<std::string_view, const char*> scenes[] = {
+      {"cgfs_02_basic_ray_tracing", "cgfs/spheres"},
+      {"cgfs_03_light", "cgfs/lights"},
+      {"cgfs_04_shadows_and_reflections", "cgfs/reflections"},
+      {"cgfs_06_lines", "chapters/cgfs_06_lines/ends.scene"},
+      {"cgfs_07_filled_triangles", "chapters/cgfs_07_filled_triangles/square.scene"},
+      {"cgfs_08_shaded_triangles", "cgfs/shaded-triangle"},
+      {"cgfs_10_scenes", "cgfs/cubes"},
+      {"cgfs_12_hidden_surfaces", "cgfs/depth"},
+      {"cgfs_13_shading", "cgfs/shading"},
+      {"cgfs_14_textures", "cgfs/crates"}};
+  for (const auto& [known, scene] : scenes)
+    if (known == folder) return scene;
+  return "";
+}
+
+Settings settings_of(const Scene& scene, const ListingBug& bug) {
+  Settings settings = settings_for(scene);
+  settings.renderer = Renderer::textbook;
+  for (std::size_t i = 0; i < listings().size(); ++i)
+    if (listings()[i].folder == bug.folder) settings.listing = static_cast<int>(i) + 1;
+  return settings;
+}
+
+void set_bug(Settings& settings, std::string_view key) {
+  parse_assignment("listing-bug=" + std::string(key), settings);
+}
+
+/// No two of them give the same picture, nor that of the listing; without it the listing's picture is back.
+TEST(ListingBug, EachChangesThePicture) {
+  for (const ListingBug& bug : listing_bugs()) {
+    const Scene scene = load_scene(scene_for(bug.folder));
+    Settings settings = settings_of(scene, bug);
+    settings.backface_culling = bug.name == "open_boxes";  // a bug of culling
+    const Image<Rgb8> right = picture(scene, settings);
+    set_bug(settings, bug.key);
+    EXPECT_FALSE(inactive_value_reason(*find_option("listing-bug"), settings, scene_traits(scene))) << bug.key;
+    const Image<Rgb8> wrong = picture(scene, settings);
+    EXPECT_NE(wrong, right) << bug.key;
+    for (const ListingBug& other : listing_bugs()) {
+      if (other.folder != bug.folder || other.name == bug.name) continue;
+      set_bug(settings, other.key);
+      EXPECT_NE(picture(scene, settings), wrong) << bug.key << " and " << other.key;
+    }
+    set_bug(settings, "none");
+    EXPECT_EQ(picture(scene, settings), right) << bug.key;
+  }
+}
+
+TEST(ListingBug, ActsOnlyInItsListing) {
+  const Scene scene = load_scene("cgfs/lights");
+  const SceneTraits traits = scene_traits(scene);
+  const Option& option = *find_option("listing-bug");
+  Settings settings = settings_for(scene);
+  EXPECT_EQ(inactive_reason(option, settings, traits), "only textbook listings use it");
+  settings.renderer = Renderer::textbook;
+  EXPECT_FALSE(inactive_reason(option, settings, traits));
+  const Image<Rgb8> right = picture(scene, settings);
+  set_bug(settings, "no-horizon");  // of chapter 2
+  EXPECT_EQ(inactive_value_reason(option, settings, traits), "a bug of another listing");
+  EXPECT_EQ(picture(scene, settings), right);
+  EXPECT_EQ(running_listing(settings, traits).bug, "");
+  set_bug(settings, "dazzling");
+  EXPECT_FALSE(inactive_value_reason(option, settings, traits));
+  EXPECT_EQ(running_listing(settings, traits).bug, "dazzling");
+  settings.renderer = Renderer::ray_tracer;
+  EXPECT_EQ(picture(scene, settings), picture(scene, settings_for(scene)));
+}
+
+/// The values are beside the lines of the variant's own file, whose numbers are those of the listing.
+TEST(ListingBug, InspectShowsItsLinesAndValues) {
+  const auto shown = test::run_cli({"inspect", "cgfs/spheres", "--pixel", "300,430", "--set", "renderer=textbook",
+                                    "--set", "listing-bug=sunken-spheres"});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_NE(shown.out.find("bugs/sunken_spheres.cpp"), std::string::npos) << shown.out;
+  const auto at = shown.out.find("  36    const double t2 = (-b - discriminant) / (2 * a);");
+  ASSERT_NE(at, std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.substr(at, shown.out.find('\n', at) - at).find("| t1, t2 = ("), std::string::npos) << shown.out;
+}
+
+}  // namespace
+}  // namespace listing_bug_test
