@@ -56,10 +56,15 @@ void print_blocks(const std::vector<TextBlock>& blocks) {
   }
 }
 
+void print_notes(const std::vector<TextBlock>& notes) {
+  for (const TextBlock& note : notes) fmt::print("\nFor the teacher: {}\n", plain_text(note));
+}
+
 int show_lesson(const std::string& name) {
   const Lesson lesson = load_lesson(name);
   fmt::print("{}\n{}\n", lesson.title, lesson.source);
   print_blocks(lesson.blocks);
+  print_notes(lesson.notes);
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
     fmt::print("\n{}. {}\n", i + 1, step.title);
@@ -70,6 +75,7 @@ int show_lesson(const std::string& name) {
       fmt::print("\nClaim: {} ({} {}; does not hold with {})\n", claim.text, metric_text(claim.metric),
                  bound_text(claim.bound), claim.mutation.text);
     if (step.question) fmt::print("\nQuestion ({}): {}\n", ask_text(*step.question), step.question->text);
+    print_notes(step.notes);
   }
   return 0;
 }
@@ -145,6 +151,7 @@ int check_lessons(std::vector<std::string> names) {
     counts[lesson.name] = lesson.steps.size();
     fmt::print("{}\n", name);
     check_links(lesson.blocks, counts, tally);
+    check_links(lesson.notes, counts, tally);
     for (const std::string& bug : bugs_without_step(lesson)) {
       fmt::print("  no step asks about bugs/{}.cpp\n", bug);
       ++tally.failures;
@@ -153,6 +160,7 @@ int check_lessons(std::vector<std::string> names) {
       const LessonStep& step = lesson.steps[i];
       check_links(step.blocks, counts, tally);
       check_links(step.hints, counts, tally);
+      check_links(step.notes, counts, tally);
       if (!check_state(lesson, i)) {
         ++tally.failures;
         continue;

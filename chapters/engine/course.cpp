@@ -8,13 +8,15 @@
 #include "base/check.h"
 #include "base/resources.h"
 #include "base/spelling.h"
-#include "engine/lesson.h"
+#include "engine/block.h"
+#include "engine/lesson_place.h"
 #include "engine/words.h"
 
 namespace ps {
 namespace {
 
 constexpr std::uintmax_t largest_course = 1u << 20;  // bytes
+constexpr std::string_view earlier_names = "## Earlier names";
 
 class CourseParser {
  public:
@@ -26,6 +28,10 @@ class CourseParser {
     if (line.starts_with("# ")) {
       if (!course_.title.empty()) throw InputError(place(), "a second title", "one line '# Title'");
       course_.title = line.substr(2);
+    } else if (line == earlier_names) {
+      in_earlier_names_ = true;
+    } else if (in_earlier_names_) {
+      if (!line.empty()) read_earlier(line);
     } else if (line.starts_with("## ")) {
       course_.parts.push_back({std::string(line.substr(3)), {}});
     } else if (!course_.parts.empty() && !line.empty()) {
@@ -56,6 +62,25 @@ class CourseParser {
     course_.parts.back().lessons.push_back(std::move(lesson));
   }
 
+  void read_earlier(std::string_view line) {
+    const auto now = line.find(", now ");
+    if (!line.starts_with("- ") || now == std::string_view::npos)
+      throw InputError(place(), fmt::format("'{}'", shown_start(line)), "'- earlier name, now lesson/STEP'");
+    EarlierName earlier{std::string(line.substr(2, now - 2)), {}};
+    const std::string_view target = line.substr(now + 6);
+    const auto slash = target.find('/');
+    earlier.now.lesson = target.substr(0, slash);
+    require_folder(earlier.now.lesson);
+    if (slash != std::string_view::npos)
+      at_place(place(), [&] { earlier.now.step = parse_step_number(target.substr(slash + 1)); });
+    const bool again = std::any_of(course_.earlier.begin(), course_.earlier.end(),
+                                   [&](const EarlierName& each) { return each.name == earlier.name; });
+    if (again || std::find(folders_.begin(), folders_.end(), earlier.name) != folders_.end())
+      throw InputError(place(), fmt::format("'{}', which is {}", earlier.name, again ? "there twice" : "a lesson"),
+                       "a name that no lesson has any more");
+    course_.earlier.push_back(std::move(earlier));
+  }
+
   std::vector<std::string> read_after(std::string_view list, const std::vector<std::string>& before) const {
     std::vector<std::string> after;
     for (;;) {
@@ -79,6 +104,7 @@ class CourseParser {
   std::string file_;
   const std::vector<std::string>& folders_;
   Course course_;
+  bool in_earlier_names_ = false;
   int line_ = 0;
 };
 
@@ -100,6 +126,20 @@ std::vector<std::string> lessons_of(const Course& course) {
   for (const CoursePart& part : course.parts)
     for (const CourseLesson& lesson : part.lessons) names.push_back(lesson.name);
   return names;
+}
+
+std::optional<LessonPlace> successor_in(const Course& course, const LessonPlace& place) {
+  for (const EarlierName& each : course.earlier)
+    if (each.name == place.lesson) return LessonPlace{each.now.lesson, each.now.step + place.step};
+  return {};
+}
+
+std::optional<LessonPlace> successor_of(const LessonPlace& place) {
+  try {
+    return successor_in(load_course(), place);
+  } catch (const InputError&) {
+    return {};  // the lists of lessons report what is wrong with the course
+  }
 }
 
 std::string_view part_title(const Course& course, std::string_view lesson) {

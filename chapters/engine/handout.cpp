@@ -23,6 +23,7 @@ constexpr std::string_view style =
     ".pictures{display:flex;gap:1em;margin:1em 0}figure{flex:1;margin:0;min-width:0}"
     "img{width:100%;image-rendering:pixelated}.covered{border:1px solid #999;padding:30% 1em;text-align:center}"
     ".look{border-left:3px solid #999;padding-left:1em}"
+    ".notes{background:#eee;padding:.2em 1em;margin:1em 0;font-size:90%}"
     "table{border-collapse:collapse;font-size:85%;width:100%}td,th{border:1px solid #bbb;padding:.3em .5em;"
     "text-align:left;vertical-align:top}.question{border:1px solid #555;padding:.5em 1em;margin:1em 0}"
     "pre{font:80%/1.35 monospace;white-space:pre-wrap;overflow-wrap:anywhere}"
@@ -124,6 +125,12 @@ std::string question_html(const LessonQuestion& question, int number, const Docu
   return html + "</div>\n";
 }
 
+/// For teachers alone.
+std::string notes_html(const std::vector<TextBlock>& notes, HandoutFor reader) {
+  if (notes.empty() || reader != HandoutFor::teacher) return {};
+  return fmt::format("<div class=\"notes\"><p><b>For the teacher</b></p>\n{}</div>\n", block_html(notes));
+}
+
 std::string answer_of(const LessonQuestion& question, Progress& progress) {
   if (question.kind == AskKind::choice) {
     const MeasuredAnswer right = measure_answer(question, progress);
@@ -146,6 +153,7 @@ std::string answer_of(const LessonQuestion& question, Progress& progress) {
 std::string handout_html(const Lesson& lesson, HandoutFor reader, Progress& progress) {
   std::string body = fmt::format("<h1>{}</h1>\n<p class=\"source\">{}</p>\n{}", xml_escaped(lesson.title),
                                  xml_escaped(lesson.source), block_html(lesson.blocks));
+  body += notes_html(lesson.notes, reader);
   std::string answers;
   int questions = 0;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
@@ -154,6 +162,7 @@ std::string handout_html(const Lesson& lesson, HandoutFor reader, Progress& prog
     const bool covers = reader == HandoutFor::student && step.question;
     body += fmt::format("<section id=\"step-{}\"><h2>{}. {}</h2>\n{}", i + 1, i + 1, xml_escaped(step.title),
                         block_html(step.blocks));
+    body += notes_html(step.notes, reader);
     body += pictures(document, covers ? step.question->hidden : std::array{false, false}, progress);
     if (step.question) {
       body += question_html(*step.question, ++questions, document);

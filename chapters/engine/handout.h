@@ -11,7 +11,7 @@ namespace ps {
 
 enum class HandoutFor {
   student,  ///< with the questions, and without the pictures that answer them
-  teacher   ///< with the measured answers at the end
+  teacher   ///< with the notes for teachers, and the measured answers at the end
 };
 
 /// The lesson as one HTML file that needs nothing else: texts, the pictures of A and B of each step, claims with what

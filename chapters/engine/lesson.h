@@ -18,6 +18,7 @@ struct LessonStep {
   std::string title;
   std::vector<TextBlock> blocks;
   std::vector<TextBlock> hints;  ///< what to look for
+  std::vector<TextBlock> notes;  ///< for the teacher alone
   LessonState state;
   std::vector<Claim> claims;
   std::optional<LessonQuestion> question;
@@ -28,6 +29,7 @@ struct Lesson {
   std::string title;
   std::string source;             ///< "CGFS chapter 4"
   std::vector<TextBlock> blocks;  ///< what introduces it
+  std::vector<TextBlock> notes;   ///< for the teacher alone, about the lesson as a whole
   std::vector<LessonStep> steps;
 };
 

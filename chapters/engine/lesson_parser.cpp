@@ -21,6 +21,9 @@ class LessonParser {
       if (lesson_.steps.empty() && text.starts_with(">"))
         throw InputError(place(), "a hint before the first step", "hints inside steps");
       text_ += line;
+    } else if (block_ == "notes" && text != "```") {
+      notes_ += line;
+      notes_ += '\n';
     } else {
       read_structure(text);
     }
@@ -57,8 +60,9 @@ class LessonParser {
     if (text.starts_with("```")) {
       block_ = without_blanks(text.substr(3));
       block_place_ = place();
-      if (block_ != "settings" && block_ != "claim" && block_ != "question")
-        throw InputError(place(), fmt::format("a block named '{}'", block_), "```settings, ```claim or ```question");
+      if (block_ != "settings" && block_ != "claim" && block_ != "question" && block_ != "notes")
+        throw InputError(place(), fmt::format("a block named '{}'", block_),
+                         "```settings, ```claim, ```question or ```notes");
     } else if (text.starts_with("## ")) {
       begin_step(std::string(without_blanks(text.substr(3))));
     } else if (text.starts_with("# ")) {
@@ -107,6 +111,8 @@ class LessonParser {
     } else if (block_ == "claim") {
       if (!in_step) throw InputError(block_place_, "a claim before the first step", "claims inside steps");
       lesson_.steps.back().claims.push_back(read_claim(lines_, lesson_.steps.back().state, block_place_));
+    } else if (block_ == "notes") {
+      end_notes();
     } else {
       LessonState& state = in_step ? lesson_.steps.back().state : common_;
       for (const BlockLine& line : lines_)
@@ -121,6 +127,17 @@ class LessonParser {
     lines_.clear();
   }
 
+  void end_notes() {
+    StepText text = read_markdown(notes_, file_, block_place_.line + 1);
+    notes_.clear();
+    if (text.blocks.empty() || !text.hints.empty())
+      throw InputError(block_place_, text.blocks.empty() ? "notes without words" : "a hint in notes", "paragraphs");
+    std::vector<TextBlock>& notes = lesson_.steps.empty() ? lesson_.notes : lesson_.steps.back().notes;
+    if (!notes.empty()) throw InputError(block_place_, "a second block of notes", "one, and one for each step");
+    notes = std::move(text.blocks);
+    step_links_.insert(step_links_.end(), text.step_links.begin(), text.step_links.end());
+  }
+
   std::string file_;
   Lesson lesson_;
   LessonState common_;  // of the block before the first step: where each step starts
@@ -130,6 +147,7 @@ class LessonParser {
   int text_line_ = 1;  // where that begins
   std::string block_;  // name of the open block; empty outside
   SourcePlace block_place_;
+  std::string notes_;  // of the open block of notes, as they stand in the file
   std::vector<BlockLine> lines_;
 };
 

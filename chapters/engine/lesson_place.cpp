@@ -9,6 +9,7 @@
 #include "base/check.h"
 #include "base/resources.h"
 #include "base/spelling.h"
+#include "engine/course.h"
 
 namespace ps {
 namespace {
@@ -25,12 +26,14 @@ bool is_built_in(std::string_view name) {
 LessonPlace parse_built_in_place(std::string_view text) {
   const auto slash = text.find('/');
   const std::string folder(text.substr(0, slash));
+  const int step = slash == std::string_view::npos ? 0 : parse_step_number(text.substr(slash + 1));
   if (!is_built_in(folder)) {
+    if (auto successor = successor_of({folder, step})) return *std::move(successor);
     const std::vector<std::string_view> known(lesson_names().begin(), lesson_names().end());
     throw InputError(fmt::format("unknown lesson '{}'{}", folder,
                                  did_you_mean(folder, known, "; 'pixelscope-cli lessons list' lists them")));
   }
-  return {folder, slash == std::string_view::npos ? 0 : parse_step_number(text.substr(slash + 1))};
+  return {folder, step};
 }
 
 int parse_step_number(std::string_view text) {
@@ -59,6 +62,7 @@ LessonPlace parse_lesson_place(std::string_view text) {
   if (slash == std::string_view::npos) return parse_built_in_place(text);
   if (std::string folder = lesson_folder_at(text.substr(0, slash)); !folder.empty())
     return {std::move(folder), parse_step_number(text.substr(slash + 1))};
+  if (successor_of({std::string(text.substr(0, slash)), 0})) return parse_built_in_place(text);
   throw InputError(fmt::format("'{}' is neither a lesson nor a folder with a file lesson.md", text));
 }
 

@@ -7,6 +7,7 @@
 #include "document/number_list.h"
 #include "document/permalink.h"
 #include "engine/block.h"
+#include "engine/course.h"
 #include "engine/words.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -162,6 +163,10 @@ Document state_document(const LessonState& state, const Document& now) {
 
 Document linked_document(std::string_view link) {
   Document document = parse_permalink(link);
+  if (const auto now = successor_of({document.lesson, document.step}); now && !document.lesson.empty()) {
+    document.lesson = now->lesson;
+    document.step = now->step;
+  }
   if (document.scene_name.empty() && !document.lesson.empty()) {
     const Lesson lesson = load_lesson(document.lesson);
     const int last = static_cast<int>(lesson.steps.size()) - 1;

@@ -108,7 +108,7 @@ class MarkdownReader {
     case MD_BLOCK_HR:
       refuse("a line across");
     case MD_BLOCK_CODE:
-      refuse("a block of code", "```settings, ```claim or ```question");
+      refuse("a block of code", "```settings, ```claim, ```question or ```notes");
     case MD_BLOCK_HTML:
     case MD_BLOCK_TABLE:
     case MD_BLOCK_THEAD:

@@ -88,5 +88,25 @@ TEST(LessonPlan, ATallToolKeepsItsRoom) {
   EXPECT_EQ(narrow.text.width(), narrow.stage.width()) << "the text stands over the tool";
 }
 
+TEST(LessonPlan, AQuestionComesBeforeATallToolBelowIt) {
+  PlanInput narrow = input_of({1024, 768, 1}, {600, 600});
+  const LessonPlan without = plan_lesson(narrow, StagePlace::beside);
+  EXPECT_FALSE(without.waits);
+  narrow.question = PlanQuestion::open;
+  const LessonPlan open = plan_lesson(narrow, StagePlace::beside);
+  EXPECT_TRUE(open.waits);
+  EXPECT_EQ(open.text.height(), narrow.area.height());
+  EXPECT_EQ(open.pictures.width(), without.pictures.width());
+  narrow.question = PlanQuestion::answered;
+  const LessonPlan answered = plan_lesson(narrow, StagePlace::beside);
+  EXPECT_FALSE(answered.waits);
+  EXPECT_GT(answered.text.height(), without.text.height());
+  EXPECT_GE(answered.stage.height(), 280);
+  // Where the tool has a column of its own, nothing has to wait.
+  PlanInput wide = input_of({1366, 768, 1}, {600, 600});
+  wide.question = PlanQuestion::open;
+  EXPECT_FALSE(plan_lesson(wide, StagePlace::beside).waits);
+}
+
 }  // namespace
 }  // namespace ps::gui::plan_test

@@ -54,6 +54,36 @@ TEST(Course, FaultsAreNamedWithTheirLine) {
   EXPECT_NE(refusal("# A course\n## Start\n").find("no lessons"), std::string::npos);
 }
 
+TEST(Course, EarlierNamesLeadOn) {
+  const Course course =
+      parse_course("# A course\n## Start\n- first\n- second\n\n## Earlier names\n\n- zeroth, now first\n"
+                   "- half, now second/3\n",
+                   "course.md", folders);
+  EXPECT_EQ(course.parts.size(), 1u);
+  EXPECT_EQ(lessons_of(course), (std::vector<std::string>{"first", "second"}));
+  EXPECT_EQ(successor_in(course, {"zeroth", 4}), (LessonPlace{"first", 4}));
+  EXPECT_EQ(successor_in(course, {"half", 1}), (LessonPlace{"second", 3}));  // the step behind its third
+  EXPECT_EQ(successor_in(course, {"first", 0}), std::nullopt);
+  EXPECT_EQ(successor_in(course, {"", 0}), std::nullopt);
+  const std::string start = "# A course\n## Start\n- first\n## Earlier names\n";
+  EXPECT_EQ(refusal(start), "accepted");
+  EXPECT_EQ(refusal(start + "- zeroth"), "course.md:5:1: found '- zeroth', expected '- earlier name, now lesson/STEP'");
+  EXPECT_EQ(refusal(start + "- zeroth, now firsd").substr(0, 48), "course.md:5:1: found 'firsd', which is not a les");
+  EXPECT_EQ(refusal(start + "- zeroth, now first/0").substr(0, 33), "course.md:5: found the step '0', ");
+  EXPECT_EQ(refusal(start + "- second, now first"),
+            "course.md:5:1: found 'second', which is a lesson, expected a name that no lesson has any more");
+  EXPECT_EQ(refusal(start + "- zeroth, now first\n- zeroth, now first"),
+            "course.md:6:1: found 'zeroth', which is there twice, expected a name that no lesson has any more");
+}
+
+TEST(Course, EarlierNamesLeadToSteps) {
+  for (const EarlierName& each : load_course().earlier) {
+    SCOPED_TRACE(each.name);
+    EXPECT_LT(each.now.step, static_cast<int>(load_lesson(each.now.lesson).steps.size()));
+    EXPECT_EQ(parse_lesson_place(each.name + "/2").lesson, each.now.lesson);
+  }
+}
+
 TEST(Course, HasEachLessonExactlyOnce) {
   std::vector<std::string> listed = lessons_of(load_course());
   EXPECT_EQ(listed, lesson_names());

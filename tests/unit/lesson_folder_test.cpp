@@ -166,6 +166,19 @@ TEST(LessonHandout, OnlyTheTeachersHasTheAnswers) {
   EXPECT_EQ(count_of(teacher, "<img "), 6u);
 }
 
+TEST(LessonHandout, OnlyTheTeachersHasTheNotes) {
+  const OwnLesson lesson("## The first step\n",
+                         "```notes\nBegin with a lamp.\n```\n\n## The first step\n\n```notes\nAsk for $N$.\n```\n");
+  const std::string student = handout(lesson), teacher = handout(lesson, "--teacher");
+  EXPECT_EQ(test::markup_fault(teacher), "");
+  for (const char* words : {"Begin with a lamp.", "Ask for ", "For the teacher"}) {
+    EXPECT_EQ(student.find(words), std::string::npos) << words;
+    EXPECT_NE(teacher.find(words), std::string::npos) << words;
+  }
+  EXPECT_LT(teacher.find("Begin with a lamp."), teacher.find("<h2>1."));
+  EXPECT_GT(teacher.find("Ask for "), teacher.find("<h2>1."));
+}
+
 TEST(LessonHandout, ItsPicturesAreThoseOfTheRenderCommand) {
   const OwnLesson lesson;
   const std::string page = handout(lesson);

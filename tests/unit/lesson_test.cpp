@@ -221,6 +221,23 @@ TEST(Lesson, TextIsNamedWithItsPlaceInTheFile) {
   EXPECT_EQ(error_with("Text of [one](step:2)."), "no error");
 }
 
+TEST(Lesson, NotesAreApartFromTheText) {
+  std::string text = good;
+  text.replace(text.find("```settings"), 0, "```notes\nAbout the *whole*.\n\n- a list\n```\n\n");
+  text.replace(text.find("Text of one."), 12, "Text.\n\n```notes\nAbout [two](step:2).\n```\n");
+  const Lesson lesson = parse_lesson(text, "demo", "lesson.md");
+  ASSERT_EQ(lesson.notes.size(), 2u);
+  EXPECT_EQ(plain_text(lesson.notes[0]), "About the whole.");
+  EXPECT_EQ(lesson.notes[1].kind, BlockKind::bullet);
+  ASSERT_EQ(lesson.blocks.size(), 1u);
+  EXPECT_EQ(plain_text(lesson.blocks[0]), "First line second line.");
+  ASSERT_EQ(lesson.steps[0].notes.size(), 1u);
+  EXPECT_EQ(plain_text(lesson.steps[0].notes[0]), "About two.");
+  ASSERT_EQ(lesson.steps[0].blocks.size(), 1u);
+  EXPECT_EQ(plain_text(lesson.steps[0].blocks[0]), "Text.");
+  EXPECT_TRUE(lesson.steps[1].notes.empty());
+}
+
 /// The lesson with `from` replaced must be refused with a message that holds `message`.
 void expect_refused(const std::string& from, const std::string& to, const std::string& message) {
   std::string text = good;
@@ -256,6 +273,12 @@ TEST(Lesson, FaultsAreNamedWithTheirLine) {
   expect_refused("mutation shadow-epsilon", "mutation nothing", "lesson.md:36: mutation: 'nothing' is not an option");
   expect_refused("counter-b shadow-rays", "counter-b shadows", "'shadows' is not a counter");
   expect_refused("```claim", "```clam", "lesson.md:31:1");
+  const std::string note = "```notes\nOne.\n```\n";
+  expect_refused("Text of one.", note + note, "lesson.md:17:1: found a second block of notes");
+  expect_refused("Text of one.", "```notes\n```", "lesson.md:14:1: found notes without words");
+  expect_refused("Text of one.", "```notes\nOne.\n\n> Look.\n```", "lesson.md:14:1: found a hint in notes");
+  expect_refused("Text of one.", "```notes\nOne.\nA **word.\n```", "lesson.md:16:3");
+  expect_refused("Text of one.", "```notes\nSee [it](step:5).\n```", "lesson.md:15:5: found a link to step 5");
   expect_refused("mutation shadows\n```\n", "mutation shadows\n", "does not end");
 }
 

@@ -256,8 +256,8 @@ void App::Parts::close_on_escape() {
     ImGui::ClosePopupToLevel(0, true);
     return;
   }
-  if (about.open || my.scenes.open || my.kept.open || my.lessons.glossary.open) {
-    about.open = my.scenes.open = my.kept.open = my.lessons.glossary.open = false;
+  if (about.open || my.scenes.open || my.kept.open || my.lessons.glossary.open || my.lessons.notes.open) {
+    about.open = my.scenes.open = my.kept.open = my.lessons.glossary.open = my.lessons.notes.open = false;
     return;
   }
   if (!dropped.file.empty()) {
@@ -361,6 +361,8 @@ void App::Parts::draw() {
   kept_panel(session, my.kept);
   dropped_picture(session, dropped);
   if (auto link = glossary_sheet(session, my.lessons.glossary)) my.lessons.followed = std::move(link);
+  if (auto link = notes_sheet(session, my.lessons.notes, my.lessons.open(session)))
+    my.lessons.followed = std::move(link);
   if (const auto followed = std::exchange(my.lessons.followed, {}))
     follow_link(session, my, *followed, [this] { show_options(); });
   draw_flash();

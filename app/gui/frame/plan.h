@@ -3,6 +3,10 @@
 
 namespace ps::gui {
 
+/// A lesson's question that stands below its text: none, one that is open and can be answered without the step's tool,
+/// or one that was answered.
+enum class PlanQuestion { none, open, answered };
+
 /// What a plan is made for. Lengths are in window pixels.
 struct PlanInput {
   Area area;                 ///< that is divided: the window without its menu and status lines
@@ -13,6 +17,7 @@ struct PlanInput {
   float captions = 0;        ///< height of the lines above and below a picture
   float text_width = 0;      ///< at which a lesson's text reads best
   float headline = 0;        ///< height of a stage or drawer that is folded to one line
+  PlanQuestion question = PlanQuestion::none;
 };
 
 /// Where the tool has its place that a lesson's step is about.
@@ -22,6 +27,7 @@ enum class StagePlace { none, below, beside };
 struct LessonPlan {
   Area text, pictures, stage;
   bool folded = false;  ///< the stage has room for its headline alone
+  bool waits = false;   ///< the stage has no room until the question is answered
 };
 
 /// Between two pictures, and between them and what is beside them, at scale 1.
@@ -32,7 +38,8 @@ inline constexpr double lesson_share = 0.35, beside_share = 0.30, explore_share 
 
 /// The text as wide as it reads best, unless the pictures, side by side or as one, would take less than lesson_share of
 /// the window. What height they leave is the stage's below them; beside them it takes the place of one. Beside a tall
-/// tool the text gives way until the pictures have beside_share. In a narrow window it stands over the tool.
+/// tool the text gives way until the pictures have beside_share. In a narrow window it stands over the tool, which
+/// comes only when an open question was answered.
 LessonPlan plan_lesson(const PlanInput& input, StagePlace stage);
 
 /// How the window is divided exploring. `left`, `right` and `bottom` are shares of the area as the document has them,

@@ -161,19 +161,29 @@ void Regions::lesson_text(const Area& area) {
   ImGui::EndChild();
 }
 
+/// Clicks, rays and lines of a listing are asked for with the tool in sight.
+PlanQuestion Regions::question_beside_text() const {
+  const LessonQuestions& asked = *my_.predict.lesson;
+  if (asked.verdict()) return PlanQuestion::answered;
+  if (!asked.asked_beside_text(session_)) return PlanQuestion::none;
+  const AskKind kind = asked.question()->kind;
+  return kind == AskKind::choice || kind == AskKind::number ? PlanQuestion::open : PlanQuestion::none;
+}
+
 void Regions::lesson(const Area& area) {
   // Where type is large beside the window, the lines around the pictures are what gives way.
   const bool one = session_.document().compare != CompareMode::side_by_side || stage_place() == StagePlace::beside;
   const bool small = area.width() < px(1200) || area.height() < px(one ? 850 : 600);
   const PictureCaptions captions = small ? PictureCaptions::brief : PictureCaptions::full;
-  const PlanInput input = plan_input(area, captions);
+  PlanInput input = plan_input(area, captions);
+  input.question = question_beside_text();
   const LessonPlan plan = plan_lesson(input, stage_place());
   lesson_text(plan.text);
   if (!session_.document().layout.panels) {
     pictures({plan.pictures.min, area.max}, lesson_share, captions);
     return;
   }
-  if (stage_place() != StagePlace::none) stage(plan.stage, plan.folded);
+  if (stage_place() != StagePlace::none && !plan.waits) stage(plan.stage, plan.folded);
   pictures(plan.pictures, stage_place() == StagePlace::beside ? 1 : lesson_share, captions);
 }
 

@@ -43,6 +43,7 @@ class Regions {
   const Panel& panel(std::string_view name) const { return find_panel(panels_, name); }
   /// The tool of a lesson's stage.
   const Panel& staged() const;
+  PlanQuestion question_beside_text() const;
   StagePlace stage_place() const;
   PlanInput plan_input(const Area& area, PictureCaptions captions) const;
 

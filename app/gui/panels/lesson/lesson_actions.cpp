@@ -37,6 +37,8 @@ void add_lesson_actions(Actions& actions, Session& session, LessonShelf& shelf) 
   add("lesson-before", "Previous lesson", "[", [&session] { move_lesson(session, -1); }, {});
   add("glossary", "Glossary: terms and what they mean", "Shift+G", [&shelf] { open_glossary(shelf.glossary); }, {});
   add(
+      "notes", "Notes for the teacher on this step", "Shift+T", [&shelf] { toggle_notes(shelf.notes); }, in_lesson);
+  add(
       "lesson-close", "Close the lesson", "", [&session] { close_lesson(session); }, in_lesson);
 }
 

@@ -9,6 +9,7 @@
 #include "engine/lesson.h"
 #include "gui/panels/lesson/glossary_sheet.h"
 #include "gui/panels/lesson/lesson_claims.h"
+#include "gui/panels/lesson/notes_sheet.h"
 #include "gui/panels/lesson/text_view.h"
 #include "gui/panels/options/waking_cache.h"
 #include "gui/session/session.h"
@@ -58,6 +59,7 @@ class LessonShelf {
   WakingCache wakings;
   ReadLessons read;
   GlossaryState glossary;
+  NotesState notes;
   std::string shown_option;            ///< the page with its controls is to be turned to, once
   std::optional<LinkTarget> followed;  ///< what was clicked in the text, until the window takes it
 

@@ -170,11 +170,12 @@ bool toolbar(Session& session, VertexPanelState& state, bool filled) {
   if (button("previous", "Previous")) keep(session, VertexId{vertex.object, (vertex.vertex + count - 1) % count});
   ImGui::SameLine();
   if (button("next", "Next")) keep(session, VertexId{vertex.object, (vertex.vertex + 1) % count});
-  same_line_if_room(px(150));
+  const float keep_width = text_width("Keep this vertex") + px(48);  // with the switch before it
+  same_line_if_room(keep_width);
   bool kept = session.document().story.vertex.has_value();
   if (toggle("keep", "Keep this vertex", kept,
              {.tooltip = "Off: follows the vertex nearest to the picked pixel, of the triangle that it shows.",
-              .width = px(150)}))
+              .width = keep_width}))
     keep(session, kept ? std::optional(vertex) : std::nullopt);
   same_line_if_room(button_width("Show in space"));
   if (button("space", "Show in space", Emphasis::plain,

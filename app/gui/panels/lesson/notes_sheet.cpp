@@ -1,0 +1,86 @@
+#include "gui/panels/lesson/notes_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "engine/lesson_length.h"
+#include "gui/base/values.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/overlay.h"
+#include "gui/widgets/widgets.h"
+
+namespace ps::gui {
+namespace {
+
+/// The notes of the lesson, if its first step is open, and those of the step.
+std::vector<TextBlock> notes_at(const Lesson& lesson, int step) {
+  std::vector<TextBlock> notes;
+  if (step == 0) notes = lesson.notes;
+  const std::vector<TextBlock>& own = lesson.steps[static_cast<std::size_t>(step)].notes;
+  notes.insert(notes.end(), own.begin(), own.end());
+  return notes;
+}
+
+std::optional<LinkTarget> draw_notes(Session& session, const std::vector<TextBlock>& notes) {
+  std::vector<TextLine> lines;
+  const float width = ImGui::GetContentRegionAvail().x;
+  std::string words;
+  for (const TextBlock& block : notes) {
+    lay_out(block, mark_of(block), Face::body, width, lines);
+    words += (words.empty() ? "" : " ") + plain_text(block);
+  }
+  std::optional<LinkTarget> followed;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImVec2 at = from;
+  for (const TextLine& line : lines) {
+    at.y += line.gap;
+    ImGui::SetCursorScreenPos(at);
+    if (auto clicked = draw_line(session, line)) followed = std::move(clicked);
+    at.y += line.height;
+  }
+  ImGui::SetCursorScreenPos(from);
+  ImGui::Dummy({width, at.y - from.y});
+  controls().record("text", from, {from.x + width, at.y}, words);
+  return followed;
+}
+
+}  // namespace
+
+void toggle_notes(NotesState& state) { state.open = state.just_opened = !state.open; }
+
+std::optional<LinkTarget> notes_sheet(Session& session, NotesState& state, const Lesson* lesson) {
+  if (!lesson || lesson->steps.empty()) state.open = false;
+  values().publish("notes/open", state.open);
+  if (!state.open) return {};
+  const NameScope names("notes");
+  const int count = static_cast<int>(lesson->steps.size());
+  const int index = std::clamp(session.document().step, 0, count - 1);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{std::min(px(640), display.x - px(40)), std::min(px(420), display.y - px(40))};
+  const Overlay overlay("##notes", {(display.x - size.x) / 2, (display.y - size.y) / 2}, size,
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove, state.just_opened);
+  {
+    const FontScope title(Face::heading);
+    ImGui::TextUnformatted("For the teacher");
+  }
+  ImGui::SameLine(size.x - px(24) - px(84));
+  if (button("close", "Close", Emphasis::plain, {.width = px(84)})) state.open = false;
+  quiet_text(fmt::format("Step {} of {}: {}", index + 1, count, lesson->steps[static_cast<std::size_t>(index)].title));
+  if (index == 0) quiet_text("The lesson takes " + length_text(length_of(*lesson)) + ".");
+  ImGui::Dummy({0, px(4)});
+  const std::vector<TextBlock> notes = notes_at(*lesson, index);
+  ImGui::BeginChild("##text");
+  std::optional<LinkTarget> followed;
+  if (notes.empty())
+    quiet_text("This step has no notes.");
+  else
+    followed = draw_notes(session, notes);
+  ImGui::EndChild();
+  if (overlay.left() || followed) state.open = false;
+  return followed;
+}
+
+}  // namespace ps::gui
