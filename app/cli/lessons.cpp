@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -18,10 +19,16 @@
 namespace ps::cli {
 namespace {
 
+bool is_here(const std::string& lesson) {
+  const std::vector<std::string>& names = lesson_names();
+  return std::find(names.begin(), names.end(), lesson) != names.end();
+}
+
 int list_lessons() {
   for (const CoursePart& part : load_course().parts) {
     fmt::print("{}\n", part.title);
     for (const CourseLesson& each : part.lessons) {
+      if (!is_here(each.name)) continue;
       const Lesson lesson = load_lesson(each.name);
       const LessonLength length = length_of(lesson);
       fmt::print("  {:<34} {} ({}; {} steps, {} claims, {} questions, {} min)\n", each.name, lesson.title,
@@ -29,6 +36,9 @@ int list_lessons() {
       if (!each.after.empty()) fmt::print("  {:<34} after {}\n", "", fmt::join(each.after, ", "));
     }
   }
+  for (const LeftOutLesson& each : lessons_left_out())
+    fmt::print("Left out: {} needs the renderer '{}', which this program was built without.\n", each.name,
+               each.renderer);
   return 0;
 }
 
@@ -152,6 +162,10 @@ int check_lessons(std::vector<std::string> names) {
     fmt::print("{}\n", name);
     check_links(lesson.blocks, counts, tally);
     check_links(lesson.notes, counts, tally);
+    if (const auto reason = why_not_here(lesson)) {
+      fmt::print("  its claims are not checked: {}\n", *reason);
+      continue;
+    }
     for (const std::string& bug : bugs_without_step(lesson)) {
       fmt::print("  no step asks about bugs/{}.cpp\n", bug);
       ++tally.failures;

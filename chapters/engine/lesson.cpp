@@ -8,11 +8,41 @@
 #include "base/atomic_file.h"
 #include "base/resources.h"
 #include "engine/course.h"
+#include "engine/words.h"
+#include "options/option.h"
+#include "options/renderer_kind.h"
 
 namespace ps {
 namespace {
 
 constexpr std::uintmax_t largest_lesson = 1u << 20;  // bytes
+
+bool is_here(std::string_view renderer) {
+  const auto kinds = renderer_kinds();
+  return std::any_of(kinds.begin(), kinds.end(), [&](const RendererKind& kind) { return kind.key == renderer; });
+}
+
+/// What stands behind "renderer:" before the first step; empty where nothing does or the file cannot be read.
+std::string needed_renderer(const std::string& name) {
+  constexpr std::string_view word = "renderer:";
+  try {
+    const std::string file = read_whole_file(lesson_file(name), largest_lesson);
+    std::string_view text = file;
+    while (!text.empty()) {
+      const std::string_view line = take_line(text);
+      if (line.starts_with("## ")) break;
+      if (line.starts_with(word)) return std::string(without_blanks(line.substr(word.size())));
+    }
+  } catch (const InputError&) {
+    // load_lesson() reports it.
+  }
+  return {};
+}
+
+struct KnownLessons {
+  std::vector<std::string> names;
+  std::vector<LeftOutLesson> left_out;
+};
 
 std::vector<std::string> names_in_order() {
   std::vector<std::string> folders = lesson_folders();
@@ -27,6 +57,21 @@ std::vector<std::string> names_in_order() {
   }
 }
 
+const KnownLessons& known_lessons() {
+  static const KnownLessons known = [] {
+    KnownLessons all;
+    for (const std::string& name : names_in_order()) {
+      const std::string renderer = needed_renderer(name);
+      if (renderer.empty() || is_here(renderer))
+        all.names.push_back(name);
+      else
+        all.left_out.push_back({name, renderer});
+    }
+    return all;
+  }();
+  return known;
+}
+
 }  // namespace
 
 std::vector<std::string> lesson_folders() {
@@ -37,9 +82,18 @@ std::vector<std::string> lesson_folders() {
   return names;
 }
 
-const std::vector<std::string>& lesson_names() {
-  static const std::vector<std::string> names = names_in_order();
-  return names;
+const std::vector<std::string>& lesson_names() { return known_lessons().names; }
+
+const std::vector<LeftOutLesson>& lessons_left_out() { return known_lessons().left_out; }
+
+std::optional<std::string> why_not_here(const Lesson& lesson) {
+  if (lesson.renderer.empty()) return {};
+  Settings settings;
+  parse_assignment("renderer=" + lesson.renderer, settings);
+  const RendererKind& kind = renderer_kind(settings.renderer);
+  const auto reason = kind.inactive ? kind.inactive(settings, SceneTraits{}) : std::nullopt;
+  if (!reason) return {};
+  return std::string(*reason);
 }
 
 Lesson load_lesson(const std::string& name) {

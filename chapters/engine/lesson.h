@@ -28,6 +28,7 @@ struct Lesson {
   std::string name;  ///< the folder
   std::string title;
   std::string source;             ///< "CGFS chapter 4"
+  std::string renderer;           ///< key of one that not every program has, if the lesson needs it
   std::vector<TextBlock> blocks;  ///< what introduces it
   std::vector<TextBlock> notes;   ///< for the teacher alone, about the lesson as a whole
   std::vector<LessonStep> steps;
@@ -35,9 +36,18 @@ struct Lesson {
 
 /// The folders of chapters/ that hold a lesson.md, in alphabetical order.
 std::vector<std::string> lesson_folders();
-/// Names of all lessons: in the order of the course, and behind it those that are not in it. If the course cannot be
-/// read, in that of lesson_folders(). Read once.
+/// Names of all lessons that this program can show: in the order of the course, and behind it those that are not in it.
+/// If the course cannot be read, in that of lesson_folders(). Read once, after all renderers were added.
 const std::vector<std::string>& lesson_names();
+
+/// A lesson about a renderer that this program was built without.
+struct LeftOutLesson {
+  std::string name, renderer;
+};
+const std::vector<LeftOutLesson>& lessons_left_out();
+
+/// Why this machine cannot show what the lesson needs, such as a graphics driver that is missing; nothing if it can.
+std::optional<std::string> why_not_here(const Lesson& lesson);
 /// Where a step is.
 struct LessonPlace {
   std::string lesson;  ///< the folder

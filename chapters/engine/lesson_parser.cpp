@@ -4,6 +4,7 @@
 #include "engine/lesson.h"
 #include "engine/markdown.h"
 #include "engine/words.h"
+#include "options/option.h"
 
 namespace ps {
 namespace {
@@ -52,8 +53,11 @@ class LessonParser {
 
   bool is_text(std::string_view text) const {
     return block_.empty() && !text.starts_with("```") && !text.starts_with("# ") && !text.starts_with("## ") &&
-           !text.starts_with("source:");
+           !text.starts_with("source:") && !is_renderer_line(text);
   }
+
+  /// In a step it is text like any other.
+  bool is_renderer_line(std::string_view text) const { return lesson_.steps.empty() && text.starts_with("renderer:"); }
 
   void read_structure(std::string_view text) {
     if (!block_.empty()) return read_block_line(text);
@@ -70,6 +74,10 @@ class LessonParser {
       lesson_.title = without_blanks(text.substr(2));
     } else if (text.starts_with("source:")) {
       lesson_.source = without_blanks(text.substr(7));
+    } else if (is_renderer_line(text)) {
+      lesson_.renderer = without_blanks(text.substr(9));
+      Settings trial;
+      at_place(place(), [&] { parse_assignment("renderer=" + lesson_.renderer, trial); });
     }
   }
 

@@ -29,6 +29,10 @@ LessonPlace parse_built_in_place(std::string_view text) {
   const int step = slash == std::string_view::npos ? 0 : parse_step_number(text.substr(slash + 1));
   if (!is_built_in(folder)) {
     if (auto successor = successor_of({folder, step})) return *std::move(successor);
+    for (const LeftOutLesson& each : lessons_left_out())
+      if (each.name == folder)
+        throw InputError(fmt::format("the lesson '{}' needs the renderer '{}', which this program was built without",
+                                     folder, each.renderer));
     const std::vector<std::string_view> known(lesson_names().begin(), lesson_names().end());
     throw InputError(fmt::format("unknown lesson '{}'{}", folder,
                                  did_you_mean(folder, known, "; 'pixelscope-cli lessons list' lists them")));

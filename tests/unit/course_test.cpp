@@ -84,9 +84,31 @@ TEST(Course, EarlierNamesLeadToSteps) {
   }
 }
 
+// This program has no hardware renderer.
+TEST(Course, ALessonAboutARendererThatIsNotThereIsLeftOut) {
+  ASSERT_EQ(lessons_left_out().size(), 1u);
+  EXPECT_EQ(lessons_left_out().front().name, "cgpp_15_7_the_hardware_pipeline");
+  EXPECT_EQ(lessons_left_out().front().renderer, "hardware");
+  try {
+    load_lesson("cgpp_15_7_the_hardware_pipeline/2");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "the lesson 'cgpp_15_7_the_hardware_pipeline' needs the renderer 'hardware', which this "
+                               "program was built without");
+  }
+  try {
+    parse_lesson("# A\nsource: b\nrenderer: none\n", "own", "own.md");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string_view(error.what()).starts_with("own.md:3:1: ")) << error.what();
+  }
+}
+
 TEST(Course, HasEachLessonExactlyOnce) {
   std::vector<std::string> listed = lessons_of(load_course());
-  EXPECT_EQ(listed, lesson_names());
+  std::vector<std::string> here = listed;
+  for (const LeftOutLesson& each : lessons_left_out()) std::erase(here, each.name);
+  EXPECT_EQ(here, lesson_names());
   std::sort(listed.begin(), listed.end());
   std::vector<std::string> present = lesson_folders();
   std::sort(present.begin(), present.end());
