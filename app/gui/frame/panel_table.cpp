@@ -132,8 +132,10 @@ void update_question(Session& session, PanelStates& my) {
   LessonQuestions& questions = *my.predict.lesson;
   const bool asks_bug = questions.asked_beside_text(session) && questions.question()->kind == AskKind::bug;
   my.lessons.holds_back = questions.asked_beside_text(session) && !asks_bug;
-  my.listing.answer = asks_bug && questions.bug_shown(session) ? &questions.answer.line : nullptr;
-  my.listing.marked = questions.bug_verdict(session);
+  auto wrong_line = questions.bug_verdict(session);
+  my.listing.reveal |= wrong_line && !my.listing.marks.marked;
+  my.listing.marks = {asks_bug && questions.bug_shown(session) ? &questions.answer.line : nullptr,
+                      std::move(wrong_line)};
   if (my.lessons.holds_back) my.pictures.hidden = questions.question()->hidden;
   if (pending && session.pixel() && asks_about_pixel(session, my.predict))
     my.pictures.asked = Hover{inspected_side(session), *session.pixel()};

@@ -56,17 +56,6 @@ void ask_click(const Session& session, LessonQuestions& questions) {
                                    : "Click the place in a picture; you can click again.");
 }
 
-/// The wrong line and the right one.
-void both_versions(const BugLine& line) {
-  const auto version = [&](const char* name, const std::string& code) {
-    quiet_text(fmt::format("Line {} in {}:", line.number, name));
-    const FontScope font(Face::mono_small);
-    value_paragraph(fmt::format("line-{}", name), code.substr(std::min(code.find_first_not_of(' '), code.size())));
-  };
-  version("A", line.wrong);
-  version("B", line.right);
-}
-
 /// How the answer reads; empty as long as there is none.
 std::string answer_text(const LessonQuestions& questions) {
   const LessonQuestion& question = *questions.question();
@@ -178,8 +167,6 @@ void lesson_verdict(Session& session, LessonQuestions& questions) {
   value_paragraph("verdict", verdict->sentence.empty() ? "You have skipped it." : verdict->sentence);
   ImGui::Unindent(px(16));
   if (!verdict->sentence.empty()) verdict_bar(at, *verdict);
-  const auto right = questions.right();
-  if (questions.question()->kind == AskKind::bug && right && !verdict->sentence.empty()) both_versions(right->line);
   if (button("again", "Ask again", Emphasis::quiet,
              {.tooltip = "The question is open again, with this step's pixel and options.", .disabled = {}})) {
     go_to_step(session, session.document().lesson, session.document().step);

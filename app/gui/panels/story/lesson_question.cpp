@@ -87,9 +87,10 @@ bool LessonQuestions::bug_shown(const Session& session) const {
   return !measured || running_listing(settings, scene_traits(session.scene())).bug == measured->bug;
 }
 
-int LessonQuestions::bug_verdict(const Session& session) const {
+std::optional<BugLine> LessonQuestions::bug_verdict(const Session& session) const {
   const auto measured = right();
-  return measured && verdict() && bug_shown(session) ? measured->line.number : 0;
+  if (!measured || !verdict() || !bug_shown(session)) return {};
+  return measured->line;
 }
 
 void LessonQuestions::take(Session& session, const std::string& given, const Judgement& judgement) {

@@ -43,8 +43,8 @@ class LessonQuestions {
 
   /// Whether the question asks for the wrong line of A's listing, and A runs that listing.
   bool bug_shown(const Session& session) const;
-  /// The wrong line of A's listing, where it is known and was asked for; 0: none. Shown after the answer.
-  int bug_verdict(const Session& session) const;
+  /// The wrong line of A's listing, once a question for it was answered and as long as A runs that listing.
+  std::optional<BugLine> bug_verdict(const Session& session) const;
 
   /// The right answer, once it is measured.
   std::shared_ptr<const MeasuredAnswer> right() const { return to_measure_ ? nullptr : measuring_.found(); }

@@ -192,29 +192,6 @@ ListingColumns columns_for(const std::vector<ListingRow>& rows, float room) {
   return columns;
 }
 
-/// What a question about the lines needs of them.
-struct LineMarks {
-  int* answer = nullptr;  ///< as in ListingPanelState
-  int marked = 0;
-};
-
-/// The ground of a line: a click on it answers the open question. Leaves the cursor where it was.
-void line_ground(int number, ImVec2 size, const LineMarks& marks) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 end{at.x + size.x, at.y + size.y};
-  if (marks.answer) {
-    const std::string name = fmt::format("line-{}/pick", number);
-    if (hit_area(name, size, {})) *marks.answer = number;
-    const bool chosen = *marks.answer == number;
-    if (ImGui::IsItemHovered() || chosen) list.AddRectFilled(at, end, colour_u32(palette().field_hover), px(2));
-    if (chosen) list.AddRect(at, end, colour_u32(palette().text), px(2));
-    controls().record(name, chosen ? "on" : "off");
-    ImGui::SetCursorScreenPos(at);
-  }
-  if (number == marks.marked) list.AddRect(at, end, colour_u32(palette().wrong_mark), px(2), 0, px(2));
-}
-
 /// One line of code with what it had. Answers by how much its loop was stepped.
 int draw_row(const ListingRow& row, std::size_t index, const ListingColumns& columns, const LineMarks& marks) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -269,10 +246,12 @@ struct Step {
   int by = 0;
 };
 
-/// `reveal`: scrolls to the first line that has values.
+/// `reveal`: scrolls to the marked line, else to the first one that has values.
 std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal, const LineMarks& marks) {
   std::optional<Step> step;
-  const auto first = std::find_if(rows.begin(), rows.end(), has_values);
+  const auto first = std::find_if(rows.begin(), rows.end(), [&](const ListingRow& row) {
+    return marks.marked ? row.number == marks.marked->number : has_values(row);
+  });
   ImGui::BeginChild("code");
   {
     const FontScope font(code_face(rows, ImGui::GetContentRegionAvail().x));
@@ -284,6 +263,7 @@ std::optional<Step> code(const std::vector<ListingRow>& rows, bool reveal, const
       if (reveal && first != rows.end() && i == static_cast<std::size_t>(first - rows.begin()))
         ImGui::SetScrollHereY(0.15f);
       if (const int by = draw_row(rows[i], i, columns, marks); by != 0) step = Step{i, by};
+      if (marks.marked && rows[i].number == marks.marked->number) right_version(*marks.marked, columns.code);
     }
     ImGui::PopStyleVar();
   }
@@ -299,7 +279,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   const NameScope scope("listing");
   if (!session.has_scene()) return false;
   // A question about a wrong line is one about the listing of A; that of B is the answer.
-  const Side side = state.answer ? Side::a : inspected_side(session);
+  const Side side = state.marks.answer ? Side::a : inspected_side(session);
   const auto pixel = session.pixel();
   if (!pixel) {
     state.worker.clear();
@@ -323,8 +303,8 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   if (state.shown_story->listing->watches.empty())
     quiet_text("No line of this routine reached the pixel: it draws nothing here.");
   ImGui::Spacing();
-  const auto stepped =
-      code(state.rows, std::exchange(state.reveal, false), {state.answer, side == Side::a ? state.marked : 0});
+  const LineMarks marks = side == Side::a ? state.marks : LineMarks{};
+  const auto stepped = code(state.rows, std::exchange(state.reveal, false), marks);
   if (stepped) {
     state.view->step(stepped->row, stepped->by);
     state.instance = state.view->focus();

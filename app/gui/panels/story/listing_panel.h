@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/panels/story/listing_marks.h"
 #include "gui/session/session.h"
 #include "textbook/listing_view.h"
 
@@ -19,11 +20,10 @@ struct ListingPanelState {
   std::string error;                              ///< why there is no text
   std::shared_ptr<const PixelStory> shown_story;  ///< what the view looks into
   std::optional<ListingView> view;
-  bool reveal = false;           ///< the listing is new: scroll to its first values
+  bool reveal = false;           ///< the listing or its marked line is new: scroll there
   std::vector<ListingRow> rows;  ///< of the view
   int instance = -1;             ///< the document's, that the view was made for
-  int* answer = nullptr;         ///< where a clicked line's number goes while a question asks for one; it may be null
-  int marked = 0;                ///< the line that is wrong, once that may be shown; 0 = none
+  LineMarks marks;               ///< of the listing of A
 };
 
 /// Takes up the values that have come; once a frame.

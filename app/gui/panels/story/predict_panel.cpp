@@ -114,11 +114,16 @@ void take_up_lesson(Session& session, PredictState& state) {
   state.chosen = false;
 }
 
-/// Of a bug the story is a hint.
+/// Whether the lesson asks for something that the story would answer, but not about the pixel.
 bool asks_otherwise(const Session& session, const PredictState& state) {
   if (!state.lesson->asked_beside_text(session)) return false;
   const AskKind kind = state.lesson->question()->kind;
   return kind != AskKind::pixel && kind != AskKind::bug;
+}
+
+/// The story helps to find a wrong line.
+bool asks_for_line(const Session& session, const PredictState& state) {
+  return state.lesson->asked_beside_text(session) && state.lesson->question()->kind == AskKind::bug;
 }
 
 }  // namespace
@@ -126,6 +131,7 @@ bool asks_otherwise(const Session& session, const PredictState& state) {
 bool prediction_pending(Session& session, PredictState& state) {
   take_up_lesson(session, state);
   if (asks_otherwise(session, state)) return true;
+  if (asks_for_line(session, state)) return false;
   const auto pixel = session.pixel();
   if (!pixel) return false;
   const Settings& settings = session.settings(inspected_side(session));

@@ -1,0 +1,22 @@
+#pragma once
+#include <imgui.h>
+
+#include <optional>
+
+#include "textbook/listing_source.h"
+
+namespace ps::gui {
+
+/// What a question for the wrong line of a listing needs of its lines.
+struct LineMarks {
+  int* answer = nullptr;          ///< where a clicked line's number goes while the question is open; it may be null
+  std::optional<BugLine> marked;  ///< the wrong line, once that may be shown
+};
+
+/// The ground of a line: a click on it answers the open question. Leaves the cursor where it was.
+void line_ground(int number, ImVec2 size, const LineMarks& marks);
+
+/// The line as it should be, below the wrong one: text from the column `left` on, at most as wide as there is room.
+void right_version(const BugLine& line, float left);
+
+}  // namespace ps::gui
