@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "gui/panels/story/shader_panel.h"
 #include "gui/session/session.h"
 #include "textbook/listing_view.h"
 
@@ -11,7 +12,8 @@ namespace ps::gui {
 
 /// What the panel of listings remembers of itself.
 struct ListingPanelState {
-  explicit ListingPanelState(std::function<void()> wake) : worker(std::make_shared<Prepared>(), std::move(wake)) {}
+  explicit ListingPanelState(const std::function<void()>& wake)
+      : worker(std::make_shared<Prepared>(), wake), shaders(wake) {}
 
   InspectWorker worker;  ///< runs the listing, whichever renderer makes the pictures
   std::string folder;    ///< whose text is shown
@@ -22,13 +24,17 @@ struct ListingPanelState {
   bool reveal = false;           ///< the listing is new: scroll to its first values
   std::vector<ListingRow> rows;  ///< of the view
   int instance = -1;             ///< the document's, that the view was made for
+
+  ShaderPanelState shaders;
+  /// What is shown where the picture is drawn by shaders.
+  enum class Code { shaders, routine } code = Code::shaders;
 };
 
 /// Takes up the values that have come; once a frame.
-void update_listing(ListingPanelState& state);
+void update_listing(Session& session, ListingPanelState& state);
 
-/// A lesson's routine with the values that its lines had for the picked pixel. `filled`: it has the whole window;
-/// answers whether that shall change.
+/// A lesson's routine with the values that its lines had for the picked pixel, or the shaders that drew it. `filled`:
+/// it has the whole window; answers whether that shall change.
 bool listing_panel(Session& session, ListingPanelState& state, bool filled);
 
 }  // namespace ps::gui
