@@ -25,7 +25,7 @@ ShaderFile small_file() {
 
 TEST(ShaderRows, PutAMessageBesideItsLine) {
   const std::string message = "a shader does not compile: lighting.glsl:2(7): error: no";
-  const auto rows = gui::shader_rows(small_file(), message);
+  const auto rows = gui::shader_rows(small_file(), gui::ShaderLinesShown::whole, message);
   ASSERT_EQ(rows.size(), 2u);
   ASSERT_EQ(rows[0].values.size(), 1u);
   EXPECT_EQ(rows[0].values[0].name + rows[0].values[0].value, "exponent20");
@@ -33,9 +33,29 @@ TEST(ShaderRows, PutAMessageBesideItsLine) {
   EXPECT_TRUE(rows[1].dimmed);
   ASSERT_EQ(rows[1].values.size(), 1u);
   EXPECT_EQ(rows[1].values[0].value, message);
-  EXPECT_TRUE(gui::shader_rows(small_file(), "power.glsl:2(7): error")[1].values.empty()) << "of another file";
+  EXPECT_TRUE(gui::shader_rows(small_file(), gui::ShaderLinesShown::whole, "power.glsl:2(7): error")[1].values.empty())
+      << "of another file";
   EXPECT_EQ(gui::file_of_message({small_file()}, message), 0);
   EXPECT_EQ(gui::file_of_message({small_file()}, "power.glsl:2(7): error"), -1);
+}
+
+TEST(ShaderRows, LeaveOutWhatTheProgramIsNotMadeOf) {
+  const ShaderFile file{"a.glsl",
+                        {{"#if TEXTURE", 1, true, {{"TEXTURE", "1"}}},
+                         {"read();", 2, true, {}},
+                         {"#else", 3, true, {}},
+                         {"plain();", 4, false, {}},
+                         {"#endif", 5, true, {}},
+                         {"#if SHADOWS", 6, true, {{"SHADOWS", "0"}}},
+                         {"shadow();", 7, false, {}},
+                         {"#endif", 8, true, {}}}};
+  std::vector<int> numbers;
+  for (const ListingRow& row : gui::shader_rows(file, gui::ShaderLinesShown::compiled, ""))
+    numbers.push_back(row.number);
+  EXPECT_EQ(numbers, (std::vector<int>{1, 2}));
+  EXPECT_EQ(gui::shader_rows(file, gui::ShaderLinesShown::whole, "").size(), 8u);
+  EXPECT_EQ(gui::shader_rows(file, gui::ShaderLinesShown::compiled, "a.glsl:7(1): error").size(), 3u)
+      << "the line that a message is about is shown";
 }
 
 /// A root with shaders of its own and everything else of the source tree.
@@ -70,7 +90,7 @@ TEST(ShaderListing, FollowsThePixelAndTheFiles) {
   const std::string good = read_whole_file(power);
   const std::string shots = folder.string() + "/";
   const std::string commands =
-      "wait idle\nset renderer=hardware\nwait idle\nclick-pixel A 150,225\nwait idle\nchoose bottom listing\nwait "
+      "wait idle\nset renderer=hardware\nwait idle\nclick-pixel A 230,220\nwait idle\nchoose bottom listing\nwait "
       "idle\n"
       "expect listing/shader/draws 1\nexpect listing/shader/file fragment.glsl\n"
       "expect listing/shader/value/SHADING 1\nkeep listing/shader/value/surface_colour COLOUR\n"
@@ -86,9 +106,9 @@ TEST(ShaderListing, FollowsThePixelAndTheFiles) {
       shots +
       "vertex.png\nchoose listing/part fragment\nwait frames 3\nkey Esc\nwait idle\n"
       // Another object has another colour.
-      "click-pixel A 150,60\nwait idle\n"
+      "click-pixel A 90,220\nwait idle\n"
       "expect-not listing/shader/value/surface_colour $COLOUR\n"
-      "click-pixel A 150,225\nwait idle\nexpect listing/shader/value/surface_colour $COLOUR\n"
+      "click-pixel A 230,220\nwait idle\nexpect listing/shader/value/surface_colour $COLOUR\n"
       // The lesson's routine is still there.
       "choose listing/code routine\nwait idle\nexpect listing/values > 0\nchoose listing/code shaders\nwait idle\n"
       // A mistake is named with its line; the picture stays.

@@ -284,7 +284,7 @@ Panel listing(Session& session, PanelStates& my) {
           .heading = "LISTING",
           .brief = "Listing",
           .command = "Listing: a routine with its values",
-          .help = "A lesson's routine with the values of its lines at the picked pixel, or the shaders that drew it.",
+          .help = "A lesson's routine, or the shaders, with their values at the picked pixel.",
           .draw =
               [&](const Context& context) {
                 return unless_asked(session, my.predict,

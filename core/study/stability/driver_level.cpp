@@ -14,20 +14,23 @@ namespace ps::stability::driver_level {
 namespace {
 
 constexpr int side = 128, texels = 256;
-constexpr double distance = 4;          // of the plane's middle from the eye
+constexpr double middle_z = 4;    // of the plane's middle before the eye
+constexpr double axis_turn = 20;  // degrees from the horizontal, so that no border between levels is a row of pixels
 constexpr double repeats_per_unit = 4;  // facing the eye, a pixel is 8 texels wide: level 3
 constexpr double reach = 400;           // half the plane's side
 
-/// A plane through the middle of the view, tilted about the horizontal axis, whose texture is turned in its plane.
-std::string plane_text(double tilt_degrees, double turn_degrees) {
-  const double tilt = tilt_degrees * pi / 180, turn = turn_degrees * pi / 180;
+/// A plane through the middle of the view, tilted about an axis across the picture.
+std::string plane_text(double tilt_degrees) {
+  const double tilt = tilt_degrees * pi / 180;
+  const double turn = axis_turn * pi / 180;
   const auto corner = [&](double u, double v) {
-    return fmt::format("({}, {}, {})", u * reach, v * reach * std::cos(tilt), distance + v * reach * std::sin(tilt));
+    const Vec3d p = reach * Vec3d(u, v * std::cos(tilt), v * std::sin(tilt));
+    return fmt::format("({}, {}, {})", p.x * std::cos(turn) - p.y * std::sin(turn),
+                       p.x * std::sin(turn) + p.y * std::cos(turn), middle_z + p.z);
   };
   const auto uv = [&](double u, double v) {
     const double scale = reach * repeats_per_unit;
-    return fmt::format("({}, {})", scale * (u * std::cos(turn) - v * std::sin(turn)) + 0.5,
-                       scale * (u * std::sin(turn) + v * std::cos(turn)) + 0.5);
+    return fmt::format("({}, {})", scale * u + 0.5, scale * v + 0.5);
   };
   std::string vertices, triangles;
   constexpr std::array<std::array<double, 2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
@@ -65,8 +68,8 @@ instance {{
 }
 
 /// The same with random texels, whose means differ from level to level and from place to place.
-Scene noise_plane(double tilt, double turn, const StabilityRun& run) {
-  Scene scene = parse_scene(plane_text(tilt, turn), "plane", {});
+Scene noise_plane(double tilt, const StabilityRun& run) {
+  Scene scene = parse_scene(plane_text(tilt), "plane", {});
   Random random(run.seed);
   Image<Vec3f> noise(texels, texels);
   for (Vec3f& texel : noise.pixels())
@@ -82,7 +85,7 @@ Settings plain_settings() {
   settings.lighting = false;
   settings.backface_culling = false;
   settings.near = 0.01;
-  settings.texture_filter = TextureFilter::trilinear;
+  settings.texture_filter = TextureFilter::mipmap;
   return settings;
 }
 
@@ -93,15 +96,15 @@ Renderer hardware() {
   return static_cast<Renderer>(found - all.begin());
 }
 
-/// How many levels above or below the formula's a picture lies in each pixel: the bias of our own lookup that comes
-/// nearest to its colour. Of several that come as near, the smallest.
+/// Whole levels, found out from the colours of a picture: those of our own lookup at some bias that come nearest to it.
+/// Of several that come as near, the one with the smallest bias.
 class LevelFinder {
  public:
   LevelFinder(const Scene& scene, const StabilityRun& run) : scene_(scene), run_(run) {
-    for (int i = 0; i <= 2 * most_steps; ++i) {
+    for (int i = -most_steps; i <= most_steps; ++i) {
       Settings settings = plain_settings();
       settings.renderer = renderer_for(PictureWay::fragments);
-      settings.mip_bias = bias_of(i);
+      settings.mip_bias = i / 8.0;
       pictures_.push_back(draw(settings));
     }
   }
@@ -110,51 +113,39 @@ class LevelFinder {
     return picture_of(scene_, {scene_.camera, side, side}, settings, Channel::ids | Channel::mip, run_);
   }
 
-  /// Of the pixels that show the plane and whose level is between those of the first and the last: a bias can act in
-  /// both directions there.
-  std::vector<double> offsets(const Settings& settings) const {
-    const Frame frame = draw(settings);
-    const Frame& ours = pictures_[most_steps];
-    std::vector<double> found;
-    for (std::size_t p = 0; p < frame.colour.pixels().size(); ++p) {
-      const float level = ours.mip.pixels()[p];
-      if (ours.ids.pixels()[p].object < 0 || frame.ids.pixels()[p].object < 0 || level < 1.5f || level > 5.5f) continue;
-      found.push_back(offset_at(p, frame.colour.pixels()[p]));
-    }
-    return found;
+  /// Of each pixel that shows the plane in both pictures; -1 elsewhere, and where the formula's level is too near to
+  /// the first or the last for a bias to act both ways.
+  Image<int> levels(const Frame& frame) const {
+    Image<int> levels(side, side, -1);
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const float level = formula().mip.at(x, y);
+        if (formula().ids.at(x, y).object < 0 || frame.ids.at(x, y).object < 0 || level < 1.5f || level > 5.5f)
+          continue;
+        levels.at(x, y) = level_at(x, y, frame.colour.at(x, y));
+      }
+    return levels;
   }
 
-  /// RMSE in levels of 255, of the same pixels.
-  double error_of(const Settings& settings) const {
-    const Frame frame = draw(settings);
-    const Frame& ours = pictures_[most_steps];
-    double sum = 0, count = 0;
-    for (std::size_t p = 0; p < frame.colour.pixels().size(); ++p) {
-      const float level = ours.mip.pixels()[p];
-      if (ours.ids.pixels()[p].object < 0 || frame.ids.pixels()[p].object < 0 || level < 1.5f || level > 5.5f) continue;
-      const Vec3f off = 255.0f * (frame.colour.pixels()[p] - ours.colour.pixels()[p]);
-      sum += static_cast<double>(dot(off, off)) / 3;
-      ++count;
-    }
-    return count > 0 ? std::sqrt(sum / count) : 0;
-  }
+  const Frame& formula() const { return pictures_[most_steps]; }
 
  private:
-  static constexpr int most_steps = 24;
-  static double bias_of(int i) { return (i - most_steps) / 16.0; }
+  static constexpr int most_steps = 12;
 
-  double offset_at(std::size_t p, const Vec3f& colour) const {
-    const auto distance_to = [&](int i) {
-      const Vec3f off = pictures_[static_cast<std::size_t>(i)].colour.pixels()[p] - colour;
-      return std::sqrt(dot(off, off));
-    };
+  int level_at(int x, int y, const Vec3f& colour) const {
     constexpr float as_near = 0.25f / 255;  // a quarter of a level of 255
-    float nearest = distance_to(0);
-    for (int i = 1; i <= 2 * most_steps; ++i) nearest = std::min(nearest, distance_to(i));
-    double best = bias_of(0);
-    for (int i = 0; i <= 2 * most_steps; ++i)
-      if (distance_to(i) <= nearest + as_near && std::abs(bias_of(i)) < std::abs(best)) best = bias_of(i);
-    return best;
+    float nearest = 1e9f;
+    int level = 0;
+    for (int step = 0; step <= 2 * most_steps; ++step) {
+      const int away = (step + 1) / 2;  // 0, 1, 1, 2, 2: the smallest biases first
+      const Frame& ours = pictures_[static_cast<std::size_t>(most_steps + (step % 2 == 0 ? away : -away))];
+      const Vec3f off = ours.colour.at(x, y) - colour;
+      const float distance = std::sqrt(dot(off, off));
+      if (distance >= nearest - as_near) continue;
+      nearest = distance;
+      level = static_cast<int>(std::lround(ours.mip.at(x, y)));
+    }
+    return level;
   }
 
   const Scene& scene_;
@@ -162,45 +153,69 @@ class LevelFinder {
   std::vector<Frame> pictures_;
 };
 
-double share_beyond(const std::vector<double>& offsets, double limit) {
-  const auto beyond =
-      std::count_if(offsets.begin(), offsets.end(), [&](double offset) { return std::abs(offset) > limit; });
-  return percent(static_cast<double>(beyond), static_cast<double>(offsets.size()));
+/// Percentage of pixels at another level than the formula's.
+double other_levels(const Image<int>& levels, const Image<int>& formula) {
+  double pixels = 0, other = 0;
+  for (std::size_t p = 0; p < levels.pixels().size(); ++p) {
+    if (levels.pixels()[p] < 0 || formula.pixels()[p] < 0) continue;
+    ++pixels;
+    other += levels.pixels()[p] == formula.pixels()[p] ? 0 : 1;
+  }
+  return percent(other, pixels);
 }
 
-double median_of(std::vector<double> offsets) {
-  if (offsets.empty()) return std::nan("");
-  const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
-  std::nth_element(offsets.begin(), middle, offsets.end());
-  return *middle;
+/// Percentage of the borders between two levels, one pixel above the other, that run through a block of 2 x 2 pixels.
+double borders_in_blocks(const Image<int>& levels) {
+  double borders = 0, inside = 0;
+  for (int y = 0; y + 1 < levels.height(); ++y)
+    for (int x = 0; x < levels.width(); ++x) {
+      const int above = levels.at(x, y), below = levels.at(x, y + 1);
+      if (above < 0 || below < 0 || above == below) continue;
+      ++borders;
+      inside += y % 2 == 0 ? 1 : 0;
+    }
+  return percent(inside, borders);
 }
 
-void add_rows(Rows& rows, double knob, const std::string& what, const Scene& scene, const StabilityRun& run) {
-  const LevelFinder finder(scene, run);
+/// Levels of 255, over the pixels that have a level.
+double colour_error(const Frame& frame, const Frame& formula, const Image<int>& levels) {
+  double sum = 0, pixels = 0;
+  for (std::size_t p = 0; p < levels.pixels().size(); ++p) {
+    if (levels.pixels()[p] < 0) continue;
+    const Vec3f off = 255.0f * (frame.colour.pixels()[p] - formula.colour.pixels()[p]);
+    sum += static_cast<double>(dot(off, off)) / 3;
+    ++pixels;
+  }
+  return pixels > 0 ? std::sqrt(sum / pixels) : 0;
+}
+
+constexpr std::array tilts{35.0, 45.0, 55.0, 65.0, 75.0, 80.0};
+
+std::vector<StabilityRow> measure_level(const StabilityRun& run) {
+  Rows rows(run);
   Settings shader = plain_settings();
   shader.renderer = hardware();
   shader.hardware_texturing = HardwareTexturing::shader;
   Settings driver = shader;
   driver.hardware_texturing = HardwareTexturing::driver;
-  const std::vector<double> by_driver = finder.offsets(driver), by_shader = finder.offsets(shader);
-  rows.push_back({knob, what + ", beyond a quarter", share_beyond(by_driver, 0.25), share_beyond(by_shader, 0.25),
-                  "% of pixels more than a quarter of a level off"});
-  rows.push_back({knob, what + ", median", median_of(by_driver), median_of(by_shader), "levels above the formula's"});
-  rows.push_back({knob, what + ", colour", finder.error_of(driver), finder.error_of(shader), "RMSE, levels of 255"});
-}
-
-constexpr std::array tilts{0.0, 30.0, 50.0, 65.0, 75.0, 82.0};
-constexpr std::array turns{0.0, 11.25, 22.5, 33.75, 45.0};
-
-std::vector<StabilityRow> measure_level(const StabilityRun& run) {
-  Rows rows(run);
-  for (const double tilt : tilts) add_rows(rows, tilt, "tilted", noise_plane(tilt, 0, run), run);
-  for (const double turn : turns) add_rows(rows, turn, "turned", noise_plane(0, turn, run), run);
+  for (const double tilt : tilts) {
+    const Scene scene = noise_plane(tilt, run);
+    const LevelFinder finder(scene, run);
+    const Frame by_driver = finder.draw(driver), by_shader = finder.draw(shader);
+    const Image<int> formula = finder.levels(finder.formula());
+    const Image<int> driver_levels = finder.levels(by_driver), shader_levels = finder.levels(by_shader);
+    rows.push_back({tilt, "another level", other_levels(driver_levels, formula), other_levels(shader_levels, formula),
+                    "% of pixels at another level than the rasterizer's"});
+    rows.push_back({tilt, "borders inside blocks", borders_in_blocks(driver_levels), borders_in_blocks(shader_levels),
+                    "% of borders between levels, inside a block of 2 x 2 pixels"});
+    rows.push_back({tilt, "colour", colour_error(by_driver, finder.formula(), formula),
+                    colour_error(by_shader, finder.formula(), formula), "RMSE, levels of 255"});
+  }
   return rows;
 }
 
 StabilityPicture picture_level(double tilt) {
-  StabilityPicture picture{.scene = plane_text(tilt, 0)};
+  StabilityPicture picture{.scene = plane_text(tilt)};
   picture.robust = plain_settings();
   picture.robust.renderer = hardware();
   picture.robust.hardware_texturing = HardwareTexturing::shader;
@@ -212,45 +227,30 @@ StabilityPicture picture_level(double tilt) {
 }  // namespace
 
 static constexpr StabilitySeries driver_level_series[]{
-    {.names = "tilted, beyond*",
-     .title = "pixels more than a quarter of a level off",
+    {.names = "another level", .title = "pixels at another level than the rasterizer's", .unit = "%"},
+    {.names = "borders inside blocks",
+     .title = "borders between levels that run through a block of 2 x 2 pixels",
      .unit = "%",
-     .knob = "tilt of the plane (degrees)"},
-    {.names = "tilted, median",
-     .title = "middle of the driver's levels, above the formula's",
-     .unit = "levels",
-     .better = Better::neither,
-     .knob = "tilt of the plane (degrees)"},
-    {.names = "tilted, colour",
-     .title = "difference from the rasterizer (RMSE)",
-     .unit = "levels of 255",
-     .knob = "tilt of the plane (degrees)"},
-    {.names = "turned, beyond*",
-     .title = "pixels more than a quarter of a level off, facing the plane",
-     .unit = "%",
-     .knob = "turn of the texture in its plane (degrees)"},
-    {.names = "turned, median",
-     .title = "middle of the driver's levels, above the formula's, facing the plane",
-     .unit = "levels",
-     .better = Better::neither,
-     .knob = "turn of the texture in its plane (degrees)"},
-    {.names = "turned, colour",
-     .title = "difference from the rasterizer (RMSE), facing the plane",
-     .unit = "levels of 255",
-     .knob = "turn of the texture in its plane (degrees)"},
+     .better = Better::neither},
+    {.names = "colour", .title = "difference from the rasterizer (RMSE)", .unit = "levels of 255"},
 };
 
 extern const StabilityExperiment driver_level{
     .key = "driver-level",
     .place = {Subject::sampling, 65},
-    .title = "Mip levels that a graphics driver chooses",
-    .keywords = "LOD selection, hardware, OpenGL, texture unit, derivatives, trilinear, level of detail",
+    .title = "Mip levels of a graphics driver: one for 2 x 2 pixels",
+    .keywords = "LOD selection, hardware, OpenGL, texture unit, quad, derivatives, ddx, level of detail",
     .knob = "tilt of the plane (degrees)",
-    .naive = "the driver's own trilinear filter",
-    .robust = "the formula, computed in the fragment shader",
-    .explanation = "TO BE WRITTEN. Twice.",
-    .safe = "TODO.",
-    .window = nowhere_safe,
+    .naive = "the driver's own mip level",
+    .robust = "the formula in the fragment shader",
+    .explanation =
+        "A graphics driver takes derivatives as differences within blocks of 2 x 2 pixels, and the four share one "
+        "level. "
+        "So its level changes between blocks and not inside them. The formula has the derivatives of each pixel, and "
+        "its "
+        "level changes anywhere. The more a surface is tilted, the more the derivatives differ inside a block.",
+    .safe = "Surfaces that face the viewer.",
+    .window = {nowhere, 35},
     .series = driver_level_series,
     .measure = measure_level,
     .picture = picture_level,

@@ -16,7 +16,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double choice_width = 250, code_width = 150;
+constexpr double choice_width = 250, code_width = 190;
 
 /// The listing that is shown: the one that the option names, else the open lesson's, else what suits the scene.
 Settings listing_settings(const Session& session, Side side) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "gui/panels/story/listing_code.h"
-#include "gui/panels/story/shader_rows.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "render/renderer_table.h"
@@ -16,7 +15,7 @@
 namespace ps::gui {
 namespace {
 
-constexpr double draw_width = 220, file_width = 170;
+constexpr double part_width = 180, draw_width = 220, file_width = 170;
 
 ShadersFound find_shaders(const ShaderRequest& request, Progress& progress, Prepared& prepared) {
   try {
@@ -66,8 +65,8 @@ void choose_part(ShaderPanelState& state) {
       Choice{"vertex", "Vertex", "The shader that places each vertex of the triangle."},
       Choice{"fragment", "Fragment", "The shader that gives each pixel of the triangle its colour."}};
   int index = static_cast<int>(state.part);
-  same_line_if_room(px(150));
-  if (!choice("part", parts, index, {.tooltip = "The shader.", .width = px(150)})) return;
+  same_line_if_room(px(part_width));
+  if (!choice("part", parts, index, {.tooltip = "The shader.", .width = px(part_width)})) return;
   state.part = static_cast<ShaderPart>(index);
   state.file = 0;
 }
@@ -83,15 +82,23 @@ void choose_file(ShaderPanelState& state, const ShaderDraw& draw) {
     state.file = index;
 }
 
+void choose_lines(ShaderPanelState& state) {
+  bool whole = state.lines == ShaderLinesShown::whole;
+  same_line_if_room(px(130), px(10));
+  if (toggle("whole", "Whole file", whole,
+             {.tooltip = "Shows the lines as well that the definitions leave out of this program."}))
+    state.lines = whole ? ShaderLinesShown::whole : ShaderLinesShown::compiled;
+}
+
 void keep_rows(ShaderPanelState& state, const ShaderDraw& draw) {
   const ShaderFile& file = shown_file(state, draw);
-  std::string of = fmt::format("{} {} {} {} {}", fmt::ptr(state.shown.get()), state.draw, static_cast<int>(state.part),
-                               file.name, state.error);
+  std::string of = fmt::format("{} {} {} {} {} {}", fmt::ptr(state.shown.get()), state.draw,
+                               static_cast<int>(state.part), static_cast<int>(state.lines), file.name, state.error);
   if (of == state.rows_of) return;
   state.reveal = state.reveal || state.opened != file.name;
   state.opened = file.name;
   state.rows_of = std::move(of);
-  state.rows = shader_rows(file, state.error);
+  state.rows = shader_rows(file, state.lines, state.error);
 }
 
 /// A new message opens the file that it is about.
@@ -164,7 +171,9 @@ void update_shaders(Session& session, ShaderPanelState& state) {
   if (const auto outcome = state.reload.take()) take_outcome(session, state, *outcome);
 }
 
-bool shaders_busy(const ShaderPanelState& state) { return state.worker.busy() || state.reload.busy(); }
+bool shaders_busy(const ShaderPanelState& state) {
+  return state.worker.busy() || state.worker.has_news() || state.reload.busy();
+}
 
 void shader_panel(Session& session, ShaderPanelState& state, Side side, Vec2i pixel) {
   ShaderRequest request;
@@ -179,9 +188,11 @@ void shader_panel(Session& session, ShaderPanelState& state, Side side, Vec2i pi
     choose_part(state);
     choose_file(state, *draw);
     choose_draw(state);
+    choose_lines(state);
     draw = shown_draw(state);
     keep_rows(state, *draw);
     same_line_if_room(px(160), px(16));
+    ImGui::AlignTextToFramePadding();
     value_text("triangle", draw->id.object < 0 ? "shades the whole picture at once"
                                                : "drew " + primitive_name(session.scene(), draw->id));
   }

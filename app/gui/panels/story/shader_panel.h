@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gui/base/values.h"
+#include "gui/panels/story/shader_rows.h"
 #include "gui/session/session.h"
 #include "gui/work/file_watch.h"
 #include "gui/work/latest_result.h"
@@ -58,6 +59,7 @@ struct ShaderPanelState {
   std::string error;  ///< why the files on disk do not compile; those before are in use
   int draw = 0, file = 0;
   ShaderPart part = ShaderPart::fragment;
+  ShaderLinesShown lines = ShaderLinesShown::compiled;
   std::shared_ptr<const ShadersFound> shown;
   std::vector<ListingRow> rows;  ///< of the file that is shown
   std::string rows_of;           ///< what they were made of

@@ -16,12 +16,22 @@ std::optional<int> line_in(std::string_view message, const std::string& file) {
   return error == std::errc() ? std::optional(number) : std::nullopt;
 }
 
+/// Does the line belong to what the program is made of? Of directives those that let the line behind them in.
+bool is_made_of(const std::vector<ShaderLine>& lines, std::size_t index) {
+  const ShaderLine& line = lines[index];
+  if (!line.compiled || line.text.starts_with("#endif") || line.text.starts_with("#else")) return false;
+  const bool condition = line.text.starts_with("#if") || line.text.starts_with("#elif");
+  return !condition || (index + 1 < lines.size() && lines[index + 1].compiled);
+}
+
 }  // namespace
 
-std::vector<ListingRow> shader_rows(const ShaderFile& file, std::string_view message) {
+std::vector<ListingRow> shader_rows(const ShaderFile& file, ShaderLinesShown shown, std::string_view message) {
   const std::optional<int> wrong = line_in(message, file.name);
   std::vector<ListingRow> rows;
-  for (const ShaderLine& line : file.lines) {
+  for (std::size_t i = 0; i < file.lines.size(); ++i) {
+    const ShaderLine& line = file.lines[i];
+    if (shown == ShaderLinesShown::compiled && !is_made_of(file.lines, i) && line.number != wrong) continue;
     ListingRow row;
     row.text = line.text;
     row.number = line.number;
