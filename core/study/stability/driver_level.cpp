@@ -8,6 +8,7 @@
 
 #include "options/renderer_kind.h"
 #include "scene/scene_file.h"
+#include "study/stability/added_renderer.h"
 #include "study/stability/support.h"
 
 namespace ps::stability::driver_level {
@@ -87,13 +88,6 @@ Settings plain_settings() {
   settings.near = 0.01;
   settings.texture_filter = TextureFilter::mipmap;
   return settings;
-}
-
-Renderer hardware() {
-  const auto all = renderer_kinds();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [](const RendererKind& kind) { return kind.key == "hardware"; });
-  return static_cast<Renderer>(found - all.begin());
 }
 
 /// Whole levels, found out from the colours of a picture: those of our own lookup at some bias that come nearest to it.
@@ -194,7 +188,7 @@ constexpr std::array tilts{35.0, 45.0, 55.0, 65.0, 75.0, 80.0};
 std::vector<StabilityRow> measure_level(const StabilityRun& run) {
   Rows rows(run);
   Settings shader = plain_settings();
-  shader.renderer = hardware();
+  shader.renderer = hardware_renderer();
   shader.hardware_texturing = HardwareTexturing::shader;
   Settings driver = shader;
   driver.hardware_texturing = HardwareTexturing::driver;
@@ -217,7 +211,7 @@ std::vector<StabilityRow> measure_level(const StabilityRun& run) {
 StabilityPicture picture_level(double tilt) {
   StabilityPicture picture{.scene = plane_text(tilt)};
   picture.robust = plain_settings();
-  picture.robust.renderer = hardware();
+  picture.robust.renderer = hardware_renderer();
   picture.robust.hardware_texturing = HardwareTexturing::shader;
   picture.naive = picture.robust;
   picture.naive.hardware_texturing = HardwareTexturing::driver;

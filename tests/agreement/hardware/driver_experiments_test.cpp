@@ -1,9 +1,13 @@
-// The experiment about mip levels that a driver chooses: blocks of 2 x 2 pixels share one, those of the formula do not.
+// The experiments that only hardware shows: mip levels that blocks of 2 x 2 pixels share, and vertices that the driver
+// rounds, against its own word about its sub-pixel bits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "agreement/hardware/hardware_pair.h"
+#include "hardware/gl_thread.h"
 #include "study/stability/experiment.h"
 #include "study/stability/figures.h"
 #include "study/stability/pictures.h"
@@ -11,7 +15,7 @@
 #include "support/environment.h"
 #include "support/run_cli.h"
 
-namespace driver_level_test {
+namespace driver_experiments_test {
 namespace {
 
 using namespace ps;
@@ -46,6 +50,27 @@ TEST(DriverLevel, ChangesBetweenBlocksWhereTheFormulaChangesAnywhere) {
   EXPECT_EQ(experiment_figures(experiment, rows).front().quantity, &experiment.series.front());
 }
 
+TEST(DriverSnapping, MovesTheEdgeByTheSubPixelsThatTheDriverReports) {
+  PS_NEEDS_HARDWARE(hardware);
+  const std::vector<StabilityRow> rows = find_stability_experiment("driver-snapping").measure({});
+  const double steps = std::exp2(hardware::availability().driver->subpixel_bits);
+  double largest = 0;
+  ASSERT_EQ(rows_of(rows, "edge").size(), 17u);
+  for (const auto& [moved, row] : rows_of(rows, "edge")) {
+    // Both ends of the edge are rounded, 16 rows from the picture's borders; its middle is off by the mean of both.
+    double off = 0;
+    for (const double y : {16.0, 4080.0}) {
+      const double x = 7 + moved + (y - 64) / 3968;
+      off += (std::nearbyint(x * steps) / steps - x) / 2;
+    }
+    constexpr double counted = 2.0 / 3968;  // a pixel more or less at each end
+    EXPECT_NEAR(row.naive, std::abs(off), counted) << moved;
+    EXPECT_LE(row.robust, 0.5 / 4096 + counted) << moved;
+    largest = std::max(largest, row.naive);
+  }
+  EXPECT_GT(largest, 0.35 / steps) << "the edge stands still between two sub-pixels";
+}
+
 TEST(DriverLevel, OpensItsPictures) {
   PS_NEEDS_HARDWARE(hardware);
   const StabilityExperiment& experiment = find_stability_experiment("driver-level");
@@ -69,4 +94,4 @@ TEST(DriverLevel, IsNotMeasuredWithoutADriver) {
 }
 
 }  // namespace
-}  // namespace driver_level_test
+}  // namespace driver_experiments_test
