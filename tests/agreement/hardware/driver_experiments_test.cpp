@@ -1,5 +1,5 @@
-// The experiments that only hardware shows: mip levels that blocks of 2 x 2 pixels share, and vertices that the driver
-// rounds, against its own word about its sub-pixel bits.
+// The experiments that only hardware shows: mip levels that blocks of 2 x 2 pixels share; vertices that the driver
+// rounds, against its own word about its sub-pixel bits; and its depth formats, against the width of their codes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,16 +71,44 @@ TEST(DriverSnapping, MovesTheEdgeByTheSubPixelsThatTheDriverReports) {
   EXPECT_GT(largest, 0.35 / steps) << "the edge stands still between two sub-pixels";
 }
 
-TEST(DriverLevel, OpensItsPictures) {
+TEST(DriverDepth, FormatsKeepSheetsApartFromTheWidthOfACode) {
   PS_NEEDS_HARDWARE(hardware);
-  const StabilityExperiment& experiment = find_stability_experiment("driver-level");
-  Progress progress;
-  for (const double knob : experiment.frames) {
-    const auto opening = open_stability_point(experiment, knob, progress);
-    ASSERT_TRUE(opening);
-    EXPECT_EQ(opening->naive.renderer, hardware);
-    EXPECT_EQ(opening->robust.renderer, hardware);
+  const std::vector<StabilityRow> rows = find_stability_experiment("driver-depth").measure({});
+  const auto driver = rows_of(rows, "24 bits, driver"), own = rows_of(rows, "24 bits, rasterizer");
+  ASSERT_EQ(driver.size(), 10u);
+  for (const StabilityRow& row : rows) EXPECT_EQ(row.robust, 0) << row.series << " " << row.knob;
+  // A code is z^2 / (near 2^24) wide: 0.6 at the sheets' middle.
+  const double step = 1000.0 * 1000 / (0.1 * 0x1p24);
+  EXPECT_NEAR(own.at(0.3).naive, 100 * (1 - 0.3 / step), 5) << "two depths 0.3 apart share a code by chance";
+  for (const auto& [gap, row] : driver) {
+    if (gap >= 1) {
+      EXPECT_EQ(row.naive, 0) << gap;
+      EXPECT_EQ(own.at(gap).naive, 0) << gap;
+    } else {
+      EXPECT_GT(row.naive, 5) << gap;
+    }
   }
+  // 2^8 times wider.
+  for (const auto& [gap, row] : rows_of(rows, "16 bits, driver"))
+    EXPECT_NEAR(row.naive, rows_of(rows, "16 bits, rasterizer").at(gap).naive, 3) << gap;
+}
+
+TEST(DriverExperiments, OpenTheirPictures) {
+  PS_NEEDS_HARDWARE(hardware);
+  for (const char* key : {"driver-level", "driver-depth"}) {
+    const StabilityExperiment& experiment = find_stability_experiment(key);
+    Progress progress;
+    for (const double knob : experiment.frames) {
+      const auto opening = open_stability_point(experiment, knob, progress);
+      ASSERT_TRUE(opening);
+      EXPECT_EQ(opening->naive.renderer, hardware);
+      EXPECT_EQ(opening->robust.renderer, hardware);
+      EXPECT_EQ(opening->failing.has_value(), opening->failing_percent > 0);
+    }
+  }
+  Progress progress;
+  EXPECT_TRUE(open_stability_point(find_stability_experiment("driver-depth"), 0.1, progress)->failing)
+      << "the sheet behind has another colour";
 }
 
 TEST(DriverLevel, IsNotMeasuredWithoutADriver) {
