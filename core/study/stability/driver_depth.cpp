@@ -87,7 +87,7 @@ std::vector<StabilityRow> measure_sheets(const StabilityRun& run) {
   const Renderer driver = hardware_renderer(), own = renderer_for(PictureWay::fragments);
   for (const Format& format : {bits_24, bits_16})
     for (const double gap : gaps)
-      for (const auto& [name, renderer] : {std::pair{"driver", driver}, std::pair{"rasterizer", own}})
+      for (const auto& [name, renderer] : {std::pair{"driver", driver}, std::pair{"ours", own}})
         rows.push_back(
             {gap, fmt::format("{}, {}", format.name, name), wrong(gap, sheet_settings(renderer, format), run),
              wrong(gap, sheet_settings(renderer, reversed_float), run), "% of pixels that show the sheet behind"});
@@ -106,7 +106,7 @@ constexpr std::array shown_gaps{0.001, 0.01, 0.1, 0.3, 1.0};
 }  // namespace
 
 static constexpr StabilitySeries driver_depth_series[]{
-    {.names = "24 bits, driver|24 bits, rasterizer|*", .title = "pixels that show the sheet behind", .unit = "%"},
+    {.names = "24 bits, driver|24 bits, ours|*", .title = "pixels that show the sheet behind", .unit = "%"},
 };
 
 extern const StabilityExperiment driver_depth{

@@ -74,7 +74,7 @@ TEST(DriverSnapping, MovesTheEdgeByTheSubPixelsThatTheDriverReports) {
 TEST(DriverDepth, FormatsKeepSheetsApartFromTheWidthOfACode) {
   PS_NEEDS_HARDWARE(hardware);
   const std::vector<StabilityRow> rows = find_stability_experiment("driver-depth").measure({});
-  const auto driver = rows_of(rows, "24 bits, driver"), own = rows_of(rows, "24 bits, rasterizer");
+  const auto driver = rows_of(rows, "24 bits, driver"), own = rows_of(rows, "24 bits, ours");
   ASSERT_EQ(driver.size(), 10u);
   for (const StabilityRow& row : rows) EXPECT_EQ(row.robust, 0) << row.series << " " << row.knob;
   // A code is z^2 / (near 2^24) wide: 0.6 at the sheets' middle.
@@ -90,7 +90,7 @@ TEST(DriverDepth, FormatsKeepSheetsApartFromTheWidthOfACode) {
   }
   // 2^8 times wider.
   for (const auto& [gap, row] : rows_of(rows, "16 bits, driver"))
-    EXPECT_NEAR(row.naive, rows_of(rows, "16 bits, rasterizer").at(gap).naive, 3) << gap;
+    EXPECT_NEAR(row.naive, rows_of(rows, "16 bits, ours").at(gap).naive, 3) << gap;
 }
 
 TEST(DriverExperiments, OpenTheirPictures) {
