@@ -21,6 +21,7 @@
 #include "study/chart_style.h"
 #include "study/counted_work.h"
 #include "study/missing_points.h"
+#include "study/renderer_sweep.h"
 
 namespace ps::cli {
 namespace {
@@ -56,6 +57,7 @@ ChartRequest make_request(const ChartArguments& arguments) {
   request.base = document.a.settings;
   const SceneTraits traits = scene_traits(request.scene);
   for (const std::string& sentence : idle_axes(axes, request.base, traits)) fmt::print(stderr, "{}\n", sentence);
+  request.absent = absent_renderers(axes);
   request.points = sweep_points(axes, request.base, settings_for(document.base), traits);
   return request;
 }
@@ -73,17 +75,28 @@ void print_status(const StudyStatus& status) {
   if (status.done == status.total) fmt::print(stderr, "\n");
 }
 
+/// A column of its own where a graphics driver drew some of the points; otherwise nothing.
+std::string upload_column(const Chart& chart, std::string_view text) {
+  const bool shown = std::any_of(chart.points.begin(), chart.points.end(),
+                                 [](const ChartPoint& point) { return point.upload_ms.has_value(); });
+  return shown ? fmt::format(" {:>11}", text) : "";
+}
+
 void print_table(const Chart& chart) {
-  fmt::print("{:>11} {:>11} {:>11} {:>12} {:>10} {:>11}    {}\n", "time ms", "quartile 1", "quartile 3", "work",
-             error_metric(chart.metric).key, "memory MB", "point (* on the front, ~ a tie with it)");
+  fmt::print("{:>11} {:>11} {:>11}{} {:>12} {:>10} {:>11}    {}\n", "time ms", "quartile 1", "quartile 3",
+             upload_column(chart, "upload ms"), "work", error_metric(chart.metric).key, "memory MB",
+             "point (* on the front, ~ a tie with it)");
   for (const ChartPoint& point : chart.points) {
     if (!point.measured()) {
-      fmt::print("{:>11} {:>11} {:>11} {:>12} {:>10} {:>11}    {}: not measured\n", "-", "-", "-", "-", "-", "-",
+      fmt::print("{:>11} {:>11} {:>11}{} {:>12} {:>10} {:>11}    {}: not measured\n", "-", "-", "-",
+                 upload_column(chart, "-"), "-", "-", "-",
                  point.what.label.empty() ? fmt::format("point {}", point.number) : point.what.label);
       continue;
     }
-    fmt::print("{:>11.4g} {:>11.4g} {:>11.4g} {:>12} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median,
-               point.time_ms.q1, point.time_ms.q3, work_text(point.work), point.error, point.memory_mb,
+    const std::string upload = point.upload_ms ? fmt::format("{:.4g}", point.upload_ms->median) : "-";
+    fmt::print("{:>11.4g} {:>11.4g} {:>11.4g}{} {:>12} {:>10.4g} {:>11.4g}  {} {}\n", point.time_ms.median,
+               point.time_ms.q1, point.time_ms.q3, upload_column(chart, upload), work_text(point.work), point.error,
+               point.memory_mb,
                point.tie        ? '~'
                : point.on_front ? '*'
                                 : ' ',

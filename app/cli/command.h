@@ -14,6 +14,7 @@ void add_render_command(CLI::App& app, Action& chosen);
 void add_inspect_command(CLI::App& app, Action& chosen);
 void add_compare_command(CLI::App& app, Action& chosen);
 void add_chart_command(CLI::App& app, Action& chosen);
+void add_renderers_command(CLI::App& app, Action& chosen);
 void add_needs_command(CLI::App& app, Action& chosen);
 void add_stability_command(CLI::App& app, Action& chosen);
 void add_precision_command(CLI::App& app, Action& chosen);

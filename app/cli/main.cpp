@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
   ps::cli::add_inspect_command(app, action);
   ps::cli::add_compare_command(app, action);
   ps::cli::add_chart_command(app, action);
+  ps::cli::add_renderers_command(app, action);
   ps::cli::add_needs_command(app, action);
   ps::cli::add_stability_command(app, action);
   ps::cli::add_precision_command(app, action);

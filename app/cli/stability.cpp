@@ -88,8 +88,10 @@ int run_stability(const StabilityArguments& arguments) {
   StudyControl control;
   forward_interrupts(control.progress());
   run_stability(request, control, [&](const MeasuredExperiment& measured, const StudyStatus&) {
-    if (!measured.complete) return;
     const StabilityExperiment& experiment = find_stability_experiment(measured.key);
+    if (!measured.absent.empty())
+      fmt::print("{} ({})\nnot measured: {}\n\n", experiment.title, experiment.key, measured.absent);
+    if (!measured.complete) return;
     if (kept)
       write_file_atomically(std::filesystem::path(arguments.output) / fmt::format("{}.csv", measured.key),
                             stability_csv_with_meaning(csv_with_provenance(stability_csv(measured.rows), made),

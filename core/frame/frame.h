@@ -58,6 +58,12 @@ struct StageTime {
   double milliseconds = 0;
 };
 
+/// How long a graphics driver took for a picture, each until it said that it had finished (glFinish).
+struct DriverTimes {
+  double upload_ms = 0;  ///< what it did not have yet of meshes, textures and shaders, and the lights
+  double draw_ms = 0;    ///< all draw calls
+};
+
 /// A finished picture and how it came about. Only `colour` is always there; other channels have size 0 unless asked
 /// for.
 struct Frame {
@@ -82,10 +88,17 @@ struct Frame {
   Image<float> depth_gap;  ///< see render/precision_channels.h
   Counters counters;
   std::vector<StageTime> times;
-  FastPath path;  ///< what drew it, as the kernels report it
+  std::optional<DriverTimes> driver;  ///< only where a graphics driver drew it
+  FastPath path;                      ///< what drew it, as the kernels report it
 
   int width() const { return colour.width(); }
   int height() const { return colour.height(); }
+};
+
+/// What a graphics driver has of the scene when it begins with a picture.
+enum class DriverMemory {
+  kept,     ///< meshes and textures of earlier pictures
+  emptied,  ///< none of them: the picture uploads all that it needs
 };
 
 /// What a caller wants besides the picture itself.
@@ -101,6 +114,7 @@ struct RenderRequest {
   /// Called on a worker thread after each finished rectangle of the frame that is being made; only that rectangle may
   /// be read. May be empty.
   std::function<void(const Frame&, const TileRect&)> on_tile;
+  DriverMemory driver_memory = DriverMemory::kept;
 };
 
 }  // namespace ps

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "hardware/context.h"
@@ -25,6 +26,13 @@ struct Availability {
 /// The driver of this machine. The first call starts it.
 const Availability& availability();
 
+/// A program and what it is made from.
+struct KeptProgram {
+  std::string vertex_file, fragment_file, definitions;
+  std::span<const char* const> captured;
+  std::unique_ptr<Program> program;
+};
+
 /// What is kept in the memory of the driver between pictures.
 struct Workshop {
   explicit Workshop(const Context& made) : context(made) {}
@@ -33,10 +41,11 @@ struct Workshop {
   TextureStore textures;
   MapStore maps;
   EnvironmentStore environment;
-  std::map<std::string, std::unique_ptr<Program>> programs;  ///< by their definitions
-  std::unique_ptr<Target> target;                            ///< of the last picture
-  std::unique_ptr<GeometryBuffer> geometry;                  ///< of the last picture with deferred shading
-  std::unique_ptr<Target> story_picture;                     ///< the same of the last story of a pixel
+  ShaderFiles shaders;
+  std::map<std::string, KeptProgram> programs;  ///< by their definitions
+  std::unique_ptr<Target> target;               ///< of the last picture
+  std::unique_ptr<GeometryBuffer> geometry;     ///< of the last picture with deferred shading
+  std::unique_ptr<Target> story_picture;        ///< the same of the last story of a pixel
   std::unique_ptr<GeometryBuffer> story_geometry;
   std::unique_ptr<Target> story;          ///< what fragments report of themselves in it
   unsigned vertex_array = 0, lights = 0;  ///< made when first needed
@@ -46,6 +55,11 @@ struct Workshop {
   void tidy() {
     meshes.tidy();
     textures.tidy();
+  }
+  /// Drops the meshes and textures of all scenes. Before a picture.
+  void forget_scenes() {
+    meshes.clear();
+    textures.clear();
   }
 };
 

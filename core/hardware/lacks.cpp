@@ -30,8 +30,7 @@ bool lacks_samples(OptionNumber value) {
 constexpr std::array all{
     Lack{"depth-value", "the hardware renderer has no plane equations: depth is interpolated",
          is_one_of<DepthValue, DepthValue::ray_plane>},
-    Lack{"clipping", "a driver always clips at the near plane and the sides",
-         is_one_of<Clipping, Clipping::near_only, Clipping::none>},
+    Lack{"clipping", "a driver draws nothing that lies behind the eye", is_one_of<Clipping, Clipping::none>},
     Lack{"canvas-fill", "the driver fills shapes by its own coverage test", is_one_of<CanvasFill, CanvasFill::rows>},
     Lack{"line-algorithm", "the driver has its own line algorithm"},
     Lack{"coverage", own_coverage},

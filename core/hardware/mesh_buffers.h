@@ -68,6 +68,9 @@ class MeshStore {
   MeshBuffers& get(const std::shared_ptr<const Mesh>& mesh);
   /// Between pictures.
   void tidy();
+  /// Drops them all, between pictures.
+  void clear() { entries_.clear(); }
+  std::size_t size() const { return entries_.size(); }
 
  private:
   struct Entry {

@@ -41,7 +41,8 @@ std::string honoured_row(const Option& option, const Settings& settings, const s
     return row(option, text, "no", "traced shadows need rays, and no renderer of triangles has them");
   if (const auto reason = lacks_value(option, option.get(settings), settings)) return row(option, text, "no", *reason);
   if (writes_depth(settings) && !writes_depth({})) return row(option, text, "by gl_FragDepth", "");
-  return row(option, text, "yes", "");
+  const bool near_only = option.key == "clipping" && settings.clipping == Clipping::near_only;
+  return row(option, text, "yes", near_only ? "where a driver cuts at the sides as well, no pixel shows it" : "");
 }
 
 /// The values of a number, in runs that are lacked for the same reason or not at all.

@@ -66,6 +66,7 @@ void PictureDrawer::upload() {
   else
     make_runs();
   glGenQueries(1, &query_);
+  glFinish();  // what is uploaded belongs to the time of the upload, and not to that of drawing
   check_gl("uploading the scene");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,6 +20,9 @@ struct DrawRun {
   std::size_t surface = 0;           ///< index into Surfaces::list
   std::size_t first = 0, count = 0;  ///< triangles of the mesh, or of the list of sorted triangles
 };
+
+/// Compiles it from these texts. On the thread of OpenGL only; throws as Program does.
+std::unique_ptr<Program> make_program(const KeptProgram& kept, ShaderFiles& files, Api api);
 
 /// Draws one picture. On the thread of OpenGL only.
 class PictureDrawer {

@@ -30,6 +30,14 @@ float depth_factor(const PicturePlan& plan) {
 
 }  // namespace
 
+std::unique_ptr<Program> make_program(const KeptProgram& kept, ShaderFiles& files, Api api) {
+  auto program =
+      std::make_unique<Program>(files, kept.vertex_file, kept.fragment_file, api, kept.definitions, kept.captured);
+  program->bind_block("Lights", lights_binding);
+  program->bind_block("ShadowMaps", maps_binding);
+  return program;
+}
+
 Program& PictureDrawer::program_of(const raster::Surface<float>& surface) {
   const std::string key = hardware::definitions(plan_, surface, shop_.driver().clip_control);
   return program_of("vertex.glsl", "fragment.glsl", key);
@@ -37,13 +45,13 @@ Program& PictureDrawer::program_of(const raster::Surface<float>& surface) {
 
 Program& PictureDrawer::program_of(const char* vertex_file, const char* fragment_file, const std::string& definitions,
                                    std::span<const char* const> captured) {
-  std::unique_ptr<Program>& program = shop_.programs[fragment_file + definitions];
-  if (!program) {
-    program = std::make_unique<Program>(vertex_file, fragment_file, shop_.context.api(), definitions, captured);
-    program->bind_block("Lights", lights_binding);
-    program->bind_block("ShadowMaps", maps_binding);
+  KeptProgram& kept = shop_.programs[fragment_file + definitions];
+  if (!kept.program) {
+    KeptProgram made{vertex_file, fragment_file, definitions, captured, nullptr};
+    made.program = make_program(made, shop_.shaders, shop_.context.api());
+    kept = std::move(made);
   }
-  return *program;
+  return *kept.program;
 }
 
 void PictureDrawer::set_object(Program& program, std::size_t object) {

@@ -40,8 +40,19 @@ class Shader {
 
 Program::Program(std::string_view vertex_file, std::string_view fragment_file, Api api, std::string_view definitions,
                  std::span<const char* const> captured) {
-  const Shader vertex(GL_VERTEX_SHADER, shader_text(vertex_file, ShaderStage::vertex, api, definitions));
-  const Shader fragment(GL_FRAGMENT_SHADER, shader_text(fragment_file, ShaderStage::fragment, api, definitions));
+  ShaderFiles files;
+  make(files, vertex_file, fragment_file, api, definitions, captured);
+}
+
+Program::Program(ShaderFiles& files, std::string_view vertex_file, std::string_view fragment_file, Api api,
+                 std::string_view definitions, std::span<const char* const> captured) {
+  make(files, vertex_file, fragment_file, api, definitions, captured);
+}
+
+void Program::make(ShaderFiles& files, std::string_view vertex_file, std::string_view fragment_file, Api api,
+                   std::string_view definitions, std::span<const char* const> captured) {
+  const Shader vertex(GL_VERTEX_SHADER, shader_text(files, vertex_file, ShaderStage::vertex, api, definitions));
+  const Shader fragment(GL_FRAGMENT_SHADER, shader_text(files, fragment_file, ShaderStage::fragment, api, definitions));
   program_ = glCreateProgram();
   glAttachShader(program_, vertex.id());
   glAttachShader(program_, fragment.id());

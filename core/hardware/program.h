@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "hardware/context.h"
+#include "hardware/shader_files.h"
 #include "math/vec.h"
 
 namespace ps::hardware {
@@ -16,11 +17,15 @@ class Program {
   /// with the compiler's first message and the file and line that it is about.
   Program(std::string_view vertex_file, std::string_view fragment_file, Api api, std::string_view definitions,
           std::span<const char* const> captured = {});
+  /// The same from texts that are held already.
+  Program(ShaderFiles& files, std::string_view vertex_file, std::string_view fragment_file, Api api,
+          std::string_view definitions, std::span<const char* const> captured = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
   void use() const;
+  unsigned id() const { return program_; }
   /// Gives a uniform of the program in use its value. One that the compiler left out, or the files do not have, is
   /// passed over.
   void set(std::string_view name, int value);
@@ -34,6 +39,8 @@ class Program {
   bool bind_block(std::string_view name, unsigned binding) const;
 
  private:
+  void make(ShaderFiles& files, std::string_view vertex_file, std::string_view fragment_file, Api api,
+            std::string_view definitions, std::span<const char* const> captured);
   int location(std::string_view name);
 
   unsigned program_ = 0;

@@ -51,9 +51,12 @@ void fill_rest(const View& view, const Settings& settings, Frame& frame) {
 class Stages {
  public:
   explicit Stages(Frame& frame) : frame_(frame) {}
-  void done(const char* stage) {
-    frame_.times.push_back({stage, timer_.milliseconds()});
+  /// Milliseconds since the stage before.
+  double done(const char* stage) {
+    const double milliseconds = timer_.milliseconds();
+    frame_.times.push_back({stage, milliseconds});
     timer_ = Timer();
+    return milliseconds;
   }
 
  private:
@@ -73,11 +76,15 @@ Frame render_hardware(const Scene& scene, const View& view, const Settings& sett
   draw_ahead(plan, prepared, request.priority, progress, [&](const char* stage) { stages.done(stage); });
   on_gl_thread([&](Workshop& shop) {
     shop.tidy();
+    if (request.driver_memory == DriverMemory::emptied) shop.forget_scenes();
+    stages.done("wait for the driver");
     PictureDrawer drawer(plan, shop);
+    DriverTimes times;
     drawer.upload();
-    stages.done("upload");
+    times.upload_ms = stages.done("upload");
     drawer.draw();
-    stages.done("draw");
+    times.draw_ms = stages.done("draw");
+    frame.driver = times;
     shop.target->read(frame);
     stages.done("read back");
     frame.counters[Counter::triangles_in] += drawer.triangles();

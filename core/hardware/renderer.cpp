@@ -5,6 +5,7 @@
 #include "hardware/left_out.h"
 #include "hardware/machinery.h"
 #include "hardware/render_hardware.h"
+#include "hardware/shader_listing.h"
 #include "hardware/stage_values.h"
 
 namespace ps {
@@ -49,7 +50,9 @@ RendererRow hardware_renderer_row() {
           .left_out = hardware::left_out,
           .shows_objects = shows_objects,
           .subject = [](const SceneTraits&, const Settings&) { return std::string("the hardware renderer"); },
-          .stage_values = hardware::stage_values};
+          .stage_values = hardware::stage_values,
+          .shaders = hardware::list_shaders,
+          .reload_shaders = hardware::reload_shaders};
 }
 
 }  // namespace ps

@@ -6,8 +6,6 @@
 #include <sstream>
 
 #include "base/check.h"
-#include "base/read_file.h"
-#include "base/resources.h"
 
 namespace ps::hardware {
 namespace {
@@ -42,10 +40,10 @@ std::string guard_of(std::string name) {
 
 /// Adds a file's lines, and in the place of each #include those of the file that it names. The compiler passes over all
 /// but the first of a file that it reaches: only it knows which of them stand in a part that is left out.
-void add_file(const std::string& name, ShaderText& shader) {
+void add_file(ShaderFiles& files, const std::string& name, ShaderText& shader) {
   const int number = static_cast<int>(shader.files.size());
   shader.files.push_back(name);
-  std::istringstream lines(read_whole_file(shader_file(name)));
+  std::istringstream lines(files.text(name));
   shader.text += fmt::format("#line 1 {}\n", number);
   std::string line;
   for (int row = 1; std::getline(lines, line); ++row) {
@@ -59,23 +57,26 @@ void add_file(const std::string& name, ShaderText& shader) {
     const std::string wanted = line.substr(include.size(), line.rfind('"') - include.size());
     const std::string guard = guard_of(wanted);
     shader.text += fmt::format("#ifndef {0}\n#define {0}\n", guard);
-    add_file(wanted, shader);
+    add_file(files, wanted, shader);
     shader.text += fmt::format("#endif\n#line {} {}\n", row + 1, number);
   }
 }
 
 }  // namespace
 
-ShaderText shader_text(std::string_view file, ShaderStage stage, Api api, std::string_view definitions) {
+ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage stage, Api api,
+                       std::string_view definitions) {
   ShaderText shader;
   shader.text = api == Api::desktop ? desktop_head : embedded_head;
   const std::string_view way = stage == ShaderStage::vertex ? "out" : "in";
   shader.text += fmt::format("#define CARRIED {0}\n#define CARRIED_FLAT flat {0}\n", way);
   shader.text += names;
   shader.text += definitions;
-  add_file(std::string(file), shader);
+  add_file(files, std::string(file), shader);
   return shader;
 }
+
+std::string_view shader_constants() { return names; }
 
 // Mesa writes "2:15(7): error: ...", others "2(15) : error ..." or "ERROR: 2:15: ...": in each the number of the file
 // comes first, then that of the line.

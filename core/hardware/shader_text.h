@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hardware/context.h"
+#include "hardware/shader_files.h"
 
 namespace ps::hardware {
 
@@ -15,9 +16,13 @@ struct ShaderText {
   std::vector<std::string> files;  ///< by the number that #line gives them
 };
 
-/// Reads a shader file ("fragment.glsl") and the files that it includes, and puts before them the head of GLSL 3.30 or
-/// ES 3.00 and the definitions ("#define LIGHTS 3\n"). Throws InputError for a missing file.
-ShaderText shader_text(std::string_view file, ShaderStage stage, Api api, std::string_view definitions);
+/// The text of a shader file ("fragment.glsl") and the files that it includes, and puts before them the head of
+/// GLSL 3.30 or ES 3.00 and the definitions ("#define LIGHTS 3\n"). Throws InputError for a missing file.
+ShaderText shader_text(ShaderFiles& files, std::string_view file, ShaderStage stage, Api api,
+                       std::string_view definitions);
+
+/// Numbers that all files compare their definitions with, as lines "#define PHONG 1".
+std::string_view shader_constants();
 
 /// What a driver says of a text that it does not compile, with the names of files in place of their numbers.
 std::string compiler_words(const ShaderText& shader, std::string_view log);

@@ -75,8 +75,11 @@ void set_filter(const Settings& settings, TextureWrap wrap) {
 
 }  // namespace
 
-TextureStore::~TextureStore() {
+TextureStore::~TextureStore() { clear(); }
+
+void TextureStore::clear() {
   for (const auto& [key, entry] : entries_) glDeleteTextures(1, &entry.texture);
+  entries_.clear();
 }
 
 Vec4<int> TextureStore::bind(const MipChain& chain, int unit, const Settings& settings, int max_size) {

@@ -23,6 +23,8 @@ class TextureStore {
   Vec4<int> bind(const MipChain& chain, int unit, const Settings& settings, int max_size);
   /// Drops what no scene holds any more. Between pictures.
   void tidy();
+  /// Drops them all, between pictures.
+  void clear();
 
  private:
   struct Entry {

@@ -12,10 +12,11 @@
 
 namespace ps {
 
-struct StageValues;  // raster/stage_values.h
+struct StageValues;    // raster/stage_values.h
+struct ShaderListing;  // record/shader_listing.h
 
 /// A renderer, as everything above the renderers knows it: one row of the table in render/renderer_table.h. All
-/// functions are there but the last.
+/// functions are there but those that say when they are not.
 struct RendererRow {
   Renderer renderer{};  ///< its number; add_renderer() gives one to those that come with a program
 
@@ -40,6 +41,13 @@ struct RendererRow {
   /// What it has after each of its stages, or nullptr: it does not give that. Throws as render() does.
   std::shared_ptr<const StageValues> (*stage_values)(const Scene& scene, const View& view, const Settings& settings,
                                                      Prepared& prepared, Progress& progress) = nullptr;
+  /// The shaders that drew a pixel, or nullptr: it has none. Throws as render() does.
+  std::shared_ptr<const ShaderListing> (*shaders)(const Scene& scene, const View& view, const Settings& settings,
+                                                  Vec2i pixel, Prepared& prepared, Progress& progress) = nullptr;
+  /// Reads the files of the shaders anew; its next picture is drawn with them, and what pictures before have left in
+  /// Prepared holds no longer. Gives why they do not compile
+  /// ("lighting.glsl:15: ..."), in which case the ones before stay in use; empty: they do. nullptr: it has none.
+  std::string (*reload_shaders)() = nullptr;
 };
 
 }  // namespace ps

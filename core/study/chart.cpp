@@ -81,6 +81,7 @@ class Runner {
     const TimedSettings timed = timed_settings();
     chart_.identity = identity_of(request_, reference_, timed);
     chart_.machine = this_machine();
+    chart_.absent = request_.absent;
     chart_.metric = request_.error.metric;
     chart_.across = request_.across;
     chart_.reference_halves = reference_.halves;
@@ -114,9 +115,10 @@ class Runner {
     return on_same_machinery(settings, labels, traits_, request_.machinery);
   }
 
-  Frame picture_of(std::size_t i, Prepared& prepared) {
+  Frame picture_of(std::size_t i, Prepared& prepared, DriverMemory driver_memory = DriverMemory::kept) {
     RenderRequest how;
     how.priority = request_.priority;
+    how.driver_memory = driver_memory;
     return render(request_.scene, request_.view, drawn_with_[i], how, prepared, control_.progress());
   }
 
@@ -129,12 +131,19 @@ class Runner {
     const double start = clock_();
     if (!known) first_picture(i, *prepared);
     const double first_ms = 1e3 * (clock_() - start);
-    const auto call = [&] { picture_of(i, *prepared); };
+    measure_upload(i, *prepared);
+    double drawn_ms = 0;  // as a driver says
+    const auto call = [&] {
+      const Frame frame = picture_of(i, *prepared);
+      if (frame.driver) drawn_ms += frame.driver->draw_ms;
+    };
     if (calls_[i] == 0)
       calls_[i] = calls_per_sample(call, request_.shortest_sample, clock_);
     else
       call();  // the others have filled the caches since
-    const double sample = sample_milliseconds(call, calls_[i], clock_);
+    drawn_ms = 0;
+    const double wall_ms = sample_milliseconds(call, calls_[i], clock_);
+    const double sample = by_driver(i) ? drawn_ms / calls_[i] : wall_ms;
     point.samples_ms.push_back(sample);
     if (!known) point.prepare_ms = std::max(0.0, first_ms - sample);
     if (log_) {
@@ -144,6 +153,17 @@ class Runner {
     forget_if_large(i);
     summarise(chart_, request_.error.metric);
     report();
+  }
+
+  bool by_driver(std::size_t i) const {
+    return fast_path(drawn_with_[i], traits_, Channel::none).machinery == Machinery::driver;
+  }
+
+  /// Of the whole scene, as if the driver had never seen it.
+  void measure_upload(std::size_t i, Prepared& prepared) {
+    if (!by_driver(i)) return;
+    const Frame frame = picture_of(i, prepared, DriverMemory::emptied);
+    if (frame.driver) chart_.points[i].uploads_ms.push_back(frame.driver->upload_ms);
   }
 
   void first_picture(std::size_t i, Prepared& prepared) {
@@ -259,6 +279,7 @@ void summarise(Chart& chart, ErrorMetric metric) {
     point.tie = false;
     if (!point.measured()) continue;
     point.time_ms = quartiles(point.samples_ms);
+    if (!point.uploads_ms.empty()) point.upload_ms = quartiles(point.uploads_ms);
     point.error = error_of(point.comparison, metric);
     const double sign = error_metric(metric).higher_is_better ? -1 : 1;
     if (chart.across == ChartAcross::work && !point.work) {  // has no place on this axis
@@ -297,6 +318,7 @@ Chart merge_charts(const std::vector<std::filesystem::path>& folders, ErrorMetri
       }
       if (!same->compared) std::swap(*same, point);  // the samples below are those of the other
       same->samples_ms.insert(same->samples_ms.end(), point.samples_ms.begin(), point.samples_ms.end());
+      same->uploads_ms.insert(same->uploads_ms.end(), point.uploads_ms.begin(), point.uploads_ms.end());
     }
     whole.damage.insert(whole.damage.end(), part.damage.begin(), part.damage.end());
   }

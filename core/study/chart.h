@@ -27,8 +27,13 @@ enum class ChartAcross {
 struct ChartPoint {
   int number = 0;  ///< in the whole sweep, from 0; shards keep the numbers of the whole
   SweepPoint what;
-  std::vector<double> samples_ms;  ///< wall time of one render, everything prepared; one for each repeat
+  /// One for each repeat: wall time of one render, everything prepared; of a graphics driver, DriverTimes::draw_ms.
+  std::vector<double> samples_ms;
   Quartiles time_ms;
+  /// Of a picture that a graphics driver draws, whose times are those of its draw calls: what uploading the whole scene
+  /// takes beside them; one for each repeat.
+  std::vector<double> uploads_ms;
+  std::optional<Quartiles> upload_ms;
   Quartiles cost;         ///< on the chart's horizontal axis: time_ms, or work without any spread; NaN: not counted
   double prepare_ms = 0;  ///< the first render, with building trees, mips and tessellations, minus the median time
   double memory_mb = 0;   ///< Prepared and Frame, in 10^6 bytes
@@ -74,6 +79,7 @@ struct Chart {
   ChartAcross across = ChartAcross::time;
   std::optional<Comparison> reference_halves;  ///< how far two halves of the reference's samples are apart
   std::vector<ChartPoint> points;              ///< in the order of the sweep; some may not be measured yet
+  std::vector<std::string> absent;  ///< what the sweep would have as well on another machine, with the reason
   /// What the folder's log has lost: its damaged lines and missing pictures, each with file and line.
   std::vector<std::string> damage;
 };
@@ -89,7 +95,8 @@ struct ChartRequest {
   Scene scene;
   View view;
   Settings base;
-  std::vector<SweepPoint> points;  ///< of the whole sweep
+  std::vector<SweepPoint> points;   ///< of the whole sweep
+  std::vector<std::string> absent;  ///< Chart::absent
   Shard shard;
   ErrorOptions error;
   ReferenceOptions reference;

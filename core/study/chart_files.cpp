@@ -28,6 +28,10 @@ Json point_json(const ChartPoint& point) {
             {"samples_ms", point.samples_ms},  {"prepare_ms", point.prepare_ms},
             {"memory_mb", point.memory_mb},    {"on_front", point.on_front},
             {"name", point.what.name},         {"tie", point.tie}};
+  if (point.upload_ms) {
+    json["upload_ms"] = point.upload_ms->median;
+    json["uploads_ms"] = point.uploads_ms;
+  }
   json["work"] = point.work ? Json(*point.work) : Json();  // null: the renderer counts none
   if (std::isfinite(point.error))
     json["error"] = point.error;
@@ -55,10 +59,13 @@ std::string chart_csv(const Chart& chart) {
                           point.time_ms.q1, point.time_ms.q3, point.error, point.memory_mb, point.on_front ? 1 : 0,
                           point.work ? work_text(point.work) : "", csv_field(chart.identity.machinery),
                           csv_field(chart.identity.reference));
-  std::vector<std::string> ties;
+  std::vector<std::string> more;
   for (const ChartPoint& point : chart.points)
-    if (point.measured()) ties.emplace_back(point.tie ? "1" : "0");
-  return csv_with_columns(csv_with_provenance(text, chart_machine_provenance(chart), "base_settings"), "tie", ties);
+    if (point.measured())
+      more.push_back(
+          fmt::format("{},{}", point.tie ? 1 : 0, point.upload_ms ? fmt::format("{}", point.upload_ms->median) : ""));
+  return csv_with_columns(csv_with_provenance(text, chart_machine_provenance(chart), "base_settings"), "tie,upload_ms",
+                          more);
 }
 
 std::string chart_json(const Chart& chart) {
@@ -84,6 +91,7 @@ std::string chart_json(const Chart& chart) {
     if (point.measured()) json["points"].push_back(point_json(point));
   for (const MissingPoint& point : missing_points(chart))
     json["missing"].push_back({{"number", point.number}, {"label", point.label}, {"reason", point.reason}});
+  if (!chart.absent.empty()) json["absent"] = chart.absent;
   if (!chart.damage.empty()) json["damaged"] = chart.damage;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

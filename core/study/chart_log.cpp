@@ -69,7 +69,10 @@ class LogReader {
       take_picture(chart_picture_from(json, points));
     } else if (json.contains("sample")) {
       const ChartSample sample = chart_sample_from(json, points);
-      if (ChartPoint* point = point_of(sample.number)) point->samples_ms.push_back(sample.milliseconds);
+      if (ChartPoint* point = point_of(sample.number)) {
+        point->samples_ms.push_back(sample.milliseconds);
+        if (sample.upload_ms) point->uploads_ms.push_back(*sample.upload_ms);
+      }
     } else if (json.contains("chart")) {
       Chart again;
       read_chart_head(json, again);
@@ -88,6 +91,7 @@ class LogReader {
       return;
     }
     read.samples_ms = std::move(point->samples_ms);
+    read.uploads_ms = std::move(point->uploads_ms);
     try {
       read.picture = load_levels(folder_ / picture_name(read));
     } catch (const InputError& error) {

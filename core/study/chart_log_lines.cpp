@@ -63,6 +63,7 @@ ChartJson chart_head_json(const Chart& chart) {
                    {"processor", chart.machine.processor},
                    {"simd", chart.machine.simd},
                    {"threads", chart.machine.threads}}}};
+  if (!chart.absent.empty()) json["absent"] = chart.absent;
   if (chart.reference_halves) json["reference-halves"] = comparison_json(*chart.reference_halves);
   return json;
 }
@@ -72,6 +73,7 @@ void read_chart_head(const ChartJson& json, Chart& chart) {
   const ChartJson& machine = json.at("machine");
   chart.machine = {machine.at("version"), machine.at("processor"), machine.at("simd"),
                    json_integer(machine, "threads", 0, std::numeric_limits<int>::max())};
+  if (json.contains("absent")) chart.absent = json.at("absent").get<std::vector<std::string>>();
   if (json.contains("reference-halves")) chart.reference_halves = comparison_from_json(json.at("reference-halves"));
 }
 
@@ -105,11 +107,16 @@ ChartPoint chart_picture_from(const ChartJson& json, int points) {
 }
 
 ChartJson chart_sample_json(const ChartPoint& point, double milliseconds) {
-  return {{"sample", point.number}, {"time_ms", milliseconds}};
+  ChartJson json{{"sample", point.number}, {"time_ms", milliseconds}};
+  if (!point.uploads_ms.empty()) json["upload_ms"] = point.uploads_ms.back();
+  return json;
 }
 
 ChartSample chart_sample_from(const ChartJson& json, int points) {
-  return {json_integer(json, "sample", 0, points - 1), json_number(json, "time_ms", 0, longest_sample_ms)};
+  ChartSample sample{
+      json_integer(json, "sample", 0, points - 1), json_number(json, "time_ms", 0, longest_sample_ms), {}};
+  if (json.contains("upload_ms")) sample.upload_ms = json_number(json, "upload_ms", 0, longest_sample_ms);
+  return sample;
 }
 
 }  // namespace ps

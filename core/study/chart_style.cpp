@@ -14,6 +14,7 @@ ChartAxes chart_axes(const Chart& chart) {
   for (const ChartPoint& point : chart.points) {
     if (!point.placed()) continue;
     costs.insert(costs.end(), {point.cost.q1, point.cost.median, point.cost.q3});
+    if (const auto whole = cost_with_upload(chart, point)) costs.push_back(*whole);
     errors.push_back(point.error);
   }
   const ErrorMetricRow& row = error_metric(chart.metric);
@@ -26,6 +27,11 @@ ChartAxes chart_axes(const Chart& chart) {
   axes.error_title = std::string(row.label);
   if (row.in_levels) axes.error_title += chart.identity.values == "linear" ? " (unit floats)" : " (levels of 255)";
   return axes;
+}
+
+std::optional<double> cost_with_upload(const Chart& chart, const ChartPoint& point) {
+  if (!point.placed() || !point.upload_ms || chart.across != ChartAcross::time) return {};
+  return point.cost.median + point.upload_ms->median;
 }
 
 SweepNames chart_names(const Chart& chart) {
@@ -49,6 +55,13 @@ std::vector<const ChartPoint*> front_by_cost(const Chart& chart) {
 std::string chart_provenance(const Chart& chart) {
   std::string text = fmt::format("Truth: {}.", chart.identity.reference);
   if (!chart.identity.machinery.empty()) text += fmt::format(" Timed: {}.", chart.identity.machinery);
+  for (const ChartPoint& point : chart.points)
+    if (point.upload_ms) {
+      const SweepNames names = chart_names(chart);
+      text += fmt::format(" Upload of the scene, apart: {:.3g} ms for {}.", point.upload_ms->median,
+                          names.parts[static_cast<std::size_t>(&point - chart.points.data())]);
+    }
+  for (const std::string& absent : chart.absent) text += fmt::format(" Not drawn: {}.", absent);
   if (!chart.damage.empty())
     text += fmt::format(" Damaged in the log: {}{}.", chart.damage.front(),
                         chart.damage.size() > 1 ? fmt::format(", and {} more", chart.damage.size() - 1) : "");
@@ -61,11 +74,24 @@ Rgb8 mark_colour(const Settings& settings) {
   case PictureWay::rays:
     return twice ? Rgb8{140, 140, 170} : Rgb8{120, 100, 195};
   case PictureWay::fragments:
+    if (mark_shape(settings.renderer) == MarkShape::diamond) return {175, 95, 120};
     return twice ? Rgb8{160, 145, 85} : Rgb8{130, 115, 20};
   case PictureWay::listing:
     return {60, 135, 145};
   }
   return {};
+}
+
+MarkShape mark_shape(Renderer renderer) {
+  switch (picture_way(renderer)) {
+  case PictureWay::rays:
+    return MarkShape::circle;
+  case PictureWay::fragments:
+    return renderer == renderer_for(PictureWay::fragments) ? MarkShape::square : MarkShape::diamond;
+  case PictureWay::listing:
+    return MarkShape::triangle;
+  }
+  return MarkShape::circle;
 }
 
 std::string hex_colour(Rgb8 colour) { return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b); }

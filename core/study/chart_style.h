@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct ChartAxes {
 /// Axes that hold all measured points. PSNR and SSIM grow upwards as they are: better is then up, not down.
 ChartAxes chart_axes(const Chart& chart);
 
+/// Where the cost of a point would lie if the upload of the scene were in it; nothing where there is none, and where
+/// work is the horizontal axis.
+std::optional<double> cost_with_upload(const Chart& chart, const ChartPoint& point);
+
 /// The names of all points, in their order, and what they have in common: "Samples per pixel", and "1", "4", "16".
 SweepNames chart_names(const Chart& chart);
 /// What is beside the mark of a point: its part of chart_names(), and whether it is a tie.
@@ -29,8 +34,17 @@ std::vector<const ChartPoint*> front_by_cost(const Chart& chart);
 std::string chart_provenance(const Chart& chart);
 
 /// One for each renderer and precision: violet against ochre, so that colour-blind eyes can separate them as well, and
-/// none of the colours of A and B. Shape (round for rays, square for fragments) says the renderer again.
+/// none of the colours of A and B. The shape says the renderer again.
 Rgb8 mark_colour(const Settings& settings);
+
+/// What the mark of a renderer looks like.
+enum class MarkShape {
+  circle,    ///< rays
+  square,    ///< fragments
+  diamond,   ///< fragments, of a renderer that comes with the program beside ours
+  triangle,  ///< a listing
+};
+MarkShape mark_shape(Renderer renderer);
 std::string hex_colour(Rgb8 colour);
 
 inline constexpr double smallest_mark_radius = 4, largest_mark_radius = 9;

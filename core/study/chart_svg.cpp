@@ -113,20 +113,33 @@ std::string uncertain_band(const Chart& chart, const ChartAxes& axes) {
   return svg;
 }
 
-/// Round for rays, square for fragments, a triangle for the textbook. `words` are shown to a pointer over it.
+/// `words` are shown to a pointer over it.
 std::string sign(Renderer renderer, Vec2d at, double radius, std::string_view look, std::string_view words) {
   const std::string rest = fmt::format("{}><title>{}</title>", look, xml_escaped(words));
-  switch (picture_way(renderer)) {
-  case PictureWay::rays:
+  switch (mark_shape(renderer)) {
+  case MarkShape::circle:
     return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}</circle>\n", at.x, at.y, radius, rest);
-  case PictureWay::fragments:
+  case MarkShape::square:
     return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}</rect>\n", at.x - radius,
                        at.y - radius, 2 * radius, 2 * radius, rest);
-  case PictureWay::listing:
+  case MarkShape::diamond:
+    return fmt::format("<polygon points=\"{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}\" {}</polygon>\n",
+                       at.x, at.y - radius, at.x + radius, at.y, at.x, at.y + radius, at.x - radius, at.y, rest);
+  case MarkShape::triangle:
     return fmt::format("<polygon points=\"{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}\" {}</polygon>\n", at.x,
                        at.y - radius, at.x + radius, at.y + radius, at.x - radius, at.y + radius, rest);
   }
   return {};
+}
+
+/// A dotted line below the mark, from its middle to where that would lie with the upload of the scene.
+std::string upload_bar(const Chart& chart, const ChartPoint& point, const ChartAxes& axes) {
+  const auto whole = cost_with_upload(chart, point);
+  if (!whole) return "";
+  const std::string colour = hex_colour(mark_colour(point.what.value));
+  Vec2d from = on_plot(axes, point.cost.median, point.error), to = on_plot(axes, *whole, point.error);
+  from.y = to.y = from.y + largest_mark_radius + 6;
+  return line(from, to, colour, 2, " stroke-dasharray=\"2 4\"") + line(to - Vec2d(0, 7), to + Vec2d(0, 7), colour, 2);
 }
 
 std::string mark(const ChartPoint& point, const ChartAxes& axes, double largest_memory) {
@@ -157,7 +170,8 @@ std::string labels(const Chart& chart, const ChartAxes& axes) {
     texts.push_back(mark_label(point, names.parts[i]));
     const Vec2d at = on_plot(axes, point.cost.median, point.error) - plot_corner;
     const double low = on_plot(axes, point.cost.q1, point.error).x - plot_corner.x;
-    const double high = on_plot(axes, point.cost.q3, point.error).x - plot_corner.x;
+    const double right = std::max(point.cost.q3, cost_with_upload(chart, point).value_or(0));
+    const double high = on_plot(axes, right, point.error).x - plot_corner.x;
     wishes.push_back({at,
                       {estimated_width(texts.back(), label_size), label_size + 2},
                       point.on_front ? 0 : 1,
@@ -210,6 +224,13 @@ std::string legend(const Chart& chart, double largest_memory) {
   svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"22\" height=\"12\" {}/>\n", x, y - 6, band_look);
   x += 28;
   words("within noise");
+  if (std::any_of(chart.points.begin(), chart.points.end(),
+                  [&](const ChartPoint& point) { return cost_with_upload(chart, point).has_value(); })) {
+    svg += line({x, y}, {x + 22, y}, "#606060", 2, " stroke-dasharray=\"2 4\"");
+    svg += line({x + 22, y - 7}, {x + 22, y + 7}, "#606060", 2);
+    x += 30;
+    words("with upload");
+  }
   words(fmt::format("area: memory, up to {:.3g} MB", largest_memory));
   return svg;
 }
@@ -254,7 +275,7 @@ std::string chart_svg(const Chart& chart) {
   svg += uncertain_band(chart, axes);
   svg += front_line(chart, axes);
   for (const ChartPoint& point : chart.points)
-    if (point.placed()) svg += mark(point, axes, largest_memory);
+    if (point.placed()) svg += upload_bar(chart, point, axes) + mark(point, axes, largest_memory);
   svg += labels(chart, axes);
   const double below = plot_corner.y + plot_size.y;
   svg += notes(chart_conclusion(chart).sentence, below + 72, conclusion_size);

@@ -20,10 +20,12 @@ bool is_driver(const FastPath& path) { return path.machinery == Machinery::drive
 
 std::string_view words_of(const std::vector<FastPath>& paths) {
   const bool driver = std::any_of(paths.begin(), paths.end(), is_driver);
-  if (std::all_of(paths.begin(), paths.end(), is_driver)) return "by the graphics driver";
+  if (std::all_of(paths.begin(), paths.end(), is_driver)) return "by the graphics driver, its draw calls alone";
   const bool scalar =
       std::any_of(paths.begin(), paths.end(), [](const FastPath& path) { return path.machinery == Machinery::clear; });
-  if (driver) return scalar ? "scalar code beside the graphics driver" : "SIMD code beside the graphics driver";
+  if (driver)
+    return scalar ? "scalar code beside the draw calls of the graphics driver"
+                  : "SIMD code beside the draw calls of the graphics driver";
   return scalar ? "all on scalar code" : "all on SIMD code";
 }
 
@@ -70,7 +72,10 @@ TimedSettings on_same_machinery(std::span<const Settings> settings, std::span<co
   }
   for (Settings& one : timed.settings) one.simd = Simd::off;
   timed.machinery = Machinery::clear;
-  timed.reason = fmt::format("all on scalar code, because of '{}': {}", labels[mismatch->slower], mismatch->reason);
+  const bool driver = std::any_of(paths.begin(), paths.end(), is_driver);
+  timed.reason = fmt::format("all on scalar code{}, because of '{}': {}",
+                             driver ? " beside the draw calls of the graphics driver" : "", labels[mismatch->slower],
+                             mismatch->reason);
   return timed;
 }
 

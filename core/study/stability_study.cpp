@@ -34,7 +34,11 @@ class StabilityRunner {
 
  private:
   MeasuredExperiment measure(const std::string& key) {
-    MeasuredExperiment measured{key, {}, 0, false};
+    MeasuredExperiment measured{key, {}, 0, false, {}};
+    if (const auto reason = why_not_measured(find_stability_experiment(key))) {
+      measured.absent = *reason;
+      return measured;
+    }
     if (log_) log_->begin(key);
     begun_ = clock_();
     report(measured);

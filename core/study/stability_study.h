@@ -16,6 +16,7 @@ struct MeasuredExperiment {
   std::vector<StabilityRow> rows;
   double seconds = 0;     ///< how long the whole experiment took; 0 while it is not complete
   bool complete = false;  ///< no row is missing
+  std::string absent;     ///< why this machine cannot measure it: there are no rows then; empty: it can
 };
 
 struct StabilityRequest {

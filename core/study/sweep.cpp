@@ -13,6 +13,7 @@
 #include "base/check.h"
 #include "options/renderer_kind.h"
 #include "options/scene_settings.h"
+#include "study/renderer_sweep.h"
 
 namespace ps {
 namespace {
@@ -240,7 +241,7 @@ std::span<const NamedSweep> named_sweeps() {
   const std::string fragments = fmt::format("renderer={}", by_fragments),
                     both = fmt::format("renderer={},{}", by_rays, by_fragments);
   static const std::vector<NamedSweep> sweeps{
-      {"renderers", "Renderers", {both}},
+      {renderer_sweep, "Renderers", {renderer_sweep_axis()}},
       {"accelerators", "Accelerators", {"accelerator"}},
       {"shading-models", "Shading models", {fragments, "shading", "highlight"}},
       {"texture-filters", "Texture filters", {both, "texture-filter"}},
@@ -280,6 +281,7 @@ const std::vector<std::vector<SweepAxis>>& named_axes() {
     for (const NamedSweep& sweep : named_sweeps()) {
       axes.emplace_back();
       for (const std::string& axis : sweep.axes) axes.back().push_back(parse_sweep_axis(axis));
+      if (sweep.key == renderer_sweep) axes.back() = without_absent_renderers(axes.back());
     }
     return axes;
   }();

@@ -30,7 +30,7 @@ struct NamedSweep {
   std::vector<std::string> axes;
 };
 std::span<const NamedSweep> named_sweeps();
-/// The axes of a named sweep, or the one axis that `text` describes.
+/// The axes of a named sweep, without renderers that this machine cannot run, or the one axis that `text` describes.
 std::vector<SweepAxis> parse_sweep(std::string_view text);
 
 /// The key of the named sweep with these axes, otherwise all axes as text: "shading=phong,flat;textures=on,off", or

@@ -247,7 +247,7 @@ TEST(Chart, FilesHoldTheTableOfTheDesign) {
   const std::string csv = chart_csv(chart);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "label,renderer,settings,time_ms,time_q1_ms,time_q3_ms,error,memory_mb,on_front,work,machinery,truth,"
-            "program,processor,simd,threads,base_settings,tie");
+            "program,processor,simd,threads,base_settings,tie,upload_ms");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 7);
   const std::string svg = chart_svg(chart);
   std::size_t circles = 0;

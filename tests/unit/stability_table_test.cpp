@@ -179,6 +179,23 @@ TEST(StabilityFigureRows, AnExperimentWithFiguresOfAnotherMeasurementIsAReproduc
         << experiment.key << ": its set_up says otherwise";
 }
 
+TEST(StabilityExperiments, ThoseOfARendererAreAbsentWithoutIt) {
+  for (const StabilityExperiment& experiment : stability_experiments()) {
+    EXPECT_TRUE(experiment.renderer.empty()) << experiment.key << ": this program has no added renderer";
+    EXPECT_FALSE(why_not_measured(experiment)) << experiment.key;
+  }
+  try {
+    find_stability_experiment("driver-level");
+    FAIL() << "it is there";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "experiment 'driver-level': needs the hardware renderer, which this program was built without");
+  }
+  StabilityExperiment made;
+  made.renderer = "hardware";
+  EXPECT_EQ(why_not_measured(made), "this program was built without the hardware renderer");
+}
+
 TEST(StabilityExperiments, EachHasAPlaceOfItsOwn) {
   const auto all = stability_experiments();
   for (std::size_t i = 0; i < all.size(); ++i) {

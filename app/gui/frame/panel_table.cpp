@@ -289,15 +289,19 @@ Panel listing(Session& session, PanelStates& my) {
           .heading = "LISTING",
           .brief = "Listing",
           .command = "Listing: a routine with its values",
-          .help = "A lesson's routine with the values of its lines at the picked pixel.",
+          .help = "A lesson's routine, or the shaders, with their values at the picked pixel.",
           .draw =
               [&](const Context& context) {
                 return unless_asked(session, my.predict,
                                     [&] { return listing_panel(session, my.listing, context.filled); });
               },
-          .publish = [&](Values& out) { offer_listing_values(out, my.listing); },
-          .update = [&] { update_listing(my.listing); },
-          .busy = [&] { return works(my.listing.worker); }};
+          .publish =
+              [&](Values& out) {
+                offer_listing_values(out, my.listing);
+                offer_shader_values(out, my.listing.shaders);
+              },
+          .update = [&] { update_listing(session, my.listing); },
+          .busy = [&] { return works(my.listing.worker) || shaders_busy(my.listing.shaders); }};
 }
 
 Panel vertex(Session& session, PanelStates& my) {

@@ -63,6 +63,8 @@ class Session {
   std::optional<Vec2i> pixel() const;
   RenderWorker& renderer(Side side) { return *renderers_[index_of(side)]; }
   InspectWorker& inspector(Side side) { return *inspectors_[index_of(side)]; }
+  /// Renders and inspects everything anew, also what was prepared for it: a renderer has changed.
+  void draw_again();
   /// How long pictures take, as far as that has been measured.
   TimedPictures& timed() { return timed_; }
   /// What has been built for the pictures.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,8 @@
 #include "base/csv.h"
 #include "base/spelling.h"
 #include "base/word_search.h"
+#include "options/renderer_kind.h"
+#include "scene/scene.h"
 #include "study/stability/experiment.h"
 
 namespace ps {
@@ -24,6 +27,17 @@ PS_STABILITY_EXPERIMENTS(PS_DECLARE)
 
 namespace {
 
+/// The renderer's kind, or nullptr where the program was built without it.
+const RendererKind* kind_of(std::string_view key) {
+  const auto all = renderer_kinds();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const RendererKind& kind) { return kind.key == key; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+bool is_here(const StabilityExperiment& experiment) {
+  return experiment.renderer.empty() || kind_of(experiment.renderer) != nullptr;
+}
+
 std::vector<StabilityExperiment> in_order() {
 #define PS_EXPERIMENT(file, name) stability::file::name,
   std::vector<StabilityExperiment> all{PS_STABILITY_EXPERIMENTS(PS_EXPERIMENT)};
@@ -32,8 +46,17 @@ std::vector<StabilityExperiment> in_order() {
   return all;
 }
 
-const auto& table() {
+const auto& everything() {
   static const std::vector<StabilityExperiment> experiments = in_order();
+  return experiments;
+}
+
+const auto& table() {
+  static const std::vector<StabilityExperiment> experiments = [] {
+    std::vector<StabilityExperiment> here;
+    std::copy_if(everything().begin(), everything().end(), std::back_inserter(here), is_here);
+    return here;
+  }();
   return experiments;
 }
 
@@ -51,10 +74,23 @@ bool experiment_matches(const StabilityExperiment& experiment, std::string_view 
 const StabilityExperiment& find_stability_experiment(std::string_view key) {
   const auto found = std::find_if(table().begin(), table().end(), [&](const auto& row) { return row.key == key; });
   if (found != table().end()) return *found;
+  const auto left_out =
+      std::find_if(everything().begin(), everything().end(), [&](const auto& row) { return row.key == key; });
+  if (left_out != everything().end())
+    throw InputError(fmt::format("experiment '{}': needs the {} renderer, which this program was built without", key,
+                                 left_out->renderer));
   std::vector<std::string_view> known;
   for (const StabilityExperiment& row : table()) known.push_back(row.key);
   throw InputError(fmt::format("unknown experiment '{}'{}", key,
                                did_you_mean(key, known, "; 'pixelscope-cli stability --help' lists them")));
+}
+
+std::optional<std::string> why_not_measured(const StabilityExperiment& experiment) {
+  if (experiment.renderer.empty()) return {};
+  const RendererKind* kind = kind_of(experiment.renderer);
+  if (!kind) return fmt::format("this program was built without the {} renderer", experiment.renderer);
+  const auto reason = kind->inactive ? kind->inactive(Settings{}, SceneTraits{}) : std::nullopt;
+  return reason ? std::optional(std::string(*reason)) : std::nullopt;
 }
 
 std::string_view set_up_text(SetUp set_up) {

@@ -172,6 +172,20 @@ PairDifference measured(const Scene& scene, const std::vector<std::string>& assi
   return difference;
 }
 
+/// Triangles that cross the sides of the picture and the near plane: the rasterizer cuts them at the near plane alone.
+TEST(HardwareAgreement, ClippingAtTheNearPlaneAlone) {
+  PS_NEEDS_HARDWARE(hardware);
+  for (const char* scene : {"cgpp/ground", "cgfs/behind", "lab/inside-shadow", "lab/cornell", "lab/mirror-room"}) {
+    const PairDifference difference = measured({scene, {"clipping=near", "vertex-snapping=cpu"}}, hardware);
+    EXPECT_GT(difference.seen, difference.pixels / 20) << scene;
+    EXPECT_LE(difference.ids, most_ids) << scene;
+    EXPECT_LE(difference.colours, most_ids) << scene << ", by " << difference.largest;
+  }
+  // Affine steps show where a triangle was cut: each piece has its own.
+  EXPECT_LE(measured({"cgfs/crates", {"clipping=near", "interpolation=affine"}}, hardware).colours, most_ids);
+  EXPECT_GT(measured({"cgfs/crates", {"clipping=full", "interpolation=affine"}}, hardware).colours, 5 * most_ids);
+}
+
 /// Of a triangle that is clipped, a driver interpolates across the whole in affine steps, and the rasterizer across
 /// each piece. Seen from far enough away no triangle is clipped.
 TEST(HardwareAgreement, AffineInterpolationWhereNothingIsClipped) {

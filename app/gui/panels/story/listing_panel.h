@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gui/panels/story/listing_marks.h"
+#include "gui/panels/story/shader_panel.h"
 #include "gui/session/session.h"
 #include "textbook/listing_view.h"
 
@@ -12,7 +13,8 @@ namespace ps::gui {
 
 /// What the panel of listings remembers of itself.
 struct ListingPanelState {
-  explicit ListingPanelState(std::function<void()> wake) : worker(std::make_shared<Prepared>(), std::move(wake)) {}
+  explicit ListingPanelState(const std::function<void()>& wake)
+      : worker(std::make_shared<Prepared>(), wake), shaders(wake) {}
 
   InspectWorker worker;     ///< runs the listing, whichever renderer makes the pictures
   std::string folder, bug;  ///< whose text is shown
@@ -24,13 +26,17 @@ struct ListingPanelState {
   std::vector<ListingRow> rows;  ///< of the view
   int instance = -1;             ///< the document's, that the view was made for
   LineMarks marks;               ///< of the listing of A
+
+  ShaderPanelState shaders;
+  /// What is shown where the picture is drawn by shaders.
+  enum class Code { shaders, routine } code = Code::shaders;
 };
 
 /// Takes up the values that have come; once a frame.
-void update_listing(ListingPanelState& state);
+void update_listing(Session& session, ListingPanelState& state);
 
-/// A lesson's routine with the values that its lines had for the picked pixel. `filled`: it has the whole window;
-/// answers whether that shall change.
+/// A lesson's routine with the values that its lines had for the picked pixel, or the shaders that drew it. `filled`:
+/// it has the whole window; answers whether that shall change.
 bool listing_panel(Session& session, ListingPanelState& state, bool filled);
 
 }  // namespace ps::gui

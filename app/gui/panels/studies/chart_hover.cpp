@@ -59,6 +59,9 @@ void line(const char* what, const std::string& value) {
 void numbers(const Chart& chart, const ChartPoint& point) {
   if (!ImGui::BeginTable("numbers", 2, ImGuiTableFlags_SizingFixedFit)) return;
   line("time", fmt::format("{:.3g} ms ({:.3g} to {:.3g})", point.time_ms.median, point.time_ms.q1, point.time_ms.q3));
+  if (point.upload_ms)
+    line("upload", fmt::format("{:.3g} ms ({:.3g} to {:.3g})", point.upload_ms->median, point.upload_ms->q1,
+                               point.upload_ms->q3));
   const std::string title = chart_axes(chart).error_title;
   const std::string error = std::isfinite(point.error) ? fmt::format("{:.4g}", point.error) : "equal";
   line(title.c_str(), error);

@@ -86,14 +86,30 @@ void draw_error_bar(ImDrawList& list, const ChartPoint& point, const PlotFrame& 
   for (const ImVec2 end : {low, high}) list.AddLine({end.x, end.y - cap}, {end.x, end.y + cap}, colour, px(1.5));
 }
 
-/// Round for rays, square for fragments, a triangle for a listing.
+/// A dotted line below the mark, from its middle to where that would lie with the upload of the scene.
+void draw_upload_bar(ImDrawList& list, const Chart& chart, const ChartPoint& point, const PlotFrame& frame) {
+  const auto whole = cost_with_upload(chart, point);
+  if (!whole) return;
+  const ImU32 colour = colour_of(mark_colour(point.what.value));
+  ImVec2 from = frame.at(point.cost.median, point.error), to = frame.at(*whole, point.error);
+  const float below = px(largest_mark_radius + 5);
+  const float y = from.y + below < frame.inner.max.y ? from.y + below : from.y - below;
+  from.y = to.y = y;
+  const float dot = px(2), gap = px(3), cap = px(5);
+  for (float x = from.x; x < to.x; x += dot + gap)
+    list.AddLine({x, from.y}, {std::min(x + dot, to.x), from.y}, colour, px(2));
+  list.AddLine({to.x, to.y - cap}, {to.x, to.y + cap}, colour, px(2));
+}
+
 void fill_mark(ImDrawList& list, Renderer renderer, ImVec2 at, float r, ImU32 fill) {
-  switch (picture_way(renderer)) {
-  case PictureWay::rays:
+  switch (mark_shape(renderer)) {
+  case MarkShape::circle:
     return list.AddCircleFilled(at, r, fill, 24);
-  case PictureWay::fragments:
+  case MarkShape::square:
     return list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, fill);
-  case PictureWay::listing:
+  case MarkShape::diamond:
+    return list.AddQuadFilled({at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}, {at.x - r, at.y}, fill);
+  case MarkShape::triangle:
     return list.AddTriangleFilled({at.x, at.y - r}, {at.x + r, at.y + r}, {at.x - r, at.y + r}, fill);
   }
 }
@@ -106,14 +122,17 @@ void draw_mark(ImDrawList& list, const Mark& mark, const ChartPoint& point, bool
   const float r = mark.radius, width = px(strong ? 2.5 : 1.5);
   const ImVec2 low{mark.at.x - r, mark.at.y - r}, high{mark.at.x + r, mark.at.y + r};
   fill_mark(list, point.what.value.renderer, mark.at, r, fill);
-  switch (picture_way(point.what.value.renderer)) {
-  case PictureWay::rays:
+  switch (mark_shape(point.what.value.renderer)) {
+  case MarkShape::circle:
     list.AddCircle(mark.at, r, edge, 24, width);
     break;
-  case PictureWay::fragments:
+  case MarkShape::square:
     list.AddRect(low, high, edge, 0, 0, width);
     break;
-  case PictureWay::listing:
+  case MarkShape::diamond:
+    list.AddQuad({mark.at.x, low.y}, {high.x, mark.at.y}, {mark.at.x, high.y}, {low.x, mark.at.y}, edge, width);
+    break;
+  case MarkShape::triangle:
     list.AddTriangle({mark.at.x, low.y}, high, {low.x, high.y}, edge, width);
     break;
   }
@@ -157,7 +176,8 @@ void draw_labels(ImDrawList& list, const Chart& chart, const PlotFrame& frame, c
     for (const Mark& mark : marks) {
       const ChartPoint& point = chart.points[mark.point];
       const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text_of(mark).c_str());
-      const float low = frame.at(point.cost.q1, point.error).x, high = frame.at(point.cost.q3, point.error).x;
+      const double farthest = std::max(point.cost.q3, cost_with_upload(chart, point).value_or(0));
+      const float low = frame.at(point.cost.q1, point.error).x, high = frame.at(farthest, point.error).x;
       wishes.push_back(
           {inside(mark.at),
            {size.x, size.y},
@@ -211,6 +231,7 @@ std::optional<std::size_t> draw_chart(ImDrawList& list, const Area& area, const 
   draw_front(list, chart, frame);
   for (const Mark& mark : marks) {
     const ChartPoint& point = chart.points[mark.point];
+    draw_upload_bar(list, chart, point, frame);
     draw_error_bar(list, point, frame, colour_of(mark_colour(point.what.value)));
   }
   for (const Mark& mark : marks) {
@@ -268,6 +289,13 @@ void draw_chart_legend(ImDrawList& list, const Area& area, const Chart& chart) {
     entry("quartiles", [&](ImVec2 at) {
       list.AddLine({at.x - px(7), at.y}, {at.x + px(7), at.y}, ink, px(2));
       for (const float end : {-px(7), px(7)}) list.AddLine({at.x + end, at.y - px(3)}, {at.x + end, at.y + px(3)}, ink);
+    });
+  if (std::any_of(chart.points.begin(), chart.points.end(),
+                  [&](const ChartPoint& point) { return cost_with_upload(chart, point).has_value(); }))
+    entry("with upload", [&](ImVec2 at) {
+      for (const float dot : {-px(8), -px(4), 0.f, px(4)})
+        list.AddLine({at.x + dot, at.y}, {at.x + dot + px(2), at.y}, ink, px(2));
+      list.AddLine({at.x + px(7), at.y - px(4)}, {at.x + px(7), at.y + px(4)}, ink, px(1.5));
     });
   entry(fmt::format("area: memory, up to {:.3g} MB", largest_memory(chart)), [&](ImVec2 at) {
     list.AddCircle({at.x - px(4), at.y}, px(3), ink, 16);

@@ -10,6 +10,7 @@
 #include "document/command_line.h"
 #include "document/number_list.h"
 #include "options/scene_settings.h"
+#include "study/renderer_sweep.h"
 
 namespace ps::gui {
 namespace {
@@ -75,6 +76,8 @@ void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& sessio
                      ? plan_reference(plan.points, base, session.traits(), session.view(), reference).description
                      : "the picture " + setup.reference_file;
     plan.notes = idle_axes(setup.axes, base, session.traits());
+    plan.absent = absent_renderers(setup.axes);
+    for (const std::string& absent : plan.absent) plan.notes.push_back(fmt::format("Not drawn: {}.", absent));
     if (plan.points.size() > most_points) {
       plan.error =
           fmt::format("{} points take too long here; 'pixelscope-cli chart --shard' divides them among machines.",
@@ -93,6 +96,7 @@ ChartRequest make_request(const ChartPlan& plan, const ChartSetup& setup, ErrorM
   request.view = session.view();
   request.base = plan.base;
   request.points = plan.points;
+  request.absent = plan.absent;
   request.error = {metric, setup.values, {}};
   if (setup.part == ChartPart::rectangle) request.error.region = session.region();
   request.reference = {setup.reference_file, setup.reference_samples};

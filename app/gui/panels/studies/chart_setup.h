@@ -31,12 +31,13 @@ void set_axes(ChartSetup& setup, std::vector<SweepAxis> axes);
 
 /// What a setup comes to with the scene that is open. Made anew only when something of it changes.
 struct ChartPlan {
-  std::string key;                 ///< everything that decides the results, as text
-  std::vector<SweepPoint> points;  ///< empty if there is an error
-  std::vector<std::string> notes;  ///< swept options that change nothing here
-  std::string truth;               ///< what errors are measured against
-  std::string error;               ///< why it cannot be measured
-  Settings base;                   ///< what is under the sweep
+  std::string key;                  ///< everything that decides the results, as text
+  std::vector<SweepPoint> points;   ///< empty if there is an error
+  std::vector<std::string> notes;   ///< swept options that change nothing here, and what is absent
+  std::vector<std::string> absent;  ///< Chart::absent
+  std::string truth;                ///< what errors are measured against
+  std::string error;                ///< why it cannot be measured
+  Settings base;                    ///< what is under the sweep
 };
 /// While the settings change in swept options alone, as when a point is loaded, the plan stays.
 void update_plan(ChartPlan& plan, const ChartSetup& setup, const Session& session);

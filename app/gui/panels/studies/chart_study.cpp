@@ -13,7 +13,9 @@ ChartPoint light(const ChartPoint& point) {
   copy.number = point.number;
   copy.what = point.what;
   copy.samples_ms = point.samples_ms;
+  copy.uploads_ms = point.uploads_ms;
   copy.time_ms = point.time_ms;
+  copy.upload_ms = point.upload_ms;
   copy.prepare_ms = point.prepare_ms;
   copy.memory_mb = point.memory_mb;
   copy.comparison = point.comparison;
@@ -33,6 +35,7 @@ ChartFound next_state(const Chart& chart, const ChartFound& before, const std::f
   next.chart.metric = chart.metric;
   next.chart.across = chart.across;
   next.chart.reference_halves = chart.reference_halves;
+  next.chart.absent = chart.absent;
   next.chart.damage = chart.damage;
   next.pictures = before.pictures;
   for (const ChartPoint& point : chart.points) {

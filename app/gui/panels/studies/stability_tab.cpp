@@ -32,6 +32,12 @@ bool complete(const StabilityTabState& state, std::string_view key) {
   return found != state.measured.end() && found->second.complete;
 }
 
+/// Why this machine could not measure it; empty where it could, or where nobody has asked.
+std::string why_absent(const StabilityTabState& state, std::string_view key) {
+  const auto found = state.measured.find(key);
+  return found == state.measured.end() ? "" : found->second.absent;
+}
+
 /// Begins or goes on with experiments, whose results are kept in the folder.
 void begin(StabilityTabState& state, std::vector<std::string> keys, StabilityRequest::Kept kept) {
   StabilityRequest request;
@@ -97,8 +103,9 @@ void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
     list.AddRectFilled(min, max, colour_u32(shown ? palette().selection : palette().field_hover), px(3));
   if (shown) list.AddRectFilled(min, {min.x + px(3), max.y}, colour_u32(palette().text));
   const std::string note = state.study.running() && state.taken && state.taken->now == experiment.key ? "measuring"
-                           : complete(state, experiment.key) ? kept_worst_text(state, experiment)
-                                                             : "not measured yet";
+                           : complete(state, experiment.key)            ? kept_worst_text(state, experiment)
+                           : !why_absent(state, experiment.key).empty() ? why_absent(state, experiment.key)
+                                                                        : "not measured yet";
   draw_text({min.x + px(8), min.y}, {max.x - px(4), min.y + title}, whole_words(experiment.title, width - px(12)),
             palette().text, 0);
   {
@@ -115,7 +122,7 @@ void list_row(StabilityTabState& state, const StabilityExperiment& experiment) {
 std::vector<std::string> left_over(const StabilityTabState& state) {
   std::vector<std::string> keys;
   for (const std::string& key : state.asked)
-    if (!complete(state, key)) keys.push_back(key);
+    if (!complete(state, key) && why_absent(state, key).empty()) keys.push_back(key);
   return keys;
 }
 
@@ -326,6 +333,11 @@ void shown_experiment(StabilityTabState& state) {
   const auto figures = experiment_figures(experiment, rows);
   const bool low = ImGui::GetContentRegionAvail().y < px(little_height);
   if (!low) explanation(experiment, rows);
+  if (const std::string reason = why_absent(state, experiment.key); !reason.empty()) {
+    quiet_text(fmt::format("Not measured: {}.", reason));
+    controls().record("absent", reason);
+    return;
+  }
   figure_choice(state, figures);
   if (figures.size() > 1 && experiment.picture) same_line_if_room(px(film_slider_width), px(16));
   if (const auto knob = film_strip_slider(state.strip, experiment)) begin_opening(state.opening, experiment, *knob);

@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "gui/panels/story/listing_marks.h"
+#include "textbook/listing_view.h"
+
+namespace ps::gui {
+
+/// A loop whose arrow was clicked.
+struct ListingStep {
+  std::size_t row = 0;
+  int by = 0;
+};
+
+/// Lines of code with the values beside them, or below where there is no room, in all the room that is left. `reveal`:
+/// scrolls to the marked line, else to the first one that has values.
+std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, bool reveal, const LineMarks& marks = {});
+
+}  // namespace ps::gui
