@@ -27,12 +27,14 @@ ListingTrace trace_listing(const Scene& scene, const View& view, const Settings&
                            const Progress* progress, TracedTriangles triangles) {
   BookScene book = book_scene(scene, view, settings);
   const Vec2i place = book_pixel(pixel.x, pixel.y, view.width, view.height);
+  const NamedListing listing = running_listing(settings, scene_traits(scene));
   std::vector<MeshPart> parts;
-  if (triangles == TracedTriangles::near_pixel) parts = keep_near(book, place, progress);
+  // A planted bug may draw a triangle where it does not belong.
+  if (triangles == TracedTriangles::near_pixel && listing.bug.empty()) parts = keep_near(book, place, progress);
   BookCanvas canvas(view.width, view.height, {pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, book.background, progress);
   WatchCollector collector(place);
   ListingTrace trace;
-  trace.listing = running_listing(settings, scene_traits(scene));
+  trace.listing = listing;
   trace.listing.listing->draw(book, canvas);
   trace.pixel = pixel;
   trace.linear = canvas.at(pixel.x, pixel.y) / 255.0;

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "frame/display_frame.h"
+#include "math/has_nan.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -128,6 +129,24 @@ TEST(ListingBug, EachChangesThePicture) {
     }
     set_bug(settings, "none");
     EXPECT_EQ(picture(scene, settings), right) << bug.key;
+  }
+}
+
+/// The values of a pixel are those of its picture, also where a triangle is drawn far from its place.
+TEST(ListingBug, TraceGivesTheColourOfThePicture) {
+  for (const ListingBug& bug : listing_bugs()) {
+    const Scene scene = load_scene(scene_for(bug.folder));
+    const View view{scene.camera, 120, 120};
+    Settings settings = settings_of(scene, bug);
+    set_bug(settings, bug.key);
+    const Frame frame = render(scene, view, settings);
+    int differing = 0;
+    for (int y = 2; y < 120; y += 7)
+      for (int x = 1; x < 120; x += 7) {
+        const Vec3d traced = trace_listing(scene, view, settings, {x, y}).linear, drawn = frame.colour_double.at(x, y);
+        if (traced != drawn && !(has_nan(traced) && has_nan(drawn))) ++differing;
+      }
+    EXPECT_EQ(differing, 0) << bug.key;
   }
 }
 

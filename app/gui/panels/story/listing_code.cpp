@@ -60,8 +60,10 @@ void values(const ListingRow& row, float left) {
       ImGui::SameLine(0, px(14));
       if (ImGui::GetCursorScreenPos().x + needed > right) ImGui::NewLine();
     }
-    if (ImGui::GetCursorScreenPos().x < left || ImGui::GetCursorScreenPos().x + needed > right)
+    if (ImGui::GetCursorScreenPos().x < left || ImGui::GetCursorScreenPos().x + needed > right) {
+      if (first && row.loops) ImGui::NewLine();  // the arrows are there
       ImGui::SetCursorScreenPos({left, ImGui::GetCursorScreenPos().y});
+    }
     first = false;
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
     ImGui::TextUnformatted(name.c_str());
