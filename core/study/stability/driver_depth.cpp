@@ -24,7 +24,7 @@ projection_plane_d = 1
 background = black
 )",
                                  side);
-  for (const auto& [name, offset, colour] : {std::tuple{"back", gap, "red"}, std::tuple{"front", 0.0, "green"}}) {
+  for (const auto& [name, offset, colour] : {std::tuple{"back", gap, "blue"}, std::tuple{"front", 0.0, "yellow"}}) {
     std::string vertices;
     int number = 0;
     for (const auto& [x, y] : std::array<std::array<double, 2>, 4>{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}})
@@ -119,10 +119,9 @@ extern const StabilityExperiment driver_depth{
     .robust = "reversed float",
     .explanation =
         "Two sheets lie 1,000 units away, with the near plane at 0.1. Below the width of a depth code, the rasterizer "
-        "gives both the same code, and the sheet that is drawn first stays. The driver's depths of the two differ "
-        "there "
-        "from pixel to pixel, so that either sheet may show. In a reversed float buffer both renderers keep them "
-        "apart.",
+        "gives both the same code, and the sheet that is drawn first stays. The driver's depths of the two may still "
+        "differ, one way or the other from pixel to pixel, so that either sheet shows. In a reversed float buffer both "
+        "renderers keep them apart.",
     .safe = "Gaps above z^2 / (near 2^bits).",
     .window = {1, everywhere},
     .series = driver_depth_series,

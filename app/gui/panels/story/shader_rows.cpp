@@ -16,6 +16,12 @@ std::optional<int> line_in(std::string_view message, const std::string& file) {
   return error == std::errc() ? std::optional(number) : std::nullopt;
 }
 
+/// What is wrong: "error: syntax error, unexpected ..."
+std::string_view without_place(std::string_view message) {
+  const std::size_t at = message.find("error");
+  return at == std::string_view::npos ? message : message.substr(at);
+}
+
 /// Does the line belong to what the program is made of? Of directives those that let the line behind them in.
 bool is_made_of(const std::vector<ShaderLine>& lines, std::size_t index) {
   const ShaderLine& line = lines[index];
@@ -32,12 +38,14 @@ std::vector<ListingRow> shader_rows(const ShaderFile& file, ShaderLinesShown sho
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     const ShaderLine& line = file.lines[i];
     if (shown == ShaderLinesShown::compiled && !is_made_of(file.lines, i) && line.number != wrong) continue;
+    if (shown == ShaderLinesShown::compiled && line.text.empty() && (rows.empty() || rows.back().text.empty()))
+      continue;
     ListingRow row;
     row.text = line.text;
     row.number = line.number;
     row.dimmed = !line.compiled;
     for (const ShaderValue& value : line.values) row.values.push_back({value.name, value.value});
-    if (line.number == wrong) row.values.push_back({"on disk", std::string(message)});
+    if (line.number == wrong) row.values.push_back({"on disk", std::string(without_place(message))});
     rows.push_back(std::move(row));
   }
   return rows;
