@@ -9,6 +9,7 @@
 #include "gui/base/record.h"
 #include "gui/theme/theme.h"
 #include "gui/widgets/draw.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 #include "study/axis.h"
 
@@ -75,7 +76,7 @@ std::string draw_bars(ImDrawList& list, const Area& area, const ExperimentFigure
   const float line = ImGui::GetFontSize();
   float y = area.min.y + names.height(area.width());
   const std::string title = figure.axis_title() + (scale.logarithmic ? "; the length of a bar is logarithmic" : "");
-  draw_text({area.min.x, y}, {area.max.x, y + line}, title, palette().text_quiet, 0);
+  draw_text({area.min.x, y}, {area.max.x, y + line}, whole_words(title, area.width()), palette().text_quiet, 0);
   controls().record("axis", title);
   y += line + px(title_gap);
   const float names_width = name_width(figure, area.width());

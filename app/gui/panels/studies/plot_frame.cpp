@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/theme/theme.h"
+#include "gui/widgets/shorten.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -115,7 +116,8 @@ PlotFrame draw_plot_frame(ImDrawList& list, const Area& area, const PlotAxis& x,
   draw_y_axis(pen, frame);
   list.AddRect(frame.inner.min, frame.inner.max, colour_u32(palette().line_strong));
   draw_breaks(pen, frame);
-  pen.write({area.min.x, area.min.y}, titles.y);
+  const FontScope small(Face::small);
+  pen.write({area.min.x, area.min.y}, whole_words(titles.y, area.width()));
   const float middle = (frame.inner.min.x + frame.inner.max.x - pen.size_of(titles.x).x) / 2;
   pen.write({std::max(area.min.x, middle), area.max.y - line}, titles.x);
   return frame;
