@@ -21,6 +21,11 @@ bool is_built_in(std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool is_left_out(std::string_view name) {
+  const std::vector<LeftOutLesson>& all = lessons_left_out();
+  return std::any_of(all.begin(), all.end(), [&](const LeftOutLesson& each) { return each.name == name; });
+}
+
 }  // namespace
 
 LessonPlace parse_built_in_place(std::string_view text) {
@@ -60,7 +65,8 @@ std::string lesson_folder_at(const std::filesystem::path& path) {
 bool is_own_lesson(std::string_view name) { return name.find('/') != std::string_view::npos; }
 
 LessonPlace parse_lesson_place(std::string_view text) {
-  if (is_built_in(text.substr(0, text.find('/')))) return parse_built_in_place(text);
+  const std::string_view first = text.substr(0, text.find('/'));
+  if (is_built_in(first) || is_left_out(first)) return parse_built_in_place(text);
   if (std::string folder = lesson_folder_at(text); !folder.empty()) return {std::move(folder), 0};
   const auto slash = text.rfind('/');
   if (slash == std::string_view::npos) return parse_built_in_place(text);

@@ -100,7 +100,7 @@ TEST(Course, ALessonAboutARendererThatIsNotThereIsLeftOut) {
     parse_lesson("# A\nsource: b\nrenderer: none\n", "own", "own.md");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_TRUE(std::string_view(error.what()).starts_with("own.md:3:1: ")) << error.what();
+    EXPECT_TRUE(std::string_view(error.what()).starts_with("own.md:3: ")) << error.what();
   }
 }
 
