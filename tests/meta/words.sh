@@ -36,4 +36,4 @@ if found=$(check "$scratch/planted.md") || [[ $found != "$scratch/planted.md:"*"
   exit 1
 fi
 
-check {core,app}/**/*.{h,cpp} assets/scenes/**/*.scene {,core/}README.md CONTRIBUTING.md assets/gallery/*.md {assets/*,tests/golden/reference}/ORIGIN.md
+check {core,app}/**/*.{h,cpp} chapters/{,*/}*.md assets/scenes/**/*.scene {,core/}README.md CONTRIBUTING.md assets/gallery/*.md {assets/*,tests/golden/reference}/ORIGIN.md

@@ -117,7 +117,6 @@ void ask_lesson_question(Session& session, LessonQuestions& questions) {
     ask_click(session, questions);
     break;
   case AskKind::bug:  // the listing is where one clicks
-    break;
   case AskKind::pixel:
     break;
   }
