@@ -13,6 +13,7 @@
 #include "engine/course.h"
 #include "engine/lesson.h"
 #include "engine/lesson_length.h"
+#include "engine/measured_pictures.h"
 #include "engine/metric_words.h"
 #include "record/value_text.h"
 
@@ -96,9 +97,9 @@ struct Tally {
 };
 
 /// Checks one claim and prints its row.
-void check(const Claim& claim, Tally& tally) {
+void check(const Claim& claim, MeasuredPictures& pictures, Tally& tally) {
   ++tally.claims;
-  const ClaimResult result = check_claim(claim, interruptible_progress());
+  const ClaimResult result = check_claim(claim, interruptible_progress(), &pictures);
   std::string verdict = "ok";
   if (!result.holds)
     verdict = "DOES NOT HOLD";
@@ -110,10 +111,10 @@ void check(const Claim& claim, Tally& tally) {
   if (!result.passed()) ++tally.failures;
 }
 
-void check(const LessonQuestion& question, Tally& tally) {
+void check(const LessonQuestion& question, MeasuredPictures& pictures, Tally& tally) {
   ++(question.kind == AskKind::bug ? tally.bugs : tally.questions);
   std::string found;
-  const std::string objection = check_question(question, interruptible_progress(), found);
+  const std::string objection = check_question(question, interruptible_progress(), found, &pictures);
   fmt::print("  question {:<21} {} {} {}\n", ask_text(question), found, objection.empty() ? "ok" : "NO: " + objection,
              question.text);
   if (!objection.empty()) ++tally.failures;
@@ -156,6 +157,7 @@ int check_lessons(std::vector<std::string> names) {
   if (names.empty()) names = lesson_names();
   Tally tally;
   StepCounts counts;
+  MeasuredPictures pictures;
   for (const std::string& name : names) {
     const Lesson lesson = load_lesson(name);
     counts[lesson.name] = lesson.steps.size();
@@ -179,8 +181,8 @@ int check_lessons(std::vector<std::string> names) {
         ++tally.failures;
         continue;
       }
-      for (const Claim& claim : step.claims) check(claim, tally);
-      if (step.question) check(*step.question, tally);
+      for (const Claim& claim : step.claims) check(claim, pictures, tally);
+      if (step.question) check(*step.question, pictures, tally);
     }
   }
   fmt::print("{} claims, {} questions, {} bugs checked, {} failed\n", tally.claims, tally.questions, tally.bugs,

@@ -1,5 +1,6 @@
 #include "base/check.h"
 #include "engine/claim.h"
+#include "engine/measured_pictures.h"
 #include "options/option.h"
 
 namespace ps {
@@ -17,12 +18,14 @@ Document mutated_document(const Claim& claim, const Document& now) {
   return document;
 }
 
-ClaimResult check_claim(const Claim& claim, Progress& progress) {
+ClaimResult check_claim(const Claim& claim, Progress& progress, MeasuredPictures* pictures) {
+  MeasuredPictures own;
+  if (!pictures) pictures = &own;
   ClaimResult result;
-  const Document document = claim_document(claim, Document{});
-  result.value = measure(claim.metric, document, progress);
+  const Document document = claim_document(claim, pictures->last());
+  result.value = measure(claim.metric, document, progress, pictures);
   // Made from the claim's document, so that a scene that stays the same is not loaded again.
-  result.mutated_value = measure(claim.mutation.metric, mutated_document(claim, document), progress);
+  result.mutated_value = measure(claim.mutation.metric, mutated_document(claim, document), progress, pictures);
   result.holds = claim.bound.holds(result.value);
   result.has_teeth = !claim.bound.holds(result.mutated_value);
   return result;

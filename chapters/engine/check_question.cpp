@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/bug_question.h"
+#include "engine/measured_pictures.h"
 #include "engine/metric_words.h"
 #include "engine/question.h"
 #include "render/render.h"
@@ -63,14 +64,14 @@ std::string check_pixel(const LessonQuestion& question, Progress& progress, std:
 
 }  // namespace
 
-MeasuredAnswer measure_answer(const LessonQuestion& question, Progress& progress) {
+MeasuredAnswer measure_answer(const LessonQuestion& question, Progress& progress, MeasuredPictures* pictures) {
   if (question.kind == AskKind::bug) return find_bug(question);
-  const Document document = state_document(question.state, Document{});
+  const Document document = state_document(question.state, pictures ? pictures->last() : Document{});
   MeasuredAnswer answer;
   if (question.kind == AskKind::click)
-    answer.places = places_within(question.metric, question.bound, document, progress);
+    answer.places = places_within(question.metric, question.bound, document, progress, pictures);
   else
-    answer.value = measure(question.metric, document, progress);
+    answer.value = measure(question.metric, document, progress, pictures);
   return answer;
 }
 
@@ -105,10 +106,11 @@ Judgement judge(const LessonQuestion& question, const StudentAnswer& answer, con
   return {};
 }
 
-std::string check_question(const LessonQuestion& question, Progress& progress, std::string& found) {
+std::string check_question(const LessonQuestion& question, Progress& progress, std::string& found,
+                           MeasuredPictures* pictures) {
   if (question.kind == AskKind::bug) return check_bug(question, progress, found);
   if (question.kind == AskKind::pixel) return check_pixel(question, progress, found);
-  const MeasuredAnswer answer = measure_answer(question, progress);
+  const MeasuredAnswer answer = measure_answer(question, progress, pictures);
   if (question.kind == AskKind::click) return check_places(answer.places, found);
   found = with_unit(answer.value, question.unit);
   if (question.kind == AskKind::choice) return check_choices(question, answer.value);

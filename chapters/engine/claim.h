@@ -44,7 +44,7 @@ struct ClaimResult {
 };
 
 /// Renders what the claim speaks of, with and without its mutation. Throws InputError when its scene cannot be loaded
-/// and Cancelled.
-ClaimResult check_claim(const Claim& claim, Progress& progress);
+/// and Cancelled. `pictures`: what earlier claims have rendered.
+ClaimResult check_claim(const Claim& claim, Progress& progress, MeasuredPictures* pictures = nullptr);
 
 }  // namespace ps

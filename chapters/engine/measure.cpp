@@ -3,16 +3,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "base/check.h"
+#include "engine/measured_pictures.h"
 #include "engine/metric.h"
 #include "frame/display_frame.h"
 #include "frame/region.h"
 #include "image/metrics.h"
 #include "options/renderer_kind.h"
 #include "record/value_text.h"
-#include "render/render.h"
 #include "study/stability/experiment.h"
 
 namespace ps {
@@ -21,17 +22,19 @@ namespace {
 /// Renders sides of a document, and only what a metric asks for.
 class Bench {
  public:
-  Bench(const Document& document, Progress& progress) : document_(document), progress_(progress) {}
+  Bench(const Document& document, Progress& progress, MeasuredPictures* pictures)
+      : document_(document), progress_(progress), pictures_(pictures ? *pictures : own_) {}
+  Bench(const Bench&) = delete;
+  Bench& operator=(const Bench&) = delete;
 
   const Document& document() const { return document_; }
-  Frame frame(const Settings& settings, Channel channels = Channel::none) {
-    RenderRequest request;
-    request.channels = channels;
-    request.region = document_.view.region;
-    return render(document_.scene, view_of(document_), settings, request, prepared_, progress_);
+  std::shared_ptr<const Frame> frame(const Settings& settings, Channel channels = Channel::none) {
+    return pictures_.frame(document_, settings, channels, progress_);
   }
-  Frame frame(Side side, Channel channels = Channel::none) { return frame(settings(side), channels); }
-  Image<Rgb8> levels(Side side) { return display_frame(frame(side), settings(side)); }
+  std::shared_ptr<const Frame> frame(Side side, Channel channels = Channel::none) {
+    return frame(settings(side), channels);
+  }
+  Image<Rgb8> levels(Side side) { return display_frame(*frame(side), settings(side)); }
   const Settings& settings(Side side) const { return side_of(document_, side).settings; }
 
   Vec2i pixel() const {
@@ -41,12 +44,12 @@ class Bench {
       throw InputError("the metric reads a pixel, but none inside the picture is picked");
     return p;
   }
-  PixelId id(Side side) { return frame(side, Channel::ids).ids.at(pixel().x, pixel().y); }
 
  private:
   const Document& document_;
   Progress& progress_;
-  Prepared prepared_;
+  MeasuredPictures own_;
+  MeasuredPictures& pictures_;
 };
 
 /// A's shadows against those in double precision with rays that start outside the surface's rounding error. Only pixels
@@ -57,8 +60,8 @@ double false_shadow_pixels(Bench& bench) {
   exact.self_hit = SelfHit::offset;
   exact.sphere_test = SphereTest::robust;
   const Channel channels = Channel::shadow | Channel::ids;
-  const Frame tested = bench.frame(Side::a, channels);
-  const Frame reference = bench.frame(exact, channels);
+  const auto tested_frame = bench.frame(Side::a, channels), reference_frame = bench.frame(exact, channels);
+  const Frame &tested = *tested_frame, &reference = *reference_frame;
   double count = 0;
   for (int y = 0; y < tested.height(); ++y)
     for (int x = 0; x < tested.width(); ++x)
@@ -74,8 +77,7 @@ bool counts_rays(Counter counter) {
 }
 
 double count_of(Bench& bench, Side side, Counter counter) {
-  const Frame frame = bench.frame(side);
-  if (const auto count = frame.counters.get(counter)) return static_cast<double>(*count);
+  if (const auto count = bench.frame(side)->counters.get(counter)) return static_cast<double>(*count);
   // Who draws fragments sends no ray: a claim may hold that against those who do.
   if (counts_rays(counter) && picture_way(bench.settings(side).renderer) == PictureWay::fragments) return 0;
   throw InputError(fmt::format("metric: the picture's renderer does not count {}", counter_key(counter)));
@@ -137,7 +139,7 @@ ValueAt levels_at(Bench& bench, Side side, int channel) {
 }
 
 ValueAt ids_at(Bench& bench, Side side, const std::function<double(const PixelId&)>& value) {
-  return [ids = bench.frame(side, Channel::ids).ids, value](int x, int y) { return value(ids.at(x, y)); };
+  return [ids = bench.frame(side, Channel::ids)->ids, value](int x, int y) { return value(ids.at(x, y)); };
 }
 
 /// What the metric reads at each pixel.
@@ -196,8 +198,8 @@ double picked_value(Bench& bench, const Metric& metric) {
 
 }  // namespace
 
-double measure(const Metric& metric, const Document& document, Progress& progress) {
-  Bench bench(document, progress);
+double measure(const Metric& metric, const Document& document, Progress& progress, MeasuredPictures* pictures) {
+  Bench bench(document, progress, pictures);
   switch (metric.kind) {
   case MetricKind::differing_pixels:
     return static_cast<double>(compared(bench, metric).differing);
@@ -231,8 +233,8 @@ double measure(const Metric& metric, const Document& document, Progress& progres
 }
 
 Image<unsigned char> places_within(const Metric& metric, const Bound& bound, const Document& document,
-                                   Progress& progress) {
-  Bench bench(document, progress);
+                                   Progress& progress, MeasuredPictures* pictures) {
+  Bench bench(document, progress, pictures);
   const ValueAt value = values_of(bench, metric);
   const View view = view_of(document);
   Image<unsigned char> places(view.width, view.height);

@@ -11,6 +11,8 @@
 
 namespace ps {
 
+class MeasuredPictures;
+
 /// A number that can be measured on the pictures A and B of a document.
 enum class MetricKind {
   differing_pixels,     ///< pixels whose display levels differ between A and B
@@ -69,12 +71,13 @@ Bound parse_bound(std::string_view text);
 std::string bound_text(const Bound& bound);
 
 /// Measures on the pictures of `document`. Throws InputError where that cannot be (no pixel is picked, a renderer does
-/// not count this, an experiment has no such point) and Cancelled.
-double measure(const Metric& metric, const Document& document, Progress& progress);
+/// not count this, an experiment has no such point) and Cancelled. `pictures`: what earlier measurements have rendered.
+double measure(const Metric& metric, const Document& document, Progress& progress,
+               MeasuredPictures* pictures = nullptr);
 
 /// For each pixel whether the metric, measured as if that pixel were picked, keeps the bound: 1 or 0. Throws InputError
 /// for metrics that read no single pixel, and Cancelled.
 Image<unsigned char> places_within(const Metric& metric, const Bound& bound, const Document& document,
-                                   Progress& progress);
+                                   Progress& progress, MeasuredPictures* pictures = nullptr);
 
 }  // namespace ps

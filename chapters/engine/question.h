@@ -55,7 +55,8 @@ struct MeasuredAnswer {
 };
 
 /// Measures the right answer. Throws InputError when it cannot be measured, and Cancelled. Not for AskKind::pixel.
-MeasuredAnswer measure_answer(const LessonQuestion& question, Progress& progress);
+/// `pictures`: what earlier measurements have rendered.
+MeasuredAnswer measure_answer(const LessonQuestion& question, Progress& progress, MeasuredPictures* pictures = nullptr);
 
 /// What a student answers; only the member of the question's kind counts.
 struct StudentAnswer {
@@ -71,6 +72,7 @@ Judgement judge(const LessonQuestion& question, const StudentAnswer& answer, con
 /// Why a question is not a good one: no choice is right or several are, a wrong one has no sentence, every place is
 /// right or none, the pixel's story does not answer it. Empty if it is one. `found` is set to the measured answer in
 /// words.
-std::string check_question(const LessonQuestion& question, Progress& progress, std::string& found);
+std::string check_question(const LessonQuestion& question, Progress& progress, std::string& found,
+                           MeasuredPictures* pictures = nullptr);
 
 }  // namespace ps

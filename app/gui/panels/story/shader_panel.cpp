@@ -52,6 +52,7 @@ void choose_draw(ShaderPanelState& state) {
   const auto& draws = state.shown->listing->draws;
   if (draws.size() < 2) return;
   std::vector<Choice> choices;
+  choices.reserve(draws.size());
   for (const ShaderDraw& draw : draws) choices.push_back({draw.pass, draw.pass, ""});
   int index = std::min(state.draw, static_cast<int>(draws.size()) - 1);
   same_line_if_room(px(draw_width));
@@ -74,6 +75,7 @@ void choose_part(ShaderPanelState& state) {
 void choose_file(ShaderPanelState& state, const ShaderDraw& draw) {
   const auto& files = files_of(draw, state.part);
   std::vector<Choice> choices;
+  choices.reserve(files.size());
   for (const ShaderFile& file : files) choices.push_back({file.name, file.name, ""});
   int index = std::min(state.file, static_cast<int>(files.size()) - 1);
   same_line_if_room(px(file_width));
@@ -147,7 +149,7 @@ std::optional<std::string> ShaderReload::take() {
   return std::exchange(outcome_, std::nullopt);
 }
 
-ShaderPanelState::ShaderPanelState(std::function<void()> wake)
+ShaderPanelState::ShaderPanelState(const std::function<void()>& wake)
     : worker(
           [prepared = std::make_shared<Prepared>(), reloads = 0](const ShaderRequest& request,
                                                                  Progress& progress) mutable {

@@ -50,7 +50,7 @@ class ShaderReload {
 
 /// What the view of shaders remembers of itself.
 struct ShaderPanelState {
-  explicit ShaderPanelState(std::function<void()> wake);
+  explicit ShaderPanelState(const std::function<void()>& wake);
 
   LatestResult<ShaderRequest, ShadersFound> worker;
   FileWatch watch;
