@@ -36,6 +36,7 @@ ActiveUniform active_uniform(GLuint program, GLuint index) {
 template <class Number>
 std::string list_of(const Number* values, int count) {
   std::vector<std::string> texts;
+  texts.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) texts.push_back(fmt::format("{:.6g}", static_cast<double>(values[i])));
   return fmt::format("{}", fmt::join(texts, ", "));
 }

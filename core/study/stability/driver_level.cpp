@@ -132,7 +132,8 @@ class LevelFinder {
     int level = 0;
     for (int step = 0; step <= 2 * most_steps; ++step) {
       const int away = (step + 1) / 2;  // 0, 1, 1, 2, 2: the smallest biases first
-      const Frame& ours = pictures_[static_cast<std::size_t>(most_steps + (step % 2 == 0 ? away : -away))];
+      const int bias = most_steps + (step % 2 == 0 ? away : -away);
+      const Frame& ours = pictures_[static_cast<std::size_t>(bias)];
       const Vec3f off = ours.colour.at(x, y) - colour;
       const float distance = std::sqrt(dot(off, off));
       if (distance >= nearest - as_near) continue;
