@@ -60,7 +60,7 @@ TEST(ShaderRows, LeaveOutWhatTheProgramIsNotMadeOf) {
 
 /// A root with shaders of its own and everything else of the source tree.
 std::filesystem::path own_root(const test::ScratchFolder& folder) {
-  const std::filesystem::path root = folder.path() / "root";
+  std::filesystem::path root = folder.path() / "root";
   std::filesystem::create_directories(root / "core/hardware");
   std::filesystem::copy(shader_file(""), root / "core/hardware/shaders");
   std::filesystem::create_directory_symlink(asset_dir(), root / "assets");
