@@ -2,11 +2,11 @@
 
 #include "hardware/gl_thread.h"
 #include "hardware/lacks.h"
-#include "hardware/left_out.h"
 #include "hardware/machinery.h"
 #include "hardware/render_hardware.h"
 #include "hardware/shader_listing.h"
 #include "hardware/stage_values.h"
+#include "raster/setup/left_out.h"
 
 namespace ps {
 namespace {
@@ -15,6 +15,10 @@ namespace {
 std::optional<bool> reads(const Option& option, const Settings&, const SceneTraits&) {
   if (option.key == "vertex-snapping" || option.key == "hardware-texturing") return true;
   return {};
+}
+
+std::vector<LeftOut> left_out(const SceneTraits& traits, const Settings& settings) {
+  return left_out_by_fragments(traits, settings, "The hardware renderer");
 }
 
 std::optional<std::string_view> why_unavailable(const Settings&, const SceneTraits&) {
@@ -47,7 +51,7 @@ RendererRow hardware_renderer_row() {
           .counts = {Counter::triangles_in, Counter::pixels_written, Counter::nan_pixels},
           .fast_path = [](const Settings&, const SceneTraits&, Channel) { return hardware::hardware_path(); },
           .own_coverage = true,
-          .left_out = hardware::left_out,
+          .left_out = left_out,
           .shows_objects = shows_objects,
           .subject = [](const SceneTraits&, const Settings&) { return std::string("the hardware renderer"); },
           .stage_values = hardware::stage_values,

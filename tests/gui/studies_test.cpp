@@ -13,6 +13,7 @@
 
 #include "gui/program.h"
 #include "study/renderer_sweep.h"
+#include "study/stability/experiment.h"
 #include "support/golden.h"
 #include "support/run_cli.h"
 
@@ -180,8 +181,9 @@ TEST(Studies, StabilityIsPausedStoppedAndTakenUpByTheNextStart) {
   const std::string one = "click stability/srgb-averaging\nwait until stability/running off\n"
                           "expect stability/shown srgb-averaging\n";
   const auto first = folder / "first.script", second = folder / "second.script";
-  write_file(first, begin + one +
-                        "click stability/all\nwait until stability/status contains \" of 67 \"\n"
+  write_file(first, begin + one + "click stability/all\nwait until stability/status contains \" of " +
+                        std::to_string(ps::stability_experiments().size()) +
+                        " \"\n"
                         "click stability/pause\nexpect stability/paused on\nexpect stability/pause \"Go on\"\n"
                         "wait idle\nexpect stability/status contains \"Paused after\"\n"
                         "click stability/pause\nexpect stability/paused off\n"

@@ -1,0 +1,66 @@
+#include "raster/setup/left_out.h"
+
+#include <fmt/format.h>
+
+namespace ps {
+
+std::vector<LeftOut> left_out_by_fragments(const SceneTraits& traits, const Settings& settings,
+                                           std::string_view subject) {
+  const Remedy rays{"Ray tracer", "renderer=ray-tracer"};
+  std::vector<LeftOut> all;
+  if (traits.csg)
+    all.push_back({LeftOutKind::objects,
+                   "leaves out CSG",
+                   fmt::format("{} leaves out CSG objects, whose surfaces are computed per ray and not as triangles. "
+                               "Set renderer = ray-tracer to see them.",
+                               subject),
+                   "No CSG: its surfaces need rays.",
+                   {rays}});
+  if (traits.transparent)
+    all.push_back(
+        {LeftOutKind::effect,
+         "shows transparent surfaces as opaque",
+         fmt::format("{} shows transparent surfaces as opaque, or cuts them out where an opacity map is below "
+                     "1/2. Set renderer = ray-tracer to see through them.",
+                     subject),
+         "No transparency: light through a surface needs rays.",
+         {rays}});
+  if (traits.light_maps && settings.textures && settings.lighting && settings.shading != Shading::phong)
+    all.push_back({LeftOutKind::effect,
+                   "leaves out specular maps",
+                   fmt::format("{} leaves out maps of highlights and ambient light with flat or Gouraud shading. Set "
+                               "shading = phong to see them.",
+                               subject),
+                   "No specular maps: they need the light at each pixel.",
+                   {{"Phong shading", "shading=phong"}}});
+  if (asks_for_shadows(traits, settings) && settings.shadows == Shadows::traced)
+    all.push_back(
+        {LeftOutKind::effect,
+         "leaves out shadows",
+         fmt::format("{} has no shadow rays, so shadows = traced leaves out the shadows. Set shadows = map or "
+                     "stencil-depth-fail to see them.",
+                     subject),
+         "No shadows: traced shadows need rays.",
+         {{"Shadow map", "shadows=map"}, {"Stencil", "shadows=stencil-depth-fail"}}});
+  if (asks_for_reflections(traits, settings) && settings.environment == Environment::none)
+    all.push_back(
+        {LeftOutKind::effect,
+         "leaves out reflections",
+         fmt::format("{} traces no reflected rays, so it leaves out reflections. Set environment = cube-map to "
+                     "see them.",
+                     subject),
+         "No reflections: reflected rays need a ray tracer.",
+         {{"Cube map", "environment=cube-map"}, rays}});
+  if (asks_for_reflections(traits, settings) && traits.dynamic && settings.environment != Environment::none &&
+      settings.environment_objects == EnvironmentObjects::fixed)
+    all.push_back({LeftOutKind::effect,
+                   "leaves dynamic objects out of mirrors",
+                   fmt::format("{} leaves dynamic objects out of the environment maps, so no mirror shows them. Set "
+                               "environment-objects = all to see them there.",
+                               subject),
+                   "No dynamic objects in mirrors.",
+                   {{"All objects", "environment-objects=all"}}});
+  return all;
+}
+
+}  // namespace ps
