@@ -77,9 +77,10 @@ TEST(LessonText, LeavesAToolBesideThePictureItsRoom) {
 /// The step compares in one picture with a divider, beside a chart. The largest arrangement has to win.
 TEST_P(WindowShares, ATallToolLeavesThePicturesTheirShare) {
   const auto& [size, type] = GetParam();
-  const auto shares = printed("wait idle\nprint window/pictures-share\nkey Shift+PageDown\nwait idle\n"
-                              "expect compare split\nexpect stage chart\nprint window/pictures-share\n",
-                              "gui-share-tall", size, "--scale " + type + " --lesson study_speed_and_accuracy");
+  const auto shares =
+      printed("wait idle\nprint window/pictures-share\nkey Shift+PageDown\nwait idle\n"
+              "click question/skip\nwait idle\nexpect compare split\nexpect stage chart\nprint window/pictures-share\n",
+              "gui-share-tall", size, "--scale " + type + " --lesson study_speed_and_accuracy");
   ASSERT_EQ(shares.size(), 2u);
   // Large type on a small screen leaves text, tool and pictures a third of the window each.
   const bool cramped = type == "1.5" && size != "1920x1080";

@@ -25,13 +25,6 @@ TEST(Window, SaysThatThereIsNoDisplay) {
   EXPECT_NE(result.errors.find("no display"), std::string::npos) << result.errors;
 }
 
-TEST(Window, SaysThatThereIsNoOpenGl) {
-  const auto result = run_window("--widget-gallery", "env SDL_VIDEODRIVER=dummy");
-  EXPECT_EQ(result.status, 2);
-  EXPECT_TRUE(one_line(result.errors)) << result.errors;
-  EXPECT_NE(result.errors.find("OpenGL"), std::string::npos) << result.errors;
-}
-
 TEST(Window, RefusesNumbersThatAreNone) {
   for (const char* arguments : {"--scale nan", "--scale inf", "--scale 5", "--scale 0x1", "--size 010x",
                                 "--size nanxnan", "--size 4294967297x1", "--window-size nanxnan", "--set gamma=nan"}) {

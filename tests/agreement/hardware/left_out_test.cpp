@@ -20,7 +20,7 @@ bool says(const std::vector<LeftOut>& all, const std::string& brief) {
 TEST(HardwareLeftOut, EveryRemedyShowsWhatIsLeftOut) {
   PS_NEEDS_HARDWARE(hardware);
   int own = 0;
-  for (const char* name : {"cgfs/shadows", "cgfs/reflections", "cgfs/magnifying-glass"}) {
+  for (const char* name : {"cgfs/shadows", "cgfs/reflections"}) {
     const Scene scene = load_scene(name);
     const SceneTraits traits = scene_traits(scene);
     Settings settings = settings_for(scene);

@@ -73,7 +73,9 @@ void picture_title(Session& session, Side side, const Area& row, PictureCaptions
   const bool has_choice = captions == PictureCaptions::full;  // a brief line has no room for it
   const float line = two_lines ? row.height() - ImGui::GetFrameHeight() - px(3) : row.height();
   const float size = std::min(px(22), line), top = row.min.y + (line - size) / 2;
-  const float choice_width = has_choice ? std::min(px(136), row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
+  const std::string_view channel = channel_choices()[static_cast<std::size_t>(session.shown(side))].label;
+  const float channel_room = std::max(px(136), text_width(channel) + px(34));  // with the arrow of the list
+  const float choice_width = has_choice ? std::min(channel_room, row.width() * (two_lines ? 0.7f : 0.45f)) : 0,
               space = px(8);
   side_badge(list, {row.min.x, top}, size, side);
 
