@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -13,6 +12,7 @@
 #include "engine/course.h"
 #include "engine/lesson.h"
 #include "engine/lesson_length.h"
+#include "engine/lesson_place.h"
 #include "engine/measured_pictures.h"
 #include "engine/metric_words.h"
 #include "record/value_text.h"
@@ -20,16 +20,11 @@
 namespace ps::cli {
 namespace {
 
-bool is_here(const std::string& lesson) {
-  const std::vector<std::string>& names = lesson_names();
-  return std::find(names.begin(), names.end(), lesson) != names.end();
-}
-
 int list_lessons() {
   for (const CoursePart& part : load_course().parts) {
     fmt::print("{}\n", part.title);
     for (const CourseLesson& each : part.lessons) {
-      if (!is_here(each.name)) continue;
+      if (!is_built_in(each.name)) continue;
       const Lesson lesson = load_lesson(each.name);
       const LessonLength length = length_of(lesson);
       fmt::print("  {:<34} {} ({}; {} steps, {} claims, {} questions, {} min)\n", each.name, lesson.title,

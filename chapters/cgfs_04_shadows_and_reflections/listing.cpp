@@ -150,7 +150,7 @@ extern const Listing cgfs_04_shadows_and_reflections;
 const Listing cgfs_04_shadows_and_reflections{
     .label = "shadows and reflections",
     .source = "CGFS ch. 4",
-    .shows = "Lit spheres that throw shadows and mirror each other.",
+    .shows = "Lit spheres that cast shadows and mirror each other.",
     .order = ListingOrder::pixel_by_pixel,
     .reads = {"reflection-depth", "shadow-epsilon", "reflection-epsilon"},
     .draws = {.spheres = true, .light = true, .shadows = true, .reflections = true},

@@ -16,17 +16,17 @@ namespace {
 
 constexpr int most_steps = 1000;
 
-bool is_built_in(std::string_view name) {
-  const std::vector<std::string>& names = lesson_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 bool is_left_out(std::string_view name) {
   const std::vector<LeftOutLesson>& all = lessons_left_out();
   return std::any_of(all.begin(), all.end(), [&](const LeftOutLesson& each) { return each.name == name; });
 }
 
 }  // namespace
+
+bool is_built_in(std::string_view name) {
+  const std::vector<std::string>& names = lesson_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 LessonPlace parse_built_in_place(std::string_view text) {
   const auto slash = text.find('/');

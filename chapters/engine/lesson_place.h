@@ -10,6 +10,9 @@
 
 namespace ps {
 
+/// Is it the name of a lesson that this program comes with and can show?
+bool is_built_in(std::string_view name);
+
 /// As parse_lesson_place(), for the lessons that the program comes with alone: links in texts lead to these.
 LessonPlace parse_built_in_place(std::string_view text);
 /// A step's number as people count, from 1; from 0 in the result. Throws InputError for anything else.

@@ -11,6 +11,7 @@
 #include "engine/metric.h"
 #include "frame/display_frame.h"
 #include "frame/region.h"
+#include "image/difference.h"
 #include "image/metrics.h"
 #include "options/renderer_kind.h"
 #include "record/value_text.h"
@@ -163,9 +164,7 @@ ValueAt values_of(Bench& bench, const Metric& metric) {
   case MetricKind::max_difference: {
     const bool counted = metric.kind == MetricKind::differing_pixels;
     return [a = bench.levels(Side::a), b = bench.levels(Side::b), counted](int x, int y) {
-      int most = 0;
-      for (int channel = 0; channel < 3; ++channel)
-        most = std::max(most, std::abs(level_of(a.at(x, y), channel) - level_of(b.at(x, y), channel)));
+      const int most = largest_difference(a.at(x, y), b.at(x, y));
       return counted ? std::min(most, 1) : most;
     };
   }
