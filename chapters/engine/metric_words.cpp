@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/number_text.h"
 #include "engine/metric_words.h"
 #include "record/value_text.h"
 #include "study/stability/experiment.h"
@@ -80,8 +81,8 @@ std::string bound_words(const Bound& bound) {
 }
 
 std::string measured_text(double value) {
-  if (value == std::round(value) && std::abs(value) < largest_in_full) return fmt::format("{:.0f}", value + 0.0);
-  return number_text(value);
+  if (value != std::round(value) || std::abs(value) >= largest_in_full) return number_text(value);
+  return (value < 0 ? "-" : "") + with_thousands(fmt::format("{:.0f}", std::abs(value)));
 }
 
 }  // namespace ps

@@ -7,9 +7,9 @@ namespace ps {
 
 /// What a metric measures, as a noun phrase: "pixels that differ", "shadow rays in A".
 std::string metric_words(const Metric& metric);
-/// "at least 1000", "at most 3", "121", "0.333 ± 0.001"
+/// "at least 1,000", "at most 3", "121", "0.333 ± 0.001"
 std::string bound_words(const Bound& bound);
-/// Whole numbers in full, others with four significant digits.
+/// Whole numbers in full, with their thousands apart ("41,231"), others with four significant digits.
 std::string measured_text(double value);
 
 }  // namespace ps

@@ -66,8 +66,9 @@ std::vector<Option> visibility_rows() {
            .label = "Hidden surfaces",
            .help = {"How the rasterizer decides which triangle is in front.", "CGFS ch. 12",
                     "Draw order and the painter's algorithm fail where triangles overlap cyclically or intersect."},
-           .keywords = "z-buffer, zbuffer, depth buffer, depth test, hidden surface, painter, painter's algorithm, "
-                       "draw order, occlusion",
+           .keywords =
+               "z-buffer, zbuffer, depth buffer off, depth test off, disable, without depth buffer, no depth test, "
+               "hidden surface, painter's algorithm, draw order, occlusion",
            .truth = exactly("visibility=depth-buffer"),
            .acts_for = ActsFor::fragments,
            .inactive = needs_triangles},

@@ -47,7 +47,7 @@ std::string scene_subject(std::string_view scene_name) {
   if (const auto dot = name.find('.'); dot != std::string::npos && dot > 0) name.resize(dot);
   for (char& c : name)
     if (c == '-' || c == '_') c = ' ';
-  return name.empty() ? "The scene" : begun_large(name);
+  return name.empty() ? "The scene" : fmt::format("The scene '{}'", begun_large(name));
 }
 
 std::string needs_sentence(std::string_view scene_name, const Needs& needs) {

@@ -6,12 +6,12 @@
 
 namespace ps {
 
-/// "Crates": a scene's name as the subject of a sentence. Of a path the last part without its extension.
+/// "The scene 'Crates'": a scene's name as the subject of a sentence. Of a path the last part without its extension.
 std::string scene_subject(std::string_view scene_name);
 
-/// What the scene needs, in at most three sentences: "Crates needs lighting and shadows. It can do without vertex
-/// normals; it has nothing to reflect or refract. Textures are off." A feature is needed if the picture without it
-/// differs by more than the tolerance. Empty until every feature was tried.
+/// What the scene needs, in at most three sentences: "The scene 'Crates' needs lighting and shadows. It can do without
+/// vertex normals; it has nothing to reflect or refract. Textures are off." A feature is needed if the picture without
+/// it differs by more than the tolerance. Empty until every feature was tried.
 std::string needs_sentence(std::string_view scene_name, const Needs& needs);
 
 /// How visible a difference of that worst_tile_flip() is: "no difference", "hard to see", "visible" or "obvious".

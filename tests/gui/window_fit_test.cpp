@@ -61,10 +61,11 @@ TEST_P(WindowFit, NothingIsCutInAnyModeOrTool) {
     places.push_back({place});
   };
   look_at("exploring", "");
-  look_at("exploring with a pixel's story", "click-pixel A 20,30\n");
+  look_at("palette", "key Ctrl+K\nwait frames 4\ntype worst\nwait frames 4\n");
+  look_at("exploring with a pixel's story", "key Esc\nclick-pixel A 20,30\n");
   for (const std::string tool :
        {"space", "microscope", "listing", "vertex", "pixels", "chart", "stability", "needs", "why", "timings"})
-    look_at("drawer: " + tool, "click menu/study\nclick study-" + tool + "\n");
+    look_at("drawer: " + tool, "click bottom/" + tool + "\n");
   look_at("study", "key F4\n");
   for (const std::string tool : {"pixels", "stability", "needs", "why", "timings"})
     look_at("study: " + tool, "click bottom/" + tool + "\n");

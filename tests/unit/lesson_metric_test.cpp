@@ -202,11 +202,14 @@ TEST(LessonMetric, ARectangleOutsideThePictureIsRefused) {
 }
 
 TEST(LessonMetric, MeasuredNumbersAreReadable) {
-  EXPECT_EQ(measured_text(41231), "41231");
+  EXPECT_EQ(measured_text(41231), "41,231");
+  EXPECT_EQ(measured_text(1234567), "1,234,567");
+  EXPECT_EQ(measured_text(-1000), "-1,000");
+  EXPECT_EQ(measured_text(999), "999");
   EXPECT_EQ(measured_text(0), "0");
   EXPECT_EQ(measured_text(-0.0), "0");
   EXPECT_EQ(measured_text(0.123456), "0.1235");
-  EXPECT_EQ(bound_words(parse_bound(">= 100000")), "at least 100000");
+  EXPECT_EQ(bound_words(parse_bound(">= 100000")), "at least 100,000");
   EXPECT_EQ(bound_words(parse_bound("<= 3")), "at most 3");
   EXPECT_EQ(bound_words(parse_bound("= 0.5 +- 0.1")), "0.5 ± 0.1");
 }

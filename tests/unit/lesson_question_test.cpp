@@ -84,13 +84,13 @@ TEST(LessonQuestion, ANumberHasAToleranceAndAUnit) {
   EXPECT_EQ(judge(question, {.number = 3600}, right).points, 1);
   EXPECT_EQ(judge(question, {.number = 3636}, right).points, 1);
   EXPECT_EQ(judge(question, {.number = 3637}, right).points, 0);
-  EXPECT_EQ(judge(question, {.number = 3600}, right).sentence, "Right: 3600 rays.");
-  EXPECT_EQ(judge(question, {.number = 1}, right).sentence, "It is 3600 rays; you said 1 rays.");
+  EXPECT_EQ(judge(question, {.number = 3600}, right).sentence, "Right: 3,600 rays.");
+  EXPECT_EQ(judge(question, {.number = 1}, right).sentence, "It is 3,600 rays; you said 1 rays.");
 }
 
 TEST(LessonQuestion, LargeNumbersAreShownInFull) {
   const LessonQuestion question = question_of("ask number\ntext How many?\nmetric counter-a eye-rays\nsize 250x250\n");
-  EXPECT_EQ(judge(question, {.number = 62500}, measured(question)).sentence, "Right: 62500.");
+  EXPECT_EQ(judge(question, {.number = 62500}, measured(question)).sentence, "Right: 62,500.");
 }
 
 TEST(LessonQuestion, AClickIsRightWhereTheBoundIsKept) {

@@ -27,18 +27,18 @@ Needs needs_of(const std::vector<double>& errors) {
 }
 
 TEST(NeedsWords, SayWhatIsNeededWhatIsNotAndWhatIsNotThere) {
-  EXPECT_EQ(
-      needs_sentence("cgfs/crates", needs_of({0.7, 0.2, 0.3, -1, -1, 0.06, 0.9, 0.0004})),
-      "Crates needs lighting, shadows, highlights, attenuation and textures. It can do without vertex normals; it "
-      "has nothing to reflect or refract.");
-  EXPECT_EQ(
-      needs_sentence("box", needs_of({0.7, -1, -1, -1, -1, -1, -1, -1})),
-      "Box needs lighting. It has nothing to reflect or refract, no shadows, no highlights, no attenuated light, no "
-      "textures and no vertex normals.");
-  EXPECT_EQ(
-      needs_sentence("a/b-c.scene", needs_of({0.01, 2, 2, 0.02, 2, 2, 2, 2})),
-      "B c needs none of its features. It can do without lighting and reflected rays. With these settings unused: "
-      "shadows, highlights, refraction, attenuation, textures and vertex normals.");
+  EXPECT_EQ(needs_sentence("cgfs/crates", needs_of({0.7, 0.2, 0.3, -1, -1, 0.06, 0.9, 0.0004})),
+            "The scene 'Crates' needs lighting, shadows, highlights, attenuation and textures. It can do without "
+            "vertex normals; it "
+            "has nothing to reflect or refract.");
+  EXPECT_EQ(needs_sentence("box", needs_of({0.7, -1, -1, -1, -1, -1, -1, -1})),
+            "The scene 'Box' needs lighting. It has nothing to reflect or refract, no shadows, no highlights, no "
+            "attenuated light, no "
+            "textures and no vertex normals.");
+  EXPECT_EQ(needs_sentence("a/b-c.scene", needs_of({0.01, 2, 2, 0.02, 2, 2, 2, 2})),
+            "The scene 'B c' needs none of its features. It can do without lighting and reflected rays. With these "
+            "settings unused: "
+            "shadows, highlights, refraction, attenuation, textures and vertex normals.");
 }
 
 TEST(NeedsWords, NothingIsSaidBeforeEveryFeatureWasTried) {

@@ -81,6 +81,22 @@ TEST(NumberText, TakesWhatTheCLibraryTakesWhole) {
   }
 }
 
+TEST(NumberText, CommasOfAPersonSetThousandsApart) {
+  EXPECT_EQ(parse_typed_number("57,600"), 57600);
+  EXPECT_EQ(parse_typed_number("-1,234,567.5"), -1234567.5);
+  EXPECT_EQ(parse_typed_number("0.5"), 0.5);
+  EXPECT_EQ(parse_typed_number("12e3"), 12000);
+  for (const char* text :
+       {"", ",", "1,5", "1,0000", "1,2345678", ",600", "1000,000", "1,,000", "1,000,", "0.5,000", "1,000e", "+,"})
+    EXPECT_FALSE(parse_typed_number(text)) << text;
+}
+
+TEST(NumberText, ThousandsAreApart) {
+  EXPECT_EQ(with_thousands("999"), "999");
+  EXPECT_EQ(with_thousands("1000"), "1,000");
+  EXPECT_EQ(with_thousands("123456789"), "123,456,789");
+}
+
 TEST(NumberText, HasAPointInEveryLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaForPoint));
   EXPECT_EQ(parse_number("1.5"), 1.5);

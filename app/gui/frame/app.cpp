@@ -94,7 +94,7 @@ struct App::Parts {
   void close_on_escape();
   void keep_what_is_open();
   void show_options();
-  void open_tool(std::string_view name, PanelUse use);
+  void open_tool(std::string_view name);
   std::string status() const;
   bool unsafe_busy() const;
   bool busy() const;
@@ -187,7 +187,7 @@ void App::Parts::add_actions() {
       actions.add({.name = "study-" + std::string(panel.name),
                    .label = std::string(panel.command),
                    .group = "Study",
-                   .run = [this, name = panel.name, use = panel.use] { open_tool(name, use); },
+                   .run = [this, name = panel.name] { open_tool(name); },
                    .enabled = [this] { return session.has_scene(); }});
   }
   actions.add({.name = "vertex-film",
@@ -195,7 +195,7 @@ void App::Parts::add_actions() {
                .group = "Study",
                .run =
                    [this] {
-                     open_tool("vertex", PanelUse::pixel);
+                     open_tool("vertex");
                      play_film(my.vertex.film);
                    },
                .enabled = [this] { return session.has_scene(); }});
@@ -204,7 +204,7 @@ void App::Parts::add_actions() {
                .group = "Study",
                .run =
                    [this] {
-                     open_tool("stability", PanelUse::study);
+                     open_tool("stability");
                      key_focus().go_to("stability/scrub");
                    },
                .enabled = [this] { return session.has_scene(); }});
@@ -224,9 +224,8 @@ void App::Parts::add_actions() {
   actions.offer_more([this] { return palette_entries(session, my.options, my.kept, [this] { show_options(); }); });
 }
 
-/// A study's window has no place for what looks at one pixel.
-void App::Parts::open_tool(std::string_view name, PanelUse use) {
-  if (use == PanelUse::pixel && session.document().mode == ScreenMode::study) set_mode(session, ScreenMode::explore);
+void App::Parts::open_tool(std::string_view name) {
+  make_room_for(session, find_panel(panels, name));
   show_panel(session, name);
 }
 
@@ -353,7 +352,7 @@ void App::Parts::draw() {
   message_bars(session, status_bar, px(8), size.x - px(8), size.y - status_height);
   if (const auto experiment = unsafe_lines(session, my.unsafe, my.pictures)) {
     show_experiment(my.stability, *experiment);
-    show_panel(session, "stability");
+    open_tool("stability");
   }
   files.draw();
   about.draw();

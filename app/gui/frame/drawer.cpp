@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gui/frame/panel_table.h"
 #include "gui/frame/show_panel.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/tab_row.h"
@@ -125,9 +126,7 @@ void add_drawer_actions(Actions& actions, Session& session, const std::vector<Pa
                            at == tools.end()
                                ? first_tool(panels, state, group)
                                : tools[static_cast<std::size_t>(at - tools.begin() + 1) % tools.size()]->name;
-                       // A study's window has no place for what looks at one pixel.
-                       if (group == ToolGroup::pixel && session.document().mode == ScreenMode::study)
-                         set_mode(session, ScreenMode::explore);
+                       make_room_for(session, find_panel(panels, next));
                        show_panel(session, next);
                      },
                  .enabled = [&session] { return session.has_scene(); }});

@@ -11,6 +11,16 @@
 #include "study/stability/experiment.h"
 
 namespace ps::gui {
+namespace {
+
+/// The side whose picture an option acts on: the picked one, unless it acts on the other alone.
+Side side_that_it_acts_on(const Session& session, const Option& option) {
+  const Side picked = session.document().picked, other = other_side(picked);
+  const auto acts = [&](Side side) { return !inactive_reason(option, session.settings(side), session.traits()); };
+  return !acts(picked) && acts(other) ? other : picked;
+}
+
+}  // namespace
 
 std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& options, const KeptState& kept,
                                           const std::function<void()>& show_options) {
@@ -20,15 +30,15 @@ std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& o
       entries.push_back({"lesson/" + lesson.name, lesson.title, "lesson",
                          [&session, &lesson] { go_to_step(session, lesson.name, 0); }});
   for (const Option& option : option_table())
-    entries.push_back({fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label),
-                       "option",
-                       [&session, &option, &options, show_options] {
-                         point_at_option(options, option);
-                         show_options();
-                         key_focus().go_to(fmt::format("options/{}/{}",
-                                                       session.document().picked == Side::a ? "a" : "b", option.key));
-                       },
-                       fmt::format("{}, {}", option.key, option.keywords)});
+    entries.push_back(
+        {fmt::format("option/{}", option.key), fmt::format("{}: {}", option.group, option.label), "option",
+         [&session, &option, &options, show_options] {
+           point_at_option(options, option);
+           show_options();
+           key_focus().go_to(
+               fmt::format("options/{}/{}", side_that_it_acts_on(session, option) == Side::a ? "a" : "b", option.key));
+         },
+         fmt::format("{}, {}", option.key, option.keywords)});
   for (PaletteEntry& entry : value_entries(session)) entries.push_back(std::move(entry));
   for (PaletteEntry& entry : kept_entries(session, kept)) entries.push_back(std::move(entry));
   for (const BuiltinScene& scene : builtin_scenes())
@@ -37,6 +47,7 @@ std::vector<PaletteEntry> palette_entries(Session& session, OptionsPanelState& o
   for (const StabilityExperiment& experiment : stability_experiments())
     entries.push_back({fmt::format("experiment/{}", experiment.key), std::string(experiment.title), "experiment",
                        [&session, &experiment] {
+                         make_room_for_study(session);
                          show_panel(session, "stability");
                          session.navigate([&](Document& document) { document.layout.experiment = experiment.key; });
                        },

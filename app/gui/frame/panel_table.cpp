@@ -73,6 +73,7 @@ void take_sweep(Session& session, PanelStates& my) {
   const Option* swept = std::exchange(my.options.sweep, nullptr);
   if (!swept) return;
   sweep_option(my.chart, *swept, session.document().picked);
+  make_room_for_study(session);
   show_panel(session, "chart");
 }
 

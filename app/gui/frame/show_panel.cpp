@@ -50,6 +50,18 @@ void show_panel(Session& session, std::string_view name) {
   });
 }
 
+void make_room_for(Session& session, const Panel& tool) {
+  if (tool.use == PanelUse::pixel) {
+    if (session.document().mode == ScreenMode::study) set_mode(session, ScreenMode::explore);
+  } else if (tool.group != ToolGroup::pixels) {
+    make_room_for_study(session);
+  }
+}
+
+void make_room_for_study(Session& session) {
+  if (session.document().mode == ScreenMode::explore) set_mode(session, ScreenMode::study);
+}
+
 void fill_window(Session& session, const std::string& region) {
   session.navigate([&](Document& document) { document.layout.filled = region; });
 }

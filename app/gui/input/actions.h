@@ -57,6 +57,7 @@ struct PaletteEntry {
   std::string kind;  ///< "lesson", "option": written where actions have their keys
   std::function<void()> run;
   std::string words = {};  ///< not shown: what else people call it
+  bool changes = true;     ///< false where running it would change no picture: such entries come last
 };
 
 class Actions {

@@ -7,9 +7,11 @@
 #include <cctype>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 #include "base/word_search.h"
 #include "gui/base/values.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 
 namespace ps::gui {
@@ -24,6 +26,7 @@ struct Found {
   const Action* action = nullptr;  ///< null for another entry
   std::string name, label, note;
   Fit fit = Fit::label_has_it;
+  bool changes = true;  ///< as of PaletteEntry
 };
 
 constexpr const char* nothing_found = "No command, lesson, option, scene or experiment matches.";
@@ -62,7 +65,7 @@ void CommandPalette::draw(const Actions& actions) {
   if (!open_) return;
   if (just_opened_) entries_ = actions.more();
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float width = std::min(px(520), display.x - px(40));
+  const float width = std::min(px(640), display.x - px(40));
   ImGui::SetNextWindowPos({(display.x - width) / 2, std::min(px(90), display.y / 8)});
   ImGui::SetNextWindowSize({width, 0});
   if (just_opened_) ImGui::SetNextWindowFocus();
@@ -88,8 +91,12 @@ void CommandPalette::draw(const Actions& actions) {
   if (!text_.empty())
     for (const PaletteEntry& entry : entries_)
       if (const auto fit = fit_of(text_, entry.label, entry.words))
-        found.push_back({nullptr, entry.name, entry.label, entry.kind, *fit});
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.fit < b.fit; });
+        found.push_back({nullptr, entry.name, entry.label, entry.kind, *fit, entry.changes});
+  // Enter takes the first, so what would change nothing comes after what would, but for a mere likeness of letters.
+  const auto rank = [](const Found& one) {
+    return std::tuple(one.fit == Fit::letters_in_order, !one.changes, one.fit);
+  };
+  std::stable_sort(found.begin(), found.end(), [&](const Found& a, const Found& b) { return rank(a) < rank(b); });
   constexpr std::size_t most = 12;
   if (found.size() > most) found.resize(most);
   const int count = static_cast<int>(found.size());
@@ -99,13 +106,17 @@ void CommandPalette::draw(const Actions& actions) {
   for (int i = 0; i < count; ++i) {
     const Found& one = found[static_cast<std::size_t>(i)];
     const bool dead = one.action && !actions.enabled(*one.action);
-    ImGui::PushStyleColor(ImGuiCol_Text, dead ? palette().text_disabled : palette().text);
-    if (ImGui::Selectable((one.label + "##" + one.name).c_str(), i == selected_) && !dead) chosen = one.name;
-    ImGui::PopStyleColor();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float right = at.x + ImGui::GetContentRegionAvail().x, bottom = at.y + ImGui::GetTextLineHeight();
+    if (ImGui::Selectable(("##" + one.name).c_str(), i == selected_) && !dead) chosen = one.name;
     controls().record(one.name, one.label, !dead);
-    const FontScope mono(Face::mono);
-    ImGui::SameLine(width - px(14) - ImGui::CalcTextSize(one.note.c_str()).x);
-    ImGui::TextUnformatted(one.note.c_str());
+    float note_left = right;
+    {
+      const FontScope mono(Face::mono);
+      note_left -= text_width(one.note);
+      draw_text({note_left, at.y}, {right, bottom}, one.note, palette().text, 0);
+    }
+    draw_text(at, {note_left - px(12), bottom}, one.label, dead ? palette().text_disabled : palette().text, 0);
   }
   if (count == 0) {
     ImGui::TextColored(palette().text_quiet, "%s", nothing_found);

@@ -33,7 +33,7 @@ float buttons_width(const std::vector<ClaimButton>& buttons) {
   return width;
 }
 
-/// "Pixels that differ: 41231, claimed: at least 1000."
+/// "Pixels that differ: 41,231, claimed: at least 1,000."
 std::string sentence(const LessonClaims& claims, std::size_t claim) {
   const Claim& of = claims.claims().at(claim);
   std::string what = metric_words(claims.metric(claim));

@@ -140,6 +140,13 @@ float line_height(const TextLine& line, float text_height) {
   return line.rise + words + line.fall;
 }
 
+/// Where a word starts that begins a new line: B's control below A's, everything else at `indent`.
+float start_below(const TextLine& above, const Word& word, float indent) {
+  if (above.pieces.empty() || word.pieces.empty()) return indent;
+  const TextPiece &last = above.pieces.back(), &first = word.pieces.front();
+  return last.control && first.control && last.span == first.span ? last.x : indent;
+}
+
 float gap_before(BlockKind kind, bool first_of_list) {
   const bool item = kind == BlockKind::bullet || kind == BlockKind::numbered;
   return px(item && !first_of_list ? item_gap : block_gap);
@@ -189,8 +196,13 @@ void lay_out(const TextBlock& block, std::string_view mark, Face face, float wid
     x = indent;
   };
   for (const Word& word : words_of(block, face, width - indent)) {
-    if (x > indent && (displayed || x + space + word.width > width)) end_line();
-    if (x > indent) x += space;
+    if (x > indent && (displayed || x + space + word.width > width)) {
+      const float start = start_below(line, word, indent);
+      end_line();
+      x = start;
+    } else if (x > indent) {
+      x += space;
+    }
     for (TextPiece piece : word.pieces) {
       piece.x += x;
       line.pieces.push_back(piece);

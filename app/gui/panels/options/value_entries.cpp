@@ -22,18 +22,32 @@ std::vector<Value> values_of(const Option& option) {
   return all;
 }
 
+enum class Effect { has_it, none, sets_it };
+
+Effect effect_of(const Session& session, const Option& option, Side side, const Value& value) {
+  if (option.get(session.settings(side)) == value.number) return Effect::has_it;
+  if (inactive_reason(option, session.settings(side), session.traits())) return Effect::none;
+  return Effect::sets_it;
+}
+
 /// What Enter does, in few words.
-std::string effect(const Session& session, const Option& option, Side side, const Value& value) {
+std::string in_words(Effect effect, Side side) {
   const char letter = letter_of(side);
-  if (option.get(session.settings(side)) == value.number) return fmt::format("{} has it", letter);
-  if (inactive_reason(option, session.settings(side), session.traits())) return fmt::format("no effect in {}", letter);
-  return fmt::format("set in {}", letter);
+  switch (effect) {
+  case Effect::has_it:
+    return fmt::format("{} has it", letter);
+  case Effect::none:
+    return fmt::format("no effect in {}", letter);
+  case Effect::sets_it:
+    return fmt::format("set in {}", letter);
+  }
+  return {};
 }
 
 }  // namespace
 
 std::vector<PaletteEntry> value_entries(Session& session) {
-  std::vector<PaletteEntry> entries;  // of the picked picture first: Enter takes the first
+  std::vector<PaletteEntry> entries;  // of the picked picture first
   for (const Option& option : option_table())
     for (const Value& value : values_of(option))
       for (const Side side : {session.document().picked, other_side(session.document().picked)}) {
@@ -43,11 +57,13 @@ std::vector<PaletteEntry> value_entries(Session& session) {
           session.set_settings(side, settings,
                                fmt::format("{}: {} = {}", letter_of(side), option.key, option_text(option, settings)));
         };
+        const Effect effect = effect_of(session, option, side, value);
         entries.push_back({.name = fmt::format("value/{}/{}/{}", option.key, value.key, side == Side::a ? "a" : "b"),
                            .label = fmt::format("{}: {}", option.label, value.label),
-                           .kind = effect(session, option, side, value),
+                           .kind = in_words(effect, side),
                            .run = set,
-                           .words = fmt::format("{} {}", option.key, value.key)});
+                           .words = fmt::format("{} {}", option.key, value.key),
+                           .changes = effect == Effect::sets_it});
       }
   return entries;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/shorten.h"
 #include "render/render.h"
@@ -231,11 +232,12 @@ void region_view(Session& session, PixelsPanelState& state) {
   }
   ImGui::PushTextWrapPos(0);
   const auto& region = session.region();
+  const std::string pixels = with_thousands(std::to_string(state.statistics[0].pixels));
   value_text("region", region ? fmt::format("columns {} to {}, rows {} to {}: {} pixels", region->x0, region->x1 - 1,
-                                            region->y0, region->y1 - 1, state.statistics[0].pixels)
+                                            region->y0, region->y1 - 1, pixels)
                               : fmt::format("The whole picture, {} pixels. Drag with Shift in a picture to choose a "
                                             "rectangle; Esc goes back to the whole picture.",
-                                            state.statistics[0].pixels));
+                                            pixels));
   ImGui::PopTextWrapPos();
   for (const Side side : both_sides) {
     const RegionStatistics& statistics = state.statistics[index_of(side)];

@@ -9,7 +9,8 @@
 namespace ps::gui {
 namespace {
 
-constexpr std::string_view no_number = "This is not a number. Write 0.5 with a point, and 30000 without a comma.";
+constexpr std::string_view no_number =
+    "This is not a number. Write 0.5 with a point, and 30,000 with or without the comma.";
 
 /// A list of sentences, broken into lines, with a round mark in front of each.
 void ask_choice(const LessonQuestion& question, StudentAnswer& answer) {
@@ -42,7 +43,7 @@ bool ask_number(const LessonQuestion& question, LessonQuestions& questions) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(question.unit.c_str());
   }
-  const auto number = parse_number(questions.typed);
+  const auto number = parse_typed_number(questions.typed);
   if (!number && !questions.typed.empty()) value_paragraph("no-number", no_number);
   questions.answer.number = number.value_or(0);
   return edit.entered && number;
@@ -64,7 +65,7 @@ std::string answer_text(const LessonQuestions& questions) {
   case AskKind::choice:
     return answer.choice < 0 ? "" : question.choices.at(static_cast<std::size_t>(answer.choice)).text;
   case AskKind::number:
-    if (!parse_number(questions.typed)) return "";
+    if (!parse_typed_number(questions.typed)) return "";
     return question.unit.empty() ? questions.typed : fmt::format("{} {}", questions.typed, question.unit);
   case AskKind::click:
     return answer.place.x < 0 ? "" : fmt::format("pixel ({}, {})", answer.place.x, answer.place.y);

@@ -225,19 +225,35 @@ std::string state_line(const ChartTabState& state) {
   return text;
 }
 
+/// As many whole sentences from the beginning as fit into one line.
+std::string sentences_that_fit(const std::string& text, float width) {
+  std::string fitting = text;
+  while (text_width(fitting) > width) {
+    const auto end = fitting.rfind(". ");
+    if (end == std::string::npos) break;
+    fitting.resize(end + 1);
+  }
+  return fitting;
+}
+
+/// What the chart shows or what the study is at: wrapped where the plot has height to spare, else one line.
 void progress_line(const ChartTabState& state) {
+  constexpr float enough_height = 320;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float width = room.x;
   const StudyStatus status = state.study.status();
   const std::string text = state_line(state);
   {
     const FontScope small(Face::small);
+    const std::string shown =
+        room.y >= px(enough_height) && !state.study.running() ? text : sentences_that_fit(text, width);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text_quiet);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextWrapped("%s", shown.c_str());
     ImGui::PopStyleColor();
+    if (shown != text) tooltip(text);
   }
   controls().record("status", text);
-  if (ImGui::CalcTextSize(text.c_str()).x > width) tooltip(text);
   if (!state.study.running()) return;
   const double fraction =
       status.total > 0 ? static_cast<double>(status.done) / status.total : state.study.fraction_of_render();

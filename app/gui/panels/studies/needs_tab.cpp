@@ -146,7 +146,7 @@ void invitation(const NeedsTabState& state) {
       "What does this scene need? Each feature is switched off once, to see how much of the picture and of the time "
       "depends on it. Then the cheapest settings are searched for whose worst tile differs by at most the tolerance.");
   if (const auto estimate = state.estimate.found())
-    ImGui::TextWrapped("This takes at least %s. Each saving that is found adds one more round: at most %s.",
+    ImGui::TextWrapped("This takes at least %s. Each saving that is found adds a round (%s).",
                        estimate_text(estimate->least).c_str(), estimate_text(estimate->round).c_str());
   ImGui::PopStyleColor();
 }
