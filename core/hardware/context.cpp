@@ -163,8 +163,7 @@ Context::~Context() {
 
 void Context::make_current() const {
   eglBindAPI(api_ == Api::desktop ? EGL_OPENGL_API : EGL_OPENGL_ES_API);
-  if (!eglMakeCurrent(handles_->display, handles_->surface, handles_->surface, handles_->context))
-    throw InputError("the context of OpenGL was lost");
+  if (!eglMakeCurrent(handles_->display, handles_->surface, handles_->surface, handles_->context)) throw ContextLost();
 }
 
 void forget_errors() {
@@ -173,7 +172,9 @@ void forget_errors() {
 }
 
 void check_gl(const char* what) {
-  if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+  const GLenum error = glGetError();
+  if (error == GL_CONTEXT_LOST) throw ContextLost();
+  if (error != GL_NO_ERROR)
     throw InputError(error == GL_OUT_OF_MEMORY
                          ? fmt::format("the graphics driver has no memory left at {}", what)
                          : fmt::format("the graphics driver reports error {:#x} at {}", error, what));

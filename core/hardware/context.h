@@ -2,12 +2,19 @@
 #include <memory>
 #include <string>
 
+#include "base/check.h"
 #include "hardware/driver.h"
 
 namespace ps::hardware {
 
 /// Which of the two interfaces: their shaders differ in their first lines.
 enum class Api { desktop, embedded };
+
+/// A context is gone with all that it held: with its display, or after a reset of the graphics processor.
+class ContextLost : public InputError {
+ public:
+  ContextLost() : InputError("the graphics driver has lost its context; the next picture starts a new one") {}
+};
 
 /// A context of OpenGL 3.3 core or OpenGL ES 3.0 that needs no window and no display. Belongs to the thread that made
 /// it.
@@ -22,6 +29,7 @@ class Context {
 
   const Driver& driver() const { return driver_; }
   Api api() const { return api_; }
+  /// Throws ContextLost.
   void make_current() const;
 
  private:
@@ -34,7 +42,7 @@ class Context {
 /// Takes back what calls before have left for check_gl().
 void forget_errors();
 
-/// Throws InputError if a call of OpenGL before has failed; `what` says what was going on.
+/// Throws InputError if a call of OpenGL before has failed, ContextLost if that was why; `what` says what was going on.
 void check_gl(const char* what);
 
 }  // namespace ps::hardware

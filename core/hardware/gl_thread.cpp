@@ -1,5 +1,8 @@
 #include "hardware/gl_thread.h"
 
+#include <utility>
+#include <vector>
+
 #include "base/check.h"
 #include "base/task_thread.h"
 
@@ -11,15 +14,7 @@ namespace {
 class GlThread {
  public:
   GlThread() {
-    thread_.run([&] {
-      try {
-        context_ = std::make_unique<Context>(Api::desktop);
-        workshop_ = std::make_unique<Workshop>(*context_);
-        available_.driver = context_->driver();
-      } catch (const InputError& error) {
-        available_.reason = error.what();
-      }
-    });
+    thread_.run([&] { open(); });
   }
   static GlThread& get() {
     static GlThread& thread = *new GlThread;  // never deleted, see above
@@ -30,16 +25,40 @@ class GlThread {
   void run(const std::function<void(Workshop&)>& task) {
     if (!available_.driver) throw InputError(available_.reason);
     thread_.run([&] {
-      context_->make_current();  // a task may have made another context current
-      forget_errors();           // of a task that has ended early
-      task(*workshop_);
+      if (!workshop_) open();
+      if (!workshop_) throw InputError(reopening_);
+      try {
+        workshop_->context.make_current();  // a task may have made another context current
+        forget_errors();                    // of a task that has ended early
+        task(*workshop_);
+      } catch (const ContextLost&) {
+        lost_.push_back({std::move(context_), std::move(workshop_)});
+        throw;
+      }
     });
   }
 
  private:
-  Availability available_;
+  struct Lost {
+    std::unique_ptr<Context> context;
+    std::unique_ptr<Workshop> workshop;
+  };
+
+  void open() {
+    try {
+      context_ = std::make_unique<Context>(Api::desktop);
+      workshop_ = std::make_unique<Workshop>(*context_);
+      if (!available_.driver) available_.driver = context_->driver();
+    } catch (const InputError& error) {
+      (available_.driver ? reopening_ : available_.reason) = error.what();
+    }
+  }
+
+  Availability available_;  ///< as it was at the start: read by other threads
+  std::string reopening_;   ///< why there is no context after one was lost
   std::unique_ptr<Context> context_;
   std::unique_ptr<Workshop> workshop_;
+  std::vector<Lost> lost_;  ///< not deleted: what they held is gone, and the calls would reach the next context
   TaskThread thread_;
 };
 

@@ -11,6 +11,7 @@
 #include "hardware/geometry_buffer.h"
 #include "hardware/mesh_buffers.h"
 #include "hardware/program.h"
+#include "hardware/sample_reader.h"
 #include "hardware/shadow_maps.h"
 #include "hardware/target.h"
 #include "hardware/texture_store.h"
@@ -47,8 +48,9 @@ struct Workshop {
   std::unique_ptr<GeometryBuffer> geometry;     ///< of the last picture with deferred shading
   std::unique_ptr<Target> story_picture;        ///< the same of the last story of a pixel
   std::unique_ptr<GeometryBuffer> story_geometry;
-  std::unique_ptr<Target> story;          ///< what fragments report of themselves in it
-  unsigned vertex_array = 0, lights = 0;  ///< made when first needed
+  std::unique_ptr<Target> story;                ///< what fragments report of themselves in it
+  std::unique_ptr<SampleReader> sample_reader;  ///< made when first needed
+  unsigned vertex_array = 0, lights = 0;        ///< made when first needed
 
   const Driver& driver() const { return context.driver(); }
   /// Drops meshes and textures that no scene holds any more. Before a picture.

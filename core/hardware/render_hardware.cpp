@@ -12,6 +12,7 @@
 #include "frame/eye_directions.h"
 #include "frame/region.h"
 #include "hardware/environment_maps.h"
+#include "hardware/kept_volumes.h"
 #include "hardware/machinery.h"
 #include "hardware/picture_drawer.h"
 #include "image/display.h"
@@ -34,8 +35,7 @@ void draw_ahead(PicturePlan& plan, Prepared& prepared, WorkerPriority priority, 
   plan.environment = draw_environment(plan, prepared, priority, progress);
   if (plan.environment) done("environment maps");
   if (!plan.counts_volumes) return;
-  plan.volumes = std::make_shared<const std::vector<std::vector<raster::ShadowVolume>>>(
-      raster::make_shadow_volumes(*plan.scene, plan.objects, plan.settings));
+  plan.volumes = kept_volumes(plan, prepared);
   done("shadow volumes");
 }
 

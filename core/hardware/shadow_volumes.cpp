@@ -1,6 +1,7 @@
 #include "hardware/shadow_volumes.h"
 
 #include "base/stop.h"
+#include "hardware/near_triangles.h"
 #include "raster/shadow/shadow_volume.h"
 
 namespace ps::hardware {
@@ -38,11 +39,13 @@ bool is_lit_face(const raster::ShadowVolume& volume, std::size_t triangle) {
   return triangle < volume.caps && triangle % 2 == 0;
 }
 
-}  // namespace
-
+/// Does the triangle of the volume's surface, with the vertex order in which it is drawn, face out of the volume? The
+/// volume is that of the object.
 bool faces_outwards(const raster::ShadowVolume& volume, const raster::DrawObject& object, std::size_t triangle) {
   return !is_lit_face(volume, triangle) || volume.lit[triangle / 2].turned == object.mirrored;
 }
+
+}  // namespace
 
 std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light,
                                       const std::vector<std::vector<Vec3f>>& snapped_of,
@@ -57,8 +60,13 @@ std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light
     VolumeFaces& faces = all.emplace_back();
     faces.object = drawn;
     const auto& triangles = volume.surface->triangles;
+    std::vector<bool> near;
+    if (plan.region) near = NearTest(plan, *plan.region).of_volume(volume);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      VolumeCorners& corners = faces_outwards(volume, object, i) ? faces.outwards : faces.inwards;
+      if (plan.region && !near[i]) continue;
+      const bool outwards = faces_outwards(volume, object, i);
+      VolumeCorners& corners = outwards ? faces.outwards : faces.inwards;
+      (outwards ? faces.outward_numbers : faces.inward_numbers).push_back(static_cast<std::uint32_t>(i));
       if (is_lit_face(volume, i))
         for (const std::uint32_t vertex : object.mesh->triangles[volume.lit[i / 2].triangle].position)
           vertices.add_near(vertex, corners);

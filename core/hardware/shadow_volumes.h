@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -19,14 +20,12 @@ struct VolumeCorners {
 struct VolumeFaces {
   std::size_t object = 0;  ///< index into PicturePlan::objects
   VolumeCorners outwards, inwards;
+  std::vector<std::uint32_t> outward_numbers, inward_numbers;  ///< of the triangles in the volume's surface
 };
 
-/// Does the triangle of the volume's surface, with the vertex order in which it is drawn, face out of the volume? The
-/// volume is that of the object.
-bool faces_outwards(const raster::ShadowVolume& volume, const raster::DrawObject& object, std::size_t triangle);
-
-/// The volumes of one light. `snapped_of[o][i]` is the rounded position of vertex i of object o, where the processor
-/// rounds. `mesh_centres` are what the positions of the meshes are relative to.
+/// The volumes of one light; where the plan is about a region, only what may reach it. `snapped_of[o][i]` is the
+/// rounded position of vertex i of object o, where the processor rounds. `mesh_centres` are what the positions of the
+/// meshes are relative to.
 std::vector<VolumeFaces> volume_faces(const PicturePlan& plan, std::size_t light,
                                       const std::vector<std::vector<Vec3f>>& snapped_of,
                                       const std::vector<Vec3d>& mesh_centres);

@@ -27,10 +27,12 @@ StoryDrawer::~StoryDrawer() {
 
 void StoryDrawer::report(PixelStory& story) {
   upload();
-  TargetShape shape;
-  shape.width = plan_.viewport.columns;
-  shape.height = plan_.viewport.rows;
-  shape.samples = samples();
+  TargetShape shape = target_shape();
+  shape.channels = false;
+  if (samples() == 1) {
+    shape.depth = DepthStore::float32;  // not asked for
+    shape.stencil = false;
+  }
   if (!shop_.story || shop_.story->shape() != shape) {
     shop_.story.reset();
     shop_.story = std::make_unique<Target>(shape);
@@ -55,7 +57,7 @@ void StoryDrawer::report(PixelStory& story) {
 }
 
 void StoryDrawer::find_near(PixelStory& story) {
-  const NearTest test(plan_, pixel_);
+  const NearTest test(plan_, *plan_.region);
   std::vector<std::vector<bool>> near(plan_.objects.size());
   for (std::size_t i = 0; i < near.size(); ++i) {
     check_stop();

@@ -42,12 +42,19 @@ class StoryDrawer : private PictureDrawer {
   void report(PixelStory& story);
 
  private:
+  /// What the driver keeps of each sample of the pixel, and what a triangle brings there; in the order of the samples.
+  struct SampleValues {
+    std::vector<float> stored, own;  ///< depths, before and of the triangle; empty where nothing can read them
+    std::vector<int> stencil;        ///< before; empty without a stencil buffer
+  };
   /// What became of a triangle in a pass.
   struct Outcome {
     FragmentEvent::Depth depth = FragmentEvent::Depth::off;
     std::optional<double> stored;        ///< in the depth buffer, before
     std::optional<double> stored_after;  ///< of a triangle that wrote its depth
-    std::optional<int> stencil;          ///< in the stencil buffer, before
+    std::optional<int> stencil;          ///< in the stencil buffer, before; with several samples at `sample`
+    unsigned sample = 1;                 ///< as a bit: the first of those that it covers
+    SampleValues samples;                ///< where the pixel has several
     Vec3d before{0, 0, 0}, after{0, 0, 0};
     unsigned written = 0;  ///< samples, as bits
   };
@@ -69,12 +76,13 @@ class StoryDrawer : private PictureDrawer {
   // Shadow volumes (story_volumes.cpp).
   /// What the stencil buffer held after the faces of the light's volumes were counted, and which were.
   void report_stencil(const DrawPass& pass, const Outcome& outcome, double z);
-  StencilEvent stencil_event(std::size_t light);
+  /// At one of the samples, given as a bit, as below.
+  StencilEvent stencil_event(std::size_t light, unsigned sample);
   /// `face` counts in the order in which the volume is drawn; `triangle` is its number in the volume.
   std::optional<VolumeCrossing> crossing(const raster::ShadowVolume& volume, const VolumeBuffers& buffers, int face,
-                                         std::size_t triangle);
+                                         std::size_t triangle, unsigned sample);
   /// Adds those of some faces that reach the pixel. In a state that tests nothing.
-  void find_faces(int first, int count, std::vector<int>& found) const;
+  void find_faces(int first, int count, unsigned sample, std::vector<int>& found) const;
   Outcome draw_really(const DrawPass& pass, unsigned among, const std::function<void()>& draw);
   bool depth_is_equal(const DrawPass& pass, const std::function<void()>& draw);
   void bind_picture(const DrawPass& pass) const;
@@ -84,6 +92,11 @@ class StoryDrawer : private PictureDrawer {
   /// Once all samples are drawn: the pixel of the resolved picture, which shapes on the canvas are drawn on.
   Vec3d resolved_colour() const;
   std::optional<double> depth_now() const;
+
+  // Samples (story_samples.cpp).
+  SampleValues look_at_values(unsigned among, const std::function<void()>& draw);
+  /// Which of the samples are written, and what decided about each that the triangle covers.
+  CoverageEvent samples_event(const NearTriangle& triangle, unsigned covered, const Outcome& outcome) const;
 
   // Asking (story_pages.cpp).
   Program& story_program(std::size_t surface);

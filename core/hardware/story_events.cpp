@@ -1,5 +1,4 @@
 #include <bit>
-#include <string>
 
 #include "hardware/story_drawer.h"
 #include "raster/setup/textures.h"
@@ -56,7 +55,14 @@ FragmentEvent StoryDrawer::fragment_event(NearTriangle& triangle, const Asked& a
   event.pass = name_of(pass);
   event.samples = samples();
   event.samples_covered = std::popcount(triangle.covered);
-  if (outcome.depth == FragmentEvent::Depth::off || samples() > 1) return event;
+  if (outcome.depth == FragmentEvent::Depth::off) return event;
+  if (samples() > 1) {
+    if (outcome.samples.own.empty()) return event;
+    const auto first = static_cast<std::size_t>(std::countr_zero(outcome.sample));
+    event.depth_stored = static_cast<double>(outcome.samples.stored[first]);
+    event.depth_new = static_cast<double>(outcome.samples.own[first]);
+    return event;
+  }
   if (outcome.stored) event.depth_stored = *outcome.stored;
   event.depth_new = outcome.stored_after ? *outcome.stored_after : static_cast<double>(screen.w);
   return event;
@@ -129,12 +135,15 @@ void StoryDrawer::report_mirror(const NearTriangle& triangle, const Asked& asked
 
 void StoryDrawer::report_write(const FragmentEvent& fragment, NearTriangle& triangle, const Asked& asked,
                                const DrawPass& pass, const Outcome& outcome) {
-  if (outcome.depth == FragmentEvent::Depth::failed) return;
+  const auto report_samples = [&] {
+    if (samples() > 1) recorder_.event([&] { return samples_event(triangle, asked.covered, outcome); });
+  };
+  if (outcome.depth == FragmentEvent::Depth::failed) return report_samples();
   const bool whole_picture = plan_.defers;
   if (outcome.written == 0) {
     // The stencil buffer kept it away: in a shadow volume, or else because an equal depth was shaded before.
     if (plan_.counts_volumes) report_lights(fragment, triangle, asked, pass, outcome);
-    return;
+    return report_samples();
   }
   if (!whole_picture) report_surface(triangle, asked);
   const Vec4f shaded = page(asked, Page::shaded);
@@ -149,17 +158,7 @@ void StoryDrawer::report_write(const FragmentEvent& fragment, NearTriangle& tria
     });
   }
   report_mirror(triangle, asked);
-  if (samples() > 1)
-    recorder_.event([&] {
-      CoverageEvent event;
-      event.id = triangle.id;
-      event.covered = true;
-      event.tests = samples();
-      for (int sample = 0; sample < samples(); ++sample)
-        if (((outcome.written >> sample) & 1u) != 0) event.values.push_back(sample);
-      event.how = std::to_string(event.values.size()) + " of " + std::to_string(event.tests) + " samples are written";
-      return event;
-    });
+  report_samples();
   recorder_.event([&] { return WriteEvent{triangle.id, outcome.before, vector_of(shaded), outcome.after}; });
   if (pass.counted && samples() == 1) recorder_.count(Counter::pixels_written);
 }

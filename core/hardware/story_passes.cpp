@@ -60,8 +60,14 @@ StoryDrawer::Outcome StoryDrawer::draw_really(const DrawPass& pass, unsigned amo
   if (tests && !pass.finds_depth() && !whole_picture) equal = depth_is_equal(pass, draw);
   outcome.before = colour_now();
   outcome.stored = depth_now();
-  if (shop_.target->shape().stencil && samples() == 1)
+  outcome.sample = among & (~among + 1);
+  if (samples() > 1) {
+    outcome.samples = look_at_values(among, draw);
+    if (!outcome.samples.stencil.empty())
+      outcome.stencil = outcome.samples.stencil[static_cast<std::size_t>(std::countr_zero(among))];
+  } else if (shop_.target->shape().stencil) {
     outcome.stencil = shop_.target->read_stencil(pixel_) & static_cast<int>(stencil_mask());
+  }
   bind_picture(pass);
   set_pass(pass);
   for (int sample = 0; sample < samples(); ++sample)

@@ -1,7 +1,6 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/stop.h"
 #include "hardware/definitions.h"
@@ -25,36 +24,28 @@ VolumeCrossing crossing_of(const raster::ShadowVolume& volume, std::size_t trian
   return crossing;
 }
 
-/// The triangles of the volume's surface in the order in which they are drawn: those that face inwards last.
-std::vector<std::size_t> in_drawing_order(const raster::ShadowVolume& volume, const raster::DrawObject& object) {
-  std::vector<std::size_t> order(volume.surface->triangles.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_partition(order.begin(), order.end(),
-                        [&](std::size_t triangle) { return faces_outwards(volume, object, triangle); });
-  return order;
-}
-
 }  // namespace
 
 // Halves the list until single faces are left: all that the driver reports of a draw is whether it wrote something.
-void StoryDrawer::find_faces(int first, int count, std::vector<int>& found) const {
+void StoryDrawer::find_faces(int first, int count, unsigned sample, std::vector<int>& found) const {
   check_stop();
   const auto draw = [&] { glDrawArrays(GL_TRIANGLES, 3 * first, 3 * count); };
-  if (count == 0 || count_samples(all_samples(), draw) == 0) return;
+  if (count == 0 || count_samples(sample, draw) == 0) return;
   if (count == 1) return found.push_back(first);
-  find_faces(first, count / 2, found);
-  find_faces(first + count / 2, count - count / 2, found);
+  find_faces(first, count / 2, sample, found);
+  find_faces(first + count / 2, count - count / 2, sample, found);
 }
 
 std::optional<VolumeCrossing> StoryDrawer::crossing(const raster::ShadowVolume& volume, const VolumeBuffers& buffers,
-                                                    int face, std::size_t triangle) {
+                                                    int face, std::size_t triangle, unsigned sample) {
   Program& story = program_of("volume_vertex.glsl", "volume_fragment.glsl",
                               volume_definitions(plan_, shop_.driver().clip_control, ProgramUse::story));
   const auto draw = [&] { glDrawArrays(GL_TRIANGLES, 3 * face, 3); };
   set_volume_state(story);
   set_object(story, buffers.object());
-  const Vec4f seen = value_written(all_samples(), draw);
-  if (seen.z > 0) return {};  // outside the limits
+  const Vec4f seen = value_written(sample, draw);
+  if (!(seen.w > 0)) return {};  // it covers a sample of a neighbour, see guard_neighbours()
+  if (seen.z > 0) return {};     // outside the limits
   const bool front = seen.y > 0;
   const bool faces_out = 3 * face < buffers.outwards();
   VolumeCrossing found = crossing_of(volume, triangle);
@@ -65,14 +56,14 @@ std::optional<VolumeCrossing> StoryDrawer::crossing(const raster::ShadowVolume& 
   set_volume_state(program);
   set_object(program, buffers.object());
   glDisable(GL_STENCIL_TEST);
-  const bool passed = count_samples(all_samples(), draw) > 0;
+  const bool passed = count_samples(sample, draw) > 0;
   const bool fail = plan_.settings.shadows == Shadows::stencil_depth_fail;
   if (passed != fail) found.change = found.enters == fail ? -1 : 1;
   return found;
 }
 
 // The faces of the light's shadow volumes that cover the pixel, each drawn alone as count_volumes() draws all of them.
-StencilEvent StoryDrawer::stencil_event(std::size_t light) {
+StencilEvent StoryDrawer::stencil_event(std::size_t light, unsigned sample) {
   StencilEvent event;
   event.light = static_cast<int>(light);
   const std::vector<raster::ShadowVolume>& volumes = (*plan_.volumes)[light];
@@ -85,11 +76,10 @@ StencilEvent StoryDrawer::stencil_event(std::size_t light) {
     begin_asking();
     buffers.bind();
     std::vector<int> covering;
-    find_faces(0, (buffers.outwards() + buffers.inwards()) / 3, covering);
-    if (covering.empty()) continue;
-    const std::vector<std::size_t> order = in_drawing_order(volumes[i], plan_.objects[buffers.object()]);
+    find_faces(0, (buffers.outwards() + buffers.inwards()) / 3, sample, covering);
     for (const int face : covering)
-      if (const auto found = crossing(volumes[i], buffers, face, order[static_cast<std::size_t>(face)]))
+      if (const auto found =
+              crossing(volumes[i], buffers, face, buffers.numbers()[static_cast<std::size_t>(face)], sample))
         event.crossings.push_back(*found);
   }
   std::stable_sort(event.crossings.begin(), event.crossings.end(),
@@ -101,7 +91,7 @@ StencilEvent StoryDrawer::stencil_event(std::size_t light) {
 void StoryDrawer::report_stencil(const DrawPass& pass, const Outcome& outcome, double z) {
   if (pass.light < 0 || !outcome.stencil || volumes_[static_cast<std::size_t>(pass.light)].empty()) return;
   recorder_.event([&] {
-    StencilEvent event = stencil_event(static_cast<std::size_t>(pass.light));
+    StencilEvent event = stencil_event(static_cast<std::size_t>(pass.light), outcome.sample);
     event.surface_z = z;
     event.stored = *outcome.stencil;
     return event;

@@ -28,6 +28,10 @@ GLenum depth_format(const TargetShape& shape) {
   return GL_DEPTH_COMPONENT32F;
 }
 
+GLenum depth_place(const TargetShape& shape) {
+  return shape.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
+}
+
 template <class Pixel>
 std::vector<Pixel> read_pixels(unsigned picture, const TargetShape& shape, GLenum format, GLenum type) {
   std::vector<Pixel> pixels(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height));
@@ -66,11 +70,37 @@ void Target::make(Pictures& pictures, int samples) const {
     places[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
     attach(pictures.buffers[i], formats[i], places[i]);
   }
-  attach(pictures.depth, depth_format(shape_), shape_.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT);
+  if (samples == 1 || !attach_depth_texture(pictures, samples))
+    attach(pictures.depth, depth_format(shape_), depth_place(shape_));
   glDrawBuffers(static_cast<GLsizei>(count()), places.data());
   check_gl("making a picture to draw into");
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw InputError("the graphics driver cannot draw into pictures of 32-bit floats");
+}
+
+// A shader can read single samples of a texture, and of no other buffer.
+bool Target::attach_depth_texture(Pictures& pictures, int samples) const {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &most);
+  if (most < samples) return false;
+  glGenTextures(1, &pictures.depth_texture);
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, pictures.depth_texture);
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, depth_format(shape_), shape_.width, shape_.height,
+                          GL_TRUE);
+  GLint given = 0;
+  glGetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_SAMPLES, &given);
+  if (given != samples) {
+    glDeleteTextures(1, &pictures.depth_texture);
+    pictures.depth_texture = 0;
+    return false;
+  }
+  glFramebufferTexture2D(GL_FRAMEBUFFER, depth_place(shape_), GL_TEXTURE_2D_MULTISAMPLE, pictures.depth_texture, 0);
+  return true;
+}
+
+std::optional<unsigned> Target::depth_samples() const {
+  if (drawn_.depth_texture == 0) return {};
+  return drawn_.depth_texture;
 }
 
 Target::~Target() { release(); }
@@ -79,6 +109,7 @@ void Target::release() {
   for (const Pictures* pictures : {&drawn_, &resolved_}) {
     glDeleteFramebuffers(1, &pictures->framebuffer);
     glDeleteRenderbuffers(1, &pictures->depth);
+    glDeleteTextures(1, &pictures->depth_texture);
     glDeleteRenderbuffers(static_cast<GLsizei>(pictures->buffers.size()), pictures->buffers.data());
   }
 }
@@ -89,8 +120,7 @@ void Target::bind() const {
 }
 
 int Target::share(int first) const {
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, shape_.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
-                            GL_RENDERBUFFER, drawn_.depth);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, depth_place(shape_), GL_RENDERBUFFER, drawn_.depth);
   for (std::size_t i = 1; i < count(); ++i)
     glFramebufferRenderbuffer(GL_FRAMEBUFFER,
                               GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(first) + static_cast<GLenum>(i) - 1,

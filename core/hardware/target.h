@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 
 #include "frame/frame.h"
 #include "scene/scene.h"
@@ -48,6 +49,9 @@ class Target {
   float read_depth(Vec2i pixel) const;
   /// One pixel's number in the stencil buffer. Only with one sample.
   int read_stencil(Vec2i pixel) const;
+  /// The depth buffer as a texture with several samples per pixel. Nothing with one sample, and where the driver has no
+  /// such textures of depths.
+  std::optional<unsigned> depth_samples() const;
   /// Copies what was drawn, and resolved, to the frame's channels.
   void read(Frame& frame) const;
   /// Copies which triangle each pixel shows, of a target with channels.
@@ -59,9 +63,11 @@ class Target {
   static constexpr std::size_t most_pictures = 4;
   struct Pictures {
     unsigned framebuffer = 0, depth = 0;
+    unsigned depth_texture = 0;  ///< in place of `depth`, where there are several samples
     std::array<unsigned, most_pictures> buffers{};
   };
   void make(Pictures& pictures, int samples) const;
+  bool attach_depth_texture(Pictures& pictures, int samples) const;
   void release();
   std::size_t count() const { return shape_.channels ? most_pictures : 1; }
 

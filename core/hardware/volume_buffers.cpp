@@ -27,14 +27,15 @@ unsigned uploaded(const std::vector<Value>& first, const std::vector<Value>& sec
 
 VolumeBuffers::VolumeBuffers(const VolumeFaces& faces)
     : object_(faces.object), outwards_(static_cast<int>(faces.outwards.places.size())),
-      inwards_(static_cast<int>(faces.inwards.places.size())),
+      inwards_(static_cast<int>(faces.inwards.places.size())), numbers_(faces.outward_numbers),
       places_(uploaded(faces.outwards.places, faces.inwards.places)) {
+  numbers_.insert(numbers_.end(), faces.inward_numbers.begin(), faces.inward_numbers.end());
   if (!faces.outwards.snapped.empty() || !faces.inwards.snapped.empty())
     snapped_ = uploaded(faces.outwards.snapped, faces.inwards.snapped);
 }
 
 VolumeBuffers::VolumeBuffers(VolumeBuffers&& other) noexcept
-    : object_(other.object_), outwards_(other.outwards_), inwards_(other.inwards_),
+    : object_(other.object_), outwards_(other.outwards_), inwards_(other.inwards_), numbers_(std::move(other.numbers_)),
       places_(std::exchange(other.places_, 0)), snapped_(std::exchange(other.snapped_, 0)) {}
 
 VolumeBuffers::~VolumeBuffers() {

@@ -18,12 +18,15 @@ class VolumeBuffers {
   /// Number of corners that face outwards; the others follow.
   int outwards() const { return outwards_; }
   int inwards() const { return inwards_; }
+  /// Of the triangles in the volume's surface, in the order in which they are drawn.
+  const std::vector<std::uint32_t>& numbers() const { return numbers_; }
   /// Makes them the input of volume_vertex.glsl.
   void bind() const;
 
  private:
   std::size_t object_ = 0;
   int outwards_ = 0, inwards_ = 0;
+  std::vector<std::uint32_t> numbers_;
   unsigned places_ = 0, snapped_ = 0;
 };
 

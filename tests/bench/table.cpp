@@ -9,6 +9,7 @@ Benches gains_benches();
 Benches window_path_benches();
 Benches headline_benches();
 Benches inspect_benches();
+Benches hardware_story_benches();
 Benches memory_benches();
 Benches needs_benches();
 Benches packets_benches();
@@ -36,6 +37,7 @@ Benches all_benches() {
   append(all, headline_benches());
   append(all, needs_benches());
   append(all, inspect_benches());
+  append(all, hardware_story_benches());
 #ifdef PIXELSCOPE_EMBREE
   append(all, embree_benches());
 #endif

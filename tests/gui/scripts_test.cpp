@@ -1,6 +1,7 @@
 // Every script of tests/gui/scripts in the real window, at the sizes of a small and of a common screen. A line
-// "# arguments: ..." gives arguments for the program. A line "# size: WxH" is for scripts that wait for
-// measurements: they are played at this size alone. OUT/ stands for a folder for screenshots; none may be blank.
+// "# arguments: ..." gives arguments for the program, "# renderer: KEY" skips the script in builds without that
+// renderer. A line "# size: WxH" is for scripts that wait for measurements: they are played at this size alone. OUT/
+// stands for a folder for screenshots; none may be blank.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "gui/program.h"
 #include "image/file.h"
 #include "support/golden.h"
+#include "support/option_contexts.h"
 
 namespace scripts_test {
 namespace {
@@ -78,6 +80,8 @@ TEST_P(Script, Plays) {
   const auto folder = ps::fresh_output_folder("gui-" + name + "-" + size);
   std::string commands = text_of(name);
   ASSERT_FALSE(commands.empty());
+  const std::string renderer = note_of(commands, "renderer");
+  if (!renderer.empty() && !ps::test::has_renderer(renderer)) GTEST_SKIP() << "this build has no renderer " << renderer;
   const std::string arguments = note_of(commands, "arguments");
   replace_all(commands, "OUT/", folder.string() + "/");
   const auto result = ps::test::play(commands, folder, size, arguments);

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "frame/display_frame.h"
+#include "inspect/parting/parting.h"
 #include "math/has_nan.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
@@ -168,6 +169,44 @@ TEST(ListingBug, ActsOnlyInItsListing) {
   EXPECT_EQ(running_listing(settings, traits).bug, "dazzling");
   settings.renderer = Renderer::ray_tracer;
   EXPECT_EQ(picture(scene, settings), picture(scene, settings_for(scene)));
+}
+
+/// Wherever a bug is seen, the parting says that there is a wrong line and where to look, and names neither it nor an
+/// option: the options are equal, and what an event shows followed from the line.
+TEST(ListingBug, ThePartingLeavesTheLineToTheStudent) {
+  for (const ListingBug& bug : listing_bugs()) {
+    const Scene scene = load_scene(scene_for(bug.folder));
+    const View view{scene.camera, 120, 120};
+    Settings b = settings_of(scene, bug), rasterized = settings_for(scene);
+    b.backface_culling = bug.name == "open_boxes";
+    Settings a = b;
+    set_bug(a, bug.key);
+    rasterized.renderer = Renderer::rasterizer;
+    Prepared prepared;
+    Progress progress;
+    const Frame right = render(scene, view, b), wrong = render(scene, view, a);
+    int looked_at = 0;
+    for (int y = 0; y < 120 && looked_at < 5; y += 3)
+      for (int x = 0; x < 120 && looked_at < 5; x += 3) {
+        if (right.colour_double.at(x, y) == wrong.colour_double.at(x, y)) continue;
+        ++looked_at;
+        const PixelStory of_a = inspect(scene, view, a, {x, y}, prepared, progress);
+        const PixelStory of_b = inspect(scene, view, b, {x, y}, prepared, progress);
+        const Parting parting = find_parting(scene, {of_a, a}, {of_b, b}),
+                      back = find_parting(scene, {of_b, b}, {of_a, a});
+        EXPECT_EQ(parting.cause, PartingCause::planted_bug) << bug.key << ": " << parting.sentence;
+        EXPECT_EQ(parting.sentence.find("The listings of A and B differ in one line: find it. A ends with"), 0u)
+            << bug.key << ": " << parting.sentence;
+        EXPECT_EQ(back.cause, PartingCause::planted_bug) << bug.key;
+        const PixelStory other = inspect(scene, view, rasterized, {x, y}, prepared, progress);
+        if (other.linear == of_a.linear) continue;
+        EXPECT_EQ(
+            find_parting(scene, {of_a, a}, {other, rasterized}).sentence.find("The listing of A has one wrong line"),
+            0u)
+            << bug.key;
+      }
+    EXPECT_GT(looked_at, 0) << bug.key;
+  }
 }
 
 /// The values are beside the lines of the variant's own file, whose numbers are those of the listing.

@@ -23,7 +23,7 @@ TEST(PartingCsg, TheRasterizerDoesNotDrawIt) {
   const PixelStory a = inspect(scene, view, traced, {300, 300}, prepared, progress);
   const PixelStory b = inspect(scene, view, drawn, {300, 300}, prepared, progress);
   const Parting parting = find_parting(scene, {a, traced}, {b, drawn});
-  EXPECT_NE(parting.sentence.find("leaves out CSG objects"), std::string::npos) << parting.sentence;
+  EXPECT_NE(parting.sentence.find("leave out CSG objects"), std::string::npos) << parting.sentence;
   EXPECT_EQ(parting.sentence.find("flat triangles"), std::string::npos) << parting.sentence;
 }
 

@@ -5,7 +5,7 @@
 #include "depth.glsl"
 #endif
 #if STORY
-layout(location = 0) out vec4 story_value;  // camera z; 1 for a front; 1 outside the limits
+layout(location = 0) out vec4 story_value;  // camera z; 1 for a front; 1 outside the limits; 1: it is drawn
 #endif
 
 void main() {
@@ -15,7 +15,7 @@ void main() {
 #else
   float z = carried_z.x;
 #endif
-  story_value = vec4(z, gl_FrontFacing, outside_limits(), 0.0);
+  story_value = vec4(z, gl_FrontFacing, outside_limits(), 1.0);
 #else
   if (outside_limits()) discard;
 #endif

@@ -117,13 +117,32 @@ std::optional<Parting> part_at_canvas(const Comparison& c) {
                  of_a.empty() ? last_event(c.a) : of_a.back(), of_b.empty() ? last_event(c.b) : of_b.back()};
 }
 
+/// How often the triangle that is seen writes the pixel: once for each pass that adds light.
+int count_writes(const PixelStory& story) {
+  int count = 0;
+  PixelId last;
+  for (const Event& event : story.events)
+    if (const auto* write = std::get_if<WriteEvent>(&event.data)) {
+      count = write->id == last ? count + 1 : 1;
+      last = write->id;
+    }
+  return count;
+}
+
+std::string passes_text(int count) { return count == 1 ? "one pass" : fmt::format("{} passes", count); }
+
 /// Nothing but rounding: small at every step, and yet enough to end on another level.
 std::optional<Parting> part_at_last_digits(const Comparison& c) {
   const std::string why = because(c, {"precision", "sphere-test", "triangle-test", "self-hit", "shadow-epsilon",
                                       "reflection-epsilon", "epsilon-unit", "renderer"});
   if (why.empty() || !c.same(c.a.story.linear, c.b.story.linear)) return std::nullopt;
-  return Parting{PartingCause::precision, "Both take the same steps; only the last digits differ" + why + ".",
-                 last_event(c.a), last_event(c.b)};
+  const int writes_a = count_writes(c.a.story), writes_b = count_writes(c.b.story);
+  const std::string steps =
+      writes_a == writes_b
+          ? "Both take the same steps; only the last digits differ"
+          : fmt::format("A adds up this pixel's colour in {}, B in {}; only the last digits of the sums differ",
+                        passes_text(writes_a), passes_text(writes_b));
+  return Parting{PartingCause::precision, steps + why + ".", last_event(c.a), last_event(c.b)};
 }
 
 }  // namespace
@@ -182,11 +201,8 @@ bool is_plain(PartingCause cause) {
 
 constexpr double half_a_pixel = 0.02;  // how much numbers may differ for the place in a pixel alone
 
-}  // namespace
-
-Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b) {
-  if (a.story.linear == b.story.linear && a.story.display == b.story.display)
-    return {PartingCause::none, "Both stories end in exactly the same colour.", -1, -1};
+/// The first step of both stories that differs, with its cause as renderers would have it.
+Parting first_step(const Scene& scene, const StorySide& a, const StorySide& b) {
   const auto stepped_a = as_stepped(scene, a), stepped_b = as_stepped(scene, b);
   const StorySide side_a = stepped_a ? StorySide{stepped_a->story, stepped_a->settings} : a;
   const StorySide side_b = stepped_b ? StorySide{stepped_b->story, stepped_b->settings} : b;
@@ -199,6 +215,34 @@ Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b)
     c.slack = 0;
   }
   return find_step(c);
+}
+
+std::string planted_in(const StorySide& side) {
+  return side.story.listing ? side.story.listing->listing.bug : std::string();
+}
+
+/// What can be said of a listing with a wrong line. The step is marked and not explained.
+std::string planted_bug_text(const StorySide& a, const StorySide& b) {
+  const std::string ends =
+      fmt::format(" A ends with {} and B with {}.", vector_text(a.story.linear), vector_text(b.story.linear));
+  const bool one_listing =
+      a.story.listing && b.story.listing && a.story.listing->listing.folder == b.story.listing->listing.folder;
+  const std::string bug_a = planted_in(a), bug_b = planted_in(b);
+  if (one_listing && (bug_a.empty() || bug_b.empty()))
+    return "The listings of A and B differ in one line: find it." + ends;
+  if (!bug_a.empty() && !bug_b.empty()) return "The listings of A and B have a wrong line each: find both." + ends;
+  return fmt::format("The listing of {} has one wrong line. Compare it first with the listing without a bug.{}",
+                     bug_a.empty() ? "B" : "A", ends);
+}
+
+}  // namespace
+
+Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b) {
+  if (a.story.linear == b.story.linear && a.story.display == b.story.display)
+    return {PartingCause::none, "Both stories end in exactly the same colour.", -1, -1};
+  Parting parting = first_step(scene, a, b);
+  if (planted_in(a) == planted_in(b)) return parting;
+  return {PartingCause::planted_bug, planted_bug_text(a, b), parting.event_a, parting.event_b};
 }
 
 }  // namespace ps

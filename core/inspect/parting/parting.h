@@ -31,6 +31,7 @@ enum class PartingCause {
   light_model,       ///< another equation of light, or a part of it left out
   texture,           ///< one reads a texture that the other leaves out
   display,           ///< the same light, shown differently
+  planted_bug,       ///< a listing runs with a wrong line, which students are to find
   unexplained
 };
 
@@ -53,7 +54,9 @@ struct Parting {
 
 /// Finds the first step at which the two stories differ, in the order in which a picture is made (what is seen, where,
 /// its texture, its light, its reflection), and names the cause from the events and from the options that differ. Both
-/// stories are of the same scene and pixel. What no rule explains is called unexplained.
+/// stories are of the same scene and pixel. What no rule explains is called unexplained. Where a listing runs with a
+/// planted bug no cause is named but that: events and options show what followed from the wrong line, and not which one
+/// it is.
 Parting find_parting(const Scene& scene, const StorySide& a, const StorySide& b);
 
 }  // namespace ps

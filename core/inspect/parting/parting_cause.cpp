@@ -48,6 +48,8 @@ std::string_view parting_cause_key(PartingCause cause) {
     return "texture";
   case PartingCause::display:
     return "display";
+  case PartingCause::planted_bug:
+    return "planted-bug";
   case PartingCause::unexplained:
     return "unexplained";
   }

@@ -197,11 +197,11 @@ Parting ray_and_fragment_differ(const Comparison& c, const Sighting& a, const Si
                                       primitive_name(c.scene, ray.id), letter, primitive_name(c.scene, drawn.id));
   if (is_csg(c.scene, ray.id))
     return says(PartingCause::tessellation,
-                saw + ": the rasterizer leaves out CSG objects, whose surfaces are only computed per ray.");
+                saw + ": renderers of triangles leave out CSG objects, whose surfaces are only computed per ray.");
   if (is_tessellated(c.scene, ray.id) || is_tessellated(c.scene, drawn.id))
     return says(
         PartingCause::tessellation,
-        saw + ": the ray meets the exact curved surface; the rasterizer draws flat triangles with vertices on it.");
+        saw + ": the ray meets the exact curved surface; flat triangles with vertices on it are drawn in its place.");
   return says(PartingCause::silhouette,
               saw + ": an outline passes within a pixel, and rays round differently from snapped vertices.");
 }

@@ -12,6 +12,12 @@ namespace {
 /// A listing and a kernel may do the same sums in another order.
 constexpr double other_order = 1e-9;
 
+/// Does the renderer of one side not act on the option, as drivers on sub-pixel bits? Then its values explain nothing.
+bool is_lacked(const StorySide& side, std::string_view key) {
+  const RendererKind& kind = renderer_kind(side.settings.renderer);
+  return kind.lacks_option && kind.lacks_option(*find_option(key), side.settings).has_value();
+}
+
 }  // namespace
 
 double Comparison::tolerance() const {
@@ -46,7 +52,7 @@ std::string option_difference(const Comparison& c, std::string_view key) {
 
 std::string because(const Comparison& c, std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys)
-    if (differs(c, key)) return ": " + option_difference(c, key);
+    if (differs(c, key) && !is_lacked(c.a, key) && !is_lacked(c.b, key)) return ": " + option_difference(c, key);
   return {};
 }
 

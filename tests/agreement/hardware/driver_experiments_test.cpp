@@ -1,5 +1,6 @@
-// The experiments that only hardware shows: mip levels that blocks of 2 x 2 pixels share; vertices that the driver
-// rounds, against its own word about its sub-pixel bits; and its depth formats, against the width of their codes.
+// The experiments that only hardware shows: mip levels that blocks of 2 x 2 pixels share, and derivatives that are
+// differences within them; vertices that the driver rounds, against its own word about its sub-pixel bits; and its
+// depth formats, against the width of their codes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,9 +94,28 @@ TEST(DriverDepth, FormatsKeepSheetsApartFromTheWidthOfACode) {
     EXPECT_NEAR(row.naive, rows_of(rows, "16 bits, ours").at(gap).naive, 3) << gap;
 }
 
+// Differences within a block see what jumps inside it, and nothing else: not the outline of a triangle.
+TEST(DriverEdges, AreWrongWhereCoordinatesJump) {
+  PS_NEEDS_HARDWARE(hardware);
+  const StabilityExperiment& experiment = find_stability_experiment("driver-edges");
+  const std::vector<StabilityRow> rows = experiment.measure({});
+  const auto jumps = rows_of(rows, "at jumps"), elsewhere = rows_of(rows, "elsewhere");
+  const auto outline = rows_of(rows, "at the outline");
+  ASSERT_EQ(jumps.size(), experiment.frames.size());
+  ASSERT_EQ(elsewhere.size(), experiment.frames.size() + 1);
+  EXPECT_EQ(jumps.count(0), 0u) << "without a relief the plane is smooth";
+  EXPECT_LT(elsewhere.at(0).naive, 1);
+  EXPECT_LT(outline.at(0).naive, 1);
+  for (const auto& [depth, row] : jumps) {
+    EXPECT_GT(row.naive, 10) << depth;
+    EXPECT_GT(row.naive, 3 * elsewhere.at(depth).naive) << depth;
+  }
+  for (const StabilityRow& row : rows) EXPECT_LT(row.robust, 0.5) << row.series << " " << row.knob;
+}
+
 TEST(DriverExperiments, OpenTheirPictures) {
   PS_NEEDS_HARDWARE(hardware);
-  for (const char* key : {"driver-level", "driver-depth"}) {
+  for (const char* key : {"driver-level", "driver-depth", "driver-edges"}) {
     const StabilityExperiment& experiment = find_stability_experiment(key);
     Progress progress;
     for (const double knob : experiment.frames) {

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "agreement/hardware/hardware_pair.h"
 #include "base/check.h"
 #include "hardware/gl_thread.h"
@@ -35,7 +37,28 @@ TEST(HardwareLimits, MoreLightsThanAUniformBlockHolds) {
   scene.lights.edit([&](std::vector<Light>& lights) { lights.push_back(lights.front()); });
   EXPECT_EQ(failure_of(scene, 40, 30, hardware),
             fmt::format("{} lights: this graphics driver holds at most {} of them in a uniform block", most + 1, most));
+  EXPECT_EQ(failure_of(scene, 40, 30, Renderer::rasterizer), "");
   EXPECT_EQ(failure_of(load_scene("cgfs/shading"), 40, 30, hardware), "");
+}
+
+/// Each from another direction: were a few of them cut off, or read in the place of others, the picture would differ.
+TEST(HardwareLimits, AThousandLights) {
+  PS_NEEDS_HARDWARE(hardware);
+  constexpr int count = 1000;
+  if (hardware::availability().driver->max_block_bytes < 48 * count) GTEST_SKIP() << "this driver holds fewer";
+  Scene scene = load_scene("cgfs/shading");
+  scene.lights.edit([&](std::vector<Light>& lights) {
+    lights.clear();
+    for (int i = 0; i < count; ++i) {
+      Light light{LightKind::directional, 3.0 / count};
+      light.direction = {std::cos(i * 0.37), 0.5 + std::sin(i * 0.11), -1};
+      lights.push_back(light);
+    }
+  });
+  const test::PairDifference difference = test::compare_with_rasterizer(scene, settings_for(scene), hardware, 120, 90);
+  EXPECT_GT(difference.seen, 1000) << difference.text();
+  EXPECT_LE(difference.ids, 2) << difference.text();
+  EXPECT_LE(difference.colours, 2) << difference.text();
 }
 
 TEST(HardwareLimits, ATextureLargerThanTheDriverHolds) {
@@ -48,6 +71,8 @@ TEST(HardwareLimits, ATextureLargerThanTheDriverHolds) {
   const std::string failure = failure_of(scene, 40, 30, hardware);
   EXPECT_NE(failure.find(fmt::format("a texture of {} x 1 texels", most + 1)), std::string::npos) << failure;
   EXPECT_NE(failure.find(fmt::format("this graphics driver holds at most {}", most)), std::string::npos) << failure;
+  EXPECT_EQ(failure_of(scene, 40, 30, Renderer::rasterizer), "");
+  EXPECT_EQ(failure_of(load_scene("cgfs/crates"), 40, 30, hardware), "");
 }
 
 TEST(HardwareLimits, APictureLargerThanTheDriverDraws) {
