@@ -120,9 +120,9 @@ Vec3d trace_ray(const BookScene& scene, const std::vector<Triangle>& triangles, 
   Vec3d weights(0);
   const Triangle* hit = nearest(triangles, origin, direction, scene.settings.near, infinity, t, weights);
   if (!hit) return scene.background;
-  const Vec3d point = origin + direction * t;
+  const auto &v = hit->vertices, &n = hit->normals;
+  const Vec3d point = v[0] * weights.x + v[1] * weights.y + v[2] * weights.z;
   PS_WATCH("point", point);
-  const auto& n = hit->normals;
   const Vec3d normal = n[0] * weights.x + n[1] * weights.y + n[2] * weights.z;
   PS_WATCH("normal", normal);
   PS_WATCH("surface colour", hit->material.colour * 255.0);
