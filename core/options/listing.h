@@ -29,6 +29,7 @@ struct ListingDraws {
   bool canvas_lines = false;
   bool canvas_triangles = false;
   bool canvas_intensities = false;  ///< the intensities h at their vertices
+  bool canvas_gradients = false;    ///< vertices of different colours
   bool light = false;
   bool shadows = false;
   bool reflections = false;

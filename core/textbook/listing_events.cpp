@@ -1,5 +1,6 @@
 #include "textbook/listing_events.h"
 
+#include "options/option.h"
 #include "options/renderer_kind.h"
 #include "textbook/report_parts.h"
 
@@ -10,7 +11,7 @@ std::vector<Event> listing_events(const BookScene& book, const ListingTrace& tra
   PixelRecorder recorder(trace.pixel);
   if (sends_rays(stepped_like(trace.listing)))
     textbook::report_rays(book, reader, recorder);
-  else if (trace.listing.listing->draws.canvas_lines)
+  else if (trace.listing.listing->draws.canvas_lines || trace.listing.listing->draws.canvas_triangles)
     textbook::report_canvas_items(book, reader, recorder);
   else
     textbook::report_triangles(book, reader, recorder);
@@ -33,6 +34,7 @@ Settings settings_as_listed(const NamedListing& listing, const Scene& scene, con
   as.adaptive_sampling = false;
   as.projection = Projection::perspective;
   as.viewport_fit = ViewportFit::height;
+  as.field_of_view_span = FieldOfViewSpan::edges;
   as.sphere_test = SphereTest::quadratic;
   as.self_hit = SelfHit::epsilon;
   as.epsilon_unit = EpsilonUnit::ray_parameter;
@@ -57,6 +59,8 @@ Settings settings_as_listed(const NamedListing& listing, const Scene& scene, con
   if (rays && !draws.reflections) as.reflection_depth = 0;
   if (rays) as.specular = true;
   if (listing.listing->as_settings) listing.listing->as_settings(as);
+  for (const std::string_view key : listing.listing->reads)
+    if (const Option* option = find_option(key)) option->set(as, option->get(settings));
   return as;
 }
 

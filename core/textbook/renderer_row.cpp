@@ -15,7 +15,7 @@ const Listing& chosen_listing(const SceneTraits& traits, const Settings& setting
 bool listing_shows_objects(const SceneTraits& traits, const Settings& settings) {
   const ListingDraws& draws = chosen_listing(traits, settings).draws;
   return (traits.spheres && draws.spheres) || (traits.triangles && draws.models) ||
-         (traits.canvas_items && draws.canvas_lines);
+         (traits.canvas_items && draws.canvas_lines) || (traits.canvas_triangles && draws.canvas_triangles);
 }
 
 /// What each kind of thing is called, whether the scene has it and the listing shows it, and what to set to see it.
@@ -37,13 +37,15 @@ std::vector<LeftOut> gaps_of_listing(const SceneTraits& traits, const Settings& 
       {objects, traits.triangles && !draws.models, "models made of triangles", in_space},
       {objects, traits.solids, "planes, rectangles, boxes and cylinders", in_space},
       {objects, traits.csg, "CSG", in_space},
-      {objects, traits.canvas_items && !draws.canvas_lines, "what is drawn on the canvas", on_canvas},
+      {objects, traits.canvas_items && !draws.canvas_lines && !draws.canvas_triangles, "what is drawn on the canvas",
+       on_canvas},
+      {objects, traits.canvas_items && !draws.canvas_lines && draws.canvas_triangles, "lines on the canvas", on_canvas},
       {objects, traits.canvas_triangles && draws.canvas_lines && !draws.canvas_triangles, "triangles on the canvas",
        on_canvas},
       {effect, traits.canvas_intensities && draws.canvas_triangles && !draws.canvas_intensities,
        "intensities at the vertices of triangles on the canvas", on_canvas},
-      {effect, traits.canvas_gradients && draws.canvas_triangles, "gradients between vertices of different colours",
-       on_canvas},
+      {effect, traits.canvas_gradients && draws.canvas_triangles && !draws.canvas_gradients,
+       "gradients between vertices of different colours", on_canvas},
       {effect, shows_space && settings.lighting && settings.draw == Draw::filled && !draws.light, "light", in_space},
       {effect, shows_space && draws.light && asks_for_shadows(traits, settings) && !draws.shadows, "shadows", in_space},
       {effect, shows_space && asks_for_reflections(traits, settings) && !draws.reflections, "reflections", in_space},

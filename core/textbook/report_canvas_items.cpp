@@ -1,4 +1,4 @@
-// The listings of CGFS ch. 6 and 7 in a rasterizer's events.
+// The listings of what is drawn on the canvas in a rasterizer's events.
 #include <cmath>
 
 #include "textbook/report_parts.h"
@@ -49,8 +49,9 @@ class CanvasReporter {
     const CanvasTriangle* found = nullptr;
     for (const CanvasItem& item : items_)
       if (const auto* one = std::get_if<CanvasTriangle>(&item);
-          one && Vec2d(std::trunc(one->points[0].x), std::trunc(one->points[0].y)) ==
-                     std::get<Vec2d>(reader_.value_of(triangle)))
+          one && (one->points[0] == std::get<Vec2d>(reader_.value_of(triangle)) ||
+                  Vec2d(std::trunc(one->points[0].x), std::trunc(one->points[0].y)) ==
+                      std::get<Vec2d>(reader_.value_of(triangle))))
         found = one;
     return found;
   }
@@ -67,13 +68,21 @@ class CanvasReporter {
 
   void report_filled(int pixel) {
     const CanvasTriangle* triangle = triangle_of(pixel);
-    if (!triangle) return;
+    if (!triangle) return report_of_polygon(pixel);
     FragmentEvent event;
     for (std::size_t k = 0; k < 3; ++k)
       event.corners[k] = from_top_left({std::trunc(triangle->points[k].x), std::trunc(triangle->points[k].y)});
+    if (reader_.last<bool>(pixel, "covered") == false) return;
+    const Vec3d colour = reader_.last<Vec3d>(pixel, "colour").value_or(triangle->colours[0] * 255.0);
     recorder_.begin([&] { return event; });
-    report_write(reader_.last<Vec3d>(pixel, "colour").value_or(Vec3d(0)) / 255.0, pixel);
+    report_write(colour / 255.0, pixel);
     recorder_.end();
+  }
+
+  /// A polygon that is filled as a whole.
+  void report_of_polygon(int pixel) {
+    if (reader_.around(pixel, "polygon with pixel") < 0) return;
+    report_write(reader_.last<Vec3d>(pixel, "colour").value_or(Vec3d(0)) / 255.0, pixel);
   }
 
   /// A shape's colour meets what the canvas has.

@@ -1,7 +1,8 @@
-// The listings of CGFS ch. 2 to 4 in a ray tracer's events.
+// The listings that follow rays in a ray tracer's events.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "math/vec.h"
@@ -36,11 +37,25 @@ class RayReporter {
   static constexpr std::string_view bounces = "remaining bounces";
 
   struct Found {
-    int sphere = -1;  ///< index into the book's spheres
+    int sphere = -1;    ///< index into the book's spheres
+    int triangle = -1;  ///< the instance of its test
     double t = 0;
+    bool any() const { return sphere >= 0 || triangle >= 0; }
   };
 
   PixelId id_of(int sphere) const { return {objects_.at(static_cast<std::size_t>(sphere)), 0}; }
+  PixelId id_of(const Found& found) const {
+    return found.triangle >= 0 ? id_of_triangle(found.triangle) : id_of(found.sphere);
+  }
+  PixelId id_of_triangle(int test) const {
+    PixelId id{-1, static_cast<std::int32_t>(reader_.last<std::int64_t>(test, "number").value_or(0))};
+    const auto& objects = book_.scene.geometry->objects;
+    for (std::size_t i = 0; i < objects.size() && id.object < 0; ++i)
+      if (std::holds_alternative<Instance>(objects[i].shape) &&
+          objects[i].name == std::get<std::string>(reader_.value_of(test)))
+        id.object = static_cast<std::int32_t>(i);
+    return id;
+  }
   const BookSphere& sphere(int index) const { return book_.spheres.at(static_cast<std::size_t>(index)); }
   double number(int instance, std::string_view name, double otherwise) const {
     return reader_.last<double>(instance, name).value_or(otherwise);
@@ -57,11 +72,29 @@ class RayReporter {
       if (const auto t = reader_.last<Vec2d>(tests[k], "t1, t2"))
         event.roots = {std::min(t->x, t->y), std::max(t->x, t->y)};
       const auto accepted = reader_.last<double>(tests[k], "closest t so far");
-      if (accepted) nearest = {static_cast<int>(k), *accepted};
+      if (accepted) nearest = {static_cast<int>(k), -1, *accepted};
+      event.outcome = outcome(event, accepted.has_value(), t_min, t_max);
+      recorder_.event([&] { return event; });
+    }
+    for (const int test : reader_.below(instance, "triangle of")) {
+      TriangleTestEvent event;
+      event.id = id_of_triangle(test);
+      event.t = reader_.last<double>(test, "t");
+      if (const auto w = reader_.last<Vec3d>(test, "weights")) event.weights = {w->x, w->y, w->z};
+      const auto accepted = reader_.last<double>(test, "closest t so far");
+      if (accepted) nearest = {-1, test, *accepted};
       event.outcome = outcome(event, accepted.has_value(), t_min, t_max);
       recorder_.event([&] { return event; });
     }
     return nearest;
+  }
+
+  TestOutcome outcome(const TriangleTestEvent& test, bool accepted, double t_min, double t_max) const {
+    if (accepted) return TestOutcome::accepted;
+    if (!test.weights) return TestOutcome::back_side;
+    if (!test.t) return TestOutcome::missed;
+    if (*test.t <= t_min) return TestOutcome::before_range;
+    return *test.t >= t_max ? TestOutcome::beyond_range : TestOutcome::farther;
   }
 
   static TestOutcome outcome(const SphereTestEvent& test, bool accepted, double t_min, double t_max) {
@@ -75,7 +108,7 @@ class RayReporter {
   void report_ray(int instance, const RayEvent& ray) {
     recorder_.begin([&] { return ray; });
     const Found hit = report_tests(instance, ray.t_min, ray.t_max);
-    if (hit.sphere < 0)
+    if (!hit.any())
       recorder_.event([&] { return MissEvent{book_.background / book_levels}; });
     else
       report_surface(instance, ray, hit);
@@ -84,19 +117,21 @@ class RayReporter {
 
   void report_surface(int instance, const RayEvent& ray, const Found& hit) {
     HitEvent event;
-    event.id = id_of(hit.sphere);
+    event.id = id_of(hit);
     event.t = hit.t;
     event.point = reader_.last<Vec3d>(instance, "point").value_or(ray.origin + ray.direction * hit.t);
-    const Vec3d outwards = event.point - sphere(hit.sphere).centre;
+    const Vec3d outwards = hit.sphere < 0 ? -ray.direction : event.point - sphere(hit.sphere).centre;
     event.geometric_normal = event.shading_normal =
         reader_.last<Vec3d>(instance, "normal").value_or(outwards * (1 / length(outwards)));
     recorder_.event([&] { return event; });
     for (const auto& [index, light] : numbered(reader_.below(instance, "light")))
       report_light(index, light, instance, event, ray);
     ShadeEvent shade;
-    shade.surface = sphere(hit.sphere).colour / book_levels;
+    const Vec3d surface =
+        hit.sphere < 0 ? reader_.last<Vec3d>(instance, "surface colour").value_or(Vec3d(0)) : sphere(hit.sphere).colour;
+    shade.surface = surface / book_levels;
     shade.light = Vec3d(number(instance, "intensity", 1));
-    shade.local = shade.surface * shade.light;
+    shade.local = reader_.last<Vec3d>(instance, "radiance").value_or(shade.surface * shade.light);
     recorder_.event([&] { return shade; });
     report_mirrored(instance, ray, event, shade.local);
   }
@@ -140,8 +175,8 @@ class RayReporter {
       });
       const Found blocker = report_tests(light, book_.settings.shadow_epsilon, endless);
       recorder_.end();
-      if (blocker.sphere >= 0) {
-        event.blocker = id_of(blocker.sphere);
+      if (blocker.any()) {
+        event.blocker = id_of(blocker);
         event.visible = 0;
       }
     }
@@ -154,6 +189,8 @@ class RayReporter {
     const double with_diffuse = number(light, "with diffuse", before);
     event.diffuse = with_diffuse - before;
     event.specular = number(light, "with specular", with_diffuse) - with_diffuse;
+    if (const auto arriving = reader_.last<double>(light, "arriving"))  // radiometric: Lambert's law
+      event.diffuse = *arriving * std::max(0.0, event.n_dot_l) / std::numbers::pi;
     recorder_.event([&] { return event; });
   }
 

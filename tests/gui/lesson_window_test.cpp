@@ -42,7 +42,7 @@ TEST(LessonWindow, AnswersAreThereAfterARestart) {
         "key Shift+PageDown\nwait idle\nexpect question/open on\nclick question/number\ntype 57600\nkey Enter\n"
         "wait idle\nexpect question/points 1\n",
         lesson);
-  plays(state, "expect question/open off\nclick question/again\nwait idle\nexpect question/open on\n", lesson + "/2");
+  plays(state, "expect question/open off\nclick lesson/ask-again\nwait idle\nexpect question/open on\n", lesson + "/2");
   std::ofstream(state / "pixelscope" / "answers.jsonl", std::ios::app) << "{\"damaged\"\n";
   plays(state, "expect question/open on\nexpect message contains \"answers.jsonl:3:1\"\n", lesson);
 }

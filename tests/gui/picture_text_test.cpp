@@ -59,5 +59,13 @@ TEST_F(Title, NoReflectionsIsADifference) {
   EXPECT_EQ(title_text(b, traits, &a), "no reflections · ray tracer");
 }
 
+// The name of a bug would help to find it, and would not fit a small window.
+TEST_F(Title, OfAListingWithAPlantedBugIsShort) {
+  const Settings a = with({"renderer=textbook", "listing=cgfs-06-lines", "listing-bug=missing-lines"});
+  const Settings b = with({"renderer=textbook", "listing=cgfs-06-lines"});
+  EXPECT_EQ(title_text(a, traits, &b), "one changed line");
+  EXPECT_EQ(title_text(b, traits, &a), "the listing");
+}
+
 }  // namespace
 }  // namespace picture_text_test

@@ -97,15 +97,21 @@ TEST(LessonPlan, AQuestionComesBeforeATallToolBelowIt) {
   EXPECT_TRUE(open.waits);
   EXPECT_EQ(open.text.height(), narrow.area.height());
   EXPECT_EQ(open.pictures.width(), without.pictures.width());
-  narrow.question = PlanQuestion::answered;
-  const LessonPlan answered = plan_lesson(narrow, StagePlace::beside);
-  EXPECT_FALSE(answered.waits);
-  EXPECT_GT(answered.text.height(), without.text.height());
-  EXPECT_GE(answered.stage.height(), 280);
   // Where the tool has a column of its own, nothing has to wait.
   PlanInput wide = input_of({1366, 768, 1}, {600, 600});
   wide.question = PlanQuestion::open;
   EXPECT_FALSE(plan_lesson(wide, StagePlace::beside).waits);
+}
+
+TEST(LessonPlan, ALongTextOverATallToolHasMoreOfTheHeight) {
+  PlanInput narrow = input_of({1024, 768, 1}, {600, 600});
+  const LessonPlan brief = plan_lesson(narrow, StagePlace::beside);
+  narrow.text_height = brief.text.height() + 40;
+  const LessonPlan longer = plan_lesson(narrow, StagePlace::beside);
+  EXPECT_NEAR(longer.text.height(), narrow.text_height, 1) << "no more than it needs";
+  EXPECT_EQ(longer.text.width(), brief.text.width()) << "or its height would change again";
+  narrow.text_height = 5000;
+  EXPECT_GE(plan_lesson(narrow, StagePlace::beside).stage.height(), 280);
 }
 
 }  // namespace

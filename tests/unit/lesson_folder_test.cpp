@@ -74,6 +74,18 @@ TEST(LessonFolder, TheCheckRefusesWhatIsNotTrue) {
   }
 }
 
+TEST(LessonFolder, TheQuickCheckMeasuresClaimsAsTheyStand) {
+  const auto quick = [](const OwnLesson& lesson) { return run_cli({"lessons", "check", lesson.path(), "--quick"}); };
+  const auto fine = quick(OwnLesson());
+  EXPECT_EQ(fine.status, 0) << fine.out << fine.err;
+  EXPECT_TRUE(fine.out.ends_with("1 claims, 0 questions, 0 bugs checked, 0 failed\n")) << fine.out;
+  EXPECT_EQ(quick(OwnLesson("mutation shadows", "mutation shadow-epsilon")).status, 0) << "mutations are left out";
+  const auto false_claim = quick(OwnLesson("bound >= 20000", "bound >= 300000"));
+  EXPECT_EQ(false_claim.status, 1);
+  EXPECT_NE(false_claim.out.find("DOES NOT HOLD"), std::string::npos) << false_claim.out;
+  EXPECT_EQ(quick(OwnLesson("size 300x200", "scene ./none.scene")).status, 1);
+}
+
 TEST(LessonFolder, AFaultIsNamedWithItsPlace) {
   const OwnLesson lesson("bound >= 20000", "bound 20000");
   for (const std::string command : {"check", "show", "handout"}) {

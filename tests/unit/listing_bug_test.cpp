@@ -92,9 +92,14 @@ const char* scene_for(std::string_view folder) {
       {"cgfs_07_filled_triangles", "chapters/cgfs_07_filled_triangles/square.scene"},
       {"cgfs_08_shaded_triangles", "cgfs/shaded-triangle"},
       {"cgfs_10_scenes", "cgfs/cubes"},
+      {"cgfs_11_clipping", "chapters/cgfs_11_clipping/two.scene"},
       {"cgfs_12_hidden_surfaces", "cgfs/depth"},
       {"cgfs_13_shading", "cgfs/shading"},
-      {"cgfs_14_textures", "cgfs/crates"}};
+      {"cgfs_14_textures", "cgfs/crates"},
+      {"cgpp_15_4_measured_light", "cgpp/ground"},
+      {"cgpp_15_6_exact_edges", "chapters/cgpp_15_6_exact_edges/fan.scene"},
+      {"lab_cornell", "lab/polygon-rows"},
+      {"oct_dont_test_everything", "cgfs/cubes"}};
   for (const auto& [known, scene] : scenes)
     if (known == folder) return scene;
   return "";

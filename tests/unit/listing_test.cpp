@@ -316,6 +316,49 @@ TEST(Listing, SettingsComeFromTheListing) {
   EXPECT_EQ(as.draw, Draw::filled);
 }
 
+/// These share no code with the renderer whose picture they give, to the last pixel: other tests of triangles, other
+/// trees, other edge functions. Each option takes its routine another way.
+TEST(Listing, PictureIsThatOfTheRenderer) {
+  struct Case {
+    const char *listing, *scene;
+    std::vector<const char*> set;
+  };
+  const Case cases[] = {{"cgpp-15-6-exact-edges", "chapters/cgpp_15_6_exact_edges/fan.scene", {}},
+                        {"cgpp-15-6-exact-edges", "chapters/cgpp_15_6_exact_edges/fan.scene", {"fill-rule=inclusive"}},
+                        {"cgpp-15-6-exact-edges", "cgfs/mixing", {"subpixel-bits=2"}},
+                        {"lab-cornell", "lab/polygon-rows", {}},
+                        {"cgpp-15-4-measured-light", "cgpp/ground", {"shadow-epsilon=0.001"}},
+                        {"cgpp-15-4-measured-light", "cgpp/triangle", {}},
+                        {"oct-dont-test-everything", "cgfs/cubes", {"octree-leaf=2"}},
+                        {"oct-dont-test-everything", "lab/hierarchy", {"octree-depth=3"}},
+                        {"cgfs-11-clipping", "cgfs/behind", {}},
+                        {"cgfs-11-clipping", "cgfs/behind", {"near=6", "backface-culling=off"}},
+                        {"cgfs-11-clipping", "chapters/cgfs_11_clipping/one.scene", {}},
+                        {"cgfs-11-clipping", "chapters/cgfs_11_clipping/two.scene", {}}};
+  for (const Case& each : cases) {
+    const Scene scene = load_scene(each.scene);
+    Settings settings = textbook(scene);
+    parse_assignment(std::string("listing=") + each.listing, settings);
+    for (const char* change : each.set) parse_assignment(change, settings);
+    const NamedListing& listing = listing_of(settings, scene_traits(scene));
+    ASSERT_EQ(listing.key, each.listing);
+    const int width = std::min(scene.canvas_width, 200);
+    const int height = width * scene.canvas_height / scene.canvas_width / 2 * 2;  // even: the book has no middle pixel
+    const View view{scene.camera, width, height};
+    const Settings as = settings_as_listed(listing, scene, settings);
+    const Image<Rgb8> listed = display_frame(render(scene, view, settings), settings);
+    const Image<Rgb8> drawn = display_frame(render(scene, view, as), as);
+    int different = 0, empty = 0;
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x) {
+        different += listed.at(x, y) == drawn.at(x, y) ? 0 : 1;
+        empty += listed.at(x, y) == listed.at(0, 0) ? 1 : 0;
+      }
+    EXPECT_EQ(different, 0) << each.listing << " " << each.scene;
+    EXPECT_LT(empty, view.width * view.height) << each.listing << " " << each.scene;
+  }
+}
+
 // CGFS ch. 10 draws edges; ch. 13 interpolates affinely; ch. 14 shades each pixel, with whatever interpolation is
 // chosen.
 TEST(Listing, ChaptersOfTheBookSetWhatTheyDo) {

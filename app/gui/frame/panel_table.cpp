@@ -131,6 +131,11 @@ void update_question(Session& session, PanelStates& my) {
   my.pictures.hidden = {};
   const bool pending = prediction_pending(session, my.predict);
   LessonQuestions& questions = *my.predict.lesson;
+  if (std::exchange(my.lessons.ask_again, false)) {
+    go_to_step(session, session.document().lesson, session.document().step);
+    questions.ask_again();
+  }
+  my.lessons.verdict = shown_verdict(questions);
   const bool asks_bug = questions.asked_beside_text(session) && questions.question()->kind == AskKind::bug;
   my.lessons.holds_back = questions.asked_beside_text(session) && !asks_bug;
   auto wrong_line = questions.bug_verdict(session);
@@ -178,6 +183,10 @@ Panel pixel(Session& session, PanelStates& my, const PanelHost& host) {
                 out.offer("predict/asked", [&] { return my.predict.asked; });
                 out.offer("question/open", [&] { return my.predict.lesson->open(); });
                 out.offer("question/given", [&] { return my.predict.lesson->given(); });
+                out.offer("question/verdict", [&] {
+                  const auto verdict = shown_verdict(*my.predict.lesson);
+                  return verdict ? verdict->sentence : "";
+                });
                 out.offer("question/points", [&] {
                   const Judgement* verdict = my.predict.lesson->verdict();
                   return verdict ? verdict->points : 0;

@@ -16,8 +16,8 @@ constexpr double spare = 0.001;        // of the window: what rounding may take 
 constexpr float beside_text = 0.315f, beside_stage = 0.32f, little_text = 0.29f, little_stage = 0.42f;
 constexpr float little_width = 900;  // at scale 1
 // In a window narrower and at least so high, at scale 1, the text stands over the tool and takes this part of the
-// height; with the verdict on an answer below the text, a larger one.
-constexpr float narrow_width = 1200, enough_height = 560, text_over_tool = 0.4f, answered_text_over_tool = 0.56f;
+// height, a long text a larger one.
+constexpr float narrow_width = 1200, enough_height = 560, text_over_tool = 0.4f, long_text_over_tool = 0.59f;
 
 struct Size {
   float width = 0, height = 0;
@@ -72,8 +72,8 @@ std::optional<LessonPlan> plan_text_over_tool(const PlanInput& in) {
                       .pictures = {{text_end, area.min.y}, area.max},
                       .stage = {{area.min.x, area.max.y}, {text_end, area.max.y}},
                       .waits = true};
-  const float part = in.question == PlanQuestion::answered ? answered_text_over_tool : text_over_tool;
-  const float divide = std::round(area.min.y + area.height() * part);
+  const float height = std::clamp(in.text_height, area.height() * text_over_tool, area.height() * long_text_over_tool);
+  const float divide = std::round(area.min.y + height);
   return LessonPlan{.text = {area.min, {text_end, divide}},
                     .pictures = {{text_end, area.min.y}, area.max},
                     .stage = {{area.min.x, divide + between}, {text_end, area.max.y}}};

@@ -118,7 +118,7 @@ Area Regions::above_question(const Area& area) {
   const bool asks = prediction_pending(session_, my_.predict), by_lesson = asked.asked_beside_text(session_);
   // Exploring, a question that no lesson asks is in the place of the pixel's story.
   const bool pending = asks && (by_lesson || session_.document().mode != ScreenMode::explore);
-  if (!pending && !by_lesson && !asked.verdict()) return area;
+  if (!pending && !by_lesson) return area;
   const float top = std::round(area.max.y - std::min(question_height_, area.height() * most_of_question));
   question({{area.min.x, top}, area.max}, pending);
   return {area.min, {area.max.x, top}};
@@ -135,10 +135,8 @@ void Regions::question(const Area& area, bool pending) {
     ask_lesson_question(session_, asked);
   else if (pending)
     predict_panel(session_, my_.predict);
-  else if (asked.open())
-    way_back_to_question(session_, asked);
   else
-    lesson_verdict(session_, asked);
+    way_back_to_question(session_, asked);
   const float height = ImGui::GetCursorPosY() - top + px(20);
   if (std::abs(height - question_height_) > 1) redraw_after(0);
   question_height_ = height;
@@ -159,12 +157,15 @@ void Regions::lesson_text(const Area& area) {
   begin_region(session_, "lesson", text, lesson->title);
   panel("lesson").draw({.filled = session_.document().layout.filled == "lesson"});
   ImGui::EndChild();
+  // What is around a page of the text stays as it is when the place grows.
+  const float wanted = area.height() - my_.lessons.text.room + my_.lessons.text.height;
+  if (std::abs(wanted - text_height_) > 1) redraw_after(0);
+  text_height_ = wanted;
 }
 
 /// Clicks, rays and lines of a listing are asked for with the tool in sight.
 PlanQuestion Regions::question_beside_text() const {
   const LessonQuestions& asked = *my_.predict.lesson;
-  if (asked.verdict()) return PlanQuestion::answered;
   if (!asked.asked_beside_text(session_)) return PlanQuestion::none;
   const AskKind kind = asked.question()->kind;
   return kind == AskKind::choice || kind == AskKind::number ? PlanQuestion::open : PlanQuestion::none;
@@ -177,6 +178,7 @@ void Regions::lesson(const Area& area) {
   const PictureCaptions captions = small ? PictureCaptions::brief : PictureCaptions::full;
   PlanInput input = plan_input(area, captions);
   input.question = question_beside_text();
+  input.text_height = text_height_;
   const LessonPlan plan = plan_lesson(input, stage_place());
   lesson_text(plan.text);
   if (!session_.document().layout.panels) {

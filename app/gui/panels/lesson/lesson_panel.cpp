@@ -29,11 +29,28 @@ TextBlock block_of(BlockKind kind, const std::string& text) {
 /// The blocks that only this file makes; they live as long as the lines that point into them.
 struct OwnBlocks {
   TextBlock source, title;
+  TextBlock question, verdict;     ///< once it was answered
   std::vector<TextBlock> options;  ///< what the step is about, with controls
   TextBlock claims_title;
   std::vector<TextBlock> claims;  ///< the sentences that are measured; none while a question is open
   std::vector<ClaimLayout> measured;
 };
+
+/// The question with what is said of its answer, and a button to be asked again.
+void lay_out_verdict(const OwnBlocks& own, const StepVerdict& verdict, float width, std::vector<TextLine>& lines) {
+  const std::size_t first = lines.size();
+  lay_out(own.question, {}, Face::bold, width, lines);
+  const std::size_t judged = lines.size();
+  lay_out(own.verdict, " ", Face::body, width, lines);
+  if (verdict.points)
+    for (std::size_t line = judged; line < lines.size(); ++line) lines[line].judged = *verdict.points >= 0.5;
+  for (std::size_t line = first; line < lines.size(); ++line) lines[line].stays_with_next = true;
+  TextLine again;
+  again.gap = px(2);
+  again.height = ImGui::GetFrameHeight();
+  again.asks_again = true;
+  lines.push_back(std::move(again));
+}
 
 /// The lines of the claims, each with what is measured below it.
 void lay_out_claims(OwnBlocks& own, const LessonClaims& claims, float width, std::vector<TextLine>& lines) {
@@ -55,9 +72,15 @@ OwnBlocks own_blocks(const Session& session, const LessonShelf& shelf, const Les
   OwnBlocks own{block_of(BlockKind::paragraph, lesson.source),
                 block_of(BlockKind::paragraph, step.title),
                 {},
+                {},
+                {},
                 block_of(BlockKind::heading, "Measured"),
                 {},
                 {}};
+  if (shelf.verdict) {
+    own.question = block_of(BlockKind::paragraph, shelf.verdict->question);
+    own.verdict = block_of(BlockKind::paragraph, shelf.verdict->sentence);
+  }
   if (!shelf.holds_back)
     for (const Claim& claim : shelf.claims.claims()) own.claims.push_back(block_of(BlockKind::paragraph, claim.text));
   if (session.document().mode == ScreenMode::explore) return own;  // they stand below in the options panel
@@ -84,6 +107,7 @@ std::vector<TextLine> column_of(const Session& session, LessonShelf& shelf, cons
   }
   lay_out(own.title, {}, Face::heading, width, lines);
   for (const TextBlock& block : step.blocks) add(block, mark_of(block));
+  if (shelf.verdict) lay_out_verdict(own, *shelf.verdict, width, lines);
   if (!shelf.holds_back)
     for (const TextBlock& hint : step.hints) add(hint, "→");
   for (const TextBlock& option : own.options) add(option, {});
@@ -108,6 +132,14 @@ double line_length(const std::vector<TextLine>& lines) {
   return width > 0 ? ImGui::GetContentRegionAvail().x * characters / width : 0;
 }
 
+/// Shows the page with this line.
+void turn_to_line(const std::vector<TextLine>& lines, std::vector<TextLine>::const_iterator line,
+                  const std::vector<std::size_t>& starts, LessonShelf& shelf) {
+  if (line == lines.end()) return;
+  const auto place = static_cast<std::size_t>(line - lines.begin());
+  shelf.text.page = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), place) - starts.begin()) - 1;
+}
+
 void turn_to_option(const std::vector<TextLine>& lines, const std::vector<std::size_t>& starts, LessonShelf& shelf) {
   const std::string key = std::exchange(shelf.shown_option, {});
   if (key.empty()) return;
@@ -115,9 +147,13 @@ void turn_to_option(const std::vector<TextLine>& lines, const std::vector<std::s
     return std::any_of(each.pieces.begin(), each.pieces.end(),
                        [&](const TextPiece& piece) { return piece.control && piece.span->link.target == key; });
   });
-  if (line == lines.end()) return;
-  const auto place = static_cast<std::size_t>(line - lines.begin());
-  shelf.text.page = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), place) - starts.begin()) - 1;
+  turn_to_line(lines, line, starts, shelf);
+}
+
+void turn_to_verdict(const std::vector<TextLine>& lines, const std::vector<std::size_t>& starts, LessonShelf& shelf) {
+  if (!shelf.verdict || !std::exchange(shelf.turn_to_verdict, false)) return;
+  const auto line = std::find_if(lines.begin(), lines.end(), [](const TextLine& each) { return each.asks_again; });
+  turn_to_line(lines, line, starts, shelf);
 }
 
 /// The wheel turns pages, unless it belongs to a control under the pointer.
@@ -125,6 +161,19 @@ void turn_by_wheel(ReadPage& read) {
   const float wheel = ImGui::GetIO().MouseWheel;
   if (wheel == 0 || !ImGui::IsWindowHovered() || ImGui::GetCurrentContext()->HoveredIdUsingMouseWheel) return;
   read.page = std::clamp(read.page + (wheel < 0 ? 1 : -1), 0, read.pages - 1);
+}
+
+/// Beside the line of a verdict, down from the end of the line before.
+void draw_judged_bar(const TextLine& line, ImVec2 at, bool first) {
+  const ImVec4& colour = *line.judged ? palette().right_mark : palette().wrong_mark;
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y - (first ? 0 : line.gap)}, {at.x + px(8), at.y + line.height},
+                                            colour_u32(colour));
+}
+
+void ask_again_button(LessonShelf& shelf) {
+  shelf.ask_again |=
+      button("ask-again", "Ask again", Emphasis::quiet,
+             {.tooltip = "The question is open again, with this step's pixel and options.", .disabled = {}});
 }
 
 void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>& lines,
@@ -137,7 +186,11 @@ void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>
   read.frame = ImGui::GetFrameCount();
   read.line_length = line_length(lines);
   read.pages = static_cast<int>(starts.size());
+  read.room = ImGui::GetContentRegionAvail().y;
+  read.height = 0;
+  for (const PagePart& part : parts) read.height += part.gap + part.height;
   turn_to_option(lines, starts, shelf);
+  turn_to_verdict(lines, starts, shelf);
   read.page = std::clamp(read.page, 0, read.pages - 1);
   const auto page = static_cast<std::size_t>(read.page);
   const std::size_t end = page + 1 < starts.size() ? starts[page + 1] : lines.size();
@@ -149,7 +202,10 @@ void draw_page(Session& session, LessonShelf& shelf, const std::vector<TextLine>
   for (std::size_t i = starts[page]; i < end; ++i) {
     if (i > starts[page]) at.y += lines[i].gap;
     ImGui::SetCursorScreenPos(at);
-    if (lines[i].claim)
+    if (lines[i].judged) draw_judged_bar(lines[i], at, i == starts[page] || !lines[i - 1].judged);
+    if (lines[i].asks_again)
+      ask_again_button(shelf);
+    else if (lines[i].claim)
       claim_line(session, shelf.claims, *lines[i].claim, measured.at(*lines[i].claim));
     else if (auto clicked = draw_line(session, lines[i]))
       shelf.followed = std::move(clicked);

@@ -17,12 +17,19 @@
 
 namespace ps::gui {
 
+/// What is said of the answer to the step's question.
+struct StepVerdict {
+  std::string question, sentence;
+  std::optional<double> points;  ///< nothing for a question that was skipped
+};
+
 /// Which page of a step's text is shown, in its panel or as the presenter's caption.
 struct ReadPage {
   int page = 0, pages = 1;
-  bool turned_back = false;  ///< the previous step was reached from the begin of the one after it
-  int frame = -2;            ///< when it was drawn
-  double line_length = 0;    ///< characters that a full line holds; of the panel's text alone
+  bool turned_back = false;    ///< the previous step was reached from the begin of the one after it
+  int frame = -2;              ///< when it was drawn
+  double line_length = 0;      ///< characters that a full line holds; of the panel's text alone
+  float height = 0, room = 0;  ///< of the whole text, and of a page, window pixels; of the panel's text alone
   std::string lesson;
   int step = 0;
 };
@@ -54,8 +61,11 @@ class LessonShelf {
   int version() const { return version_; }
   LessonClaims claims;  ///< of the open step
   ReadPage text, caption;
-  bool holds_back = false;  ///< a question is open: hints and claims come after its answer
-  bool blank = false;       ///< the presenter's window is black, so that all look at the speaker
+  bool holds_back = false;             ///< a question is open: hints and claims come after its answer
+  std::optional<StepVerdict> verdict;  ///< it was answered
+  bool turn_to_verdict = false;        ///< the page with it is to be shown, once
+  bool ask_again = false;              ///< was clicked, until the question takes it
+  bool blank = false;                  ///< the presenter's window is black, so that all look at the speaker
   WakingCache wakings;
   ReadLessons read;
   GlossaryState glossary;

@@ -40,6 +40,8 @@ struct TextLine {
   bool stays_with_next = false;      ///< of a heading, and of what needs are said of
   std::optional<ControlNeed> need;   ///< in place of pieces
   std::optional<std::size_t> claim;  ///< in place of pieces: what is measured for this claim of the step
+  std::optional<bool> judged;        ///< of an answer: a bar beside it shows whether it was right
+  bool asks_again = false;           ///< in place of pieces: the button that opens the step's question again
 };
 
 /// Adds the lines of a block in lines of at most this width, which end between words. `mark` stands in front of the

@@ -39,6 +39,7 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
     return option && differs(*option);
   };
   const bool other_renderer = key_differs("renderer");
+  const bool bug_alone = key_differs("listing-bug") && !other_renderer && !key_differs("listing");
   std::vector<TitlePart> parts{{label_of("renderer", settings), other_renderer}};
   switch (picture_way(settings.renderer)) {
   case PictureWay::rays: {
@@ -54,6 +55,11 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
       parts.push_back({label_of("shading", settings), other_renderer || key_differs("shading")});
     break;
   case PictureWay::listing:
+    // Beside the listing itself a copy with a bug needs no more words, and the bug's name would help to find it.
+    if (bug_alone) {
+      parts.front() = {settings.listing_bug > 0 ? "one changed line" : "the listing", true};
+      break;
+    }
     if (settings.listing > 0 || (key_differs("listing") && !other_renderer)) {
       parts.front().text += " " + label_of("listing", settings);
       parts.front().differs = other_renderer || key_differs("listing");
@@ -62,7 +68,7 @@ std::vector<TitlePart> title_parts(const Settings& settings, const SceneTraits& 
   }
   for (const auto& option : option_table()) {
     if (option.key == "renderer" || option.key == "listing" || option.key == "reflection-depth" ||
-        option.key == "shading")
+        option.key == "shading" || (bug_alone && option.key == "listing-bug"))
       continue;
     const bool is_default = option.get(settings) == option.default_value();
     if ((is_default && !differs(option)) || inactive_reason(option, settings, traits)) continue;

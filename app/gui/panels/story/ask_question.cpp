@@ -156,22 +156,4 @@ void verdict_bar(ImVec2 top, const Judgement& judgement) {
       colour_u32(judgement.points >= 0.5 ? palette().right_mark : palette().wrong_mark));
 }
 
-void lesson_verdict(Session& session, LessonQuestions& questions) {
-  const Judgement* verdict = questions.verdict();
-  if (!verdict) return;
-  const NameScope scope("question");
-  question_text(*questions.question());
-  ImGui::Spacing();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::Indent(px(16));
-  value_paragraph("verdict", verdict->sentence.empty() ? "You have skipped it." : verdict->sentence);
-  ImGui::Unindent(px(16));
-  if (!verdict->sentence.empty()) verdict_bar(at, *verdict);
-  if (button("again", "Ask again", Emphasis::quiet,
-             {.tooltip = "The question is open again, with this step's pixel and options.", .disabled = {}})) {
-    go_to_step(session, session.document().lesson, session.document().step);
-    questions.ask_again();
-  }
-}
-
 }  // namespace ps::gui

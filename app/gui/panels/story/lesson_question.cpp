@@ -95,6 +95,7 @@ std::optional<BugLine> LessonQuestions::bug_verdict(const Session& session) cons
 
 void LessonQuestions::take(Session& session, const std::string& given, const Judgement& judgement) {
   answered_[here_] = {given, judgement};
+  lessons_.turn_to_verdict = true;
   const Document& document = session.document();
   if (!remember_ || !question_ || given.empty()) return;
   try {
@@ -109,6 +110,16 @@ void LessonQuestions::take(Session& session, const std::string& given, const Jud
 void LessonQuestions::ask_again() {
   answered_.erase(here_);
   version_ = -1;
+}
+
+std::optional<StepVerdict> shown_verdict(const LessonQuestions& questions) {
+  const Judgement* verdict = questions.verdict();
+  if (!verdict) return {};
+  StepVerdict shown{questions.question()->text, "You have skipped it.", {}};
+  if (verdict->sentence.empty()) return shown;
+  shown.sentence = verdict->sentence;
+  shown.points = verdict->points;
+  return shown;
 }
 
 }  // namespace ps::gui

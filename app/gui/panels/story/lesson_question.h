@@ -82,7 +82,7 @@ void way_back_to_question(Session& session, const LessonQuestions& questions);
 /// A bar from `top` down to the end of the item that was drawn last, in the colour of right or of wrong.
 void verdict_bar(ImVec2 top, const Judgement& judgement);
 
-/// The question with the verdict on its answer, and a button to be asked again.
-void lesson_verdict(Session& session, LessonQuestions& questions);
+/// What the lesson's text shows of the step's question: the verdict on its answer; nothing before that.
+std::optional<StepVerdict> shown_verdict(const LessonQuestions& questions);
 
 }  // namespace ps::gui
