@@ -1,5 +1,5 @@
 #pragma once
-#include "textbook/trace_listing.h"
+#include "textbook/listing_view.h"
 
 namespace ps::cli {
 
@@ -7,5 +7,8 @@ namespace ps::cli {
 /// iteration is shown: the one around `instance` (an index as the loops' lines name it), or the one with most values
 /// for -1.
 void print_listing(const ListingTrace& trace, int instance);
+
+/// The same for a source at hand, without a head.
+void print_listing_rows(const ListingTrace& trace, const ListingText& text, int instance = -1);
 
 }  // namespace ps::cli

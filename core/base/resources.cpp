@@ -30,6 +30,14 @@ std::filesystem::path shader_file(std::string_view name) {
   return under_root("core/hardware/shaders", PIXELSCOPE_SHADER_DIR) / name;
 }
 
+std::filesystem::path header_dir() { return under_root("core", PIXELSCOPE_CORE_DIR); }
+std::filesystem::path listing_library() {
+  return std::filesystem::path(PIXELSCOPE_BUILD_DIR) / "lib/libpixelscope_listing.a";
+}
+std::filesystem::path launcher_program() {
+  return std::filesystem::path(PIXELSCOPE_BUILD_DIR) / "bin/pixelscope-launch";
+}
+
 std::filesystem::path font_file(std::string_view name) { return std::filesystem::path(PIXELSCOPE_FONT_DIR) / name; }
 
 }  // namespace ps

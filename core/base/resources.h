@@ -27,6 +27,12 @@ std::filesystem::path listing_bug_file(std::string_view folder, std::string_view
 /// A shader of the hardware renderer ("fragment.glsl").
 std::filesystem::path shader_file(std::string_view name);
 
+/// The folder below which a student's own listing finds textbook/listing.h, the library that makes a program of it, and
+/// the program that starts others with limits (app/launch). The last two lie in the build folder.
+std::filesystem::path header_dir();
+std::filesystem::path listing_library();
+std::filesystem::path launcher_program();
+
 /// A font copied beside the programs ("Inter-Regular.otf"); it may be missing.
 std::filesystem::path font_file(std::string_view name);
 

@@ -1,18 +1,9 @@
 #include "textbook/book_scene.h"
 
-#include <cmath>
-
 namespace ps {
 namespace {
 
 constexpr double levels = 255;
-
-/// Eight-bit texels come back as the whole numbers that they were; made ones keep their fractions.
-double level(float value) {
-  const double exact = static_cast<double>(value) * levels;
-  const double whole = std::round(exact);
-  return std::abs(exact - whole) < 1e-4 ? whole : exact;
-}
 
 }  // namespace
 
@@ -38,20 +29,5 @@ BookScene book_scene(const Scene& scene, const View& view, const Settings& setti
   }
   return book;
 }
-
-BookSurface surface_of(const BookScene& scene, const BookInstance& instance, const MeshTriangle& triangle) {
-  const std::uint32_t index = instance.instance->material.value_or(instance.model->materials.at(triangle.material));
-  const Material& material = scene.scene.materials->at(index);
-  BookSurface surface{material.colour * levels, material.specular.value_or(-1), nullptr};
-  if (material.texture >= 0) surface.texture = &scene.scene.textures->at(static_cast<std::size_t>(material.texture));
-  return surface;
-}
-
-Vec3d texel_of(const Texture& texture, std::size_t index) {
-  const Vec3f texel = texture.texels->pixels()[index];
-  return {level(texel.x), level(texel.y), level(texel.z)};
-}
-
-std::string_view kind_name(const Light& light) { return light_kind_key(light.kind); }
 
 }  // namespace ps

@@ -23,11 +23,11 @@ bool ends_statement(std::string_view line) {
 
 }  // namespace
 
-ListingText parse_listing(const std::string& source) {
+ListingText parse_listing(const std::string& source, LineNumbers numbers) {
   const std::vector<std::string> lines = listing_lines(source);
   ListingText text;
   text.shown_at.assign(lines.size() + 1, -1);
-  const int head = lines_of_head(lines);
+  const int head = numbers == LineNumbers::of_file ? 0 : lines_of_head(lines);
   bool inside = false, watch = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = trimmed(lines[i]);

@@ -20,7 +20,10 @@ struct ListingText {
   std::vector<int> shown_at;
 };
 
-ListingText parse_listing(const std::string& source);
+/// How the lines of a source are counted: those of a variant with a bug as in its listing, without its head.
+enum class LineNumbers { of_listing, of_file };
+
+ListingText parse_listing(const std::string& source, LineNumbers numbers = LineNumbers::of_listing);
 /// Reads the listing's file, or that of its variant with a bug. Throws InputError when it cannot be read.
 ListingText load_listing_text(const NamedListing& listing);
 

@@ -1,0 +1,81 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "base/check.h"
+
+/// Values as bytes, in this machine's order: for two programs of one build that run on the same machine.
+
+namespace ps {
+
+/// Appends values to a text of bytes.
+class ByteWriter {
+ public:
+  template <class Value>
+  void put(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  /// Its length, then its characters.
+  void put_text(std::string_view text) {
+    put(static_cast<std::uint32_t>(text.size()));
+    bytes_.append(text);
+  }
+  /// So many values that lie behind each other, without their number.
+  template <class Value>
+  void put_all(const Value* first, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    if (count > 0) bytes_.append(reinterpret_cast<const char*>(first), count * sizeof(Value));
+  }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/// Reads them again. Whatever the bytes are, it never reads beyond them, and asks for no memory that they do not fill:
+/// too few of them are an InputError.
+class ByteReader {
+ public:
+  explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class Value>
+  Value get() {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    Value value;
+    get_all(&value, 1);
+    return value;
+  }
+  /// At most `longest` bytes long.
+  std::string get_text(std::size_t longest) {
+    const auto size = get<std::uint32_t>();
+    if (size > longest || size > left())
+      throw InputError("found a text that is too long, expected the rest of the data");
+    std::string text(bytes_.substr(at_, size));
+    at_ += size;
+    return text;
+  }
+  template <class Value>
+  void get_all(Value* first, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    require(count, sizeof(Value));
+    if (count == 0) return;
+    std::memcpy(static_cast<void*>(first), bytes_.data() + at_, count * sizeof(Value));
+    at_ += count * sizeof(Value);
+  }
+  /// Throws unless so many values of that size are still there; before memory for them is asked for.
+  void require(std::size_t count, std::size_t size) const {
+    if (size > 0 && count > left() / size) throw InputError("found the end of the data, expected more of it");
+  }
+  std::size_t left() const { return bytes_.size() - at_; }
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace ps

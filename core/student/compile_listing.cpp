@@ -1,0 +1,111 @@
+#include "student/compile_listing.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "base/atomic_file.h"
+#include "base/resources.h"
+
+namespace ps {
+namespace {
+
+constexpr std::uintmax_t largest_source = 1u << 20;  // bytes
+constexpr const char* source_name = "listing.cpp";
+constexpr const char* program_name = "program";
+
+std::string path_variable() {
+  const char* path = std::getenv("PATH");
+  return path ? path : "/usr/local/bin:/usr/bin:/bin";
+}
+
+/// As the listings of the lessons are compiled, but for the time that optimising takes: the same bits come out.
+std::vector<std::string> compiler_command(const std::filesystem::path& compiler) {
+  return {compiler.string(),
+          "-std=c++20",
+          "-O1",
+          "-ffp-contract=off",
+          "-fno-math-errno",
+          "-Wall",
+          "-Wno-unused",
+          "-fdiagnostics-color=never",
+          "-fmax-errors=50",
+          "-I" + header_dir().string(),
+          source_name,
+          listing_library().string(),
+          "-o",
+          program_name};
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+std::string why_no_program(const Launched& launched, const CompileOptions& options,
+                           const std::vector<CompilerMessage>& messages) {
+  switch (launched.end) {
+  case LaunchEnd::exited:
+    break;
+  case LaunchEnd::signalled:
+    return fmt::format("The compiler was ended by signal {}.", launched.status);
+  case LaunchEnd::processor_time:
+  case LaunchEnd::time:
+    return fmt::format("The compiler did not end within {:.3g} s and was stopped.", options.limits.seconds);
+  case LaunchEnd::memory:
+    return "The compiler used more memory than it may have and was stopped.";
+  case LaunchEnd::processes:
+    return "The compiler started more processes than it may and was stopped.";
+  case LaunchEnd::text:
+  case LaunchEnd::result:
+    return "The compiler wrote too many messages and was stopped.";
+  }
+  if (launched.status == 0) return {};
+  for (const CompilerMessage& message : messages)
+    if (message.kind == MessageKind::error) return "It does not compile.";
+  return fmt::format("The compiler failed: {}", first_line(launched.text));
+}
+
+}  // namespace
+
+std::filesystem::path find_program(const std::vector<std::string>& names, const std::string& search_path) {
+  for (const std::string& name : names)
+    for (std::size_t begin = 0; begin < search_path.size();) {
+      const std::size_t end = std::min(search_path.find(':', begin), search_path.size());
+      const std::filesystem::path file = std::filesystem::path(search_path.substr(begin, end - begin)) / name;
+      std::error_code error;
+      if (file.is_absolute() && std::filesystem::is_regular_file(file, error) && access(file.c_str(), X_OK) == 0)
+        return file;
+      begin = end + 1;
+    }
+  return {};
+}
+
+Compilation compile_listing(const PermittedListing& listing, const CompileOptions& options, const Progress* progress) {
+  Compilation done;
+  done.source = read_whole_file(listing.file(), largest_source);
+  const std::string search_path = options.search_path ? *options.search_path : path_variable();
+  const std::filesystem::path compiler = find_program({"c++", "g++", "clang++"}, search_path);
+  if (compiler.empty()) {
+    done.failure =
+        "No C++ compiler was found: neither c++ nor g++ nor clang++ is in a folder of PATH. Install one, for "
+        "example the package g++.";
+    return done;
+  }
+  const auto program = std::make_shared<ListingProgram>();
+  const std::filesystem::path folder = program->folder.path();
+  write_file_atomically(folder / source_name, done.source, Durability::quick);
+  const Launch what{
+      .command = compiler_command(compiler),
+      .environment = {"PATH=" + search_path, "TMPDIR=" + folder.string(), "HOME=" + folder.string(), "LC_ALL=C"},
+      .folder = folder,
+      .input = {},
+      .limits = options.limits};
+  const Launched launched = launch(what, progress);
+  done.seconds = launched.seconds;
+  done.messages = compiler_messages(launched.text);
+  done.failure = why_no_program(launched, options, done.messages);
+  program->file = folder / program_name;
+  if (done.failure.empty()) done.program = program;
+  return done;
+}
+
+}  // namespace ps

@@ -1,0 +1,42 @@
+#include "student/private_folder.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "base/check.h"
+
+namespace ps {
+
+PrivateFolder::PrivateFolder() {
+  std::error_code error;
+  std::string name = (std::filesystem::temp_directory_path(error) / "pixelscope-XXXXXX").string();
+  if (error || !mkdtemp(name.data()))
+    throw InputError(
+        fmt::format("no temporary folder can be made: {}", error ? error.message() : std::strerror(errno)));
+  path_ = std::filesystem::canonical(name, error);
+  if (error) path_ = name;
+  // A program of root's gets another user's rights, who must come to what lies inside by name.
+  constexpr mode_t way_through = 0711;
+  if (geteuid() == 0) chmod(path_.c_str(), way_through);
+}
+
+PrivateFolder::~PrivateFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::filesystem::path PrivateFolder::empty_folder(const char* name) const {
+  std::error_code error;
+  const std::filesystem::path folder = path_ / name;
+  std::filesystem::remove_all(folder, error);
+  std::filesystem::create_directory(folder, error);
+  if (error) throw InputError(fmt::format("{} cannot be made: {}", folder.string(), error.message()));
+  return folder;
+}
+
+}  // namespace ps

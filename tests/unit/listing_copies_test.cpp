@@ -1,0 +1,85 @@
+// The unchanged copy of each listing, compiled by the system's compiler and run as a child process, gives the listing's
+// own picture and values to the bit; a changed line gives others.
+#include <gtest/gtest.h>
+
+#include "engine/lesson.h"
+#include "student/check_listing.h"
+#include "support/own_listings.h"
+
+namespace listing_copies_test {
+namespace {
+
+using namespace ps;
+using test::OwnListings;
+
+Document small_document(const NamedListing& listing) {
+  Document document = lesson_document(load_lesson(listing.folder), 0, Document{});
+  document.view.width = 240;
+  document.view.height = 180;
+  return document;
+}
+
+class ListingCopies : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ListingCopies, GiveTheSameBits) {
+  const NamedListing& listing = listings()[GetParam()];
+  OwnListings own;
+  const Compilation compiled = compile_listing(own.permits().copy(listing));
+  for (const CompilerMessage& message : compiled.messages) ADD_FAILURE() << message.line << ": " << message.text;
+  ASSERT_TRUE(compiled.program) << compiled.failure;
+  const Document document = small_document(listing);
+  const View view = view_of(document);
+  const Vec2i pixel{130, 80};
+  Progress progress;
+  const CheckedListing checked =
+      check_listing(*compiled.program, listing, document.scene, view, document.a.settings, pixel, progress);
+  ASSERT_EQ(checked.run.failure, "") << checked.run.text;
+  EXPECT_EQ(checked.wrong.count, 0u) << verdict_text(checked.wrong, view.width, view.height);
+
+  const ListingTrace right = trace_listing(document.scene, view, settings_of_listing(listing, document.a.settings),
+                                           pixel, nullptr, TracedTriangles::all);
+  const OwnTrace& trace = *checked.run.result.trace;
+  ASSERT_EQ(trace.watches.size(), right.watches.size());
+  for (std::size_t i = 0; i < right.watches.size(); ++i) {
+    EXPECT_EQ(trace.watches[i].name, right.watches[i].name);
+    EXPECT_EQ(watch_text(trace.watches[i].value), watch_text(right.watches[i].value));
+    EXPECT_EQ(trace.watches[i].instance, right.watches[i].instance);
+  }
+  EXPECT_EQ(trace.instances.size(), right.instances.size());
+
+  bool background_alone = true;
+  for (const Vec3d& colour : checked.right.pixels())
+    background_alone = background_alone && colour == checked.right.at(0, 0);
+  EXPECT_FALSE(background_alone) << "the scene shows something";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ListingCopies, testing::Range(std::size_t{0}, listings().size()),
+                         [](const auto& index) { return listings()[index.param].folder; });
+
+TEST(ListingCopy, AChangedLineIsFoundAtItsFirstPixel) {
+  const NamedListing& listing = test::listing_in("cgfs_02_basic_ray_tracing");
+  OwnListings own;
+  const Compilation compiled = own.compile(
+      test::with_change(listing_copy(listing), "  return closest_sphere->colour;\n",
+                        "  return closest_sphere->name == \"red\" ? Vec3d(1, 2, 3) : closest_sphere->colour;\n"));
+  ASSERT_TRUE(compiled.program) << compiled.failure;
+  const Document document = small_document(listing);
+  const View view = view_of(document);
+  Progress progress;
+  const CheckedListing checked =
+      check_listing(*compiled.program, listing, document.scene, view, document.a.settings, {}, progress);
+  ASSERT_EQ(checked.run.failure, "");
+  Vec2i first{-1, -1};
+  std::size_t red = 0;
+  for (int y = 0; y < view.height; ++y)
+    for (int x = 0; x < view.width; ++x)
+      if (checked.right.at(x, y) == Vec3d(255, 0, 0) && red++ == 0) first = {x, y};
+  EXPECT_GT(red, 100u);
+  EXPECT_EQ(checked.wrong.count, red);
+  EXPECT_EQ(checked.wrong.first, first);
+  EXPECT_EQ(checked.wrong.own, Vec3d(1, 2, 3));
+  EXPECT_EQ(checked.wrong.right, Vec3d(255, 0, 0));
+}
+
+}  // namespace
+}  // namespace listing_copies_test
