@@ -12,6 +12,7 @@
 #include "image/svg.h"
 #include "render/provenance.h"
 #include "render/render.h"
+#include "render/slow_motion.h"
 
 namespace ps {
 namespace {
@@ -48,7 +49,12 @@ Image<Rgb8> picture_of(const Document& document, Side side, Prepared& prepared, 
   RenderRequest request;
   request.channels = shown_channel(state.show).needs;
   request.region = document.view.region;
-  const Frame frame = render(document.scene, view_of(document), state.settings, request, prepared, progress);
+  const View view = view_of(document);
+  const auto slow =
+      given_slow_motion(state.slow_motion, state.settings, scene_traits(document.scene), state.show);
+  const Frame frame =
+      slow ? render_slowly(document.scene, view, state.settings, *slow, request, prepared, progress).frame
+          : render(document.scene, view, state.settings, request, prepared, progress);
   if (state.show == ShownChannel::colour) return display_frame(frame, state.settings);
   return channel_picture(frame, state.show, state.settings).levels;
 }
