@@ -164,7 +164,8 @@ int run_render(const RenderArguments& arguments) {
   request.channels = shown_channel(show).needs;
   request.region = document.view.region;
   Image<Rgb8> levels;  // outside a region they would hold anything
-  if (show == ShownChannel::colour && !request.region && !document.a.slow_motion && lower_extension(arguments.output) != ".pfm") {
+  if (show == ShownChannel::colour && !request.region && !document.a.slow_motion &&
+      lower_extension(arguments.output) != ".pfm") {
     require_image_size(view.width, view.height, "picture");
     levels = Image<Rgb8>(view.width, view.height, Unfilled{});
     request.levels = &levels;

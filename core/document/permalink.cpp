@@ -58,14 +58,7 @@ Text show_text(ShownChannel show) {
   return show == ShownChannel{} ? Text{} : Text{std::string(shown_channel(show).key)};
 }
 
-Text slow_text(const SideState& side) {
-  return side.slow_motion ? Text{slow_motion_text(*side.slow_motion)} : Text{};
-}
-
-/// A step of a lesson that comes after one with slow motion shows the whole picture again.
-std::optional<SlowMotion> parse_slow(std::string_view text) {
-  return text == "whole" ? std::nullopt : std::optional(parse_slow_motion(text));
-}
+Text slow_text(const SideState& side) { return side.slow_motion ? Text{slow_motion_text(*side.slow_motion)} : Text{}; }
 
 Text event_text(int event) { return event < 0 ? Text{} : Text{fmt::format("{}", event)}; }
 int parse_event(std::string_view text) { return parse_whole(text, 0, 10'000'000, "event"); }
@@ -143,9 +136,9 @@ const std::vector<Field>& document_fields() {
       {"show-b", [](const Document& d) { return show_text(d.b.show); },
        [](Document& d, std::string_view t) { d.b.show = parse_shown_channel(t); }},
       {"slow-motion-a", [](const Document& d) { return slow_text(d.a); },
-       [](Document& d, std::string_view t) { d.a.slow_motion = parse_slow(t); }},
+       [](Document& d, std::string_view t) { d.a.slow_motion = parse_slow_motion(t); }},
       {"slow-motion-b", [](const Document& d) { return slow_text(d.b); },
-       [](Document& d, std::string_view t) { d.b.slow_motion = parse_slow(t); }},
+       [](Document& d, std::string_view t) { d.b.slow_motion = parse_slow_motion(t); }},
       {"compare",
        [](const Document& d) {
          return text_unless(std::string(compare_key(d.compare)), std::string(compare_key(CompareMode::side_by_side)));

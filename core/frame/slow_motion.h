@@ -42,9 +42,9 @@ SlowMotion parse_slow_motion(std::string_view text);
 
 /// Where slow motion stands: how many there are, and what the last one was. What does not belong to it is absent.
 struct SlowState {
-  SlowMotion done;          ///< at most `total` of them
-  std::uint64_t total = 0;  ///< that the whole picture takes
-  PixelId id;               ///< of the last triangle, or of the triangle of the last fragment
+  SlowMotion done;                            ///< at most `total` of them
+  std::uint64_t total = 0;                    ///< that the whole picture takes
+  PixelId id;                                 ///< of the last triangle, or of the triangle of the last fragment
   std::vector<std::array<Vec2d, 3>> outline;  ///< that triangle, or the pieces that clipping left; pixels from top left
   std::optional<Vec2i> pixel;                 ///< the last pixel, array position
   std::optional<TileRect> box;                ///< the last row or tile

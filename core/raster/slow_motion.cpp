@@ -62,8 +62,7 @@ SlowFrame rasterize_slowly(const Scene& scene, const View& view, const Settings&
     SlowFrame slow;
     const std::vector<TileRect> done =
         PixelOrder(view.width, view.height, clear_tile_size, region).done(motion, slow.state);
-    slow.frame =
-        part_of(finished(scene, view, settings, request, prepared, progress)->frame, done, scene.background);
+    slow.frame = part_of(finished(scene, view, settings, request, prepared, progress)->frame, done, scene.background);
     if (request.region) clear_outside(region, slow.frame);
     return slow;
   }

@@ -38,8 +38,7 @@ struct SlowPicture<Real>::Progressed {
 template <class Real>
 SlowPicture<Real>::SlowPicture(const Scene& scene, const View& view, const Settings& settings,
                                const RenderRequest& request, Prepared& prepared, Progress& progress)
-    : scene_(scene), view_(view), request_(request), progress_(progress),
-      parallel_{settings.threads, request.priority},
+    : scene_(scene), view_(view), request_(request), progress_(progress), parallel_{settings.threads, request.priority},
       pass_(make_pass<Real>(scene, view, settings, request.channels, prepared)) {
   pass_.path = {Machinery::clear, SurfaceShading::single, "slow motion shows the clear path"};
   add_maps(pass_, scene, view, {0, 0, view.width, view.height}, StencilNotes::none, prepared, parallel_, progress);
@@ -190,8 +189,7 @@ void SlowPicture<Real>::note_triangle(const PrimitiveRef& ref, SlowState& state)
   state.id = {pass_.surfaces[triangle.surface].object, triangle.triangle};
   const double unit = static_cast<double>(fixed_unit(pass_.grid.subpixel_bits));
   std::array<Vec2d, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
-    corners[k] = {triangle.corners[k].x / unit, triangle.corners[k].y / unit};
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = {triangle.corners[k].x / unit, triangle.corners[k].y / unit};
   state.outline.push_back(corners);
 }
 

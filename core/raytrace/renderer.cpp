@@ -29,7 +29,8 @@ class PictureTracer {
  public:
   PictureTracer(const Scene& scene, const View& view, const Settings& settings, const SamplingPlan& plan,
                 const RenderRequest& request, Prepared& prepared, Progress& progress)
-      : settings_(settings), request_(request), ids_asked_(has(request.channels, Channel::ids)), plan_(plan), parallel_{settings.threads, request.priority}, progress_(progress),
+      : settings_(settings), request_(request), ids_asked_(has(request.channels, Channel::ids)),
+        plan_(plan), parallel_{settings.threads, request.priority}, progress_(progress),
         inputs_(make_trace_inputs<Real>(scene, view, settings, prepared, request.channels)),
         tiles_(make_tiles(view.width, view.height, traced_tile_size)),
         region_(asked_region(request, view.width, view.height)), tracer_(tile_tracer(scene, inputs_, plan_, prepared)) {

@@ -4,8 +4,8 @@
 
 #include "base/check.h"
 #include "base/stop.h"
-#include "image/image.h"
 #include "frame/fast_kernels.h"
+#include "image/image.h"
 #include "render/renderer_table.h"
 #include "render/story/names.h"
 

@@ -38,13 +38,14 @@ SlowFrame run_listing_slowly(const Scene& scene, const View& view, const Setting
   slow.frame.counters.given = {};
   slow.state.done = {motion.unit, 0};
   if (is_empty(region)) return slow;
-  const auto writes = prepared.get<ListingWrites>(picture_key("writes of a listing", scene, view, settings, plain), [&] {
-    ListingWrites noted;
-    BookCanvas canvas(view.width, view.height, region, book.background, &progress);
-    canvas.note_writes(noted.list);
-    running_listing(settings, scene_traits(scene)).listing->draw(book, canvas);
-    return noted;
-  });
+  const auto writes =
+      prepared.get<ListingWrites>(picture_key("writes of a listing", scene, view, settings, plain), [&] {
+        ListingWrites noted;
+        BookCanvas canvas(view.width, view.height, region, book.background, &progress);
+        canvas.note_writes(noted.list);
+        running_listing(settings, scene_traits(scene)).listing->draw(book, canvas);
+        return noted;
+      });
   const auto store = [&](Vec2i pixel, const Vec3d& colour) {
     slow.frame.colour_double.at(pixel.x, pixel.y) = colour / 255.0;
     slow.frame.colour.at(pixel.x, pixel.y) = Vec3f(colour / 255.0);

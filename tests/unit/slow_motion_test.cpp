@@ -71,15 +71,17 @@ Set soup_set(const std::vector<bool>& kept, std::initializer_list<const char*> a
   int count = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k)
-      vertices += fmt::format("{} = ({}, {}, {})\n", 3 * i + k, triangles[i][k].x, triangles[i][k].y, triangles[i][k].z);
+      vertices +=
+          fmt::format("{} = ({}, {}, {})\n", 3 * i + k, triangles[i][k].x, triangles[i][k].y, triangles[i][k].z);
     if (kept[i])
-      faces += fmt::format("{} = {}, {}, {}, ({}, {}, 90)\n", count++, 3 * i, 3 * i + 1, 3 * i + 2, 40 + 7 * i, 250 - 6 * i);
+      faces +=
+          fmt::format("{} = {}, {}, {}, ({}, {}, 90)\n", count++, 3 * i, 3 * i + 1, 3 * i + 2, 40 + 7 * i, 250 - 6 * i);
   }
-  const std::string text = fmt::format(
-      "viewport_size = 1 x 1\nprojection_plane_d = 1\nlight {{ type = ambient intensity = 0.4 }}\n"
-      "light {{ type = point intensity = 0.6 position = (2, 1, 0) }}\n"
-      "model {{ name = soup vertices {{ {} }} triangles {{ {} }} }}\ninstance {{ model = soup }}\n",
-      vertices, faces);
+  const std::string text =
+      fmt::format("viewport_size = 1 x 1\nprojection_plane_d = 1\nlight {{ type = ambient intensity = 0.4 }}\n"
+                  "light {{ type = point intensity = 0.6 position = (2, 1, 0) }}\n"
+                  "model {{ name = soup vertices {{ {} }} triangles {{ {} }} }}\ninstance {{ model = soup }}\n",
+                  vertices, faces);
   Set set;
   set.scene = parse_scene(text, "soup.scene", ".");
   set.settings.renderer = Renderer::rasterizer;
@@ -136,7 +138,8 @@ void expect_scene_without_the_later(std::initializer_list<const char*> assignmen
     const Frame shown = after(set, SlowUnit::triangles, at, Channel::depth | Channel::overdraw).frame;
     ASSERT_TRUE(same_bits(shown, reference)) << at << " of " << total;
     if (at > 1) {
-      ASSERT_FALSE(same_bits(after(set, SlowUnit::triangles, at - 1, Channel::depth | Channel::overdraw).frame, reference))
+      ASSERT_FALSE(
+          same_bits(after(set, SlowUnit::triangles, at - 1, Channel::depth | Channel::overdraw).frame, reference))
           << "one less is another state: each of these triangles covers a pixel";
     }
   }
@@ -186,8 +189,9 @@ TEST(SlowMotion, DeferredShadingShowsNothingUntilItsLastStep) {
 /// After fragment n as many have been counted, pixels are those of the states after the triangles around it, and the
 /// next one is one more.
 TEST(SlowMotion, FragmentsLieBetweenTriangles) {
-  for (const char* way : {"visibility=depth-buffer", "visibility=painter", "coverage=hierarchical", "coverage=scanline",
-                          "early-depth=on", "precision=double", "coverage=micropolygon", "edge-arithmetic=float-stepped"}) {
+  for (const char* way :
+       {"visibility=depth-buffer", "visibility=painter", "coverage=hierarchical", "coverage=scanline", "early-depth=on",
+        "precision=double", "coverage=micropolygon", "edge-arithmetic=float-stepped"}) {
     const Set set = soup_set(all_kept(), {way});
     const std::uint64_t total = total_of(set, SlowUnit::fragments);
     EXPECT_TRUE(same_bits(after(set, SlowUnit::fragments, total).frame, whole(set))) << way;

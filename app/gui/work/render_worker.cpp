@@ -43,8 +43,7 @@ bool same_display(const PictureRequest& a, const PictureRequest& b) {
 }  // namespace
 
 bool same_render(const PictureRequest& a, const PictureRequest& b) {
-  if (!(a.scene.revision() == b.scene.revision()) || !(a.view == b.view) || a.region != b.region ||
-      a.slow != b.slow)
+  if (!(a.scene.revision() == b.scene.revision()) || !(a.view == b.view) || a.region != b.region || a.slow != b.slow)
     return false;
   if (a.settings == b.settings) return true;
   return std::all_of(option_table().begin(), option_table().end(), [&](const Option& option) {
@@ -233,8 +232,7 @@ void RenderWorker::render_slow(const Run& run, const RenderRequest& options, Pro
   result->request = run.request;
   result->channels = options.channels;
   const PictureRequest& asked = run.request;
-  SlowFrame slow =
-      render_slowly(asked.scene, asked.view, asked.settings, *asked.slow, options, *prepared_, progress);
+  SlowFrame slow = render_slowly(asked.scene, asked.view, asked.settings, *asked.slow, options, *prepared_, progress);
   result->frame = std::move(slow.frame);
   result->slow = std::move(slow.state);
   result->milliseconds = timer.milliseconds();

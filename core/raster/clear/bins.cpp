@@ -92,7 +92,7 @@ Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry
 
 #define PS_INSTANTIATE(Real)                                                                                           \
   template std::vector<PrimitiveRef> drawing_order(const Pass<Real>&, const ScreenGeometry<Real>&);                    \
-  template Bins bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>, int,      \
+  template Bins bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>, int,     \
                                const ParallelOptions&, Progress&);                                                     \
   template Bins bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, int, const ParallelOptions&, Progress&);
 PS_INSTANTIATE(float)

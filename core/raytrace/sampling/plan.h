@@ -25,7 +25,7 @@ struct SamplingPlan {
 };
 
 inline SamplingPlan sampling_plan(const Settings& settings) {
-  SamplingPlan plan{SamplingMode::one, settings.sample_pattern, settings.samples_per_pixel, 0,
+  SamplingPlan plan{SamplingMode::one,           settings.sample_pattern, settings.samples_per_pixel, 0,
                     settings.adaptive_threshold, settings.subsampling};
   if (settings.samples_per_pixel > 1 && settings.adaptive_sampling)
     plan.mode = SamplingMode::adaptive;

@@ -99,8 +99,7 @@ void advance(Session& session, SlowMotionState& state) {
 }  // namespace
 
 bool slow_motion_open(const Session& session) {
-  return std::any_of(both_sides.begin(), both_sides.end(),
-                     [&](Side side) { return asked(session, side).has_value(); });
+  return std::any_of(both_sides.begin(), both_sides.end(), [&](Side side) { return asked(session, side).has_value(); });
 }
 
 void toggle_slow_motion(Session& session, SlowMotionState& state) {
