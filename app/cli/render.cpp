@@ -24,6 +24,7 @@
 #include "render/channel_picture.h"
 #include "render/left_out.h"
 #include "render/render.h"
+#include "render/slow_motion.h"
 #include "scene/load.h"
 
 namespace ps::cli {
@@ -36,6 +37,9 @@ struct RenderArguments {
   std::string stats;
   std::string ppm;          ///< "ascii" or "binary"; empty = binary
   std::vector<int> region;  ///< x, y, width, height; empty = all
+  std::string slow_motion;  ///< "UNIT:N"; empty = that of the permalink, or the whole picture
+  std::string film;         ///< a folder for the pictures on the way to N; empty = none
+  int film_pictures = 24;
 };
 
 /// The pixels that --region asks for, which must lie in the picture at least in part.
@@ -102,6 +106,35 @@ void save_picture(const RenderArguments& arguments, const Document& document, co
     save_image(arguments.output, channel_picture(frame, show, settings).levels, options);
 }
 
+/// The picture as far as slow motion goes; says where it stands.
+Frame render_document(const Document& document, const View& view, const RenderRequest& request, Prepared& prepared) {
+  const SideState& side = document.a;
+  if (!side.slow_motion)
+    return render(document.scene, view, side.settings, request, prepared, interruptible_progress());
+  SlowFrame slow = render_slowly(document.scene, view, side.settings, *side.slow_motion, request, prepared,
+                                 interruptible_progress());
+  fmt::print(stderr, "{}\n", slow_motion_words(slow.state, document.scene, {view.width, view.height}));
+  return slow.frame;
+}
+
+/// Writes the states on the way to the one that was asked for, evenly spread, as 0001.png and so on.
+void save_film(const RenderArguments& arguments, Document document, const View& view, const RenderRequest& request,
+               Prepared& prepared) {
+  const SlowMotion last = *document.a.slow_motion;
+  const std::uint64_t end =
+      render_slowly(document.scene, view, document.a.settings, last, request, prepared, interruptible_progress())
+          .state.done.at;
+  RenderArguments one = arguments;
+  const auto count = static_cast<std::uint64_t>(arguments.film_pictures);
+  for (std::uint64_t i = 1; i <= count; ++i) {
+    document.a.slow_motion = SlowMotion{last.unit, end * i / count};
+    one.output = (std::filesystem::path(arguments.film) / fmt::format("{:04}.png", i)).string();
+    const SlowFrame slow = render_slowly(document.scene, view, document.a.settings, *document.a.slow_motion, request,
+                                         prepared, interruptible_progress());
+    save_picture(one, document, slow.frame, {});
+  }
+}
+
 int run_render(const RenderArguments& arguments) {
   require_output_file(arguments.output, OutputKind::picture);
   if (!arguments.ppm.empty() && lower_extension(arguments.output) != ".ppm")
@@ -119,6 +152,11 @@ int run_render(const RenderArguments& arguments) {
   document.a.show = show;
   const View view = view_of(document);
   if (!arguments.region.empty()) document.view.region = region_of(arguments.region, view);
+  if (!arguments.slow_motion.empty()) document.a.slow_motion = parse_slow_motion(arguments.slow_motion);
+  if (!arguments.film.empty()) {
+    if (!document.a.slow_motion) throw InputError("--film: needs --slow-motion");
+    make_folder(arguments.film);
+  }
   for (const LeftOut& one : left_out(scene_traits(document.scene), document.a.settings))
     fmt::print(stderr, "{}\n", one.sentence);
   Prepared prepared;
@@ -126,15 +164,17 @@ int run_render(const RenderArguments& arguments) {
   request.channels = shown_channel(show).needs;
   request.region = document.view.region;
   Image<Rgb8> levels;  // outside a region they would hold anything
-  if (show == ShownChannel::colour && !request.region && lower_extension(arguments.output) != ".pfm") {
+  if (show == ShownChannel::colour && !request.region && !document.a.slow_motion &&
+      lower_extension(arguments.output) != ".pfm") {
     require_image_size(view.width, view.height, "picture");
     levels = Image<Rgb8>(view.width, view.height, Unfilled{});
     request.levels = &levels;
   }
   const Timer timer;
-  const Frame frame = render(document.scene, view, document.a.settings, request, prepared, interruptible_progress());
+  const Frame frame = render_document(document, view, request, prepared);
   const double milliseconds = timer.milliseconds();
   save_picture(arguments, document, frame, levels);
+  if (!arguments.film.empty()) save_film(arguments, document, view, request, prepared);
   if (!arguments.stats.empty()) write_file_atomically(arguments.stats, stats_json(document, view, frame, milliseconds));
   return 0;
 }
@@ -160,6 +200,17 @@ void add_render_command(CLI::App& app, Action& chosen) {
                    "encoding of a .ppm file: binary (P6, the default), or ascii (P3), which an editor can show")
       ->check(CLI::IsMember({"ascii", "binary"}))
       ->type_name("ascii|binary");
+  std::string units;
+  for (const SlowUnitRow& row : slow_units()) units += fmt::format("{}{}", units.empty() ? "" : " ", row.key);
+  command
+      ->add_option("--slow-motion", arguments->slow_motion,
+                   "the picture after the first N, in the order of the clear path on one thread: " + units)
+      ->type_name("UNIT:N");
+  command->add_option("--film", arguments->film, "also save pictures on the way to N into this folder")
+      ->type_name("FOLDER");
+  command->add_option("--film-pictures", arguments->film_pictures, "how many, 24 unless given")
+      ->check(whole_number_from(1, 9999))
+      ->needs("--film");
   command->add_option("--stats", arguments->stats, "a JSON file for times and counters");
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_render(*arguments); }; });
 }

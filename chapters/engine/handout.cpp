@@ -12,6 +12,7 @@
 #include "image/svg.h"
 #include "render/provenance.h"
 #include "render/render.h"
+#include "render/slow_motion.h"
 
 namespace ps {
 namespace {
@@ -48,14 +49,21 @@ Image<Rgb8> picture_of(const Document& document, Side side, Prepared& prepared, 
   RenderRequest request;
   request.channels = shown_channel(state.show).needs;
   request.region = document.view.region;
-  const Frame frame = render(document.scene, view_of(document), state.settings, request, prepared, progress);
+  const View view = view_of(document);
+  const auto slow = given_slow_motion(state.slow_motion, state.settings, scene_traits(document.scene), state.show);
+  const Frame frame =
+      slow ? render_slowly(document.scene, view, state.settings, *slow, request, prepared, progress).frame
+           : render(document.scene, view, state.settings, request, prepared, progress);
   if (state.show == ShownChannel::colour) return display_frame(frame, state.settings);
   return channel_picture(frame, state.show, state.settings).levels;
 }
 
-std::string figure(const Image<Rgb8>& levels, std::string_view letter, ShownChannel shown) {
-  const std::string caption =
-      shown == ShownChannel::colour ? std::string(letter) : fmt::format("{}: {}", letter, shown_channel(shown).label);
+std::string figure(const Image<Rgb8>& levels, std::string_view letter, const SideState& side) {
+  std::string caption = side.show == ShownChannel::colour
+                            ? std::string(letter)
+                            : fmt::format("{}: {}", letter, shown_channel(side.show).label);
+  if (const auto& slow = side.slow_motion)
+    caption += fmt::format(", after {} {}", slow->at, slow_unit(slow->unit).many);
   return fmt::format("<figure><img alt=\"picture {}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\"/>"
                      "<figcaption>{}</figcaption></figure>\n",
                      letter, levels.width(), levels.height(), base64(stb_encode_png(levels)), xml_escaped(caption));
@@ -72,7 +80,7 @@ std::string pictures(const Document& document, const std::array<bool, 2>& covere
                           "<figcaption>{}</figcaption></figure>\n",
                           letter, letter);
     else
-      html += figure(picture_of(document, side, prepared, progress), letter, side_of(document, side).show);
+      html += figure(picture_of(document, side, prepared, progress), letter, side_of(document, side));
   }
   return html + "</div>\n";
 }

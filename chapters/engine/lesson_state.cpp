@@ -53,6 +53,7 @@ std::string file_of(const BlockLine& line) {
 /// The words of a step for parts that permalinks name otherwise.
 std::string part_key(const std::string& word, std::string& value) {
   if (word == "show") return "show-a";
+  if (word == "slow-motion") return "slow-motion-a";
   if (word != "edit") return word;
   std::string_view rest = value;
   std::string key = "edit.";

@@ -35,6 +35,7 @@ std::string render_command(const Document& document, Side side, const std::strin
   const ShownChannel show = side_of(document, side).show;
   if (document.view.region) text += " --region " + region_text(*document.view.region);
   if (show != ShownChannel{}) text += fmt::format(" --show {}", shown_channel(show).key);
+  if (const auto& slow = side_of(document, side).slow_motion) text += " --slow-motion " + slow_motion_text(*slow);
   return text + " --out " + shell_quote(output);
 }
 

@@ -9,6 +9,7 @@
 #include "document/pin.h"
 #include "document/scene_edits.h"
 #include "document/story_view.h"
+#include "frame/slow_motion.h"
 #include "frame/view.h"
 #include "options/settings.h"
 #include "render/channel_picture.h"
@@ -27,6 +28,7 @@ enum class CompareMode { side_by_side, split, difference, only_a, only_b };
 struct SideState {
   Settings settings;
   ShownChannel show{};
+  std::optional<SlowMotion> slow_motion;  ///< the picture is shown as far as that; empty = whole
   bool operator==(const SideState&) const = default;
 };
 

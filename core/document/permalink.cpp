@@ -58,6 +58,8 @@ Text show_text(ShownChannel show) {
   return show == ShownChannel{} ? Text{} : Text{std::string(shown_channel(show).key)};
 }
 
+Text slow_text(const SideState& side) { return side.slow_motion ? Text{slow_motion_text(*side.slow_motion)} : Text{}; }
+
 Text event_text(int event) { return event < 0 ? Text{} : Text{fmt::format("{}", event)}; }
 int parse_event(std::string_view text) { return parse_whole(text, 0, 10'000'000, "event"); }
 
@@ -133,6 +135,10 @@ const std::vector<Field>& document_fields() {
        [](Document& d, std::string_view t) { d.a.show = parse_shown_channel(t); }},
       {"show-b", [](const Document& d) { return show_text(d.b.show); },
        [](Document& d, std::string_view t) { d.b.show = parse_shown_channel(t); }},
+      {"slow-motion-a", [](const Document& d) { return slow_text(d.a); },
+       [](Document& d, std::string_view t) { d.a.slow_motion = parse_slow_motion(t); }},
+      {"slow-motion-b", [](const Document& d) { return slow_text(d.b); },
+       [](Document& d, std::string_view t) { d.b.slow_motion = parse_slow_motion(t); }},
       {"compare",
        [](const Document& d) {
          return text_unless(std::string(compare_key(d.compare)), std::string(compare_key(CompareMode::side_by_side)));

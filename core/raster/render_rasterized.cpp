@@ -12,21 +12,13 @@
 #include "raster/fast_path.h"
 #include "raster/renderer.h"
 #include "raster/shadow/fragment_shadows.h"
-#include "raster/shadow/map_picture.h"
+#include "raster/shadow/store_map_pictures.h"
 #include "record/recorder.h"
 
 namespace ps {
 namespace {
 
 using namespace raster;
-
-constexpr int tile_size = 64;
-
-void require_side(int pixels) {
-  if (pixels > guard_band)
-    throw InputError(
-        fmt::format("a width or height of {} pixels: the rasterizer draws at most {}", pixels, guard_band));
-}
 
 /// Notes how long each stage took.
 class Stages {
@@ -41,26 +33,6 @@ class Stages {
   Frame& frame_;
   Timer timer_;
 };
-
-/// The channels that show maps and stencil buffers, and what those took.
-template <class Real>
-void store_map_pictures(const Pass<Real>& pass, Frame& frame) {
-  if (pass.shadow_maps && !frame.shadow_map.empty()) lay_out_maps(*pass.shadow_maps, frame.shadow_map);
-  if (pass.environment && !frame.environment.empty()) {
-    const auto first =
-        std::find_if(pass.environment->begin(), pass.environment->end(), [](const auto& m) { return m; });
-    if (first != pass.environment->end()) lay_out_environment(**first, frame.environment);
-  }
-  if (!pass.stencil) return;
-  frame.counters += pass.stencil->counters;
-  if (frame.stencil.empty()) return;
-  for (std::size_t light = 0; light < pass.stencil->counts.size(); ++light) {
-    const int shown = pass.settings.light_shown;
-    if (shown > 0 && static_cast<int>(light) + 1 != shown) continue;
-    const Image<std::int32_t>& counts = pass.stencil->counts[light];
-    for (std::size_t i = 0; i < counts.pixels().size(); ++i) frame.stencil.pixels()[i] += counts.pixels()[i];
-  }
-}
 
 /// Draws one picture: what comes before the triangles, and triangles tile by tile.
 template <class Real>
@@ -89,11 +61,11 @@ class Picture {
   void draw_tiles(DrawList&& draw_list) {
     const ScreenGeometry<Real> geometry = make_geometry(pass_, {}, parallel_, progress_);
     stages_.done("vertices and clipping");
-    const Bins bins = bin_primitives(pass_, geometry, tile_size, parallel_, progress_);
+    const Bins bins = bin_primitives(pass_, geometry, clear_tile_size, parallel_, progress_);
     stages_.done("sorting into tiles");
 
     const Settings& settings = pass_.settings;
-    const std::vector<TileRect> tiles = make_tiles(view_.width, view_.height, tile_size);
+    const std::vector<TileRect> tiles = make_tiles(view_.width, view_.height, clear_tile_size);
     const TileRect region = asked_region(request_, view_.width, view_.height);
     std::vector<Counters> counters(tiles.size());
     const std::vector<DrawStep> steps = draw_steps(settings, pass_.lights.size());
@@ -158,10 +130,16 @@ void draw_picture(Picture<float>& picture, const RenderRequest& request, Prepare
 
 }  // namespace
 
+void require_rasterized_size(const View& view) {
+  for (const int pixels : {view.width, view.height})
+    if (pixels > guard_band)
+      throw InputError(
+          fmt::format("a width or height of {} pixels: the rasterizer draws at most {}", pixels, guard_band));
+}
+
 Frame render_rasterized(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
                         Prepared& prepared, Progress& progress) {
-  require_side(view.width);
-  require_side(view.height);
+  require_rasterized_size(view);
   switch (settings.precision) {
   case Precision::float32: {
     Picture<float> picture(scene, view, settings, request, prepared, progress);

@@ -3,6 +3,9 @@
 
 namespace ps {
 
+/// Pictures are drawn in squares of this many pixels a side, unless whole frames are drawn by SIMD.
+inline constexpr int clear_tile_size = 64;
+
 /// The rasterizer (CGFS part II).
 RendererRow rasterizer_row();
 
@@ -11,6 +14,8 @@ Frame render_rasterized(const Scene& scene, const View& view, const Settings& se
                         Prepared& prepared, Progress& progress);
 PixelStory inspect_rasterized(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
                               Prepared& prepared, Progress& progress);
+/// Throws InputError for a view with a side that is too long for the rasterizer.
+void require_rasterized_size(const View& view);
 FastPath rasterized_fast_path(const Settings& settings, const SceneTraits& traits, Channel channels);
 
 }  // namespace ps

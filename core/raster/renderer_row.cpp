@@ -1,5 +1,6 @@
 #include "raster/renderer.h"
 #include "raster/setup/left_out.h"
+#include "raster/slow_motion.h"
 
 namespace ps {
 namespace {
@@ -48,7 +49,9 @@ RendererRow rasterizer_row() {
           .fast_path = rasterized_fast_path,
           .left_out = left_out,
           .shows_objects = fragments_show_objects,
-          .subject = [](const SceneTraits&, const Settings&) { return std::string("the rasterizer"); }};
+          .subject = [](const SceneTraits&, const Settings&) { return std::string("the rasterizer"); },
+          .slow_motion_lacks = rasterized_slow_motion_lacks,
+          .slow_motion = rasterize_slowly};
 }
 
 }  // namespace ps

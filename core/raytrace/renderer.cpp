@@ -27,10 +27,10 @@ std::unique_ptr<TileTracer> tile_tracer(const Scene&, const TraceInputs<double>&
 template <class Real>
 class PictureTracer {
  public:
-  PictureTracer(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
-                Prepared& prepared, Progress& progress)
+  PictureTracer(const Scene& scene, const View& view, const Settings& settings, const SamplingPlan& plan,
+                const RenderRequest& request, Prepared& prepared, Progress& progress)
       : settings_(settings), request_(request), ids_asked_(has(request.channels, Channel::ids)),
-        plan_(sampling_plan(settings)), parallel_{settings.threads, request.priority}, progress_(progress),
+        plan_(plan), parallel_{settings.threads, request.priority}, progress_(progress),
         inputs_(make_trace_inputs<Real>(scene, view, settings, prepared, request.channels)),
         tiles_(make_tiles(view.width, view.height, traced_tile_size)),
         region_(asked_region(request, view.width, view.height)), tracer_(tile_tracer(scene, inputs_, plan_, prepared)) {
@@ -81,7 +81,7 @@ class PictureTracer {
     const bool many = plan_.mode == SamplingMode::many;
     for (int y = part.y0; y < part.y1; ++y)
       for (int x = part.x0; x < part.x1; ++x)
-        frame_.samples.at(x, y) = many ? static_cast<std::uint32_t>(plan_.samples) : 1u;
+        frame_.samples.at(x, y) = many ? static_cast<std::uint32_t>(plan_.averaged()) : 1u;
   }
 
   /// The second pass of adaptive sampling: pixels whose first ray differs from a neighbour's are traced as with a fixed
@@ -120,10 +120,10 @@ class PictureTracer {
 };
 
 template <class Real>
-Frame render_in(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
-                Prepared& prepared, Progress& progress) {
+Frame render_in(const Scene& scene, const View& view, const Settings& settings, const SamplingPlan& plan,
+                const RenderRequest& request, Prepared& prepared, Progress& progress) {
   const Timer preparing;
-  PictureTracer<Real> tracer(scene, view, settings, request, prepared, progress);
+  PictureTracer<Real> tracer(scene, view, settings, plan, request, prepared, progress);
   const double prepared_ms = preparing.milliseconds();
   const Timer tracing;
   Frame frame = tracer.trace();
@@ -134,15 +134,20 @@ Frame render_in(const Scene& scene, const View& view, const Settings& settings, 
 
 }  // namespace
 
-Frame render_traced(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
-                    Prepared& prepared, Progress& progress) {
+Frame render_planned(const Scene& scene, const View& view, const Settings& settings, const SamplingPlan& plan,
+                     const RenderRequest& request, Prepared& prepared, Progress& progress) {
   switch (settings.precision) {
   case Precision::float32:
-    return render_in<float>(scene, view, settings, request, prepared, progress);
+    return render_in<float>(scene, view, settings, plan, request, prepared, progress);
   case Precision::float64:
-    return render_in<double>(scene, view, settings, request, prepared, progress);
+    return render_in<double>(scene, view, settings, plan, request, prepared, progress);
   }
   return {};
+}
+
+Frame render_traced(const Scene& scene, const View& view, const Settings& settings, const RenderRequest& request,
+                    Prepared& prepared, Progress& progress) {
+  return render_planned(scene, view, settings, sampling_plan(settings), request, prepared, progress);
 }
 
 }  // namespace ps

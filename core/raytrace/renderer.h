@@ -1,4 +1,5 @@
 #pragma once
+#include "raytrace/sampling/plan.h"
 #include "record/renderer_row.h"
 
 namespace ps {
@@ -11,6 +12,9 @@ Frame render_traced(const Scene& scene, const View& view, const Settings& settin
                     Prepared& prepared, Progress& progress);
 PixelStory inspect_traced(const Scene& scene, const View& view, const Settings& settings, Vec2i pixel,
                           Prepared& prepared, Progress& progress);
+/// render_traced() with the samples of `plan` in place of those that the settings ask for.
+Frame render_planned(const Scene& scene, const View& view, const Settings& settings, const SamplingPlan& plan,
+                     const RenderRequest& request, Prepared& prepared, Progress& progress);
 FastPath traced_fast_path(const Settings& settings, const SceneTraits& traits, Channel channels);
 
 }  // namespace ps

@@ -1,4 +1,5 @@
 #include "raytrace/renderer.h"
+#include "raytrace/slow_motion.h"
 
 namespace ps {
 namespace {
@@ -34,7 +35,9 @@ RendererRow ray_tracer_row() {
           .fast_path = traced_fast_path,
           .left_out = left_out_by_rays,
           .shows_objects = rays_show_objects,
-          .subject = [](const SceneTraits&, const Settings&) { return std::string("the ray tracer"); }};
+          .subject = [](const SceneTraits&, const Settings&) { return std::string("the ray tracer"); },
+          .slow_motion_lacks = traced_slow_motion_lacks,
+          .slow_motion = trace_slowly};
 }
 
 }  // namespace ps

@@ -1,12 +1,15 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
 #include "frame/frame.h"
 #include "frame/left_out.h"
 #include "frame/prepared.h"
+#include "frame/slow_motion.h"
 #include "frame/view.h"
 #include "record/story.h"
 
@@ -38,6 +41,12 @@ struct RendererRow {
   bool (*shows_objects)(const SceneTraits& traits, const Settings& settings) = nullptr;
   /// Its name as the subject of a sentence: "the ray tracer".
   std::string (*subject)(const SceneTraits& traits, const Settings& settings) = nullptr;
+  /// Why it cannot show the picture after so many of a unit, or nothing: it can. nullptr: of no unit.
+  std::optional<std::string_view> (*slow_motion_lacks)(SlowUnit unit, const Settings& settings,
+                                                       const SceneTraits& traits) = nullptr;
+  /// The picture after so many of a unit that it does not lack. Of `request` only channels, region and priority count.
+  SlowFrame (*slow_motion)(const Scene& scene, const View& view, const Settings& settings, const SlowMotion& motion,
+                           const RenderRequest& request, Prepared& prepared, Progress& progress) = nullptr;
   /// What it has after each of its stages, or nullptr: it does not give that. Throws as render() does.
   std::shared_ptr<const StageValues> (*stage_values)(const Scene& scene, const View& view, const Settings& settings,
                                                      Prepared& prepared, Progress& progress) = nullptr;

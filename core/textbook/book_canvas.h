@@ -1,12 +1,19 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/parallel.h"
 #include "image/image.h"
 #include "math/vec.h"
 
 namespace ps {
+
+/// A pixel that was put on the canvas: its place in the part that the canvas holds, and its colour from 0 to 255.
+struct CanvasWrite {
+  Vec2i place{0, 0};
+  Vec3d colour{0, 0, 0};
+};
 
 /// The book's canvas: positions are counted from the centre, y up; colours go from 0 to 255. It may hold a part of the
 /// picture only; what is put elsewhere is dropped.
@@ -28,8 +35,12 @@ class BookCanvas {
   void put_pixel(double x, double y, const Vec3d& colour) {
     if (progress_) progress_->check();
     const Vec2i place = place_of(x, y);
-    if (colours_.contains(place.x, place.y)) colours_.at(place.x, place.y) = colour;
+    if (!colours_.contains(place.x, place.y)) return;
+    colours_.at(place.x, place.y) = colour;
+    if (writes_) writes_->push_back({place, colour});
   }
+  /// Every pixel that is put on the canvas from now on is noted in `writes`, which must outlive the canvas.
+  void note_writes(std::vector<CanvasWrite>& writes) { writes_ = &writes; }
 
   /// What is there so far; black outside of what it holds.
   Vec3d get_pixel(double x, double y) const {
@@ -70,6 +81,7 @@ class BookCanvas {
   Image<Vec3d> colours_;
   Image<double> nearest_;
   const Progress* progress_;
+  std::vector<CanvasWrite>* writes_ = nullptr;
 };
 
 }  // namespace ps

@@ -4,6 +4,7 @@
 
 #include "options/listing.h"
 #include "textbook/renderer.h"
+#include "textbook/slow_motion.h"
 
 namespace ps {
 namespace {
@@ -78,9 +79,12 @@ RendererRow textbook_row() {
           .fast_path = textbook_path,
           .left_out = gaps_of_listing,
           .shows_objects = listing_shows_objects,
-          .subject = [](const SceneTraits& traits, const Settings& settings) {
-            return fmt::format("the listing of {}", chosen_listing(traits, settings).source);
-          }};
+          .subject =
+              [](const SceneTraits& traits, const Settings& settings) {
+                return fmt::format("the listing of {}", chosen_listing(traits, settings).source);
+              },
+          .slow_motion_lacks = listing_slow_motion_lacks,
+          .slow_motion = run_listing_slowly};
 }
 
 }  // namespace ps

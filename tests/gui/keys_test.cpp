@@ -32,7 +32,7 @@ Meanings meanings_of(const std::string& line) {
 bool leads_away(const std::string& action) {
   for (const std::string start :
        {"mode-", "save-", "shot-", "lesson-", "step-", "focus-", "open", "scenes", "quit", "fullscreen", "palette",
-        "help", "kept", "glossary", "history", "picture-b", "reload", "fly"})
+        "help", "kept", "glossary", "history", "picture-b", "reload", "fly", "slow-motion"})
     if (action.starts_with(start)) return true;
   return false;
 }

@@ -156,6 +156,12 @@ bool draw_pixel(Session& session, PanelStates& my, const PanelHost& host) {
     return false;
   }
   prediction_verdict(session, my.predict);
+  if (side_of(session.document(), inspected_side(session)).slow_motion) {
+    constexpr std::string_view note = "Slow motion: the story is that of the finished picture.";
+    ImGui::PushTextWrapPos(0);
+    value_text("pixel/slow-motion", note);
+    ImGui::PopTextWrapPos();
+  }
   pixel_panel(session, my.pixel, [&](const std::string& text) { host.copy(text, "Copied to the clipboard."); });
   return false;
 }

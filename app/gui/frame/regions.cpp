@@ -12,6 +12,7 @@
 #include "gui/panels/lesson/first_look.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/pictures/picture_frame.h"
+#include "gui/panels/pictures/slow_strip.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "gui/widgets/shorten.h"
@@ -98,8 +99,13 @@ PlanInput Regions::plan_input(const Area& area, PictureCaptions captions) const 
 void Regions::pictures(const Area& area, double least_share, PictureCaptions captions) {
   const float margin = px(picture_margin);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  pictures_panel(session_, my_.pictures, {{area.min.x + margin, area.min.y}, {area.max.x - margin, area.max.y}},
+  const float strip = slow_strip_height(session_), bottom = area.max.y - strip;
+  pictures_panel(session_, my_.pictures, {{area.min.x + margin, area.min.y}, {area.max.x - margin, bottom}},
                  {.captions = captions, .least_pixels = least_share * window.x * window.y});
+  if (strip <= 0) return;
+  begin_region(session_, "slow-motion", {{area.min.x, bottom}, area.max}, {}, RegionPadding::tight);
+  slow_strip(session_, my_.pictures.slow);
+  ImGui::EndChild();
 }
 
 StagePlace Regions::stage_place() const {

@@ -40,6 +40,8 @@ void keep_place(const Document& from, Document& to) {
   to.compare = from.compare;
   to.split = from.split;
   to.heat_range = from.heat_range;
+  to.a.slow_motion = from.a.slow_motion;
+  to.b.slow_motion = from.b.slow_motion;
   to.difference_gain = from.difference_gain;
   to.mode = from.mode;
   to.layout = from.layout;
@@ -430,6 +432,7 @@ void Session::request_work() {
       inspectors_[index_of(side)]->request({request, *picked});
     else
       inspectors_[index_of(side)]->clear();
+    request.slow = given_slow_motion(side_of(document_, side).slow_motion, settings(side), traits_, shown(side));
     renderers_[index_of(side)]->request(request);
   }
 }

@@ -43,7 +43,8 @@ bool same_display(const PictureRequest& a, const PictureRequest& b) {
 }  // namespace
 
 bool same_render(const PictureRequest& a, const PictureRequest& b) {
-  if (!(a.scene.revision() == b.scene.revision()) || !(a.view == b.view) || a.region != b.region) return false;
+  if (!(a.scene.revision() == b.scene.revision()) || !(a.view == b.view) || a.region != b.region || a.slow != b.slow)
+    return false;
   if (a.settings == b.settings) return true;
   return std::all_of(option_table().begin(), option_table().end(), [&](const Option& option) {
     return option.effect == OptionEffect::display || option.get(a.settings) == option.get(b.settings);
@@ -165,7 +166,7 @@ void RenderWorker::or_fail(std::uint64_t generation, const std::function<void()>
 }
 
 void RenderWorker::render_both(const Run& run, Progress& progress) {
-  const int divisor = run.coarse_divisor;
+  const int divisor = run.request.slow ? 1 : run.coarse_divisor;  // the number counts in the picture as it is
   if (divisor > 1 && std::min(run.request.view.width, run.request.view.height) >= 4 * divisor)
     render_coarse(run, progress);
   render_full(run, progress);
@@ -202,6 +203,7 @@ void RenderWorker::render_full(const Run& run, Progress& progress) {
   options.channels = run.channels;
   options.priority = WorkerPriority::background;
   options.region = run.request.region;
+  if (run.request.slow) return render_slow(run, options, progress);
   // The renderer writes the levels of the colours that it has at hand. Those outside a region are left to the end.
   Image<Rgb8> levels;
   if (run.request.shown == ShownChannel::colour && !options.region) {
@@ -220,6 +222,20 @@ void RenderWorker::render_full(const Run& run, Progress& progress) {
   result->frame = render_(run.request.scene, run.request.view, run.request.settings, options, *prepared_, progress);
   result->milliseconds = timer.milliseconds();
   if (options.levels && finish_shown(result, run)) return wake();
+  show_whole(result, run.generation);
+}
+
+void RenderWorker::render_slow(const Run& run, const RenderRequest& options, Progress& progress) {
+  const Timer timer;
+  const auto result = std::make_shared<RenderResult>();
+  result->begun = std::chrono::steady_clock::now();
+  result->request = run.request;
+  result->channels = options.channels;
+  const PictureRequest& asked = run.request;
+  SlowFrame slow = render_slowly(asked.scene, asked.view, asked.settings, *asked.slow, options, *prepared_, progress);
+  result->frame = std::move(slow.frame);
+  result->slow = std::move(slow.state);
+  result->milliseconds = timer.milliseconds();
   show_whole(result, run.generation);
 }
 

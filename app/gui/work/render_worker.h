@@ -17,6 +17,7 @@
 #include "options/settings.h"
 #include "render/channel_picture.h"
 #include "render/render.h"
+#include "render/slow_motion.h"
 #include "scene/scene.h"
 
 namespace ps::gui {
@@ -29,6 +30,7 @@ struct PictureRequest {
   ShownChannel shown = ShownChannel::colour;
   std::optional<ValueRange> range;   ///< of a heat map; absent = the frame's own
   std::optional<TileRect> region{};  ///< the only pixels that are wanted; absent = all
+  std::optional<SlowMotion> slow{};  ///< how far the picture is to be drawn; absent = whole
 };
 
 enum class RenderState { idle, coarse, full, done, cancelled, failed };
@@ -40,6 +42,7 @@ struct RenderResult {
   Frame frame;
   std::chrono::steady_clock::time_point begun;  ///< the full render
   double milliseconds = 0;                      ///< its wall-clock time
+  std::optional<SlowState> slow;                ///< where it stands, if the request asked for a part of the picture
 };
 
 struct RenderStatus {
@@ -94,6 +97,7 @@ class RenderWorker {
   void render_both(const Run& run, Progress& progress);
   void render_coarse(const Run& run, Progress& progress);
   void render_full(const Run& run, Progress& progress);
+  void render_slow(const Run& run, const RenderRequest& options, Progress& progress);
   std::function<void(const Frame&, const TileRect&)> tile_publisher(const Run& run, int divisor);
   std::function<void(const Frame&, const TileRect&)> levels_publisher(const Run& run, Image<Rgb8>& levels);
   void publish(const Image<Rgb8>& pixels, const TileRect& rect, const Run& run, int divisor);

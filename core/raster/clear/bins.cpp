@@ -61,12 +61,11 @@ std::vector<PrimitiveRef> drawing_order(const Pass<Real>& pass, const ScreenGeom
 }
 
 template <class Real>
-Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, int tile_size,
-                    const ParallelOptions& parallel, Progress& progress) {
+Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, std::span<const PrimitiveRef> order,
+                    int tile_size, const ParallelOptions& parallel, Progress& progress) {
   const auto tiles_across = [tile_size](int pixels) { return (pixels + tile_size - 1) / tile_size; };
   const auto columns = static_cast<std::size_t>(tiles_across(pass.viewport.columns));
   const auto rows = static_cast<std::size_t>(tiles_across(pass.viewport.rows));
-  const std::vector<PrimitiveRef> order = drawing_order(pass, geometry);
   Bins bins;
   bins.tiles = columns * rows;
   bins.parts = std::clamp<std::size_t>(order.size() / primitives_per_part, 1, most_parts);
@@ -85,8 +84,16 @@ Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry
   return bins;
 }
 
+template <class Real>
+Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, int tile_size,
+                    const ParallelOptions& parallel, Progress& progress) {
+  return bin_primitives<Real>(pass, geometry, drawing_order(pass, geometry), tile_size, parallel, progress);
+}
+
 #define PS_INSTANTIATE(Real)                                                                                           \
   template std::vector<PrimitiveRef> drawing_order(const Pass<Real>&, const ScreenGeometry<Real>&);                    \
+  template Bins bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, std::span<const PrimitiveRef>, int,     \
+                               const ParallelOptions&, Progress&);                                                     \
   template Bins bin_primitives(const Pass<Real>&, const ScreenGeometry<Real>&, int, const ParallelOptions&, Progress&);
 PS_INSTANTIATE(float)
 PS_INSTANTIATE(double)

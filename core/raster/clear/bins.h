@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/parallel.h"
@@ -27,7 +28,12 @@ struct Bins {
   const std::vector<PrimitiveRef>& list(std::size_t part, std::size_t tile) const { return lists[part * tiles + tile]; }
 };
 
-/// `tile_size` is the one the tiles were made with. The parts do not depend on the number of threads.
+/// Sorts the primitives of `order` into tiles. `tile_size` is the one the tiles were made with. The parts do not depend
+/// on the number of threads.
+template <class Real>
+Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, std::span<const PrimitiveRef> order,
+                    int tile_size, const ParallelOptions& parallel, Progress& progress);
+/// The same with all of them, in drawing order.
 template <class Real>
 Bins bin_primitives(const Pass<Real>& pass, const ScreenGeometry<Real>& geometry, int tile_size,
                     const ParallelOptions& parallel, Progress& progress);

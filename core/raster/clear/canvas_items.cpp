@@ -5,6 +5,7 @@
 
 #include "raster/clear/fill_canvas_shape.h"
 #include "raster/clear/lines/walk_line.h"
+#include "raster/clear/stepping_recorder.h"
 #include "record/recorder.h"
 
 namespace ps::raster {
@@ -102,9 +103,10 @@ void draw_edge(const Pass<Real>& pass, const ScreenLine<Real>& line, Target<Real
 }
 
 template <class Real, class Recorder>
-void draw_canvas_items(const Pass<Real>& pass, Target<Real>& target, Recorder& recorder) {
+void draw_canvas_items(const Pass<Real>& pass, Target<Real>& target, Recorder& recorder, std::size_t most) {
   int index = 0;
   for (const CanvasItem& item : *pass.scene->canvas_items) {
+    if (static_cast<std::size_t>(index) >= most) return;
     std::visit([&](const auto& shape) { draw_item(pass, shape, index, target, recorder); }, item);
     ++index;
   }
@@ -125,11 +127,13 @@ std::uint64_t count_canvas_lines(const Scene& scene) {
 // NOLINTBEGIN(bugprone-macro-parentheses): Real and Recorder are types
 #define PS_INSTANTIATE(Real, Recorder)                                                                                 \
   template void draw_edge(const Pass<Real>&, const ScreenLine<Real>&, Target<Real>&, Recorder&);                       \
-  template void draw_canvas_items(const Pass<Real>&, Target<Real>&, Recorder&);
+  template void draw_canvas_items(const Pass<Real>&, Target<Real>&, Recorder&, std::size_t);
 PS_INSTANTIATE(float, CountingRecorder)
 PS_INSTANTIATE(float, PixelRecorder)
 PS_INSTANTIATE(double, CountingRecorder)
 PS_INSTANTIATE(double, PixelRecorder)
+PS_INSTANTIATE(float, SteppingRecorder)
+PS_INSTANTIATE(double, SteppingRecorder)
 #undef PS_INSTANTIATE
 // NOLINTEND(bugprone-macro-parentheses)
 

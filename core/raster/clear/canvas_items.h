@@ -1,4 +1,7 @@
 #pragma once
+#include <cstddef>
+#include <limits>
+
 #include "raster/clear/canvas_line.h"
 #include "raster/target.h"
 
@@ -9,9 +12,10 @@ template <class Real, class Recorder>
 void draw_edge(const Pass<Real>& pass, const ScreenLine<Real>& line, Target<Real>& target, Recorder& recorder);
 
 /// Draws the part of the scene's canvas items that lies in the tile (CGFS ch. 6 to 8): lines, filled triangles with
-/// colours and h interpolated between the vertices, outlines.
+/// colours and h interpolated between the vertices, outlines. Of the items only the first `most`.
 template <class Real, class Recorder>
-void draw_canvas_items(const Pass<Real>& pass, Target<Real>& target, Recorder& recorder);
+void draw_canvas_items(const Pass<Real>& pass, Target<Real>& target, Recorder& recorder,
+                       std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Lines and edges of outlines among the scene's canvas items.
 std::uint64_t count_canvas_lines(const Scene& scene);

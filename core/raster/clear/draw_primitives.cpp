@@ -7,6 +7,7 @@
 #include "raster/clear/coverage/of_triangle.h"
 #include "raster/clear/fragment_event.h"
 #include "raster/clear/set_up_triangle.h"
+#include "raster/clear/stepping_recorder.h"
 
 namespace ps::raster {
 namespace {
@@ -343,6 +344,8 @@ PS_INSTANTIATE(float, CountingRecorder)
 PS_INSTANTIATE(float, PixelRecorder)
 PS_INSTANTIATE(double, CountingRecorder)
 PS_INSTANTIATE(double, PixelRecorder)
+PS_INSTANTIATE(float, SteppingRecorder)
+PS_INSTANTIATE(double, SteppingRecorder)
 #undef PS_INSTANTIATE
 // NOLINTEND(bugprone-macro-parentheses)
 

@@ -19,9 +19,9 @@ TracedPixel<Real> trace_many(const Tracer<Real, Recorder>& tracer, const Samplin
   Vec3<Real> sum(0);
   MiddleSample middle;
   [[maybe_unused]] const bool silent = !recorder.collects();  // a replay of what came before
-  for (int i = 0; i < plan.samples; ++i) {
+  for (int i = 0; i < plan.averaged(); ++i) {
     const Vec2d offset = sample_in_pixel(plan.pattern, i, plan.samples, place, viewport.sample);
-    SampleEvent event{i, plan.samples, offset, 1.0 / plan.samples, {}};
+    SampleEvent event{i, plan.samples, offset, 1.0 / plan.averaged(), {}};
     recorder.begin([&] { return event; });
     if constexpr (Recorder::records) recorder.mute(silent || i >= most_sample_stories);
     const TracedPixel<Real> sample = tracer.trace_eye_ray(eye_ray(tracer.inputs(), place.x, place.y, offset));
@@ -31,7 +31,7 @@ TracedPixel<Real> trace_many(const Tracer<Real, Recorder>& tracer, const Samplin
     sum += sample.colour;
     if (middle.is_nearer(offset, viewport.sample)) pixel = sample;
   }
-  pixel.colour = sum / static_cast<Real>(plan.samples);
+  pixel.colour = sum / static_cast<Real>(plan.averaged());
   return pixel;
 }
 

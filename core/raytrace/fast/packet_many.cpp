@@ -28,7 +28,7 @@ void store(const PacketScene& scene, const PacketResult& middle, const Vec3f& co
 
 void trace_many_packets(const PacketScene& scene, TraceSamples trace, const SamplingPlan& plan,
                         std::span<const Vec2i> pixels, Frame& frame, Counters& counters) {
-  const auto count = static_cast<std::size_t>(plan.samples);
+  const auto count = static_cast<std::size_t>(plan.averaged());
   const std::size_t pixels_at_once = std::max<std::size_t>(1, samples_at_once / count);
   std::vector<PacketSample> samples(pixels_at_once * count);
   std::vector<PacketResult> results(samples.size());
@@ -49,7 +49,7 @@ void trace_many_packets(const PacketScene& scene, TraceSamples trace, const Samp
     for (std::size_t p = 0; p < some.size(); ++p) {
       Vec3f sum(0);
       for (std::size_t i = 0; i < count; ++i) sum += results[p * count + i].colour;
-      const Vec3f colour = sum / static_cast<float>(plan.samples);
+      const Vec3f colour = sum / static_cast<float>(plan.averaged());
       if (has_nan(colour)) ++counters[Counter::nan_pixels];
       store(scene, results[middles[p]], colour, some[p], frame);
     }

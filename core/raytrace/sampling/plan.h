@@ -18,13 +18,15 @@ struct SamplingPlan {
   SamplingMode mode = SamplingMode::one;
   SamplePattern pattern = SamplePattern::grid;
   int samples = 1;
+  int taken = 0;  ///< of a pixel's samples only the first so many; 0 = all
   double threshold = 0;
   int step = 1;  ///< of subsampling, in pixels
+  int averaged() const { return taken > 0 ? taken : samples; }
 };
 
 inline SamplingPlan sampling_plan(const Settings& settings) {
-  SamplingPlan plan{SamplingMode::one, settings.sample_pattern, settings.samples_per_pixel, settings.adaptive_threshold,
-                    settings.subsampling};
+  SamplingPlan plan{SamplingMode::one,           settings.sample_pattern, settings.samples_per_pixel, 0,
+                    settings.adaptive_threshold, settings.subsampling};
   if (settings.samples_per_pixel > 1 && settings.adaptive_sampling)
     plan.mode = SamplingMode::adaptive;
   else if (settings.samples_per_pixel > 1 || settings.sample_pattern != SamplePattern::grid)

@@ -8,6 +8,7 @@
 #include "gui/panels/pictures/left_out_line.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/picture_text.h"
+#include "gui/panels/pictures/slow_motion.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/redraw.h"
 #include "render/left_out.h"
@@ -57,6 +58,7 @@ std::vector<FooterItem> footer_items(Session& session, Side side, CaptionChange&
   if (const auto file = session.picture_b(); side == Side::b && file)
     return {{{}, fmt::format("{}{} x {} pixels", lead, file->levels.width(), file->levels.height()), file->path}};
   const auto result = session.renderer(side).result();
+  if (const std::string words = slow_words(session, side); !words.empty()) return {{"slow", lead + words, words}};
   const double now = ImGui::GetTime();
   change.take(result, now);
   std::vector<FooterItem> items;

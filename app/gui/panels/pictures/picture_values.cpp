@@ -66,6 +66,7 @@ void offer_picture_values(Values& out, Session& session, PicturesState& pictures
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     return 100 * pixels_on_screen(pictures) / std::max(static_cast<double>(window.x) * window.y, 1.0);
   });
+  offer_slow_motion_values(session, pictures.slow);
   out.offer("flying", [&pictures] { return flying(pictures); });
   out.offer("flicker", [&pictures] { return pictures.flip; });
 }

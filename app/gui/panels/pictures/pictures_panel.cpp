@@ -12,6 +12,7 @@
 #include "gui/panels/pictures/legend_range.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/panels/pictures/picture_gizmo.h"
+#include "gui/panels/pictures/slow_strip.h"
 #include "gui/widgets/widgets.h"
 #include "render/left_out.h"
 #include "render/story/names.h"
@@ -151,9 +152,14 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
       controls().record(which == Side::a ? "view/a/nan" : "view/b/nan", area.min, area.max,
                         fmt::format("{} pixels are not a number", *pixels));
   };
+  const auto mark_last = [&](Side which) {
+    if (state.hidden[index_of(which)] || state.was) return;
+    if (const auto slow = slow_state(session, which)) slow_mark(list, *slow, state.transform, area);
+  };
   list.PushClipRect(area.min, {split ? split->at : area.max.x, area.max.y}, true);
   draw_picture(list, shown_picture(session, state, shown_side), state.transform, area, style_of(shown_side));
   draw_nan(shown_side);
+  mark_last(shown_side);
   cover(shown_side);
   list.PopClipRect();
   if (split) {
@@ -161,6 +167,7 @@ void picture(Session& session, PicturesState& state, Side side, const Area& area
     list.PushClipRect({split->at, area.min.y}, area.max, true);
     draw_picture(list, shown_picture(session, state, right), state.transform, area, style_of(right));
     draw_nan(right);
+    mark_last(right);
     cover(right);
     list.PopClipRect();
   }
@@ -295,6 +302,7 @@ void loupe(const PicturesState& state) {
 }  // namespace
 
 void collect_pictures(Session& session, PicturesState& state) {
+  update_slow_motion(session, state.slow);
   for (const Side side : both_sides) {
     auto& picture = state.pictures[index_of(side)];
     std::vector<TileRect> changed;

@@ -9,6 +9,7 @@
 #include "gui/panels/pictures/picture_captions.h"
 #include "gui/panels/pictures/picture_transform.h"
 #include "gui/panels/pictures/picture_view.h"
+#include "gui/panels/pictures/slow_motion.h"
 #include "gui/session/gizmo.h"
 #include "gui/session/handles.h"
 #include "gui/session/picked_object.h"
@@ -54,6 +55,7 @@ struct PicturesState {
   std::array<PictureBefore, 2> before;   ///< the last change
   std::array<std::uint64_t, 2> taken{};  ///< the versions that `before` knows of
   std::array<CaptionChange, 2> changes;  ///< of the counts below the pictures
+  SlowMotionState slow;
   ShownPicture difference;
   bool difference_stale = true;
   bool difference_fresh = false;      ///< made since its hash was taken

@@ -1,0 +1,118 @@
+#include "gui/panels/pictures/slow_strip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gui/panels/pictures/marks.h"
+#include "gui/panels/pictures/picture_frame.h"
+#include "gui/widgets/draw.h"
+#include "gui/widgets/widgets.h"
+#include "render/slow_motion.h"
+
+namespace ps::gui {
+namespace {
+
+constexpr const char* order_words =
+    "In the order of the clear path on one thread. A and B stand at the same share of their work, "
+    "and where they count the same, at the same number.";
+constexpr double unit_width = 104, knob = 7, least_scrubber = 120;
+
+/// What a side counts, or that it shows all.
+void unit_choice(Session& session, Side side) {
+  std::vector<Choice> choices{{"whole", "Whole", "The finished picture."}};
+  std::vector<std::string_view> idle{""};
+  const auto& motion = side_of(session.document(), side).slow_motion;
+  int index = 0;
+  for (const SlowUnitRow& row : slow_units()) {
+    if (motion && motion->unit == row.unit) index = static_cast<int>(choices.size());
+    choices.push_back({row.key, row.label, row.help});
+    idle.push_back(slow_motion_lacks(row.unit, session.settings(side), session.traits()).value_or(""));
+  }
+  const std::string tip = fmt::format("What {} counts.", letter_of(side));
+  if (!drop_down(side == Side::a ? "slow/unit-a" : "slow/unit-b", choices, index, px(unit_width),
+                 {.tooltip = tip, .idle = idle}))
+    return;
+  if (!idle[static_cast<std::size_t>(index)].empty()) return;
+  std::optional<SlowMotion> next;
+  if (index > 0) next = SlowMotion{slow_units()[static_cast<std::size_t>(index) - 1].unit, all_slow_units};
+  session.navigate([&](Document& document) { side_of(document, side).slow_motion = next; });
+}
+
+/// Answers the share that the mouse asks for.
+void scrubber(Session& session, SlowMotionState& state, float width) {
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("scrub", {width, height});
+  const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  const float left = at.x + px(knob), room = std::max(1.f, width - 2 * px(knob));
+  const double share = state.wanted.value_or(slow_share(session));
+  if (active) {
+    state.playing = false;
+    const double wanted = std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - left) / room), 0.0, 1.0);
+    if (std::abs(wanted - share) * room > 0.25) state.wanted = wanted;
+  }
+  state.held = active;
+  if (hovered && ImGui::GetIO().MouseWheel != 0)
+    step_slow_motion(session, state, ImGui::GetIO().MouseWheel > 0 ? 1 : -1);
+  controls().record("slow/scrub", at, {at.x + width, at.y + height}, fmt::format("{:.4f}", share));
+  tooltip(order_words);
+  auto& list = *ImGui::GetWindowDrawList();
+  const float y = std::round(at.y + height / 2), x = left + static_cast<float>(share) * room;
+  list.AddRectFilled({left, y - px(2)}, {left + room, y + px(2)}, colour_u32(palette().text, 0.25f), px(2));
+  list.AddRectFilled({left, y - px(2)}, {x, y + px(2)}, colour_u32(palette().text, 0.8f), px(2));
+  list.AddCircleFilled({x, y}, px(active || hovered ? knob : knob - 1), colour_u32(palette().text));
+}
+
+}  // namespace
+
+float slow_strip_height(const Session& session) {
+  return slow_motion_open(session) ? ImGui::GetFrameHeight() + px(6) : 0;
+}
+
+void slow_strip(Session& session, SlowMotionState& state) {
+  const float space = px(6);
+  if (button("slow/play", state.playing ? "Pause" : "Play", Emphasis::plain,
+             {.tooltip = "Plays the drawing of both pictures, or stops it (Space)."}))
+    play_slow_motion(session, state);
+  ImGui::SameLine(0, space);
+  if (button("slow/back", "-1", Emphasis::quiet, {.tooltip = "One back in the picked picture (comma)."}))
+    step_slow_motion(session, state, -1);
+  ImGui::SameLine(0, px(2));
+  if (button("slow/forward", "+1", Emphasis::quiet, {.tooltip = "One on in the picked picture (full stop)."}))
+    step_slow_motion(session, state, 1);
+  ImGui::SameLine(0, space);
+  const float badge = ImGui::GetFrameHeight() * 0.7f;
+  const float units = 2 * (px(unit_width) + badge + 2 * space) + button_width("Close") + space;
+  const float room = ImGui::GetContentRegionAvail().x - units;
+  scrubber(session, state, std::max(px(least_scrubber), room - space));
+  for (const Side side : both_sides) {
+    ImGui::SameLine(0, space);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    side_badge(*ImGui::GetWindowDrawList(), {at.x, at.y + (ImGui::GetFrameHeight() - badge) / 2}, badge, side);
+    ImGui::SetCursorScreenPos({at.x + badge + space, at.y});
+    unit_choice(session, side);
+  }
+  ImGui::SameLine(0, space);
+  if (button("slow/close", "Close", Emphasis::quiet, {.tooltip = "Shows the finished pictures again (S)."}))
+    toggle_slow_motion(session, state);
+}
+
+void slow_mark(ImDrawList& list, const SlowState& state, const PictureTransform& transform, const Area& area) {
+  const auto place = [&](const Vec2d& point) { return transform.to_window(point, area); };
+  for (const auto& triangle : state.outline)
+    light_on_dark(false, [&](ImU32 colour, float thickness) {
+      list.AddTriangle(place(triangle[0]), place(triangle[1]), place(triangle[2]), colour, thickness);
+    });
+  std::optional<TileRect> box = state.box;
+  if (state.pixel) box = TileRect{state.pixel->x, state.pixel->y, state.pixel->x + 1, state.pixel->y + 1};
+  if (!box) return;
+  const ImVec2 low = place({box->x0, box->y0}), high = place({box->x1, box->y1});
+  light_on_dark(false, [&](ImU32 colour, float thickness) {
+    list.AddRect({low.x - px(2), low.y - px(2)}, {high.x + px(2), high.y + px(2)}, colour, 0, 0, thickness);
+  });
+}
+
+}  // namespace ps::gui
