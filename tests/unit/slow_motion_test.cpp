@@ -11,6 +11,7 @@
 #include <random>
 
 #include "base/check.h"
+#include "document/permalink.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -391,6 +392,16 @@ TEST(SlowMotion, TextIsReadBack) {
   for (const char* bad : {"", "triangles", "triangles:", "triangles:-1", "triangles:1.5", "cubes:3", "triangles:3 ",
                           "triangles:99999999999999999999"})
     EXPECT_THROW(parse_slow_motion(bad), InputError) << bad;
+}
+
+TEST(SlowMotion, IsPartOfAPermalink) {
+  Document document;
+  document.a.slow_motion = SlowMotion{SlowUnit::triangles, 17};
+  document.b.slow_motion = SlowMotion{SlowUnit::rows, 0};
+  EXPECT_EQ(permalink(document), "slow-motion-a=triangles:17&slow-motion-b=rows:0");
+  const Document read = parse_permalink(permalink(document));
+  EXPECT_EQ(read.a, document.a);
+  EXPECT_EQ(read.b, document.b);
 }
 
 TEST(SlowMotion, WhatARendererLacksIsRefusedWithTheReason) {
