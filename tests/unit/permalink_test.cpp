@@ -63,6 +63,7 @@ TEST(Permalink, BadTextIsAnInputError) {
                           "picked=c",
                           "panels=1",
                           "show-a=nothing",
+                          "slow-motion-a=triangles",
                           "camera=1,2",
                           "scene=%4",
                           "b.reflection-depth=65",

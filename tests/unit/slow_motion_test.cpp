@@ -11,6 +11,7 @@
 #include <random>
 
 #include "base/check.h"
+#include "document/permalink.h"
 #include "options/option.h"
 #include "options/scene_settings.h"
 #include "render/render.h"
@@ -320,12 +321,13 @@ TEST(SlowMotion, AdaptiveSamplingGoesOverThePictureTwice) {
 
 /// A listing's state: the last of its writes up to n counts at each pixel.
 TEST(SlowMotion, ListingsWriteInTheirOwnOrder) {
+  constexpr int side = 150;  // what lies on the canvas is not too far outside
   for (const char* name : {"cgfs/spheres", "cgfs/shaded-triangle", "cgfs/cubes", "cgfs/lines"}) {
     Set set;
     set.scene = load_scene(name);
     set.settings = settings_for(set.scene);
     set.settings.renderer = Renderer::textbook;
-    set.view = {set.scene.camera, 60, 60};
+    set.view = {set.scene.camera, side, side};
     const Frame finished = whole(set, Channel::none);
     const std::uint64_t total = after(set, SlowUnit::writes, 0, Channel::none).state.total;
     ASSERT_GT(total, 0u) << name;
@@ -335,8 +337,8 @@ TEST(SlowMotion, ListingsWriteInTheirOwnOrder) {
       const SlowFrame more = after(set, SlowUnit::writes, at, Channel::none);
       const SlowFrame less = after(set, SlowUnit::writes, at - 1, Channel::none);
       const Vec2i named = more.state.pixel.value();
-      for (int y = 0; y < 60; ++y)
-        for (int x = 0; x < 60; ++x)
+      for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
           if (Vec2i(x, y) != named) {
             ASSERT_EQ(more.frame.colour.at(x, y), less.frame.colour.at(x, y)) << name;
           }
@@ -355,7 +357,7 @@ TEST(SlowMotion, TheBooksLoopGoesColumnByColumn) {
 }
 
 TEST(SlowMotion, ShapesOnTheCanvasComeOneByOne) {
-  for (const char* name : {"lab/polygon-rows"}) {
+  for (const char* name : {"lab/polygon-rows", "lab/polygons", "cgfs/lines", "cgfs/shaded-triangle"}) {
     Set set;
     set.scene = load_scene(name);
     set.settings = settings_for(set.scene);
@@ -373,7 +375,7 @@ TEST(SlowMotion, ShapesOnTheCanvasComeOneByOne) {
   }
 }
 
-TEST(SlowMotion, ThreadsAndRegionsChangeNothing) {
+TEST(SlowMotion, ThreadsChangeNothing) {
   for (const auto unit : {SlowUnit::triangles, SlowUnit::fragments, SlowUnit::tiles}) {
     Set set = soup_set(all_kept(), {});
     const std::uint64_t at = total_of(set, unit) / 3;
@@ -393,6 +395,16 @@ TEST(SlowMotion, TextIsReadBack) {
     EXPECT_THROW(parse_slow_motion(bad), InputError) << bad;
 }
 
+TEST(SlowMotion, IsPartOfAPermalink) {
+  Document document;
+  document.a.slow_motion = SlowMotion{SlowUnit::triangles, 17};
+  document.b.slow_motion = SlowMotion{SlowUnit::rows, 0};
+  EXPECT_EQ(permalink(document), "slow-motion-a=triangles:17&slow-motion-b=rows:0");
+  const Document read = parse_permalink(permalink(document));
+  EXPECT_EQ(read.a, document.a);
+  EXPECT_EQ(read.b, document.b);
+}
+
 TEST(SlowMotion, WhatARendererLacksIsRefusedWithTheReason) {
   const Set rays = traced({});
   for (const auto unit : {SlowUnit::triangles, SlowUnit::fragments, SlowUnit::samples, SlowUnit::writes}) {
@@ -407,7 +419,7 @@ TEST(SlowMotion, WordsNameTheLastOne) {
   const Vec2i size{150, 110};
   const SlowState state = after(set, SlowUnit::triangles, 4).state;
   EXPECT_EQ(slow_motion_words(state, set.scene, size),
-            fmt::format("triangle 4 of {}: triangle {} of soup 1", state.total, state.id.triangle));
+            fmt::format("triangle 4 of {}: triangle {} of soup", state.total, state.id.triangle));
   const Set rays = traced({});
   EXPECT_EQ(slow_motion_words(after(rays, SlowUnit::pixels, 1025).state, rays.scene, {75, 70}),
             "pixel 1,025 of 5,250: (32, 0), row 1 of 70");

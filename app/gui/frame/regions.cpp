@@ -90,7 +90,7 @@ PlanInput Regions::plan_input(const Area& area, PictureCaptions captions) const 
   if (view.width > 0 && view.height > 0) input.picture = {view.width, view.height};
   input.one_picture = session_.document().compare != CompareMode::side_by_side;
   input.scale = px(1);
-  input.captions = captions_height(captions);
+  input.captions = captions_height(captions) + slow_strip_height(session_);
   input.text_width = reading_width();
   input.headline = folded_height();
   return input;

@@ -243,7 +243,7 @@ void add_picture_actions(Actions& actions, Session& session, PicturesState& pict
   add_pixel_actions(actions, session);
   add_nan_action(actions, session);
   add_camera_actions(actions, session, pictures);
-  add_slow_motion_actions(actions, session, pictures.slow);
+  add_slow_motion_actions(actions, session, pictures.slow, [&pictures] { return !flying(pictures); });
 }
 
 }  // namespace ps::gui

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gui/base/values.h"
 #include "gui/widgets/redraw.h"
@@ -179,14 +180,16 @@ void update_slow_motion(Session& session, SlowMotionState& state) {
   advance(session, state);
 }
 
-void add_slow_motion_actions(Actions& actions, Session& session, SlowMotionState& state) {
-  actions.add({.name = "slow-motion",
-               .label = "Slow motion: pictures as they are drawn",
-               .group = "Slow motion",
-               .keys = "S",
-               .run = [&session, &state] { toggle_slow_motion(session, state); },
-               .enabled = [&session] { return session.has_scene(); },
-               .checked = [&session] { return slow_motion_open(session); }});
+void add_slow_motion_actions(Actions& actions, Session& session, SlowMotionState& state,
+                             std::function<bool()> letters_free) {
+  actions.add(
+      {.name = "slow-motion",
+       .label = "Slow motion: pictures as they are drawn",
+       .group = "Slow motion",
+       .keys = "S",
+       .run = [&session, &state] { toggle_slow_motion(session, state); },
+       .enabled = [&session, letters_free = std::move(letters_free)] { return session.has_scene() && letters_free(); },
+       .checked = [&session] { return slow_motion_open(session); }});
   const auto open = [&session] { return slow_motion_open(session); };
   // A presenter's remote control blanks the screen with the full stop.
   const auto open_before_class = [&session] {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -43,7 +44,9 @@ void play_slow_motion(Session& session, SlowMotionState& state);
 /// Once a frame: what waits for pictures, playing, units that the renderer has no longer.
 void update_slow_motion(Session& session, SlowMotionState& state);
 
-void add_slow_motion_actions(Actions& actions, Session& session, SlowMotionState& state);
+/// `letters_free`: letters are commands now, and do not move the camera.
+void add_slow_motion_actions(Actions& actions, Session& session, SlowMotionState& state,
+                             std::function<bool()> letters_free);
 /// What scripts can read of it.
 void offer_slow_motion_values(Session& session, SlowMotionState& state);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "gui/panels/pictures/clipped_text.h"
 #include "gui/panels/pictures/marks.h"
 #include "gui/panels/pictures/picture_frame.h"
 #include "gui/widgets/draw.h"
@@ -18,7 +19,8 @@ namespace {
 constexpr const char* order_words =
     "In the order of the clear path on one thread. A and B stand at the same share of their work, "
     "and where they count the same, at the same number.";
-constexpr double unit_width = 104, knob = 7, least_scrubber = 120;
+constexpr const char* order_note = "clear path, one thread";
+constexpr double unit_width = 104, knob = 7, least_scrubber = 120, good_scrubber = 200;
 
 /// What a side counts, or that it shows all.
 void unit_choice(Session& session, Side side) {
@@ -86,8 +88,21 @@ void slow_strip(Session& session, SlowMotionState& state) {
   ImGui::SameLine(0, space);
   const float badge = ImGui::GetFrameHeight() * 0.7f;
   const float units = 2 * (px(unit_width) + badge + 2 * space) + button_width("Close") + space;
-  const float room = ImGui::GetContentRegionAvail().x - units;
-  scrubber(session, state, std::max(px(least_scrubber), room - space));
+  const float room = ImGui::GetContentRegionAvail().x - units - space;
+  const float note = width_of(Face::small, order_note) + space;
+  const bool has_note = room - note >= px(good_scrubber);
+  scrubber(session, state, std::max(px(least_scrubber), has_note ? room - note : room));
+  if (has_note) {
+    ImGui::SameLine(0, space);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImFont* font = theme().font(Face::small);
+    const float down = (ImGui::GetFrameHeight() - font->FontSize) / 2;
+    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {at.x, at.y + down}, colour_u32(palette().text_quiet),
+                                        order_note);
+    ImGui::Dummy({note - space, ImGui::GetFrameHeight()});
+    controls().record("slow/order", order_note);
+    tooltip(order_words);
+  }
   for (const Side side : both_sides) {
     ImGui::SameLine(0, space);
     const ImVec2 at = ImGui::GetCursorScreenPos();
