@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "engine/lesson.h"
 #include "gui/frame/menu_bar.h"
 #include "gui/panels/lesson/lesson_list.h"
 #include "gui/panels/lesson/lesson_panel.h"
@@ -25,6 +26,11 @@ void MenuBar::lesson_menu() {
                    : fmt::format("{}\n{}{}", lesson.source, is_read ? "Read to the end; " : "",
                                  length_text(lesson.length)));
     if (is_read) draw_tick(at, ImGui::GetItemRectSize().y);
+  }
+  for (const LeftOutLesson& lesson : lessons_left_out()) {
+    const FontScope font(Face::small);
+    ImGui::TextDisabled("Left out: %s needs renderer = %s, which this program was built without.", lesson.name.c_str(),
+                        lesson.renderer.c_str());
   }
   ImGui::Separator();
   for (const char* name : {"step-next", "step-before", "lesson-after", "lesson-before", "glossary", "lesson-close"})
