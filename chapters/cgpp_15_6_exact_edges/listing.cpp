@@ -98,7 +98,7 @@ extern const Listing cgpp_15_6_exact_edges;
 const Listing cgpp_15_6_exact_edges{
     .label = "exact edges",
     .source = "CGPP 15.6.4",
-    .shows = "Triangles on the canvas, filled where three edge functions in whole numbers say so.",
+    .shows = "Triangles on the canvas, without outlines, filled where three edge functions in whole numbers say so.",
     .order = ListingOrder::object_by_object,
     .reads = {"subpixel-bits", "fill-rule"},
     .draws = {.canvas_triangles = true},

@@ -102,8 +102,8 @@ void expect_questions_fit(const std::string& screen, const std::string& type, in
 TEST(LessonWindow, QuestionsAndClaimsFitSmallScreens) {
   expect_questions_fit("1024x768", "1", 1);
   expect_questions_fit("1366x768", "1", 1);
-  expect_questions_fit("1024x768", "1.5", 4);
-  expect_questions_fit("1366x768", "1.5", 4);
+  expect_questions_fit("1024x768", "1.5", 2);
+  expect_questions_fit("1366x768", "1.5", 2);
 }
 
 }  // namespace

@@ -30,7 +30,10 @@ std::ostream& operator<<(std::ostream& out, const FitScreen& screen) { return ou
 struct FitPlace {
   std::string name;
   double least_share = 0;  ///< of the window, percent, that pictures have there
+  int page_counts = 0;     ///< how often the number of the text's pages is printed there
 };
+
+constexpr int most_pages = 2;  // of a step's text, in common type
 
 /// Plays the commands; each place where something does not fit is a failure.
 void expect_all_fits(const std::string& commands, const std::vector<FitPlace>& places, const FitScreen& screen,
@@ -48,6 +51,11 @@ void expect_all_fits(const std::string& commands, const std::vector<FitPlace>& p
     EXPECT_EQ(cut, "") << "cut: " << place.name;
     EXPECT_EQ(overlap, "") << "overlap: " << place.name;
     EXPECT_GE(std::stod(share), place.least_share) << place.name;
+    for (int i = 0; i < place.page_counts; ++i) {
+      std::string pages;
+      ASSERT_TRUE(std::getline(lines, pages)) << place.name;
+      EXPECT_LE(std::stoi(pages), most_pages) << place.name << (i == 0 ? "" : ", answered");
+    }
   }
 }
 
@@ -115,6 +123,17 @@ std::vector<LessonScreen> lesson_screens() {
   return all;
 }
 
+/// Prints how many pages a step's text has, and again with the hints and claims that come after an answer. Returns how
+/// often it does.
+int print_pages(const ps::LessonStep& step, std::string& commands) {
+  const std::string print = "print lesson/pages\n";
+  commands += print;
+  if (!step.question) return 1;
+  const std::string asked = step.question->kind == ps::AskKind::pixel ? "predict" : "question";
+  commands += "click " + asked + "/skip\nwait frames 4\n" + print;
+  return 2;
+}
+
 class LessonFit : public testing::TestWithParam<LessonScreen> {};
 
 TEST_P(LessonFit, NothingIsCut) {
@@ -137,7 +156,10 @@ TEST_P(LessonFit, NothingIsCut) {
       commands += waits || places.empty() ? "wait idle\n" : "wait frames 4\n";
       commands += "print window/cut\nprint window/overlap\nprint window/pictures-share\n";
       // Until its pictures come, a step shows those of the one before.
-      places.push_back({names[lesson] + ", step " + std::to_string(step + 1), waits ? least : 0.0});
+      FitPlace& place =
+          places.emplace_back(FitPlace{names[lesson] + ", step " + std::to_string(step + 1), waits ? least : 0.0});
+      if (extent == LessonScreen::Steps::all && screen.type == "1")
+        place.page_counts = print_pages(read.steps[step], commands);
     }
   }
   expect_all_fits(commands + "quit\n", places, screen, "--lesson " + names[begin]);

@@ -125,7 +125,8 @@ extern const Listing lab_cornell;
 const Listing lab_cornell{
     .label = "polygon rows",
     .source = "LAB 4",
-    .shows = "Convex polygons on the canvas, filled from the leftmost to the rightmost pixel of each row.",
+    .shows =
+        "Convex polygons on the canvas, without outlines, filled from the leftmost to the rightmost pixel of each row.",
     .order = ListingOrder::object_by_object,
     .reads = {},
     .draws = {.canvas_triangles = true, .canvas_intensities = true, .canvas_gradients = true},

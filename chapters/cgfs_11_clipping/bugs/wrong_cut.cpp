@@ -1,4 +1,4 @@
-// What reaches behind the camera is torn apart.
+// What the near plane cuts ends too early.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,9 +42,9 @@ std::vector<Plane> clipping_planes(const BookScene& scene) {
 
 // Where the way from a, in front of the plane, to b, behind it, meets the plane.
 Vec3d intersection(const Vec3d& a, const Vec3d& b, const Plane& plane) {
-  const double t = (plane.d - dot(plane.normal, a)) / dot(plane.normal, b - a);
+  const double t = (-plane.d - dot(plane.normal, a)) / dot(plane.normal, b - a);
   PS_WATCH("t", t);
-  return a + (b - a) * t;
+  return b + (a - b) * t;
 }
 
 // Adds the part of a triangle in front of the plane: none, one or two triangles.
