@@ -22,8 +22,8 @@ std::filesystem::path own_picture_file(const std::filesystem::path& listing) {
 }  // namespace
 
 bool same_own_request(const OwnRequest& a, const OwnRequest& b) {
-  if (a.file.has_value() != b.file.has_value() || a.saves != b.saves || a.stopped != b.stopped) return false;
-  return (!a.file || a.file->file() == b.file->file()) && a.pixel == b.pixel && same_render(a.picture, b.picture);
+  if (a.opened != b.opened || a.saves != b.saves || a.stopped != b.stopped) return false;
+  return a.file.has_value() == b.file.has_value() && a.pixel == b.pixel && same_render(a.picture, b.picture);
 }
 
 void OwnListingMaker::make_picture(const OwnRequest& request, Progress& progress, OwnOutcome& outcome) {
@@ -55,11 +55,12 @@ OwnOutcome OwnListingMaker::make(const OwnRequest& request, Progress& progress) 
   const Timer timer;
   OwnOutcome outcome;
   outcome.pictures = last_.pictures;
-  const std::string file = request.file ? request.file->file().string() : "";
-  if (forget_.exchange(false) || compiled_file_ != file || compiled_saves_ != request.saves) {
+  outcome.opened = request.opened;
+  outcome.saves = request.saves;
+  if (compiled_opened_ != request.opened || compiled_saves_ != request.saves) {
     compilation_.reset();
     pictured_.reset();
-    compiled_file_ = file;
+    compiled_opened_ = request.opened;
     compiled_saves_ = request.saves;
   }
   if (request.stopped || !request.file) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,7 +16,8 @@ namespace ps::gui {
 /// What is to be made of a student's own listing.
 struct OwnRequest {
   std::optional<PermittedListing> file;
-  int saves = 0;         ///< how often it has been saved since it was opened
+  int opened = 0;        ///< which of the files that were opened it is
+  int saves = 0;         ///< how often it has been saved since
   bool stopped = false;  ///< nothing, until it is saved again
   PictureRequest picture;
   std::optional<Vec2i> pixel;
@@ -26,6 +26,7 @@ bool same_own_request(const OwnRequest& a, const OwnRequest& b);
 
 /// What came of it.
 struct OwnOutcome {
+  int opened = 0, saves = 0;  ///< of the request
   Compilation compilation;
   std::string failure;                    ///< why there is no picture; empty if there is one
   std::string printed;                    ///< what the program wrote
@@ -43,16 +44,12 @@ struct OwnOutcome {
 class OwnListingMaker {
  public:
   OwnOutcome make(const OwnRequest& request, Progress& progress);
-  /// The next request is for a file that may be another one under the same name. From any thread.
-  void forget() { forget_ = true; }
 
  private:
   void make_picture(const OwnRequest& request, Progress& progress, OwnOutcome& outcome);
   void make_values(const OwnRequest& request, Progress& progress, OwnOutcome& outcome) const;
 
-  std::atomic<bool> forget_{false};
-  std::string compiled_file_;
-  int compiled_saves_ = -1;
+  int compiled_opened_ = 0, compiled_saves_ = 0;
   std::optional<Compilation> compilation_;
   std::optional<PictureRequest> pictured_;
   OwnOutcome last_;  ///< of `pictured_`
@@ -72,13 +69,14 @@ struct OwnListingState {
   std::optional<PermittedListing> file;
   std::filesystem::path asked;  ///< chosen in the dialog, and not confirmed yet
   std::string problem;          ///< why there is no file
-  int saves = 0;
+  int opened = 0, saves = 0;
   bool stopped = false;
   FileWatch watch;
   std::shared_ptr<OwnListingMaker> maker = std::make_shared<OwnListingMaker>();
   LatestResult<OwnRequest, OwnOutcome> worker;
   std::shared_ptr<const OwnOutcome> taken;
-  int pictures = 0;  ///< of those that were put into B's place
+  int pictures = 0;      ///< of those that were put into B's place
+  int shown_saves = -1;  ///< of the newest of them
   std::unique_ptr<ListingText> text;
   std::optional<ListingView> view;
   std::vector<ListingRow> rows;

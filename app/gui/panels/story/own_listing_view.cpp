@@ -24,14 +24,14 @@ void compare_with_listing(Session& session, const NamedListing& listing) {
 void begin_file(Session& session, OwnListingState& state, PermittedListing file, const NamedListing* listing) {
   state.watch.watch({file.file()});
   state.file = std::move(file);
+  ++state.opened;
   state.saves = 0;
+  state.shown_saves = -1;
   state.stopped = false;
   state.taken.reset();
   state.view.reset();
   state.rows.clear();
   state.pictures = -1;
-  // The maker counts files by their names: one that was closed and opened again may have changed.
-  state.maker->forget();
   if (listing) compare_with_listing(session, *listing);
 }
 
@@ -50,7 +50,7 @@ std::string message_text(const CompilerMessage& message) {
 
 void take_outcome(Session& session, OwnListingState& state) {
   const auto outcome = state.worker.result();
-  if (!outcome || outcome == state.taken) return;
+  if (!outcome || outcome == state.taken || outcome->opened != state.opened) return;
   const bool first = !state.taken;
   state.taken = outcome;
   state.view.reset();
@@ -61,11 +61,19 @@ void take_outcome(Session& session, OwnListingState& state) {
   state.reveal = state.reveal || first;
   if (outcome->failure.empty() && outcome->pictures != state.pictures) {
     state.pictures = outcome->pictures;
+    state.shown_saves = outcome->saves;
     session.open_picture_b(outcome->picture_file);
   }
 }
 
-std::string state_text(const OwnListingState& state) {
+/// Its picture was shown and something else was put in its place: it waits to be saved, or asked for again.
+bool put_aside(const Session& session, const OwnListingState& state) {
+  return state.shown_saves == state.saves && state.taken && session.document().picture_b != state.taken->picture_file;
+}
+
+std::string state_text(const Session& session, const OwnListingState& state) {
+  if (put_aside(session, state))
+    return "Another picture has taken B's place. Save the file, or show its picture again.";
   if (state.worker.busy()) return "Compiling and running ...";
   if (!state.taken) return "";
   const OwnOutcome& outcome = *state.taken;
@@ -85,6 +93,15 @@ void file_row(Session& session, OwnListingState& state) {
              {.tooltip = "Picks the first pixel, row by row from the top, that differs from the listing's picture.",
               .disabled = wrong ? "" : "No pixel is known to be wrong."}))
     session.set_pixel(state.taken->wrong.first);
+  if (put_aside(session, state)) {
+    same_line_if_room(button_width("Show as B"));
+    if (button("show", "Show as B", Emphasis::primary,
+               {.tooltip = "Runs it on this scene and puts its picture in B."})) {
+      state.shown_saves = -1;
+      state.pictures = -1;
+      ++state.opened;
+    }
+  }
   same_line_if_room(button_width("Close"));
   if (button("close", "Close", Emphasis::quiet, {.tooltip = "Shows the lesson's listing again; the file stays."})) {
     state.file.reset();
@@ -103,8 +120,13 @@ void update_own_listing(Session& session, OwnListingState& state) {
     state.stopped = false;
     state.reveal = true;
   }
-  if (!state.file || !session.has_scene()) return state.worker.rest();
-  state.worker.take_news();
+  if (state.worker.has_news()) state.worker.take_news();
+  if (!state.file) {
+    if (state.worker.busy()) state.worker.request({});  // ends what runs
+    return;
+  }
+  if (!session.has_scene()) return;
+  if (put_aside(session, state)) return state.worker.rest();
   OwnRequest request;
   request.file = state.file;
   request.saves = state.saves;
@@ -175,7 +197,7 @@ void own_listing_view(Session& session, OwnListingState& state) {
   const NameScope scope("own");
   file_row(session, state);
   if (!state.file) return;
-  value_paragraph("state", state_text(state));
+  value_paragraph("state", state_text(session, state));
   if (!state.taken) return;
   LineMarks marks;
   for (const CompilerMessage& message : state.taken->compilation.messages) {
