@@ -105,7 +105,8 @@ void file_row(Session& session, OwnListingState& state) {
   same_line_if_room(button_width("Close"));
   if (button("close", "Close", Emphasis::quiet, {.tooltip = "Shows the lesson's listing again; the file stays."})) {
     state.file.reset();
-    session.close_picture_b();
+    if (state.taken && session.picture_b() && session.document().picture_b == state.taken->picture_file)
+      session.close_picture_b();
     return;
   }
   value_paragraph("file", state.file->file().string());
