@@ -37,7 +37,7 @@ TEST(OwnListingWindow, ACopyIsCompiledOnSaveAndStandsAsB) {
       (folder / "data/pixelscope/listings/cgfs_02_basic_ray_tracing_intersect_ray_sphere.cpp").string();
   const std::string write = "write " + file + " ";
   const std::string out = folder.string() + "/";
-  std::string script = "wait idle\nexpect own/open false\nclick listing/copy\nwait idle\nexpect own/path " + file +
+  std::string script = "wait idle\nexpect own/open off\nclick listing/copy\nwait idle\nexpect own/path " + file +
                        "\nexpect own/wrong > 1000\nscreenshot " + out + "task.png\n";
   script += write + quoted(copy) + "\nwait until own/saves 1\nwait idle\nexpect own/wrong 0\n" +
             "expect listing/own/state contains \"to the bit\"\nscreenshot " + out + "right.png\n";
@@ -53,7 +53,7 @@ TEST(OwnListingWindow, ACopyIsCompiledOnSaveAndStandsAsB) {
       quoted(with_change(copy, "  double closest_t = infinity;\n",
                          "  for (volatile int i = 0;; i = i + 1) {}\n  double closest_t = infinity;\n")) +
       "\nwait until own/saves 4\nwait 1500\nclick listing/own/stop\nwait idle\n" +
-      "expect listing/own/state contains Stopped\nclick listing/own/close\nwait idle\nexpect own/open false\nquit\n";
+      "expect listing/own/state contains Stopped\nclick listing/own/close\nwait idle\nexpect own/open off\nquit\n";
   const auto result = ps::test::play(script, folder, "1366x768", "--lesson cgfs_02_basic_ray_tracing/7");
   EXPECT_EQ(result.status, 0) << result.errors << result.output;
 }
@@ -67,11 +67,11 @@ TEST(OwnListingWindow, NothingIsCompiledBeforeAClick) {
   const std::string copy = ps::listing_copy(ps::test::listing_in("cgfs_02_basic_ray_tracing"));
   const std::string script =
       "wait idle\nwrite " + file + " " + quoted(copy) + "\ndrop " + file +
-      "\nwait idle\nexpect own/open false\nclick listing/open\nwait frames 5\ntype " + quoted(file) +
-      "\nkey Enter\nwait idle\nexpect own/open false\nexpect listing/own/rights contains \"whatever you may do\"\n"
+      "\nwait idle\nexpect own/open off\nclick listing/open\nwait frames 5\ntype " + quoted(file) +
+      "\nkey Enter\nwait idle\nexpect own/open off\nexpect listing/own/rights contains \"whatever you may do\"\n"
       "screenshot " +
       (folder / "asked.png").string() +
-      "\nclick listing/own/allow\nwait idle\nexpect own/open true\nexpect own/wrong 0\nquit\n";
+      "\nclick listing/own/allow\nwait idle\nexpect own/open on\nexpect own/wrong 0\nquit\n";
   const auto result = ps::test::play(script, folder, "1366x768", "--lesson cgfs_02_basic_ray_tracing/7");
   EXPECT_EQ(result.status, 0) << result.errors << result.output;
 }
