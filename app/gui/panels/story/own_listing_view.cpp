@@ -141,7 +141,7 @@ void update_own_listing(Session& session, OwnListingState& state) {
 }
 
 bool own_listing_busy(const OwnListingState& state) {
-  return state.file && (state.worker.busy() || state.worker.has_news());
+  return state.file && (!state.taken || state.worker.busy() || state.worker.has_news());
 }
 
 void own_listing_buttons(Session& session, OwnListingState& state, const NamedListing* listing,
