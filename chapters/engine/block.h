@@ -30,6 +30,9 @@ Claim read_claim(const std::vector<BlockLine>& lines, const LessonState& start, 
 /// measurement alone. `start` is the step's state.
 LessonQuestion read_question(const std::vector<BlockLine>& lines, const LessonState& start, const SourcePlace& place);
 
+/// Reads a `task` block, a line `write ROUTINE`: a routine of the listing of the lesson of that name.
+std::string read_task(const std::vector<BlockLine>& lines, const std::string& lesson, const SourcePlace& place);
+
 /// Whether one of the lines begins with this word.
 bool has_line(const std::vector<BlockLine>& lines, std::string_view word);
 

@@ -22,6 +22,7 @@ struct LessonStep {
   LessonState state;
   std::vector<Claim> claims;
   std::optional<LessonQuestion> question;
+  std::string write;  ///< the routine of the lesson's listing that the student is to write; empty = none
 };
 
 struct Lesson {

@@ -64,9 +64,9 @@ class LessonParser {
     if (text.starts_with("```")) {
       block_ = without_blanks(text.substr(3));
       block_place_ = place();
-      if (block_ != "settings" && block_ != "claim" && block_ != "question" && block_ != "notes")
+      if (block_ != "settings" && block_ != "claim" && block_ != "question" && block_ != "notes" && block_ != "task")
         throw InputError(place(), fmt::format("a block named '{}'", block_),
-                         "```settings, ```claim, ```question or ```notes");
+                         "```settings, ```claim, ```question, ```task or ```notes");
     } else if (text.starts_with("## ")) {
       begin_step(std::string(without_blanks(text.substr(3))));
     } else if (text.starts_with("# ")) {
@@ -119,6 +119,10 @@ class LessonParser {
     } else if (block_ == "claim") {
       if (!in_step) throw InputError(block_place_, "a claim before the first step", "claims inside steps");
       lesson_.steps.back().claims.push_back(read_claim(lines_, lesson_.steps.back().state, block_place_));
+    } else if (block_ == "task") {
+      if (!in_step) throw InputError(block_place_, "a task before the first step", "tasks inside steps");
+      if (!lesson_.steps.back().write.empty()) throw InputError(block_place_, "a second task", "one for each step");
+      lesson_.steps.back().write = read_task(lines_, lesson_.name, block_place_);
     } else if (block_ == "notes") {
       end_notes();
     } else {

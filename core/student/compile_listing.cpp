@@ -30,7 +30,6 @@ std::vector<std::string> compiler_command(const std::filesystem::path& compiler)
           "-Wall",
           "-Wno-unused",
           "-fdiagnostics-color=never",
-          "-fmax-errors=50",
           "-I" + header_dir().string(),
           source_name,
           listing_library().string(),

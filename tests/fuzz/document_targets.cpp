@@ -10,7 +10,9 @@
 #include "engine/lesson.h"
 #include "fuzz/read_or_refuse.h"
 #include "image/file.h"
+#include "student/check_listing.h"
 #include "study/chart_log.h"
+#include "textbook/listing_view.h"
 
 namespace ps::fuzz {
 namespace {
@@ -67,6 +69,19 @@ Outcome read_lesson(std::string_view bytes) {
     PS_ASSERT(!lesson.title.empty() && !lesson.steps.empty(), "a lesson has a title and steps");
     for (const LessonStep& step : lesson.steps)
       for (const Claim& claim : step.claims) PS_ASSERT(std::isfinite(claim.bound.number), "a bound is a number");
+  });
+}
+
+/// What is read can be shown beside the lines of a listing.
+Outcome read_own_result(std::string_view bytes) {
+  static const ListingText text =
+      parse_listing("namespace {\nint x = 1;\nPS_WATCH(\"x\", x);\nint y;\n}  // namespace\n");
+  return read_or_refuse([&] {
+    const OwnResult result = parse_result(bytes, 3, 2, {.picture = true, .traced = Vec2i{1, 0}});
+    PS_ASSERT(result.picture.width() == 3 && result.picture.height() == 2 && result.trace, "what was asked for");
+    const ListingTrace trace = listing_trace(*result.trace, listings()[0], {1, 0});
+    PS_ASSERT(ListingView(trace, text).rows().size() == text.lines.size(), "each line is shown once");
+    static_cast<void>(wrong_pixels(result.picture, result.picture));
   });
 }
 

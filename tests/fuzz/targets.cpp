@@ -90,7 +90,7 @@ Outcome pfm(std::string_view bytes) { return picture(bytes, "fuzz.pfm"); }
 Outcome jpeg(std::string_view bytes) { return picture(bytes, "fuzz.jpg"); }
 Outcome tga(std::string_view bytes) { return picture(bytes, "fuzz.tga"); }
 
-constexpr std::array<Target, 11> table{{{"scene", scene},
+constexpr std::array<Target, 12> table{{{"scene", scene},
                                         {"obj", obj},
                                         {"mtl", mtl},
                                         {"png", png},
@@ -100,7 +100,8 @@ constexpr std::array<Target, 11> table{{{"scene", scene},
                                         {"tga", tga},
                                         {"permalink", read_permalink},
                                         {"chart-log", read_log_of_chart},
-                                        {"lesson", read_lesson}}};
+                                        {"lesson", read_lesson},
+                                        {"own-result", read_own_result}}};
 
 }  // namespace
 

@@ -21,7 +21,7 @@ using namespace ps;
 using test::ScratchFolder;
 
 LaunchLimits short_limits() {
-  return {.processor_seconds = 1, .seconds = 5, .memory = 256 << 20, .text_bytes = 4 << 20, .result_bytes = 1000};
+  return {.processor_seconds = 1, .seconds = 30, .memory = 256 << 20, .text_bytes = 4 << 20, .result_bytes = 1000};
 }
 
 Launched shell(const std::string& line, const LaunchLimits& limits = short_limits(),

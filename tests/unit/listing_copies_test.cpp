@@ -56,6 +56,49 @@ TEST_P(ListingCopies, GiveTheSameBits) {
 INSTANTIATE_TEST_SUITE_P(All, ListingCopies, testing::Range(std::size_t{0}, listings().size()),
                          [](const auto& index) { return listings()[index.param].folder; });
 
+/// What a lesson asks to be written compiles before it is, and does not draw what it should.
+TEST(ListingCopy, EachTaskCompilesAndIsToBeDone) {
+  int tasks = 0;
+  for (const std::string& name : lesson_names()) {
+    const Lesson lesson = load_lesson(name);
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+      const std::string& routine = lesson.steps[i].write;
+      if (routine.empty()) continue;
+      ++tasks;
+      const NamedListing& listing = test::listing_in(name);
+      OwnListings own;
+      const Compilation compiled = compile_listing(own.permits().copy(listing, routine));
+      ASSERT_TRUE(compiled.program) << name << ": " << compiled.failure;
+      const Document document = lesson_document(lesson, static_cast<int>(i), Document{});
+      Progress progress;
+      const CheckedListing checked = check_listing(*compiled.program, listing, document.scene, view_of(document),
+                                                   document.a.settings, {}, progress);
+      ASSERT_EQ(checked.run.failure, "") << name;
+      EXPECT_GT(checked.wrong.count, 0u) << name << ": " << routine;
+    }
+  }
+  EXPECT_GE(tasks, 3);
+}
+
+TEST(ListingCopy, ATaskOfALessonIsReadWithItsErrors) {
+  const auto fault = [](const std::string& name, const std::string& block) -> std::string {
+    try {
+      const std::string start = "# T\nsource: s\n\n## One\n\n```settings\nscene cgfs/spheres\n```\n\n";
+      return parse_lesson(start + "```task\n" + block + "```\n", name, "lesson.md").steps.at(0).write;
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  const std::string lines = "cgfs_06_lines";
+  EXPECT_EQ(fault(lines, "write draw_line\n"), "draw_line");
+  EXPECT_EQ(fault(lines, "write nothing\n"),
+            "lesson.md:11:7: found the routine 'nothing', expected one of the listing: draw_line, draw");
+  EXPECT_EQ(fault(lines, "read draw_line\n"), "lesson.md:11:1: found 'read', expected a line 'write ROUTINE'");
+  EXPECT_EQ(fault(lines, ""), "lesson.md:10:1: found a task without words, expected a line 'write ROUTINE'");
+  EXPECT_EQ(fault("cgfs_05_camera", "write draw\n"),
+            "lesson.md:10:1: found a task in a lesson without a listing, expected a listing.cpp beside it");
+}
+
 TEST(ListingCopy, AChangedLineIsFoundAtItsFirstPixel) {
   const NamedListing& listing = test::listing_in("cgfs_02_basic_ray_tracing");
   OwnListings own;

@@ -14,6 +14,7 @@
 #include "gui/panels/pictures/picture_actions.h"
 #include "gui/panels/pictures/picture_values.h"
 #include "gui/panels/space/story_actions.h"
+#include "gui/panels/story/own_listing_view.h"
 #include "gui/widgets/flash.h"
 #include "gui/widgets/widgets.h"
 #include "scene/load.h"
@@ -142,6 +143,11 @@ void update_question(Session& session, PanelStates& my) {
   my.listing.reveal |= wrong_line && !my.listing.marks.marked;
   my.listing.marks = {asks_bug && questions.bug_shown(session) ? &questions.answer.line : nullptr,
                       std::move(wrong_line)};
+  my.listing.own.task = {};
+  if (const Lesson* lesson = my.lessons.open(session)) {
+    const auto step = static_cast<std::size_t>(session.document().step);
+    if (step < lesson->steps.size()) my.listing.own.task = {lesson->name, lesson->steps[step].write};
+  }
   if (my.lessons.holds_back) my.pictures.hidden = questions.question()->hidden;
   if (pending && session.pixel() && asks_about_pixel(session, my.predict))
     my.pictures.asked = Hover{inspected_side(session), *session.pixel()};
@@ -299,7 +305,7 @@ void offer_listing_values(Values& out, const ListingPanelState& listing) {
   out.offer("listing/values", [=] { return values_of() ? static_cast<int>(values_of()->watches.size()) : 0; });
 }
 
-Panel listing(Session& session, PanelStates& my) {
+Panel listing(Session& session, PanelStates& my, const PanelHost& host) {
   return {.name = "listing",
           .height = PanelHeight::tall,
           .heading = "LISTING",
@@ -307,17 +313,21 @@ Panel listing(Session& session, PanelStates& my) {
           .command = "Listing: a routine with its values",
           .help = "A lesson's routine, or the shaders, with their values at the picked pixel.",
           .draw =
-              [&](const Context& context) {
+              [&session, &my, host](const Context& context) {
                 return unless_asked(session, my.predict,
-                                    [&] { return listing_panel(session, my.listing, context.filled); });
+                                    [&] { return listing_panel(session, my.listing, context.filled, host); });
               },
           .publish =
               [&](Values& out) {
                 offer_listing_values(out, my.listing);
                 offer_shader_values(out, my.listing.shaders);
+                offer_own_values(out, my.listing.own);
               },
           .update = [&] { update_listing(session, my.listing); },
-          .busy = [&] { return works(my.listing.worker) || shaders_busy(my.listing.shaders); }};
+          .busy =
+              [&] {
+                return works(my.listing.worker) || shaders_busy(my.listing.shaders) || own_listing_busy(my.listing.own);
+              }};
 }
 
 Panel vertex(Session& session, PanelStates& my) {
@@ -359,9 +369,9 @@ PanelStates::PanelStates(const std::function<void()>& wake, bool remember)
 }
 
 std::vector<Panel> panel_table(Session& session, PanelStates& my, const PanelHost& host) {
-  std::vector<Panel> panels{lesson(session, my),      options(session, my),     history(session, my),
-                            pixel(session, my, host), space(session, my, host), microscope(session, my, host),
-                            pixels(session, my),      listing(session, my),     vertex(session, my)};
+  std::vector<Panel> panels{lesson(session, my),      options(session, my),       history(session, my),
+                            pixel(session, my, host), space(session, my, host),   microscope(session, my, host),
+                            pixels(session, my),      listing(session, my, host), vertex(session, my)};
   for (Panel& panel : measure_panels(session, my, host)) panels.push_back(std::move(panel));
   PS_ASSERT(rows_match_names(panels), "a row for each name that a document may have");
   return panels;

@@ -193,6 +193,7 @@ void Session::open_picture_b(const std::filesystem::path& path) {
     return say(Message::Kind::error, error.what());
   }
   const Vec2i size{picture_b_->levels.width(), picture_b_->levels.height()};
+  if (document_.picture_b == path.string() && size == Vec2i{view().width, view().height}) return changed();  // anew
   edit("compare with " + path.filename().string(), [&](Document& document) {
     const Vec2i old{view().width, view().height};
     document.picture_b = path.string();

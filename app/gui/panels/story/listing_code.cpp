@@ -168,6 +168,7 @@ Face code_face(const std::vector<ListingRow>& rows, float room) {
 std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, bool reveal, const LineMarks& marks) {
   std::optional<ListingStep> step;
   const auto first = std::find_if(rows.begin(), rows.end(), [&](const ListingRow& row) {
+    if (!marks.faults.empty()) return row.number == marks.faults.begin()->first;
     return marks.marked ? row.number == marks.marked->number : has_values(row);
   });
   ImGui::BeginChild("code");
@@ -182,6 +183,8 @@ std::optional<ListingStep> listing_code(const std::vector<ListingRow>& rows, boo
         ImGui::SetScrollHereY(0.15f);
       if (const int by = draw_row(rows[i], i, columns, marks); by != 0) step = ListingStep{i, by};
       if (marks.marked && rows[i].number == marks.marked->number) right_version(*marks.marked, columns.code);
+      if (const auto fault = marks.faults.find(rows[i].number); fault != marks.faults.end() && !rows[i].text.empty())
+        line_fault(fault->first, fault->second, columns.code);
     }
     ImGui::PopStyleVar();
   }

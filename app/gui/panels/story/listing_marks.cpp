@@ -38,4 +38,16 @@ void right_version(const BugLine& line, float left) {
   ImGui::Dummy({room, height});
 }
 
+void line_fault(int number, const std::string& text, float left) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x;
+  const std::string lines = in_lines(text, room - left - px(4));
+  const float height = text_height(lines) + px(2);
+  draw_lines({at.x + left, at.y}, lines, palette().text);
+  ImGui::GetWindowDrawList()->AddRect(at, {at.x + room, at.y + height}, colour_u32(palette().wrong_mark), px(2), 0,
+                                      px(2));
+  controls().record(fmt::format("line-{}/fault", number), text);
+  ImGui::Dummy({room, height});
+}
+
 }  // namespace ps::gui

@@ -1,7 +1,9 @@
 #pragma once
 #include <imgui.h>
 
+#include <map>
 #include <optional>
+#include <string>
 
 #include "textbook/listing_source.h"
 
@@ -11,6 +13,8 @@ namespace ps::gui {
 struct LineMarks {
   int* answer = nullptr;          ///< where a clicked line's number goes while the question is open; it may be null
   std::optional<BugLine> marked;  ///< the wrong line, once that may be shown
+  std::map<int, std::string> faults{};  ///< what a compiler says of lines, by their numbers
+  std::string elsewhere{};              ///< what it says of no line that is shown
 };
 
 /// The ground of a line: a click on it answers the open question. Leaves the cursor where it was.
@@ -18,5 +22,8 @@ void line_ground(int number, ImVec2 size, const LineMarks& marks);
 
 /// The line as it should be, below the wrong one: text from the column `left` on, at most as wide as there is room.
 void right_version(const BugLine& line, float left);
+
+/// What a compiler says of a line, below it: text from the column `left` on.
+void line_fault(int number, const std::string& text, float left);
 
 }  // namespace ps::gui

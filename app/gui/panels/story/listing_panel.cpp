@@ -8,6 +8,7 @@
 
 #include "gui/base/values.h"
 #include "gui/panels/story/listing_code.h"
+#include "gui/panels/story/own_listing_view.h"
 #include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "image/display.h"
@@ -74,7 +75,14 @@ bool fill_button(bool filled) {
                        {.tooltip = "Shows the listing in the whole window; Esc goes back.", .disabled = {}});
 }
 
-bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled) {
+/// The listing that is shown, without a bug in it; nullptr if none is.
+const NamedListing* copied_from(const ListingPanelState& state) {
+  for (const NamedListing& listing : listings())
+    if (state.text && listing.folder == state.folder) return &listing;
+  return nullptr;
+}
+
+bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled, const PanelHost& host) {
   const Option* option = find_option("listing");
   int index = session.settings(side).listing;
   if (drop_down("which", option->choices, index, px(choice_width),
@@ -96,6 +104,7 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
     settings.renderer = renderer_for(!shown ? PictureWay::listing : rays ? PictureWay::rays : PictureWay::fragments);
     session.set_settings(side, settings, fmt::format("{}: {}", letter_of(side), renderer_label(settings.renderer)));
   }
+  own_listing_buttons(session, state.own, copied_from(state), host.ask_file);
   const bool fill = fill_button(filled);
   if (state.shown_story) {
     const std::string source(state.shown_story->listing ? state.shown_story->listing->listing.listing->source : "");
@@ -115,11 +124,20 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled)
 void update_listing(Session& session, ListingPanelState& state) {
   state.worker.take_news();
   update_shaders(session, state.shaders);
+  update_own_listing(session, state.own);
 }
 
-bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
+bool listing_panel(Session& session, ListingPanelState& state, bool filled, const PanelHost& host) {
   const NameScope scope("listing");
   if (!session.has_scene()) return false;
+  if (own_listing_question(session, state.own)) return false;
+  if (state.own.file && !state.marks.answer) {
+    ImGui::TextUnformatted("Your file");
+    const bool fill = fill_button(filled);
+    same_line_if_room(button_width("Stop"));
+    own_listing_view(session, state.own);
+    return fill;
+  }
   // A question about a wrong line is one about the listing of A; that of B is the answer.
   const Side side = state.marks.answer ? Side::a : inspected_side(session);
   const auto pixel = session.pixel();
@@ -144,7 +162,7 @@ bool listing_panel(Session& session, ListingPanelState& state, bool filled) {
   request.pixel = *pixel;
   state.worker.request(request);
   take_up(state, state.worker.story(), session.document().story.listing_instance);
-  const bool fill = toolbar(session, state, side, filled);
+  const bool fill = toolbar(session, state, side, filled, host);
   if (!state.error.empty()) quiet_text(state.error);
   if (!state.view) {
     if (const auto message = state.worker.message(); !message.empty()) quiet_text(message);

@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "gui/panels/panel.h"
 #include "gui/panels/story/listing_marks.h"
+#include "gui/panels/story/own_listing.h"
 #include "gui/panels/story/shader_panel.h"
 #include "gui/session/session.h"
 #include "textbook/listing_view.h"
@@ -14,7 +16,7 @@ namespace ps::gui {
 /// What the panel of listings remembers of itself.
 struct ListingPanelState {
   explicit ListingPanelState(const std::function<void()>& wake)
-      : worker(std::make_shared<Prepared>(), wake), shaders(wake) {}
+      : worker(std::make_shared<Prepared>(), wake), shaders(wake), own(wake) {}
 
   InspectWorker worker;     ///< runs the listing, whichever renderer makes the pictures
   std::string folder, bug;  ///< whose text is shown
@@ -28,6 +30,7 @@ struct ListingPanelState {
   LineMarks marks;               ///< of the listing of A
 
   ShaderPanelState shaders;
+  OwnListingState own;
   /// What is shown where the picture is drawn by shaders.
   enum class Code { shaders, routine } code = Code::shaders;
 };
@@ -37,6 +40,6 @@ void update_listing(Session& session, ListingPanelState& state);
 
 /// A lesson's routine with the values that its lines had for the picked pixel, or the shaders that drew it. `filled`:
 /// it has the whole window; answers whether that shall change.
-bool listing_panel(Session& session, ListingPanelState& state, bool filled);
+bool listing_panel(Session& session, ListingPanelState& state, bool filled, const PanelHost& host);
 
 }  // namespace ps::gui

@@ -1,0 +1,39 @@
+// pixelscope-cli listing: a copy that a teacher checks from the command line.
+#include <gtest/gtest.h>
+
+#include "base/read_file.h"
+#include "support/own_listings.h"
+
+namespace listing_cli_test {
+namespace {
+
+using namespace ps;
+using test::run_cli;
+
+TEST(ListingCli, CopiesAndChecks) {
+  test::OwnListings own;
+  const auto copied = run_cli({"listing", "copy", "cgfs_06_lines"});
+  ASSERT_EQ(copied.status, 0) << copied.err;
+  const std::string file = copied.out.substr(0, copied.out.size() - 1);
+  const auto checked = run_cli({"listing", "run", file, "--pixel", "300,299"});
+  EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+  EXPECT_NE(checked.out.find("to the bit"), std::string::npos) << checked.out;
+  EXPECT_NE(checked.out.find("draw_line(canvas, line->points[0]"), std::string::npos) << checked.out;
+
+  const std::string wrong =
+      own.folder().write("wrong.cpp", test::with_change(read_whole_file(file), "const double y = entry(ys, x, p0.x);",
+                                                        "const double y = entry(ys, x, p0.y + nothing);"));
+  const auto faulty = run_cli({"listing", "run", wrong});
+  EXPECT_EQ(faulty.status, 1);
+  EXPECT_NE(faulty.out.find("wrong.cpp:"), std::string::npos) << faulty.out;
+  EXPECT_NE(faulty.out.find("nothing"), std::string::npos) << faulty.out;
+}
+
+TEST(ListingCli, UnknownNamesAndFilesAreBadInput) {
+  EXPECT_EQ(run_cli({"listing", "copy", "nonsense"}).status, 2);
+  EXPECT_EQ(run_cli({"listing", "copy", "cgfs_06_lines", "--without", "nonsense"}).status, 2);
+  EXPECT_EQ(run_cli({"listing", "run", "/nowhere/x.cpp"}).status, 2);
+}
+
+}  // namespace
+}  // namespace listing_cli_test
