@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/number_text.h"
 #include "base/stop.h"
 #include "frame/fast_kernels.h"
 #include "image/image.h"
@@ -14,13 +15,6 @@ namespace {
 
 constexpr std::string_view driver_draws =
     "the graphics driver draws in an order of its own and gives only finished pictures";
-
-/// "1,284"
-std::string grouped(std::uint64_t number) {
-  std::string text = std::to_string(number);
-  for (std::size_t from_end = 3; from_end < text.size(); from_end += 4) text.insert(text.size() - from_end, ",");
-  return text;
-}
 
 /// What the last one was, after a colon; empty where nothing more is known of it.
 std::string last_words(const SlowState& state, const Scene& scene, Vec2i size) {
@@ -85,9 +79,10 @@ SlowFrame render_slowly(const Scene& scene, const View& view, const Settings& se
 
 std::string slow_motion_words(const SlowState& state, const Scene& scene, Vec2i size) {
   const std::string_view one = slow_unit(state.done.unit).one;
-  const std::string total = grouped(state.total);
+  const std::string total = with_thousands(std::to_string(state.total));
   if (state.done.at == 0) return fmt::format("nothing yet of {} {}", total, slow_unit(state.done.unit).many);
-  return fmt::format("{} {} of {}{}", one, grouped(state.done.at), total, last_words(state, scene, size));
+  return fmt::format("{} {} of {}{}", one, with_thousands(std::to_string(state.done.at)), total,
+                     last_words(state, scene, size));
 }
 
 }  // namespace ps

@@ -17,6 +17,8 @@ namespace number_text_test {
 namespace {
 
 using ps::parse_number;
+using ps::parse_typed_number;
+using ps::with_thousands;
 
 struct CommaForPoint : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
