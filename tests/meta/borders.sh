@@ -25,9 +25,10 @@ library='^(core|chapters)/'
 
 forbid 'Dear ImGui outside app/gui' "$(includes '(.*/)?(imgui|imconfig|imstb)')" "$all" '^(app|tests)/gui/'
 forbid 'SDL outside app/gui/platform' "$(includes '(.*/)?SDL')|\\b(?!SDL_VIDEODRIVER)(SDL|SDLK?_\\w+|KMOD_\\w+)\\b" "$all" '^app/gui/platform/'
+# One test takes the context away from the renderer.
 forbid 'OpenGL outside core/hardware, app/gui/platform and its yardstick' \
   "$(includes '(GL|GLES[0-9]?|EGL|KHR|epoxy|glad)/|(.*/)?(gl|glew|glcorearb|SDL_opengl[a-z0-9_]*)\.h[>"]')" \
-  "$all" '^(core/hardware|app/gui/platform|tests/bench/llvmpipe)/'
+  "$all" '^(core/hardware|app/gui/platform|tests/bench/llvmpipe)/|^tests/agreement/hardware/lost_context_test'
 forbid 'OpenGL by name outside app/gui/platform' '\b(gl[A-Z]\w*\(|GL_[A-Z]|GL(u?int|enum|float|sizei)\b|epoxy_)' '^app/gui/' \
   '^app/gui/platform/'
 forbid 'X11 or Wayland' "$(includes '(X11|xcb|wayland)[/-]')" "$all"
