@@ -109,7 +109,9 @@ void file_row(Session& session, OwnListingState& state) {
       session.close_picture_b();
     return;
   }
-  value_paragraph("file", state.file->file().string());
+  const std::filesystem::path& file = state.file->file();
+  value_paragraph("file", file.filename().string());
+  value_paragraph("folder", "in " + file.parent_path().string());
   tooltip("Edit this file with any editor. It is compiled and run each time that you save it.");
 }
 
@@ -130,6 +132,7 @@ void update_own_listing(Session& session, OwnListingState& state) {
   if (put_aside(session, state)) return state.worker.rest();
   OwnRequest request;
   request.file = state.file;
+  request.opened = state.opened;
   request.saves = state.saves;
   request.stopped = state.stopped;
   request.picture.scene = session.scene();
