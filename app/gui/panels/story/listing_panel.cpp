@@ -104,7 +104,7 @@ bool toolbar(Session& session, ListingPanelState& state, Side side, bool filled,
     settings.renderer = renderer_for(!shown ? PictureWay::listing : rays ? PictureWay::rays : PictureWay::fragments);
     session.set_settings(side, settings, fmt::format("{}: {}", letter_of(side), renderer_label(settings.renderer)));
   }
-  own_listing_buttons(session, state.own, copied_from(state), host.ask_file);
+  own_listing_buttons(session, state.own, state.marks.answer ? nullptr : copied_from(state), host.ask_file);
   const bool fill = fill_button(filled);
   if (state.shown_story) {
     const std::string source(state.shown_story->listing ? state.shown_story->listing->listing.listing->source : "");

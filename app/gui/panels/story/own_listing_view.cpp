@@ -51,14 +51,14 @@ std::string message_text(const CompilerMessage& message) {
 void take_outcome(Session& session, OwnListingState& state) {
   const auto outcome = state.worker.result();
   if (!outcome || outcome == state.taken || outcome->opened != state.opened) return;
-  const bool first = !state.taken;
+  if (!state.taken || state.taken->saves != outcome->saves || !outcome->compilation.messages.empty())
+    state.reveal = true;
   state.taken = outcome;
   state.view.reset();
   state.text = std::make_unique<ListingText>(parse_listing(outcome->compilation.source, LineNumbers::of_file));
   static const ListingTrace nothing;
   state.view.emplace(outcome->trace ? *outcome->trace : nothing, *state.text);
   state.rows = state.view->rows();
-  state.reveal = state.reveal || first;
   if (outcome->failure.empty() && outcome->pictures != state.pictures) {
     state.pictures = outcome->pictures;
     state.shown_saves = outcome->saves;
@@ -109,7 +109,10 @@ void file_row(Session& session, OwnListingState& state) {
       session.close_picture_b();
     return;
   }
-  value_paragraph("file", state.file->file().string());
+  const std::filesystem::path& file = state.file->file();
+  const FontScope font(Face::mono_small);
+  value_paragraph("file", file.filename().string());
+  value_paragraph("folder", "in " + file.parent_path().string());
   tooltip("Edit this file with any editor. It is compiled and run each time that you save it.");
 }
 
@@ -119,7 +122,6 @@ void update_own_listing(Session& session, OwnListingState& state) {
   if (state.watch.take_changed()) {
     ++state.saves;
     state.stopped = false;
-    state.reveal = true;
   }
   if (state.worker.has_news()) state.worker.take_news();
   if (!state.file) {
@@ -130,6 +132,7 @@ void update_own_listing(Session& session, OwnListingState& state) {
   if (put_aside(session, state)) return state.worker.rest();
   OwnRequest request;
   request.file = state.file;
+  request.opened = state.opened;
   request.saves = state.saves;
   request.stopped = state.stopped;
   request.picture.scene = session.scene();
@@ -153,7 +156,7 @@ void own_listing_buttons(Session& session, OwnListingState& state, const NamedLi
              {.tooltip =
                   "Makes a file of your own from this listing. Each time that you save it, it is compiled and run "
                   "with your rights, and its picture stands as B.",
-              .disabled = listing ? "" : "There is no listing yet."})) {
+              .disabled = listing ? "" : "There is no listing to copy, or it would answer the question."})) {
     try {
       state.problem.clear();
       begin_file(session, state, state.permits.copy(*listing, routine), listing);
