@@ -62,7 +62,7 @@ void clip_triangle(const Triangle& triangle, const Plane& plane, std::vector<Tri
     while (front(c)) std::swap(a, b), std::swap(b, c);  // c becomes the one behind
     const Vec3d a2 = intersection(a, c, plane), b2 = intersection(b, c, plane);
     result.push_back({a, b, a2});
-    result.push_back({a2, b, a});
+    result.push_back({a, b, b2});
   }
 }
 
