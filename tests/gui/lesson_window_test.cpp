@@ -78,16 +78,16 @@ TEST(LessonWindow, AFolderOfOnesOwnIsReadAgainWhenItIsSaved) {
 }
 
 /// Everything fits, in every state of the questions and of the claims. `pages`: of the text of the answered first step,
-/// on the last of which the claims are.
+/// on the last of which the first claim is.
 void expect_questions_fit(const std::string& screen, const std::string& type, int pages) {
   const std::string fits = "wait frames 3\nexpect window/cut \"\"\nexpect window/overlap \"\"\n";
   std::string commands = "wait idle\n" + fits + "click question/choice/1\n" + fits +
                          "click question/answer\nwait idle\n" + fits + "expect lesson/pages " + std::to_string(pages) +
                          "\n";
   for (int page = 1; page < pages; ++page) commands += "key PageDown\n" + fits;
-  commands += "wait until lesson/claim/1/state holds\n" + fits +
-              "click lesson/claim/1/break\nwait idle\nwait until lesson/claim/1/state broken\n" + fits +
-              "click lesson/claim/1/mend\nwait idle\n" + fits;
+  commands += "wait until lesson/claim/0/state holds\n" + fits +
+              "click lesson/claim/0/break\nwait idle\nwait until lesson/claim/0/state broken\n" + fits +
+              "click lesson/claim/0/mend\nwait idle\n" + fits;
   for (const std::string& answer :
        {"click question/number\ntype 57,600\nkey Enter\n" + fits + "click question/skip\n",
         "click-pixel A 60,150\n" + fits + "click question/answer\n",
