@@ -166,6 +166,11 @@ void Context::make_current() const {
   if (!eglMakeCurrent(handles_->display, handles_->surface, handles_->surface, handles_->context)) throw ContextLost();
 }
 
+void Context::lose() const {
+  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglTerminate(handles_->display);
+}
+
 void forget_errors() {
   constexpr int most = 16;  // a lost context reports its loss for ever
   for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i) continue;

@@ -31,6 +31,8 @@ class Context {
   Api api() const { return api_; }
   /// Throws ContextLost.
   void make_current() const;
+  /// Ends its display, as a system may at any time: the context is lost from then on. For tests.
+  void lose() const;
 
  private:
   struct Handles;

@@ -206,8 +206,8 @@ struct FragmentEvent {
   /// Which pass over the triangles it belongs to: with an early depth pass or deferred shading there are two.
   enum class Pass { only, depth_first, shading } pass = Pass::only;
   int samples = 1, samples_covered = 1;  ///< of the pixel, with multisampling
-  /// In the stored depth value; meaningless when off. With multisampling those of the first covered sample, which
-  /// graphics drivers do not report.
+  /// In the stored depth value; meaningless when off. With multisampling those of the first covered sample, absent
+  /// where a graphics driver has no textures of depths with several samples.
   std::optional<double> depth_stored, depth_new;
   bool back_face = false;
   int sphere_triangle = -1;         ///< index among the triangles of a tessellated sphere; -1 for triangles of a model

@@ -1,6 +1,5 @@
 // A context that is lost ends one picture with a message. The other renderers go on, and so does this one, with a new
 // context: its pictures and stories are what they were.
-#include <epoxy/egl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,13 +26,8 @@ struct Pictured {
   PixelStory story() { return inspect(scene, view, settings, {34, 13}, prepared, progress); }
 };
 
-/// Ends the display, and with it what the driver holds.
 void lose_context() {
-  hardware::on_gl_thread([](hardware::Workshop&) {
-    const EGLDisplay display = eglGetCurrentDisplay();
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglTerminate(display);
-  });
+  hardware::on_gl_thread([](hardware::Workshop& shop) { shop.context.lose(); });
 }
 
 template <class Act>
