@@ -172,7 +172,7 @@ TEST(LessonHandout, OnlyTheTeachersHasTheAnswers) {
   EXPECT_EQ(student.find("<h2>Answers</h2>"), std::string::npos);
   EXPECT_EQ(student.find("never asks whether a light is blocked"), std::string::npos);
   EXPECT_NE(teacher.find("never asks whether a light is blocked"), std::string::npos);
-  EXPECT_NE(teacher.find("60000 rays"), std::string::npos);
+  EXPECT_NE(teacher.find("60,000 rays"), std::string::npos);
   EXPECT_EQ(count_of(student, "<img "), 5u);  // B of the second step answers its question
   EXPECT_EQ(count_of(student, "is shown in the program after your answer"), 1u);
   EXPECT_EQ(count_of(teacher, "<img "), 6u);

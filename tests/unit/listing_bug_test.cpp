@@ -191,8 +191,8 @@ TEST(ListingBug, ThePartingLeavesTheLineToTheStudent) {
     Progress progress;
     const Frame right = render(scene, view, b), wrong = render(scene, view, a);
     int looked_at = 0;
-    for (int y = 0; y < 120 && looked_at < 5; y += 3)
-      for (int x = 0; x < 120 && looked_at < 5; x += 3) {
+    for (int y = 0; y < 120 && looked_at < 5; ++y)
+      for (int x = 0; x < 120 && looked_at < 5; ++x) {
         if (right.colour_double.at(x, y) == wrong.colour_double.at(x, y)) continue;
         ++looked_at;
         const PixelStory of_a = inspect(scene, view, a, {x, y}, prepared, progress);

@@ -12,8 +12,15 @@ namespace {
 using namespace ps;
 using test::OwnListings;
 
+/// The first step of the lesson in which its listing makes a picture, or the first of all.
 Document small_document(const NamedListing& listing) {
-  Document document = lesson_document(load_lesson(listing.folder), 0, Document{});
+  const Lesson lesson = load_lesson(listing.folder);
+  Document document = lesson_document(lesson, 0, Document{});
+  for (int step = 1; step < static_cast<int>(lesson.steps.size()); ++step) {
+    if (document.a.settings.renderer == Renderer::textbook) break;
+    Document next = lesson_document(lesson, step, Document{});
+    if (next.a.settings.renderer == Renderer::textbook && next.a.settings.listing_bug == 0) document = std::move(next);
+  }
   document.view.width = 240;
   document.view.height = 180;
   return document;

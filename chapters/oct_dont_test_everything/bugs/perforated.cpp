@@ -104,7 +104,7 @@ void descend(const Cell& cell, const Vec3d& origin, const Vec3d& direction, doub
   }
   std::array<std::pair<double, const Cell*>, 8> order;
   for (std::size_t i = 0; i < 8; ++i) order[i] = {enters(origin, direction, *cell.children[i]), cell.children[i].get()};
-  std::sort(order.begin(), order.end());
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [t, child] : order) {
     if (t == infinity) break;
     PS_EACH("cell entered at t", t);
