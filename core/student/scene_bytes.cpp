@@ -1,6 +1,7 @@
 #include "student/scene_bytes.h"
 
 #include <map>
+#include <optional>
 #include <type_traits>
 
 #include "scene/canvas_item.h"
@@ -16,6 +17,12 @@ template <class Value>
 void put_list(ByteWriter& to, const std::vector<Value>& values) {
   to.put(static_cast<std::uint64_t>(values.size()));
   to.put_all(values.data(), values.size());
+}
+
+template <class Value>
+void put_optional(ByteWriter& to, const std::optional<Value>& value) {
+  to.put(value.has_value());
+  to.put(value.value_or(Value{}));
 }
 
 void put_spheres(ByteWriter& to, const BookScene& scene) {
@@ -51,8 +58,7 @@ void put_instances(ByteWriter& to, const BookScene& scene) {
     to.put_text(instance.name);
     to.put(index.at(instance.model));
     to.put(instance.instance->transform);
-    to.put(instance.instance->material.has_value());
-    to.put(instance.instance->material.value_or(0));
+    put_optional(to, instance.instance->material);
   }
 }
 
@@ -60,9 +66,12 @@ void put_materials(ByteWriter& to, const Scene& scene) {
   to.put(static_cast<std::uint64_t>(scene.materials->size()));
   for (const Material& material : *scene.materials) {
     to.put(material.colour);
-    to.put(material.specular.value_or(-1));
-    to.put(material.specular.has_value());
+    put_optional(to, material.specular);
     to.put(material.reflective);
+    put_optional(to, material.specular_colour);
+    put_optional(to, material.ambient_colour);
+    to.put(material.transparency);
+    to.put(material.refraction_index);
     to.put(material.texture);
   }
 }
@@ -99,8 +108,7 @@ void put_canvas_items(ByteWriter& to, const Scene& scene) {
     to.put(triangle->h);
     to.put(triangle->filled);
     to.put(triangle->blend);
-    to.put(triangle->outline.has_value());
-    to.put(triangle->outline.value_or(Vec3d(0)));
+    put_optional(to, triangle->outline);
   }
 }
 

@@ -26,6 +26,13 @@ BookSphere get_sphere(ByteReader& from) {
   return sphere;
 }
 
+template <class Value>
+void get_optional(ByteReader& from, std::optional<Value>& value) {
+  const bool there = from.get<bool>();
+  const auto given = from.get<Value>();
+  if (there) value = given;
+}
+
 Mesh get_model(ByteReader& from) {
   Mesh model;
   model.name = from.get_text(longest_name);
@@ -43,9 +50,7 @@ void get_instance(ByteReader& from, ReadScene& read) {
   instance.model = &read.models.at(from.get<std::uint32_t>());
   Instance placed;
   placed.transform = from.get<Transform>();
-  const bool has_material = from.get<bool>();
-  const auto material = from.get<std::uint32_t>();
-  if (has_material) placed.material = material;
+  get_optional(from, placed.material);
   instance.instance = &read.instances.emplace_back(placed);
   read.book->instances.push_back(instance);
 }
@@ -53,9 +58,12 @@ void get_instance(ByteReader& from, ReadScene& read) {
 Material get_material(ByteReader& from) {
   Material material;
   material.colour = from.get<Vec3d>();
-  const auto specular = from.get<double>();
-  if (from.get<bool>()) material.specular = specular;
+  get_optional(from, material.specular);
   material.reflective = from.get<double>();
+  get_optional(from, material.specular_colour);
+  get_optional(from, material.ambient_colour);
+  material.transparency = from.get<double>();
+  material.refraction_index = from.get<double>();
   material.texture = from.get<int>();
   return material;
 }
@@ -78,9 +86,7 @@ CanvasItem get_canvas_item(ByteReader& from) {
   triangle.h = from.get<std::array<double, 3>>();
   triangle.filled = from.get<bool>();
   triangle.blend = from.get<Blend>();
-  const bool has_outline = from.get<bool>();
-  const auto outline = from.get<Vec3d>();
-  if (has_outline) triangle.outline = outline;
+  get_optional(from, triangle.outline);
   return triangle;
 }
 
