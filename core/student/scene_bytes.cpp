@@ -59,6 +59,7 @@ void put_instances(ByteWriter& to, const BookScene& scene) {
     to.put(index.at(instance.model));
     to.put(instance.instance->transform);
     put_optional(to, instance.instance->material);
+    to.put(instance.instance->sides);
   }
 }
 

@@ -89,7 +89,7 @@ void expect_questions_fit(const std::string& screen, const std::string& type, in
               "click lesson/claim/0/break\nwait idle\nwait until lesson/claim/0/state broken\n" + fits +
               "click lesson/claim/0/mend\nwait idle\n" + fits;
   for (const std::string& answer :
-       {"click question/number\ntype 57,600\nkey Enter\n" + fits + "click question/skip\n",
+       {"click question/number\ntype 57,60\nkey Enter\n" + fits + "click question/skip\n",
         "click-pixel A 60,150\n" + fits + "click question/answer\n",
         "click-pixel A 60,150\n" + fits + "click question/back\nwait idle\n" + fits + "click predict/answer\n"})
     commands += "key Shift+PageDown\nwait idle\n" + fits + answer + "wait idle\n" + fits;

@@ -2,6 +2,8 @@
 // beside the lines. The script's `write` is what the student's editor does.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "gui/program.h"
 #include "support/golden.h"
 #include "support/own_listings.h"
@@ -26,7 +28,7 @@ std::string quoted(const std::string& text) {
 }
 
 TEST(OwnListingWindow, ACopyIsCompiledOnSaveAndStandsAsB) {
-  const auto folder = ps::fresh_output_folder("gui-own-listing");
+  const auto folder = std::filesystem::absolute(ps::fresh_output_folder("gui-own-listing"));
   const ps::test::Variable data("XDG_DATA_HOME", (folder / "data").string());
   const ps::test::Variable cache("XDG_CACHE_HOME", (folder / "cache").string());
   const ps::NamedListing& listing = ps::test::listing_in("cgfs_02_basic_ray_tracing");
@@ -60,7 +62,7 @@ TEST(OwnListingWindow, ACopyIsCompiledOnSaveAndStandsAsB) {
 
 /// A file that is named on the way of a scene or a picture is not compiled, and one from the dialog only after a click.
 TEST(OwnListingWindow, NothingIsCompiledBeforeAClick) {
-  const auto folder = ps::fresh_output_folder("gui-own-refused");
+  const auto folder = std::filesystem::absolute(ps::fresh_output_folder("gui-own-refused"));
   const ps::test::Variable data("XDG_DATA_HOME", (folder / "data").string());
   const ps::test::Variable cache("XDG_CACHE_HOME", (folder / "cache").string());
   const std::string file = (folder / "strange.cpp").string();

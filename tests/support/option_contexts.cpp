@@ -91,6 +91,11 @@ const std::vector<OptionContext>& option_contexts() {
         {"cgfs/cubes", {"renderer=textbook", "listing=cgfs-10-scenes"}},
         {"cgfs/depth", {"renderer=textbook", "backface-culling=on"}},
         {"cgfs/depth", {"renderer=textbook", "backface-culling=off"}},
+        {lesson_scene("cgfs_11_clipping", "two.scene"), {"renderer=textbook", "listing=cgfs-11-clipping"}},
+        {"cgpp/ground", {"renderer=textbook", "listing=cgpp-15-4-measured-light"}},
+        {lesson_scene("cgpp_15_6_exact_edges", "fan.scene"), {"renderer=textbook", "listing=cgpp-15-6-exact-edges"}},
+        {"lab/polygon-rows", {"renderer=textbook", "listing=lab-cornell"}},
+        {"cgfs/cubes", {"renderer=textbook", "listing=oct-dont-test-everything"}},
     };
     if (has_renderer("hardware")) contexts.push_back({"cgfs/crates", {"renderer=hardware"}});
     return contexts;

@@ -51,6 +51,7 @@ void get_instance(ByteReader& from, ReadScene& read) {
   Instance placed;
   placed.transform = from.get<Transform>();
   get_optional(from, placed.material);
+  placed.sides = from.get<Sides>();
   instance.instance = &read.instances.emplace_back(placed);
   read.book->instances.push_back(instance);
 }
