@@ -40,8 +40,10 @@ void keep_place(const Document& from, Document& to) {
   to.compare = from.compare;
   to.split = from.split;
   to.heat_range = from.heat_range;
-  to.a.slow_motion = from.a.slow_motion;
-  to.b.slow_motion = from.b.slow_motion;
+  if (from.lesson == to.lesson && from.step == to.step) {  // a step brings its own
+    to.a.slow_motion = from.a.slow_motion;
+    to.b.slow_motion = from.b.slow_motion;
+  }
   to.difference_gain = from.difference_gain;
   to.mode = from.mode;
   to.layout = from.layout;

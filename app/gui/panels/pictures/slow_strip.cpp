@@ -68,6 +68,32 @@ void scrubber(Session& session, SlowMotionState& state, float width) {
   list.AddCircleFilled({x, y}, px(active || hovered ? knob : knob - 1), colour_u32(palette().text));
 }
 
+/// What the strip holds: in little width only what has no key.
+enum class StripForm { full, without_steps, one_unit };
+
+struct StripWidths {
+  float badge = 0, unit = 0, rest = 0;  ///< rest: all but the scrubber
+};
+
+StripWidths strip_widths(StripForm form) {
+  const float space = px(6);
+  StripWidths widths;
+  widths.badge = ImGui::GetFrameHeight() * 0.7f;
+  widths.unit = px(unit_width) + widths.badge + 2 * space;
+  widths.rest = std::max(button_width("Play"), button_width("Pause")) + 2 * space;
+  widths.rest += widths.unit * (form == StripForm::one_unit ? 1 : 2);
+  widths.rest += form == StripForm::full
+                     ? button_width("-1") + button_width("+1") + px(2) + space + button_width("Close")
+                     : button_width("×");
+  return widths;
+}
+
+StripForm strip_form(float width) {
+  for (const StripForm form : {StripForm::full, StripForm::without_steps})
+    if (strip_widths(form).rest + px(least_scrubber) <= width) return form;
+  return StripForm::one_unit;
+}
+
 }  // namespace
 
 float slow_strip_height(const Session& session) {
@@ -75,23 +101,24 @@ float slow_strip_height(const Session& session) {
 }
 
 void slow_strip(Session& session, SlowMotionState& state) {
-  const float space = px(6);
+  const float space = px(6), width = ImGui::GetContentRegionAvail().x;
+  const StripForm form = strip_form(width);
+  const StripWidths widths = strip_widths(form);
   if (button("slow/play", state.playing ? "Pause" : "Play", Emphasis::plain,
              {.tooltip = "Plays the drawing of both pictures, or stops it (Space)."}))
     play_slow_motion(session, state);
   ImGui::SameLine(0, space);
-  if (button("slow/back", "-1", Emphasis::quiet, {.tooltip = "One back in the picked picture (comma)."}))
-    step_slow_motion(session, state, -1);
-  ImGui::SameLine(0, px(2));
-  if (button("slow/forward", "+1", Emphasis::quiet, {.tooltip = "One on in the picked picture (full stop)."}))
-    step_slow_motion(session, state, 1);
-  ImGui::SameLine(0, space);
-  const float badge = ImGui::GetFrameHeight() * 0.7f;
-  const float units = 2 * (px(unit_width) + badge + 2 * space) + button_width("Close") + space;
-  const float room = ImGui::GetContentRegionAvail().x - units - space;
-  const float note = width_of(Face::small, order_note) + space;
+  if (form == StripForm::full) {
+    if (button("slow/back", "-1", Emphasis::quiet, {.tooltip = "One back in the picked picture (comma)."}))
+      step_slow_motion(session, state, -1);
+    ImGui::SameLine(0, px(2));
+    if (button("slow/forward", "+1", Emphasis::quiet, {.tooltip = "One on in the picked picture (full stop)."}))
+      step_slow_motion(session, state, 1);
+    ImGui::SameLine(0, space);
+  }
+  const float room = width - widths.rest, note = width_of(Face::small, order_note) + space;
   const bool has_note = room - note >= px(good_scrubber);
-  scrubber(session, state, std::max(px(least_scrubber), has_note ? room - note : room));
+  scrubber(session, state, std::max(px(2 * knob), has_note ? room - note : room));
   if (has_note) {
     ImGui::SameLine(0, space);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -104,14 +131,17 @@ void slow_strip(Session& session, SlowMotionState& state) {
     tooltip(order_words);
   }
   for (const Side side : both_sides) {
+    if (form == StripForm::one_unit && side != session.document().picked) continue;
     ImGui::SameLine(0, space);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    side_badge(*ImGui::GetWindowDrawList(), {at.x, at.y + (ImGui::GetFrameHeight() - badge) / 2}, badge, side);
-    ImGui::SetCursorScreenPos({at.x + badge + space, at.y});
+    side_badge(*ImGui::GetWindowDrawList(), {at.x, at.y + (ImGui::GetFrameHeight() - widths.badge) / 2}, widths.badge,
+               side);
+    ImGui::SetCursorScreenPos({at.x + widths.badge + space, at.y});
     unit_choice(session, side);
   }
   ImGui::SameLine(0, space);
-  if (button("slow/close", "Close", Emphasis::quiet, {.tooltip = "Shows the finished pictures again (S)."}))
+  if (button("slow/close", form == StripForm::full ? "Close" : "×", Emphasis::quiet,
+             {.tooltip = "Shows the finished pictures again (S)."}))
     toggle_slow_motion(session, state);
 }
 
