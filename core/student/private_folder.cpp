@@ -32,7 +32,7 @@ PrivateFolder::~PrivateFolder() {
 
 std::filesystem::path PrivateFolder::empty_folder(const char* name) const {
   std::error_code error;
-  const std::filesystem::path folder = path_ / name;
+  std::filesystem::path folder = path_ / name;
   std::filesystem::remove_all(folder, error);
   std::filesystem::create_directory(folder, error);
   if (error) throw InputError(fmt::format("{} cannot be made: {}", folder.string(), error.message()));

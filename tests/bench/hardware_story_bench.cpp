@@ -67,7 +67,7 @@ Benches hardware_story_benches() {
   const RendererKind& kind = renderer_kind(*hardware);
   if (kind.inactive && kind.inactive({}, {})) return {};
   Benches benches;
-  const auto add = [&](const char* what, std::vector<std::string> assignments) {
+  const auto add = [&](const char* what, const std::vector<std::string>& assignments) {
     benches.push_back({fmt::format("inspect/{}-{}/200k", kind.key, what), "ms", "",
                        [hardware, assignments] { return story_job(*hardware, assignments); }});
   };

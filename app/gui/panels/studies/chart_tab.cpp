@@ -13,6 +13,7 @@
 #include "gui/panels/studies/chart_hover.h"
 #include "gui/panels/studies/chart_invitation.h"
 #include "gui/panels/studies/pause_and_stop.h"
+#include "gui/widgets/draw.h"
 #include "gui/widgets/widgets.h"
 #include "study/chart_conclusion.h"
 #include "study/chart_files.h"
