@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/number_text.h"
 #include "options/option.h"
 #include "options/renderer_kind.h"
 
@@ -85,8 +86,7 @@ std::string count_text(std::uint64_t count) {
     if (count >= 1'000'000'000) return fmt::format("{:.3g} G", value / 1e9);
     return fmt::format("{:.3g} M", value / 1e6);
   }
-  if (count >= 1000) return fmt::format("{},{:03}", count / 1000, count % 1000);
-  return std::to_string(count);
+  return with_thousands(std::to_string(count));
 }
 
 std::string three_digits(double value) { return fmt::format("{:.{}f}", value, value >= 100 ? 0 : value >= 10 ? 1 : 2); }
