@@ -13,6 +13,7 @@ window_packages=(libegl1 libgl1 libgl1-mesa-dri)  # OpenGL for the window, in so
 display_packages=(xvfb)                           # a display where there is none
 test_packages=(clang-format libgtest-dev librapidcheck-dev openbox xdotool)
 emulated_packages=(qemu-user)                     # other processors
+web_packages=(chromium)                           # a browser for the handouts
 tidy_packages=(clang clang-tidy libc++-dev libc++abi-dev)
 
 fail() {
