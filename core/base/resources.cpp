@@ -6,6 +6,8 @@
 namespace ps {
 namespace {
 
+constexpr std::string_view chapters_in_project = "chapters/";
+
 std::filesystem::path under_root(const char* name, const char* built_in) {
   const char* root = std::getenv("PIXELSCOPE_ROOT");
   if (root == nullptr || *root == '\0') return built_in;
@@ -24,6 +26,18 @@ std::filesystem::path glossary_file() { return chapter_dir() / "glossary.md"; }
 std::filesystem::path listing_file(std::string_view folder) { return chapter_dir() / folder / "listing.cpp"; }
 std::filesystem::path listing_bug_file(std::string_view folder, std::string_view bug) {
   return chapter_dir() / folder / "bugs" / (std::string(bug) + ".cpp");
+}
+
+std::string portable_name(const std::string& name) {
+  const std::string folder = chapter_dir().string() + "/";
+  return name.starts_with(folder) ? std::string(chapters_in_project) + name.substr(folder.size()) : name;
+}
+
+std::string local_name(std::string_view text) {
+  if (!text.starts_with(chapters_in_project)) return std::string(text);
+  std::error_code error;
+  const std::filesystem::path file = chapter_dir() / text.substr(chapters_in_project.size());
+  return std::filesystem::is_regular_file(file, error) ? file.string() : std::string(text);
 }
 
 std::filesystem::path shader_file(std::string_view name) {

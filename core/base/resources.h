@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 /// Where the files that Pixelscope ships with lie. No other file joins such paths, so that another home for them (a
@@ -23,6 +24,12 @@ std::filesystem::path lesson_file(std::string_view folder);
 std::filesystem::path listing_file(std::string_view folder);
 /// The copy of that listing with a bug in it ("missing_lines").
 std::filesystem::path listing_bug_file(std::string_view folder, std::string_view bug);
+
+/// The name of a file as it is written for other machines: below chapter_dir() it is its place in the project
+/// ("chapters/NAME/FILE.scene"); any other name stays as it is.
+std::string portable_name(const std::string& name);
+/// The reverse: the file's name on this machine. A text that names no file below chapter_dir() stays as it is.
+std::string local_name(std::string_view text);
 
 /// A shader of the hardware renderer ("fragment.glsl").
 std::filesystem::path shader_file(std::string_view name);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/resources.h"
 #include "document/number_list.h"
 #include "document/permalink_field.h"
 #include "options/option.h"
@@ -91,8 +92,8 @@ HeatRange parse_heat_range(std::string_view text) {
 
 const std::vector<Field>& document_fields() {
   static const std::vector<Field> fields{
-      {"scene", [](const Document& d) { return text_unless(d.scene_name, ""); },
-       [](Document& d, std::string_view t) { d.scene_name = t; }},
+      {"scene", [](const Document& d) { return text_unless(portable_name(d.scene_name), ""); },
+       [](Document& d, std::string_view t) { d.scene_name = local_name(t); }},
       {"size",
        [](const Document& d) {
          return d.view.width == 0 ? Text{} : Text{fmt::format("{}x{}", d.view.width, d.view.height)};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/check.h"
+#include "base/resources.h"
 #include "document/command_line.h"
 #include "document/permalink_file.h"
 #include "image/file.h"
@@ -24,6 +25,16 @@ TEST(Permalink, HoldsOnlyDifferences) {
   document.edits = {{"light.2.position", "(1, 2, 3)"}};
   EXPECT_EQ(permalink(document), "scene=cgfs/reflections&pixel=312,204&edit.light.2.position=%281,%202,%203%29&"
                                  "a.reflection-depth=1&b.renderer=rasterizer");
+}
+
+// A handout is read on other machines than the one that wrote it.
+TEST(Permalink, NamesFilesOfLessonsByTheirPlaceInTheProject) {
+  Document document;
+  document.scene_name = (chapter_dir() / "cgfs_09_perspective" / "square.scene").string();
+  EXPECT_EQ(permalink(document), "scene=chapters/cgfs_09_perspective/square.scene");
+  EXPECT_EQ(parse_permalink(permalink(document)).scene_name, document.scene_name);
+  document.scene_name = "chapters/nothing/there.scene";  // a file of the user's in a folder of that name
+  EXPECT_EQ(parse_permalink(permalink(document)).scene_name, document.scene_name);
 }
 
 TEST(Permalink, EscapesSurvive) {
