@@ -9,7 +9,7 @@ struct Limits {
   std::uint64_t milliseconds = 0;            ///< by the clock
   std::uint64_t memory = 0;                  ///< bytes: addresses of each process, resident pages of all together
   std::uint64_t processes = 0;               ///< at once
-  std::uint64_t file_bytes = 0;              ///< of each file that is written
+  std::uint64_t file_bytes = 0;              ///< of each file that is written, and of all in its folder together
   std::uint64_t user = 0;                    ///< whose rights root gives up for; 0 = keeps its own
 };
 

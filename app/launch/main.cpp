@@ -5,8 +5,8 @@
 //   pixelscope-launch FOLDER PROCESSOR-MS MS MEMORY PROCESSES FILE-BYTES USER PROGRAM ARGUMENT...
 //
 // Descriptors 0 to 3 go to the program. 4 is a socket of the caller: when that closes all is ended, and before its own
-// end this program writes one line there: "exited STATUS", "signalled SIGNAL", "time", "memory", "processes" or "failed
-// WHY".
+// end this program writes one line there: "exited STATUS", "signalled SIGNAL", "time", "memory", "processes", "files"
+// or "failed WHY".
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -24,6 +24,7 @@
 #include <cstring>
 
 #include "launch/descendants.h"
+#include "launch/folder_size.h"
 #include "launch/limits.h"
 
 namespace {
@@ -94,6 +95,7 @@ void close_from(int first) {
     const launch::Descendants running = launch::descendants();
     if (running.resident > limits.memory) exceeded = "memory";
     if (running.processes.size() > limits.processes) exceeded = "processes";
+    if (launch::holds_more_than(".", limits.file_bytes)) exceeded = "files";
     if (!exceeded) continue;
     launch::end_descendants(child);
     answer(exceeded, 0);

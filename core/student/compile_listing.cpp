@@ -53,6 +53,8 @@ std::string why_no_program(const Launched& launched, const CompileOptions& optio
     return "The compiler used more memory than it may have and was stopped.";
   case LaunchEnd::processes:
     return "The compiler started more processes than it may and was stopped.";
+  case LaunchEnd::files:
+    return "The compiler wrote larger files than it may and was stopped.";
   case LaunchEnd::text:
   case LaunchEnd::result:
     return "The compiler wrote too many messages and was stopped.";

@@ -22,9 +22,10 @@ bool try_bubblewrap() {
   if (command.empty()) return false;
   command.emplace_back("/usr/bin/true");
   try {
+    const PrivateFolder place;
     const Launched launched = launch({.command = command,
                                       .environment = {},
-                                      .folder = "/",
+                                      .folder = place.path(),
                                       .input = {},
                                       .limits = {},
                                       .rights = LaunchRights::nobody_for_root});

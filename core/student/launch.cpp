@@ -122,6 +122,8 @@ void read_verdict(const std::string& line, const Launch& what, Launched& launche
     launched.end = LaunchEnd::memory;
   else if (word == "processes")
     launched.end = LaunchEnd::processes;
+  else if (word == "files")
+    launched.end = LaunchEnd::files;
   else if (word == "failed")
     throw InputError(fmt::format("{} cannot be started: {}", what.command[0], std::strerror(number)));
   else

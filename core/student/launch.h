@@ -15,7 +15,7 @@ struct LaunchLimits {
   double seconds = 20;                            ///< by the clock
   std::uint64_t memory = std::uint64_t{1} << 30;  ///< bytes: of each process's addresses, and resident in all of them
   int processes = 64;                             ///< at once
-  std::uint64_t file_bytes = std::uint64_t{64} << 20;  ///< of each file that it writes
+  std::uint64_t file_bytes = std::uint64_t{64} << 20;  ///< of each file that it writes, and of all below its folder
   std::uint64_t text_bytes = std::uint64_t{16} << 20;  ///< on standard output and standard error
   std::uint64_t result_bytes = 0;                      ///< on descriptor 3
 };
@@ -26,7 +26,7 @@ enum class LaunchRights { own, nobody_for_root };
 struct Launch {
   std::vector<std::string> command;      ///< the path of the program, then its arguments
   std::vector<std::string> environment;  ///< all of it: "NAME=VALUE"
-  std::filesystem::path folder;          ///< where it runs
+  std::filesystem::path folder;          ///< where it runs; nobody else writes there
   std::filesystem::path input;           ///< the file that it finds as its standard input; empty: nothing to read
   LaunchLimits limits;
   LaunchRights rights = LaunchRights::own;
@@ -43,6 +43,7 @@ enum class LaunchEnd {
   time,
   memory,
   processes,
+  files,   ///< all below its folder took more than file_bytes, or were too many to count
   text,    ///< it wrote more than text_bytes
   result,  ///< it wrote more than result_bytes
 };

@@ -62,6 +62,8 @@ std::string why_it_failed(const Launched& launched, const LaunchLimits& limits) 
     return fmt::format("It used more than {} of memory and was stopped.", size_text(limits.memory));
   case LaunchEnd::processes:
     return fmt::format("It started more than {} processes and was stopped.", limits.processes);
+  case LaunchEnd::files:
+    return fmt::format("It wrote more than {} of files and was stopped.", size_text(limits.file_bytes));
   case LaunchEnd::text:
     return fmt::format("It printed more than {} and was stopped.", size_text(limits.text_bytes));
   case LaunchEnd::result:

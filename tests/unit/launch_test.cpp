@@ -132,6 +132,17 @@ TEST(Launch, MemoryAndFilesHaveAnEnd) {
   EXPECT_NE(shell("head -c 4000000 /dev/zero >big; stat -c %s big", limits).text.find("1048576\n"), std::string::npos);
 }
 
+// No file is larger than it may be: only together they are too large, or too many.
+TEST(Launch, ManySmallFilesHaveAnEnd) {
+  LaunchLimits limits = short_limits();
+  limits.processor_seconds = 10;
+  limits.file_bytes = 1 << 20;
+  const std::string three = "mkdir a; for i in 1 2 3; do head -c 300000 /dev/zero >a/$i; done; sleep 0.2";
+  EXPECT_EQ(shell(three, limits).end, LaunchEnd::exited);
+  EXPECT_EQ(shell(three + "; head -c 300000 /dev/zero >4; sleep 60", limits).end, LaunchEnd::files);
+  EXPECT_EQ(shell("i=0; while :; do : >$i; i=$((i+1)); done", limits).end, LaunchEnd::files) << "empty ones";
+}
+
 TEST(Launch, ACancelledOneEndsWithAllThatItStarted) {
   Progress progress;
   std::thread canceller([&] {
