@@ -50,7 +50,7 @@ RendererRow hardware_renderer_row() {
           .inspect = hardware::inspect_hardware,
           .counts = {Counter::triangles_in, Counter::pixels_written, Counter::nan_pixels},
           .fast_path = [](const Settings&, const SceneTraits&, Channel) { return hardware::hardware_path(); },
-          .own_coverage = true,
+          .by_driver = true,
           .left_out = left_out,
           .shows_objects = shows_objects,
           .subject = [](const SceneTraits&, const Settings&) { return std::string("the hardware renderer"); },

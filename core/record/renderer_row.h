@@ -33,8 +33,9 @@ struct RendererRow {
   CounterSet counts;
   /// Which machinery draws a whole picture, and why nothing faster.
   FastPath (*fast_path)(const Settings& settings, const SceneTraits& traits, Channel channels) = nullptr;
-  /// It decides by itself which samples a triangle covers, and reports no edges: those of the rasterizer are not its.
-  bool own_coverage = false;
+  /// A graphics driver transforms its vertices and decides which samples a triangle covers, and reports neither
+  /// positions nor edges: those that the rasterizer computes are not its.
+  bool by_driver = false;
   /// What it cannot show of such a scene, with the reason and what shows it.
   std::vector<LeftOut> (*left_out)(const SceneTraits& traits, const Settings& settings) = nullptr;
   /// Does it show any object of such a scene?

@@ -46,6 +46,15 @@ TEST(Caption, CountsWork) {
   EXPECT_EQ(work_text(caption_work(*result)[1]), "40 rays") << "all kinds of them";
 }
 
+TEST(Caption, CountsWhatADriverWasGiven) {
+  const auto result = rasterized(3, 5);
+  result->frame.counters[Counter::triangles_in] = 12;
+  result->frame.counters.given = {Counter::triangles_in, Counter::nan_pixels};
+  const auto work = caption_work(*result);
+  ASSERT_EQ(work.size(), 1u) << "fragments are not counted";
+  EXPECT_EQ(work_text(work[0]), "12 submitted triangles");
+}
+
 TEST(Caption, ASingleRunIsSaidToBeOne) {
   EXPECT_EQ(single_run_text(268.4), "~270 ms (first)");
   EXPECT_EQ(single_run_text(5.06), "~5.1 ms (first)");

@@ -69,6 +69,8 @@ class Session {
   TimedPictures& timed() { return timed_; }
   /// What has been built for the pictures.
   Prepared& prepared() { return *prepared_; }
+  /// The same, for work that may end later than the session.
+  std::shared_ptr<Prepared> shared_prepared() const { return prepared_; }
   /// The story of the picked pixel; nullptr while there is none.
   std::shared_ptr<const PixelStory> story(Side side) const;
   /// The selected event of that story; -1 while none is, or while the story that it belongs to is still to come.

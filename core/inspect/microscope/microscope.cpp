@@ -51,7 +51,7 @@ Microscope::Microscope(Scene scene, const View& view, const Settings& settings, 
   if (detail_ == MicroDetail::whole) draw_enlarged(enlarged_pixels, prepared, progress);
   switch (picture_way(settings.renderer)) {
   case PictureWay::fragments:
-    if (renderer_row(settings.renderer).own_coverage) {
+    if (renderer_row(settings.renderer).by_driver) {
       find_driver_sample(prepared, progress);
       break;
     }

@@ -22,9 +22,9 @@ namespace {
 
 constexpr int width = 240, height = 180;
 
-/// PIXELSCOPE_STORY_PIXELS asks for more of each scene, PIXELSCOPE_TEST_SEED for others. Half of them are drawn from
-/// those that show a surface.
-int pixels_of_scene() { return static_cast<int>(test::number_from("PIXELSCOPE_STORY_PIXELS", 16)); }
+/// 1,000 in all. PIXELSCOPE_STORY_PIXELS asks for more of each case, PIXELSCOPE_TEST_SEED for others. Half of them are
+/// drawn from those that show a surface.
+int pixels_of_scene() { return static_cast<int>(test::number_from("PIXELSCOPE_STORY_PIXELS", 50)); }
 unsigned seed() { return test::test_seed(21); }
 
 struct StoryCase {

@@ -23,7 +23,10 @@ std::vector<CaptionWork> caption_work(const RenderResult& result) {
     add({Counter::eye_rays, Counter::shadow_rays, Counter::reflection_rays, Counter::refraction_rays}, "ray");
     break;
   case PictureWay::fragments:
-    add({Counter::triangles_drawn}, "triangle");
+    if (sum({Counter::triangles_drawn}))
+      add({Counter::triangles_drawn}, "triangle");
+    else  // a graphics driver does not count what it draws
+      add({Counter::triangles_in}, "submitted triangle");
     if (sum({Counter::lines_drawn}).value_or(0) > 0 && sum({Counter::fragments}).value_or(0) == 0)
       add({Counter::lines_drawn}, "line");
     else

@@ -15,6 +15,7 @@
 #include "gui/panels/pictures/slow_strip.h"
 #include "gui/widgets/widgets.h"
 #include "render/left_out.h"
+#include "render/renderer_table.h"
 #include "render/story/names.h"
 
 namespace ps::gui {
@@ -299,6 +300,15 @@ void loupe(const PicturesState& state) {
   }
 }
 
+/// The mouse is on the way to a pixel of a picture that a graphics driver has drawn.
+void prepare_story(const Session& session, RenderWorker& renderer, const Hover& hover, StoryAhead& ahead) {
+  const auto result = renderer.result();
+  if (!result || renderer.status().state != RenderState::done || ImGui::IsAnyMouseDown()) return;
+  if (result->request.settings != session.settings(hover.side)) return;
+  if (renderer_row(result->request.settings.renderer).by_driver)
+    ahead.prepare(result->request, hover.pixel, session.shared_prepared());
+}
+
 }  // namespace
 
 void collect_pictures(Session& session, PicturesState& state) {
@@ -394,6 +404,7 @@ void pictures_panel(Session& session, PicturesState& state, const Area& area, co
     break;
   }
   loupe(state);
+  if (state.hover) prepare_story(session, session.renderer(state.hover->side), *state.hover, state.ahead);
 }
 
 }  // namespace ps::gui

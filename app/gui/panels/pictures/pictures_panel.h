@@ -15,6 +15,7 @@
 #include "gui/session/picked_object.h"
 #include "gui/session/session.h"
 #include "gui/work/difference_meter.h"
+#include "gui/work/story_ahead.h"
 #include "image/difference.h"
 
 namespace ps::gui {
@@ -69,6 +70,7 @@ struct PicturesState {
   bool difference_settled = false;                    ///< its gain is that of whole pictures
   ErrorMetric difference_metric = ErrorMetric::rmse;  ///< beside the difference
   std::unique_ptr<DifferenceMeter> meter;             ///< made by whoever owns the state
+  StoryAhead ahead;                                   ///< of the picture under the mouse
 
   bool grid = true;
   bool flip = false;   ///< held: each picture gives way to the other

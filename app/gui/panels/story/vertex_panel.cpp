@@ -8,6 +8,7 @@
 
 #include "gui/widgets/draw.h"
 #include "record/value_text.h"
+#include "render/renderer_table.h"
 
 namespace ps::gui {
 namespace {
@@ -243,6 +244,9 @@ bool vertex_panel(Session& session, VertexPanelState& state, bool filled) {
   }
   const VertexChain now = *state.chain, plain = *state.plain;
   const bool fill = toolbar(session, state, filled);
+  if (renderer_row(session.settings(inspected_side(session)).renderer).by_driver)
+    quiet_text("Computed by this program in double precision. The graphics driver does not report its own positions, "
+               "which may differ in the last digits.");
   ImGui::Spacing();
   ImGui::BeginChild("chain");
   card(0, "Film", "Its model on the way from space to space.",
