@@ -30,9 +30,7 @@ std::vector<double> interpolate(double i0, double d0, double i1, double d1) {
 
 // One pixel of a shape: paint covers what is below, light is added to it.
 void mix_pixel(BookCanvas& canvas, double x, double y, const Vec3d& colour, Blend blend) {
-  const Vec3d mix = blended(blend, canvas.get_pixel(x, y), colour);
-  PS_WATCH("canvas becomes", mix);
-  canvas.put_pixel(x, y, mix);
+  canvas.put_pixel(x, y, blended(blend, canvas.get_pixel(x, y), colour));
 }
 
 void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blend blend) {
@@ -44,6 +42,7 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blen
       PS_PIXEL(x, y);
       PS_WATCH("outline at", Vec2d(x, y));
       mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
     }
   } else {
     if (p1.y < p0.y) std::swap(p0, p1);
@@ -53,6 +52,7 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blen
       PS_PIXEL(x, y);
       PS_WATCH("outline at", Vec2d(x, y));
       mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
     }
   }
 }
@@ -91,6 +91,7 @@ void draw_filled_triangle(BookCanvas& canvas, Vec2d p0, Vec2d p1, Vec2d p2, cons
       PS_WATCH("x", x);
       PS_WATCH("colour", colour);
       mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
     }
   }
 }

@@ -17,9 +17,7 @@ namespace {
 
 // One pixel of a shape: paint covers what is below, light is added to it.
 void mix_pixel(BookCanvas& canvas, double x, double y, const Vec3d& colour, Blend blend) {
-  const Vec3d mix = blended(blend, canvas.get_pixel(x, y), colour);
-  PS_WATCH("canvas becomes", mix);
-  canvas.put_pixel(x, y, mix);
+  canvas.put_pixel(x, y, blended(blend, canvas.get_pixel(x, y), colour));
 }
 
 // A vertex and its attribute are one thing: sorting moves both.
@@ -81,6 +79,7 @@ void draw_shaded_triangle(BookCanvas& canvas, Vertex p0, Vertex p1, Vertex p2, c
       const Vec3d shaded_colour = colour * h;
       PS_WATCH("colour", shaded_colour);
       mix_pixel(canvas, x, y, shaded_colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
     }
   }
 }
@@ -95,6 +94,7 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blen
       PS_PIXEL(x, y);
       PS_WATCH("outline at", Vec2d(x, y));
       mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
     }
   } else {
     if (p1.y < p0.y) std::swap(p0, p1);
@@ -104,6 +104,7 @@ void draw_line(BookCanvas& canvas, Vec2d p0, Vec2d p1, const Vec3d& colour, Blen
       PS_PIXEL(x, y);
       PS_WATCH("outline at", Vec2d(x, y));
       mix_pixel(canvas, x, y, colour, blend);
+      PS_WATCH("canvas becomes", canvas.get_pixel(x, y));
     }
   }
 }

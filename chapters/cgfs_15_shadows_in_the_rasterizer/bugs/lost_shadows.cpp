@@ -32,14 +32,17 @@ struct ShadowMap {
   std::size_t texel(int column, int row) const { return static_cast<std::size_t>(row * size + column); }
 };
 
+using Maps = std::vector<ShadowMap>;  // one for each light
+
 // Twice the area of the triangle a, b, p.
 double edge(const Vec2d& a, const Vec2d& b, const Vec2d& p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
+using Pixel = std::function<void(int, int, const Vec3d&)>;
+
 // Calls pixel(x, y, weights of the vertices) for all whole x and y inside of a triangle, from `low` to below `high`.
-void fill(std::array<Vec2d, 3> p, const Vec2i& low, const Vec2i& high,
-          const std::function<void(int, int, const Vec3d&)>& pixel) {
+void fill(std::array<Vec2d, 3> p, const Vec2i& low, const Vec2i& high, const Pixel& pixel) {
   for (Vec2d& each : p) each = {std::nearbyint(each.x * 256) / 256, std::nearbyint(each.y * 256) / 256};
   const double area = edge(p[0], p[1], p[2]);
   if (area == 0) return;
@@ -121,9 +124,8 @@ bool in_shadow(const ShadowMap& map, const Settings& settings, const Vec3d& poin
   return stored < seen.z - bias;
 }
 
-// Chapter 3, without the lights that do not see the point.
-double compute_illumination(const BookScene& scene, const std::vector<ShadowMap>& maps, const Vec3d& point,
-                            const Vec3d& normal, double specular) {
+// Chapter 3, without the lights that do not see the point p.
+double compute_illumination(const BookScene& scene, const Maps& maps, const Vec3d& p, const Vec3d& n, double s) {
   double intensity = 0;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
@@ -134,21 +136,21 @@ double compute_illumination(const BookScene& scene, const std::vector<ShadowMap>
       continue;
     }
     if (light.kind == LightKind::directional) {
-      const bool shadow = in_shadow(maps[i], scene.settings, point, normal);
+      const bool shadow = in_shadow(maps[i], scene.settings, p, n);
       PS_WATCH("in shadow", shadow);
       if (shadow) continue;
     }
-    const Vec3d to_light = light.kind == LightKind::point ? light.position - point : light.direction;
+    const Vec3d to_light = light.kind == LightKind::point ? light.position - p : light.direction;
     PS_WATCH("to light", to_light);
-    const double diffuse = dot(to_light, normal) / length(to_light);
+    const double diffuse = dot(to_light, n) / length(to_light);
     PS_WATCH("cosine to the light", diffuse);
     if (diffuse > 0) intensity += diffuse * light.intensity;
-    if (scene.settings.specular && specular != -1) {
-      const Vec3d reflected = normal * (2 * dot(normal, to_light)) - to_light;
-      const Vec3d view = scene.camera.position - point;
+    if (scene.settings.specular && s != -1) {
+      const Vec3d reflected = n * (2 * dot(n, to_light)) - to_light;
+      const Vec3d view = scene.camera.position - p;
       const double shine = dot(reflected, view) / (length(reflected) * length(view));
       PS_WATCH("cosine to the viewer", shine);
-      if (shine > 0) intensity += power(shine, specular) * light.intensity;
+      if (shine > 0) intensity += power(shine, s) * light.intensity;
     }
     PS_WATCH("intensity so far", intensity);
   }
@@ -162,8 +164,8 @@ Vec2d project(const BookScene& scene, const Vec3d& p) {
 }
 
 // The camera's picture. The point of a pixel is found from the world's vertices, for it is the light that asks.
-void draw_triangle(const BookScene& scene, BookCanvas& canvas, const std::vector<ShadowMap>& maps,
-                   const Triangle& world, const Triangle& seen, const BookSurface& surface) {
+void draw_triangle(const BookScene& scene, BookCanvas& canvas, const Maps& maps, const Triangle& world,
+                   const Triangle& seen, const BookSurface& surface) {
   const Vec3d across = cross(world[1] - world[0], world[2] - world[0]), normal = across / length(across);
   fill({project(scene, seen[0]), project(scene, seen[1]), project(scene, seen[2])}, {canvas.left(), canvas.bottom()},
        {canvas.right(), canvas.top()}, [&](int x, int y, const Vec3d& w) {
@@ -199,7 +201,7 @@ void draw(const BookScene& scene, BookCanvas& canvas) {
   std::vector<Triangle> all;
   for (const BookInstance& instance : scene.instances)
     for (const Triangle& triangle : world_triangles(instance)) all.push_back(triangle);
-  std::vector<ShadowMap> maps(scene.lights.size());
+  Maps maps(scene.lights.size());
   for (std::size_t i = 0; i < maps.size(); ++i)
     if (scene.lights[i].kind == LightKind::directional)
       maps[i] = draw_shadow_map(all, scene.lights[i], scene.settings.shadow_map_size);
