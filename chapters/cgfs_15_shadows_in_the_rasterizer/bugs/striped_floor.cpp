@@ -115,7 +115,8 @@ double bias_at(const ShadowMap& map, const Settings& settings, const Vec3d& norm
 bool in_shadow(const ShadowMap& map, const Settings& settings, const Vec3d& point, const Vec3d& normal) {
   const Vec3d seen = map.seen(point);
   PS_WATCH("column, row, depth", seen);
-  const int column = static_cast<int>(std::floor(seen.x)), row = static_cast<int>(std::floor(seen.y));
+  const int column = static_cast<int>(std::floor(seen.x));
+  const int row = static_cast<int>(std::floor(seen.y));
   if (column < 0 || row < 0 || column >= map.size || row >= map.size) return false;
   const double stored = map.depth[map.texel(column, row)];
   PS_WATCH("stored depth", stored);
