@@ -112,7 +112,8 @@ template <class Value>
 const Value& entry(const std::vector<Value>& values, double place, double first) {
   const double index = std::trunc(place - first);
   if (!(index >= 0 && index < static_cast<double>(values.size())))
-    throw std::out_of_range("a value was asked for that is not in its list of " + std::to_string(values.size()));
+    throw std::out_of_range("an entry was asked for that a list of " + std::to_string(values.size()) +
+                            " values does not have");
   return values[static_cast<std::size_t>(index)];
 }
 
